@@ -1,0 +1,52 @@
+#pragma once
+
+#include "Evaluator.h"
+
+#include <cstddef>
+
+/**
+ * @file
+ * The inner loops of the direct sums, compiled once per instruction set and chosen at run time
+ * (Highway). Vectorised over samples; sources are broadcast one after the other, in their order.
+ */
+namespace winding
+{
+
+/// Sources per call: small enough to stay in the first-level cache beside a block of samples.
+constexpr std::size_t kernelChunk = 128;
+
+struct KernelTriangle
+{
+  double a[3], b[3], c[3];
+  double normal[3]; ///< (b − a) × (c − a)
+};
+
+struct KernelDipole
+{
+  double position[3];
+  double moment[3]; ///< normal · area / 4π
+};
+
+/// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
+struct AngleProducts
+{
+  alignas(64) double re[SampleBlock::capacity] = {};
+  alignas(64) double im[SampleBlock::capacity] = {};
+  alignas(64) double turns[SampleBlock::capacity] = {};
+};
+
+struct KernelSums
+{
+  alignas(64) double sum[SampleBlock::capacity] = {};
+};
+
+void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
+  AngleProducts& products);
+
+void addDipoles(
+  const KernelDipole* dipoles, std::size_t count, const SampleBlock& samples, KernelSums& sums);
+
+/// Name of the instruction set that this machine's kernels use, such as "AVX2".
+const char* kernelInstructionSet();
+
+}

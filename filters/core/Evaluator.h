@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+namespace winding
+{
+
+/**
+ * Up to `capacity` samples as structure of arrays, aligned and padded for SIMD: an evaluator may
+ * read (and compute, and throw away) up to `capacity` entries, so all of them hold finite numbers.
+ */
+struct SampleBlock
+{
+  static constexpr std::size_t capacity = 256;
+
+  alignas(64) double x[capacity] = {};
+  alignas(64) double y[capacity] = {};
+  alignas(64) double z[capacity] = {};
+  std::size_t count = 0;
+};
+
+/**
+ * One method, bound to one source. Immutable once built: evaluate() may be called from any number
+ * of threads at once, and the value of a sample does not depend on the samples beside it.
+ */
+class Evaluator
+{
+public:
+  virtual ~Evaluator() = default;
+
+  /// Writes the winding number of each of block.count samples to values[0 … count − 1].
+  virtual void evaluate(const SampleBlock& block, double* values) const = 0;
+};
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace winding
+{
+
+/**
+ * The seam between the core and whatever runs its work. The core cuts its work into blocks that do
+ * not depend on each other and hands them over; threads, progress and interruption are the
+ * executor's business. Results never depend on the executor: every block writes its own output.
+ */
+class Executor
+{
+public:
+  virtual ~Executor() = default;
+
+  /**
+   * Calls work(0) … work(count − 1), each once, in any order and on any threads, and returns when
+   * all have ended. Returns false, with some blocks left undone, when interrupted.
+   */
+  virtual bool run(std::size_t count, const std::function<void(std::size_t)>& work) = 0;
+};
+
+/// Runs the blocks one after the other on the calling thread; never interrupted.
+class SerialExecutor final : public Executor
+{
+public:
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    for (std::size_t block = 0; block < count; ++block)
+    {
+      work(block);
+    }
+    return true;
+  }
+};
+
+}

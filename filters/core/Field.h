@@ -1,0 +1,105 @@
+#pragma once
+
+#include "Executor.h"
+#include "Grid.h"
+#include "InsideRule.h"
+#include "Views.h"
+
+#include <memory>
+#include <string>
+
+namespace winding
+{
+
+class Evaluator;
+
+/// How w is found. Every method but parity gives the winding number.
+enum class Method
+{
+  automatic, ///< the fastest that keeps the tolerance
+  direct,    ///< the sum over all primitives, exact up to rounding
+  parity     ///< ray casting, the baseline; triangles only
+};
+
+const char* nameOf(Method method);
+
+struct FieldOptions
+{
+  Method method = Method::automatic;
+  /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
+  double pointArea = 0;
+};
+
+/// What a field is made of and how it will be evaluated: for reports, not for computing.
+struct FieldInfo
+{
+  bool isSurface = true;
+  std::size_t inputPrimitives = 0; ///< triangles or points that came in
+  std::size_t primitives = 0;      ///< those that are summed over
+  std::size_t dropped = 0;         ///< unusable ones: NaN, bad ids, zero normals, negative areas
+  std::size_t weldedVertices = 0;  ///< surfaces: different vertices; clouds: points
+  std::size_t boundaryEdges = 0;    ///< edges used by one triangle
+  std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
+  double pointArea = 0; ///< clouds: the constant area, 0 if points have their own
+  Bounds bounds;
+  Method method = Method::direct; ///< the one chosen, never automatic
+  std::string why;                ///< why this one, for the user
+  std::string warning;            ///< what the user should know about the input; may be empty
+};
+
+/// Where values go, one per sample in the samples' order; null pointers are left out.
+struct FieldOutput
+{
+  float* values = nullptr;
+  double* doubleValues = nullptr;
+  /// 1 inside, 0 outside, decided on the value as the array stores it: rounded to float unless
+  /// doubleValues is set.
+  unsigned char* inside = nullptr;
+  InsideRule rule = InsideRule::signedThreshold;
+  double threshold = 0.5;
+};
+
+/**
+ * The winding field of one source, built once and immutable. All evaluation is const and may run
+ * from several threads at once.
+ *
+ * Guaranteed: the bits of a sample's value depend on its position and the source only: not on
+ * the grid's extent, the pieces it is cut into, the executor or its threads.
+ * A field without primitives is 0 everywhere.
+ */
+class Field
+{
+public:
+  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it.
+  static std::shared_ptr<const Field> build(
+    const std::vector<TrianglesView>& views, const FieldOptions& options);
+  static std::shared_ptr<const Field> build(
+    const std::vector<OrientedPointsView>& views, const FieldOptions& options);
+
+  virtual ~Field() = default;
+
+  virtual const FieldInfo& info() const = 0;
+
+  /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
+  bool evaluate(
+    const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+
+  /// Evaluates scattered samples. False when the executor was interrupted.
+  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+
+  /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
+  virtual double reference(const Eigen::Vector3d& sample) const = 0;
+
+  /// A point of the source, evenly distributed for u, v, t evenly distributed over [0, 1).
+  virtual Eigen::Vector3d pointOnSource(double u, double v, double t) const = 0;
+
+protected:
+  virtual const Evaluator& evaluator() const = 0;
+
+private:
+  template <class PositionOf>
+  bool evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
+    const FieldOutput& output, Executor& executor) const;
+};
+
+}

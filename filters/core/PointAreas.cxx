@@ -1,0 +1,62 @@
+#include "PointAreas.h"
+
+#include "UnitScale.h"
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The cloud as nanoflann wants to see it, in unit size: squared distances stay within range.
+struct ScaledPoints
+{
+  const std::vector<Eigen::Vector3d>& positions;
+  double scale;
+
+  std::size_t kdtree_get_point_count() const { return positions.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return positions[i][axis] * scale; }
+  template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
+};
+
+using PointTree = nanoflann::KDTreeSingleIndexAdaptor<
+  nanoflann::L2_Simple_Adaptor<double, ScaledPoints>, ScaledPoints, 3, std::uint32_t>;
+
+}
+
+double meanPointArea(const PointCloud& cloud, int neighbors)
+{
+  const std::size_t points = cloud.positions.size();
+  if (points < 2)
+  {
+    return 0;
+  }
+  const std::size_t k = std::min(static_cast<std::size_t>(std::max(neighbors, 1)), points - 1);
+  const ScaledPoints scaled{ cloud.positions, unitScale(cloud.bounds) };
+  const PointTree tree(3, scaled, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+
+  std::vector<std::uint32_t> ids(k + 1);
+  std::vector<double> squared(k + 1);
+  std::vector<double> areas(points);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    // One more than k: the nearest is the point itself.
+    const Eigen::Vector3d query = cloud.positions[i] * scaled.scale;
+    tree.knnSearch(query.data(), k + 1, ids.data(), squared.data());
+    areas[i] = squared[k];
+  }
+  const std::size_t kept = points - points / 100;
+  std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept - 1), areas.end());
+  // Sorted before they are summed: the mean must not depend on the order of the points.
+  std::sort(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept));
+  const double sum = std::accumulate(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
+  constexpr double pi = 3.14159265358979323846;
+  return pi * sum / static_cast<double>(kept * k) / scaled.scale / scaled.scale;
+}
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace winding
+{
+
+/**
+ * The sign of the area of (from, to, q), in the plane: +1 where q lies to the left of the directed
+ * edge, −1 to the right.
+ *
+ * Guaranteed: (1) exact for all doubles whose products neither overflow nor underflow: a rounded
+ * evaluation is used only where its error bound proves the sign, expansions elsewhere (Shewchuk,
+ * Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997);
+ * (2) odd under swapping from and to; (3) 0 only if from == to: a q on the line counts as moved by
+ * an infinitesimal step along +u and by one infinitely smaller along +v (u, v: first and second
+ * coordinate), the same for every edge, so that the edges of a triangulation agree about it.
+ */
+int sideOfEdge(
+  const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
+
+}

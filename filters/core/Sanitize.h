@@ -1,0 +1,71 @@
+#pragma once
+
+#include "Views.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+/**
+ * @file
+ * From whatever comes in to sources that every method can trust: finite coordinates, valid ids,
+ * vertices with exactly equal coordinates made one. What is dropped is counted, never hidden.
+ */
+namespace winding
+{
+
+using Bounds = Eigen::AlignedBox3d;
+
+/// Three vertex ids; positive orientation is counter-clockwise seen from outside.
+using Triangle = std::array<std::int32_t, 3>;
+
+/**
+ * A clean triangle chain. Properties: (1) all coordinates are finite and −0 does not occur;
+ * (2) no two vertices are equal, every vertex belongs to a triangle, and vertices stand in order of
+ * first use; (3) the three ids of a triangle are valid and differ; (4) triangles keep their order.
+ * Duplicate, opposite and zero-area triangles stay: the formulas give them their exact share.
+ */
+struct Surface
+{
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Triangle> triangles;
+  Bounds bounds; ///< of the vertices; empty when there are none
+
+  std::size_t inputTriangles = 0;
+  std::size_t nonFiniteTriangles = 0; ///< dropped: a corner is NaN or infinite
+  std::size_t invalidIdTriangles = 0; ///< dropped: a corner is no point of the input
+  std::size_t collapsedTriangles = 0; ///< left out: two corners equal, so they bound nothing
+
+  std::size_t dropped() const { return nonFiniteTriangles + invalidIdTriangles; }
+};
+
+/// A clean oriented cloud: finite positions, unit normals, finite non-negative areas.
+struct PointCloud
+{
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Vector3d> normals;
+  std::vector<double> areas; ///< as many as positions, or none when the input has none
+  Bounds bounds;
+
+  std::size_t inputPoints = 0;
+  std::size_t nonFinitePoints = 0;  ///< dropped: position, normal or area NaN or infinite
+  std::size_t zeroNormalPoints = 0; ///< dropped: a normal of length 0 has no direction
+  std::size_t badAreaPoints = 0;    ///< dropped: a negative area
+
+  std::size_t dropped() const { return nonFinitePoints + zeroNormalPoints + badAreaPoints; }
+};
+
+/**
+ * Several views become one source, in their order. Linear time.
+ * Throws Refusal when there was input and every primitive had to be dropped, when a view's arrays
+ * differ in length, or when more than 2³¹ − 1 vertices remain.
+ */
+Surface sanitize(const std::vector<TrianglesView>& views);
+PointCloud sanitize(const std::vector<OrientedPointsView>& views);
+
+/// The bounds that sanitize() would find, without building anything; empty for no valid primitive.
+Bounds boundsOf(const std::vector<TrianglesView>& views);
+Bounds boundsOf(const std::vector<OrientedPointsView>& views);
+
+}

@@ -1,0 +1,166 @@
+#include "SurfaceReport.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Disjoint sets of 0 … n − 1.
+class UnionFind
+{
+public:
+  explicit UnionFind(std::size_t count)
+    : parent_(count)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  std::int32_t find(std::int32_t item)
+  {
+    while (parent_[item] != item)
+    {
+      parent_[item] = parent_[parent_[item]];
+      item = parent_[item];
+    }
+    return item;
+  }
+
+  /// Returns whether they were apart.
+  bool unite(std::int32_t a, std::int32_t b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<std::int32_t> parent_;
+};
+
+/// One side of one triangle; sorting by edge brings the uses of an edge together.
+struct EdgeUse
+{
+  std::int32_t low, high; ///< vertex ids, low < high
+  std::int32_t triangle;
+  bool upward; ///< from low to high
+
+  bool operator<(const EdgeUse& other) const
+  {
+    return low != other.low ? low < other.low : high < other.high;
+  }
+  bool sameEdge(const EdgeUse& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<EdgeUse> sortedEdgeUses(const Surface& surface)
+{
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * surface.triangles.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Triangle& triangle = surface.triangles[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int32_t from = triangle[i], to = triangle[(i + 1) % 3];
+      uses.push_back(
+        { std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to });
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+std::size_t countDuplicates(const Surface& surface)
+{
+  std::vector<Triangle> sorted = surface.triangles;
+  for (Triangle& triangle : sorted)
+  {
+    std::sort(triangle.begin(), triangle.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto unique = std::unique(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(sorted.end() - unique);
+}
+
+std::size_t countVertexComponents(const Surface& surface)
+{
+  UnionFind pieces(surface.vertices.size());
+  std::size_t count = surface.vertices.size();
+  for (const Triangle& triangle : surface.triangles)
+  {
+    count -= pieces.unite(triangle[0], triangle[1]);
+    count -= pieces.unite(triangle[1], triangle[2]);
+  }
+  return count;
+}
+
+}
+
+EdgeCounts countEdges(const Surface& surface)
+{
+  const std::vector<EdgeUse> uses = sortedEdgeUses(surface);
+  EdgeCounts counts;
+  counts.components = surface.triangles.size();
+  UnionFind pieces(surface.triangles.size());
+  UnionFind rims(surface.vertices.size());
+  std::vector<std::int32_t> rimVertices;
+  for (auto first = uses.begin(); first != uses.end();)
+  {
+    auto last = first;
+    std::ptrdiff_t net = 0;
+    for (; last != uses.end() && last->sameEdge(*first); ++last)
+    {
+      net += last->upward ? 1 : -1;
+      counts.components -= pieces.unite(first->triangle, last->triangle);
+    }
+    const std::ptrdiff_t used = last - first;
+    ++counts.edges;
+    counts.netBoundary += net != 0;
+    counts.nonManifold += used > 2;
+    counts.inconsistent += used == 2 && net != 0;
+    if (used == 1)
+    {
+      ++counts.boundary;
+      rims.unite(first->low, first->high);
+      rimVertices.push_back(first->low);
+    }
+    first = last;
+  }
+  for (std::int32_t& vertex : rimVertices)
+  {
+    vertex = rims.find(vertex);
+  }
+  std::sort(rimVertices.begin(), rimVertices.end());
+  counts.boundaryLoops = static_cast<std::size_t>(
+    std::unique(rimVertices.begin(), rimVertices.end()) - rimVertices.begin());
+  return counts;
+}
+
+SurfaceReport reportOn(const Surface& surface)
+{
+  SurfaceReport report;
+  report.edges = countEdges(surface);
+  report.vertexComponents = countVertexComponents(surface);
+  report.duplicateTriangles = countDuplicates(surface);
+  const Eigen::Vector3d center =
+    surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
+  for (const Triangle& triangle : surface.triangles)
+  {
+    const Eigen::Vector3d a = surface.vertices[triangle[0]] - center;
+    const Eigen::Vector3d b = surface.vertices[triangle[1]] - center;
+    const Eigen::Vector3d c = surface.vertices[triangle[2]] - center;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    report.zeroAreaTriangles += normal == Eigen::Vector3d::Zero();
+    report.area += 0.5 * normal.norm();
+    report.volume += a.dot(normal) / 6;
+  }
+  report.eulerCharacteristic = static_cast<long long>(surface.vertices.size()) -
+    static_cast<long long>(report.edges.edges) + static_cast<long long>(surface.triangles.size());
+  return report;
+}
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "Sanitize.h"
+
+namespace winding
+{
+
+/// How often each edge of the welded surface is used, summed up.
+struct EdgeCounts
+{
+  std::size_t edges = 0;
+  std::size_t boundary = 0;     ///< used by one triangle
+  std::size_t netBoundary = 0;  ///< used more often in one direction than in the other
+  std::size_t nonManifold = 0;  ///< used by more than two triangles
+  std::size_t inconsistent = 0; ///< used by two triangles in the same direction
+  std::size_t boundaryLoops = 0; ///< connected pieces of the boundary edges
+  std::size_t components = 0;   ///< pieces connected through edges
+
+  /// Whether every edge cancels: then w is an integer everywhere off the surface.
+  bool isClosed() const { return netBoundary == 0; }
+};
+
+/// O(n log n) time, 48 bytes per triangle while it runs.
+EdgeCounts countEdges(const Surface& surface);
+
+/// The health of a surface. The counts of what was dropped are in the Surface.
+struct SurfaceReport
+{
+  EdgeCounts edges;
+  std::size_t vertexComponents = 0;   ///< pieces connected through vertices
+  std::size_t duplicateTriangles = 0; ///< beyond the first with the same three vertices
+  std::size_t zeroAreaTriangles = 0;  ///< three different vertices on a line
+  double area = 0;
+  double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
+
+  /// V − E + F: 2 for a sphere, 0 for a torus.
+  long long eulerCharacteristic = 0;
+};
+
+SurfaceReport reportOn(const Surface& surface);
+
+}

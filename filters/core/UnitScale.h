@@ -1,0 +1,46 @@
+#pragma once
+
+#include "Evaluator.h"
+#include "Sanitize.h"
+
+#include <algorithm>
+#include <cmath>
+
+/**
+ * @file
+ * Coordinates are scaled to about unit size before kernels multiply them: products of three lengths
+ * would leave the range of double for sources of size 1e±110 and beyond. The factor is a power of
+ * two, so the scaling itself rounds nothing.
+ */
+namespace winding
+{
+
+/// 2^k such that the longest side of the bounds becomes 1 … 2; 1 for bounds without extent.
+inline double unitScale(const Bounds& bounds)
+{
+  const double longest = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  // The largest exponents are left out: 2^k itself must stay a finite, normal number.
+  return longest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000)) : 1.0;
+}
+
+/**
+ * Multiplies the samples by a scale. Farther than 1e90 unit sizes the position is cut off at that
+ * distance, where every winding number has long been 0, so that cubes of distances stay finite.
+ */
+inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& scaled)
+{
+  constexpr double farthest = 1e90;
+  const auto apply = [&](const double(&from)[SampleBlock::capacity], double* to)
+  {
+    for (std::size_t i = 0; i < block.count; ++i)
+    {
+      to[i] = std::clamp(from[i] * scale, -farthest, farthest);
+    }
+  };
+  apply(block.x, scaled.x);
+  apply(block.y, scaled.y);
+  apply(block.z, scaled.z);
+  scaled.count = block.count;
+}
+
+}

@@ -1,0 +1,237 @@
+/**
+ * @class   vtkWindingNumberAlgorithm
+ * @brief   what all winding-number filters have in common: the source, the method, the result arrays
+ *
+ * The generalized winding number w says how often an oriented surface wraps around a point: 1 inside,
+ * 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It tells inside
+ * from outside for input that ray tests fail on: open scans, triangle soups, self-intersections,
+ * non-manifold pieces, oriented point clouds (Jacobson, Kavan, Sorkine-Hornung, Robust inside-outside
+ * segmentation using generalized winding numbers, 2013).
+ *
+ * A **source** is a surface or an oriented point cloud:
+ * - vtkPolyData with triangles, quads, polygons or strips. Polygons are fans from their first vertex,
+ *   which is exact for planar ones, convex or not. Orientation matters: counter-clockwise seen from
+ *   outside gives w = +1 inside.
+ * - any other vtkPointSet with cells of two or three dimensions, through its outer surface.
+ * - a vtkPointSet without such cells, as a cloud of its points, which then need normals.
+ * - composite data of the above: the leaves are one source. Surfaces and clouds do not mix.
+ *
+ * Primitives with NaN or infinite values or ids of points that do not exist are left out; a warning
+ * says how many. A source without primitives gives w = 0 everywhere, with a warning.
+ *
+ * What is built from a source (welded vertices, areas) is kept for as long as its points, cells,
+ * normals and areas are the same arrays, unmodified: threshold, grid or time steps never rebuild it.
+ *
+ * Threads are those of vtkSMPTools. Where its backend is Sequential only because VTK was built so
+ * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads 1
+ * keep it serial. Results have the same bits for any backend and number of threads.
+ */
+#ifndef vtkWindingNumberAlgorithm_h
+#define vtkWindingNumberAlgorithm_h
+
+#include "vtkAlgorithm.h"
+#include "vtkFiltersWindingModule.h" // for export macro
+
+#include <memory> // for the private engine
+
+class vtkDataSetAttributes;
+class vtkFieldData;
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberAlgorithm : public vtkAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWindingNumberAlgorithm, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How w is computed. The numbers are kept for state files; gaps are for methods to come.
+  enum MethodType
+  {
+    AUTOMATIC = 0, ///< the fastest that keeps the tolerance
+    DIRECT = 3,    ///< sum over all primitives, exact up to rounding
+    PARITY = 4     ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
+  };
+
+  /// When a sample counts as inside; t is WindingThreshold.
+  enum InsideRuleType
+  {
+    SIGNED = 0,   ///< w >= t
+    ABSOLUTE = 1, ///< |w| >= t, for sources of unknown orientation
+    ODD = 2       ///< the integer nearest to w is odd
+  };
+
+  /// Where the areas of the points of a cloud come from. Numbered as MethodType is.
+  enum PointAreaMethodType
+  {
+    CONSTANT = 2, ///< PointArea for every point
+    ARRAY = 3     ///< the point data array AreaArray
+  };
+
+  /// How the last execution ended.
+  enum StatusType
+  {
+    DONE = 0,
+    REFUSED = 1,       ///< input or properties cannot be worked with; an error was reported
+    OUT_OF_MEMORY = 2, ///< the result does not fit into memory; an error was reported
+    ABORTED = 3        ///< AbortExecute; the output is empty
+  };
+
+  ///@{
+  /// Default AUTOMATIC.
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Largest absolute error of w that an approximation may make; 0 forbids approximation. Both
+  /// methods above are exact and keep any tolerance. 0 or more, default 0.001.
+  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// Take a mesh as the cloud of its points. Points without normals get the area-weighted mean of
+  /// their triangles' normals. Default off.
+  vtkSetMacro(SourceAsPoints, vtkTypeBool);
+  vtkGetMacro(SourceAsPoints, vtkTypeBool);
+  vtkBooleanMacro(SourceAsPoints, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Clouds: the point data array of normals, which need not have unit length. Default: none named,
+  /// so the active normals.
+  vtkSetStringMacro(NormalsArray);
+  vtkGetStringMacro(NormalsArray);
+  ///@}
+
+  ///@{
+  /// Clouds: where areas come from. Default CONSTANT.
+  vtkSetMacro(PointAreaMethod, int);
+  vtkGetMacro(PointAreaMethod, int);
+  ///@}
+
+  ///@{
+  /// Clouds, method CONSTANT: the area of every point. 0 estimates the mean area from the distances
+  /// to the nearest 20 points. 0 or more, default 0.
+  vtkSetMacro(PointArea, double);
+  vtkGetMacro(PointArea, double);
+  ///@}
+
+  ///@{
+  /// Clouds, method ARRAY: the point data array of areas. Default "Area".
+  vtkSetStringMacro(AreaArray);
+  vtkGetStringMacro(AreaArray);
+  ///@}
+
+  ///@{
+  /// Default 0.5.
+  vtkSetMacro(WindingThreshold, double);
+  vtkGetMacro(WindingThreshold, double);
+  ///@}
+
+  ///@{
+  /// Default SIGNED.
+  vtkSetClampMacro(InsideRule, int, SIGNED, ODD);
+  vtkGetMacro(InsideRule, int);
+  ///@}
+
+  ///@{
+  /// Add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from the value in
+  /// the result array. Default off.
+  vtkSetMacro(GenerateInside, vtkTypeBool);
+  vtkGetMacro(GenerateInside, vtkTypeBool);
+  vtkBooleanMacro(GenerateInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Name of the array of w. Default "WindingNumber".
+  vtkSetStringMacro(ResultArrayName);
+  vtkGetStringMacro(ResultArrayName);
+  ///@}
+
+  ///@{
+  /// VTK_FLOAT or VTK_DOUBLE; w itself is always computed in double. Default VTK_FLOAT.
+  vtkSetMacro(OutputScalarType, int);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
+  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  ///@}
+
+  ///@{
+  /// Most threads to use; 0 leaves it to vtkSMPTools. Default 0. Does not change the result.
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /// About the last execution: how it ended, the method used and why it was chosen, the seconds
+  /// spent on building from the source (0 when it was kept) and on evaluating.
+  vtkGetMacro(Status, int);
+  const char* GetMethodUsed() const;
+  const char* GetMethodReason() const;
+  vtkGetMacro(PrepareSeconds, double);
+  vtkGetMacro(EvaluateSeconds, double);
+  ///@}
+
+  ///@{
+  /// About the source of the last execution. Boundary edges are those used by one triangle; net
+  /// boundary edges those whose uses do not cancel; without any, w is an integer everywhere.
+  bool GetSourceIsSurface() const;
+  vtkIdType GetNumberOfPrimitives() const;
+  vtkIdType GetNumberOfDroppedPrimitives() const;
+  vtkIdType GetNumberOfWeldedVertices() const;
+  vtkIdType GetNumberOfBoundaryEdges() const;
+  vtkIdType GetNumberOfNetBoundaryEdges() const;
+  ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+protected:
+  vtkWindingNumberAlgorithm();
+  ~vtkWindingNumberAlgorithm() override;
+
+  vtkWindingNumberAlgorithm(const vtkWindingNumberAlgorithm&) = delete;
+  void operator=(const vtkWindingNumberAlgorithm&) = delete;
+
+  /// What a filter does with its requests. False, or an exception of the core, fails the request;
+  /// exceptions are reported as errors and set Status.
+  virtual bool GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual bool AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual bool MakeData(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+
+  /// Asks upstream for all of a source, whatever piece of the result was asked for.
+  static void AskForWholeSource(vtkInformation* sourceInformation);
+
+  /// For RequestInformation: brings a source up to date, whole, so that its bounds are known.
+  void UpdateSource(int port, vtkInformation* outputInformation);
+
+  static int FillSourcePortInformation(vtkInformation* info);
+
+  class Engine;
+  Engine& GetEngine() { return *this->Core; }
+
+  int Method = AUTOMATIC;
+  double Tolerance = 1e-3;
+  vtkTypeBool SourceAsPoints = 0;
+  char* NormalsArray = nullptr;
+  int PointAreaMethod = CONSTANT;
+  double PointArea = 0;
+  char* AreaArray = nullptr;
+  double WindingThreshold = 0.5;
+  int InsideRule = SIGNED;
+  vtkTypeBool GenerateInside = 0;
+  char* ResultArrayName = nullptr;
+  int OutputScalarType = VTK_FLOAT;
+  int NumberOfThreads = 0;
+  int Status = DONE;
+  double PrepareSeconds = 0;
+  double EvaluateSeconds = 0;
+
+private:
+  bool Guard(bool (vtkWindingNumberAlgorithm::*make)(vtkInformationVector**, vtkInformationVector*),
+    vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  std::unique_ptr<Engine> Core;
+};
+
+#endif

@@ -1,0 +1,77 @@
+/**
+ * @class   vtkWindingNumberProbe
+ * @brief   winding number at the points or cells of any data set
+ *
+ * Port 0 takes the data set that says where (any vtkDataSet); port 1 the source, a surface or an
+ * oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow copy of port 0 with
+ * the array "WindingNumber" and, if asked for, "Inside". The ports are those of vtkPointInterpolator;
+ * what the filter is for is what vtkSelectEnclosedPoints is for, on surfaces that need not be closed.
+ *
+ * @code
+ *   vtkNew<vtkWindingNumberProbe> probe;
+ *   probe->SetInputConnection(points->GetOutputPort());
+ *   probe->SetSourceConnection(surface->GetOutputPort());
+ *   probe->GenerateInsideOn();
+ * @endcode
+ *
+ * The value of a point does not depend on the other points. Points that are NaN or infinite get NaN,
+ * and are not inside.
+ *
+ * @sa vtkWindingNumberField vtkSelectEnclosedPoints
+ */
+#ifndef vtkWindingNumberProbe_h
+#define vtkWindingNumberProbe_h
+
+#include "vtkWindingNumberAlgorithm.h"
+
+class vtkDataSet;
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberAlgorithm
+{
+public:
+  static vtkWindingNumberProbe* New();
+  vtkTypeMacro(vtkWindingNumberProbe, vtkWindingNumberAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where w is evaluated.
+  enum ProbeAssociationType
+  {
+    POINTS = 0, ///< at the points; the result is point data
+    CELLS = 1   ///< at the parametric centres of the cells; the result is cell data
+  };
+
+  ///@{
+  /// The surface or cloud whose winding number is asked for: port 1.
+  void SetSourceConnection(vtkAlgorithmOutput* source);
+  void SetSourceData(vtkDataObject* source);
+  ///@}
+
+  ///@{
+  /// Default POINTS.
+  vtkSetClampMacro(ProbeAssociation, int, POINTS, CELLS);
+  vtkGetMacro(ProbeAssociation, int);
+  void SetProbeAssociationToPoints() { this->SetProbeAssociation(POINTS); }
+  void SetProbeAssociationToCells() { this->SetProbeAssociation(CELLS); }
+  ///@}
+
+  vtkDataSet* GetOutput();
+
+protected:
+  vtkWindingNumberProbe();
+  ~vtkWindingNumberProbe() override = default;
+
+  vtkWindingNumberProbe(const vtkWindingNumberProbe&) = delete;
+  void operator=(const vtkWindingNumberProbe&) = delete;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  bool MakeDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool MakeData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  int ProbeAssociation = POINTS;
+};
+
+#endif

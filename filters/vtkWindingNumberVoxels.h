@@ -1,0 +1,62 @@
+/**
+ * @class   vtkWindingNumberVoxels
+ * @brief   surface of the voxels that are inside, as quads
+ *
+ * Takes the image of vtkWindingNumberField (or any vtkImageData with a scalar array) and gives the
+ * "block" surface of its inside voxels: one quad for every face between an inside voxel and an outside
+ * one, or the edge of the image, facing outwards. Quads share their vertices; there are no faces
+ * inside, no duplicate points and no unused points.
+ *
+ * Samples may be the image's points (a voxel around each, of the size of the spacing) or its cells.
+ * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside.
+ *
+ * The array is picked by SetInputArrayToProcess(0, …); default: the active scalars of the points, or
+ * else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
+ * The order of points and quads depends on the input only. Works on the whole image: with several
+ * pieces, all is in the first.
+ *
+ * @sa vtkWindingNumberField vtkThreshold
+ */
+#ifndef vtkWindingNumberVoxels_h
+#define vtkWindingNumberVoxels_h
+
+#include "vtkFiltersWindingModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberVoxels : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkWindingNumberVoxels* New();
+  vtkTypeMacro(vtkWindingNumberVoxels, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Default 0.5.
+  vtkSetMacro(WindingThreshold, double);
+  vtkGetMacro(WindingThreshold, double);
+  ///@}
+
+  ///@{
+  /// As vtkWindingNumberAlgorithm::InsideRuleType. Default SIGNED.
+  vtkSetClampMacro(InsideRule, int, 0, 2);
+  vtkGetMacro(InsideRule, int);
+  ///@}
+
+protected:
+  vtkWindingNumberVoxels();
+  ~vtkWindingNumberVoxels() override = default;
+
+  vtkWindingNumberVoxels(const vtkWindingNumberVoxels&) = delete;
+  void operator=(const vtkWindingNumberVoxels&) = delete;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  double WindingThreshold = 0.5;
+  int InsideRule = 0;
+};
+
+#endif
