@@ -32,10 +32,22 @@
 #include "vtkAlgorithm.h"
 #include "vtkFiltersWindingModule.h" // for export macro
 
-#include <memory> // for the private engine
+#include <functional> // for work handed to the threads
+#include <memory>     // for the private source field
 
+namespace winding
+{
+class Executor;
+class Field;
+class ResultArrays;
+class SourceField;
+struct FieldInfo;
+struct FieldOutput;
+struct SourceOptions;
+}
+class vtkDataObject;
+class vtkDataSet;
 class vtkDataSetAttributes;
-class vtkFieldData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberAlgorithm : public vtkAlgorithm
 {
@@ -193,22 +205,37 @@ protected:
   vtkWindingNumberAlgorithm(const vtkWindingNumberAlgorithm&) = delete;
   void operator=(const vtkWindingNumberAlgorithm&) = delete;
 
-  /// What a filter does with its requests. False, or an exception of the core, fails the request;
-  /// exceptions are reported as errors and set Status.
-  virtual bool GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
-  virtual bool AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
-  virtual bool MakeData(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  ///@{
+  /// What a filter does for the pipeline's requests. They may throw what the core throws: it is
+  /// reported as an error, sets Status and fails the request.
+  virtual void GiveDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  virtual void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  ///@}
+
+  static void FillSourcePortInformation(vtkInformation* info);
 
   /// Asks upstream for all of a source, whatever piece of the result was asked for.
   static void AskForWholeSource(vtkInformation* sourceInformation);
 
-  /// For RequestInformation: brings a source up to date, whole, so that its bounds are known.
-  void UpdateSource(int port, vtkInformation* outputInformation);
+  /// The field of a source, built or kept; warns about what is wrong with the source.
+  const winding::Field& PrepareField(vtkDataObject* source);
 
-  static int FillSourcePortInformation(vtkInformation* info);
+  /// The bounds of a source's usable primitives; false if it has none.
+  bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
-  class Engine;
-  Engine& GetEngine() { return *this->Core; }
+  ///@{
+  /// Result arrays as the properties want them, where the core writes to in them, and their way into
+  /// the output, together with field data that says how they came about.
+  winding::ResultArrays MakeResults(vtkIdType samples) const;
+  winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
+  void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
+    vtkDataSetAttributes* attributes) const;
+  ///@}
+
+  /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
+  bool Evaluate(const std::function<bool(winding::Executor&)>& evaluation);
 
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
@@ -228,10 +255,10 @@ protected:
   double EvaluateSeconds = 0;
 
 private:
-  bool Guard(bool (vtkWindingNumberAlgorithm::*make)(vtkInformationVector**, vtkInformationVector*),
-    vtkInformationVector** inputs, vtkInformationVector* outputs);
+  winding::SourceOptions GetSourceOptions() const;
+  const winding::FieldInfo& GetSourceInfo() const;
 
-  std::unique_ptr<Engine> Core;
+  std::unique_ptr<winding::SourceField> Source;
 };
 
 #endif

@@ -39,6 +39,11 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
+namespace winding
+{
+struct Grid;
+}
+class vtkDataArray;
 class vtkImageData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberField : public vtkWindingNumberAlgorithm
@@ -133,9 +138,9 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
-  bool GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool MakeData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int Resolution = 64;
   double VoxelSize = 0;
@@ -152,8 +157,11 @@ protected:
   vtkIdType NumberOfNearVerifiedSamples = 0;
 
 private:
-  struct SamplingGrid;
-  std::unique_ptr<SamplingGrid> Sampling; ///< the grid that the pipeline was told about
+  void UpdateSource(vtkInformation* outInfo);
+  void LayOutGrid(vtkDataObject* source);
+  void Verify(const winding::Field& field, const int samples[6], vtkDataArray* values);
+
+  std::unique_ptr<winding::Grid> Sampling; ///< the grid that the pipeline was told about
 };
 
 #endif

@@ -66,10 +66,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
-  bool MakeDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool MakeData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int ProbeAssociation = POINTS;
 };

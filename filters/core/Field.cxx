@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace winding
 {
@@ -46,6 +47,18 @@ void writeValues(
     {
       const double stored = output.doubleValues ? values[i] : rounded;
       output.inside[first + i] = isInside(stored, output.rule, output.threshold);
+    }
+  }
+}
+
+/// Nowhere is not a place: samples that are NaN or infinite get NaN from every method.
+void markNonFinite(const SampleBlock& block, double* values)
+{
+  for (std::size_t i = 0; i < block.count; ++i)
+  {
+    if (!std::isfinite(block.x[i]) || !std::isfinite(block.y[i]) || !std::isfinite(block.z[i]))
+    {
+      values[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 }
@@ -236,6 +249,7 @@ bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
       }
       double values[SampleBlock::capacity];
       method.evaluate(block, values);
+      markNonFinite(block, values);
       writeValues(values, first, block.count, output);
     });
 }

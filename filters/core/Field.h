@@ -28,6 +28,11 @@ struct FieldOptions
   Method method = Method::automatic;
   /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
   double pointArea = 0;
+
+  bool operator==(const FieldOptions& other) const
+  {
+    return method == other.method && pointArea == other.pointArea;
+  }
 };
 
 /// What a field is made of and how it will be evaluated: for reports, not for computing.

@@ -1,0 +1,336 @@
+#include "InputViews.h"
+
+#include "Refusal.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace winding
+{
+
+namespace
+{
+
+/// Whether a data set has cells that bound something: of two dimensions or more.
+bool hasFaces(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
+  }
+  vtkNew<vtkCellTypes> types;
+  leaf->GetCellTypes(types);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(static_cast<int>(i)));
+    if (cell->GetCellDimension() >= 2)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A polygon as the fan from its first vertex: for planar polygons the right chain, convex or not.
+void appendFan(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
+{
+  for (vtkIdType i = 2; i < size; ++i)
+  {
+    triangles.insert(triangles.end(), { ids[0], ids[i - 1], ids[i] });
+  }
+}
+
+/// A strip: every other triangle is turned round.
+void appendStrip(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
+{
+  for (vtkIdType i = 2; i < size; ++i)
+  {
+    const bool turned = i % 2 == 1;
+    triangles.insert(
+      triangles.end(), { ids[i - 2], ids[turned ? i : i - 1], ids[turned ? i - 1 : i] });
+  }
+}
+
+template <class Append>
+std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
+{
+  std::vector<std::int64_t> triangles;
+  triangles.reserve(3 * static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, size, ids);
+    append(size, ids, triangles);
+  }
+  return triangles;
+}
+
+}
+
+InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
+  : options_(options)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (composite)
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      this->addLeaf(iterator->GetCurrentDataObject(),
+        "block " + std::to_string(iterator->GetCurrentFlatIndex()));
+    }
+  }
+  else if (source)
+  {
+    this->addLeaf(source, "the source");
+  }
+  for (vtkPointSet* leaf : leaves_)
+  {
+    this->identify(leaf);
+  }
+}
+
+InputViews::~InputViews() = default;
+
+void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
+{
+  auto* points = vtkPointSet::SafeDownCast(leaf);
+  if (!points)
+  {
+    throw Refusal(name + " is a " + std::string(leaf->GetClassName()) +
+      "; a source is a surface or points (vtkPointSet)");
+  }
+  if (points->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const bool isSurface = !options_.asPoints && hasFaces(points);
+  if (!leaves_.empty() && isSurface != isSurface_)
+  {
+    throw Refusal("the source mixes surfaces and point clouds; extract the blocks of one kind");
+  }
+  isSurface_ = isSurface;
+  leaves_.emplace_back(points);
+}
+
+void InputViews::identify(vtkPointSet* leaf)
+{
+  const auto add = [this](vtkObject* object)
+  {
+    if (object)
+    {
+      identity_.emplace_back(object, object->GetMTime());
+    }
+  };
+  add(leaf->GetPoints());
+  add(leaf->GetPoints()->GetData());
+  auto* polyData = vtkPolyData::SafeDownCast(leaf);
+  if (polyData && (isSurface_ || options_.asPoints))
+  {
+    add(polyData->GetPolys());
+    add(polyData->GetStrips());
+  }
+  else if (!polyData)
+  {
+    add(leaf);
+  }
+  if (!isSurface_)
+  {
+    // A mesh taken as points may have no normals of its own.
+    add(hasFaces(leaf) ? this->findArray(leaf, options_.normalsArray, 3) : this->normalsOf(leaf));
+    add(this->areasOf(leaf));
+  }
+}
+
+/// The named point array, or the active normals for no name; null if there is none.
+vtkDataArray* InputViews::findArray(
+  vtkPointSet* leaf, const std::string& name, int components) const
+{
+  vtkPointData* data = leaf->GetPointData();
+  vtkDataArray* array = name.empty() ? data->GetNormals() : data->GetArray(name.c_str());
+  if (array && array->GetNumberOfComponents() != components)
+  {
+    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
+      "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
+      std::to_string(components) + "; choose another array");
+  }
+  if (!array && !name.empty())
+  {
+    throw Refusal("there is no point array '" + name + "'; choose another array");
+  }
+  return array;
+}
+
+vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
+{
+  vtkDataArray* normals = this->findArray(leaf, options_.normalsArray, 3);
+  if (!normals)
+  {
+    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
+                  "compute oriented normals first, for instance by vtkPCANormalEstimation with "
+                  "NormalOrientation set to graph traversal");
+  }
+  return normals;
+}
+
+vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
+{
+  if (!options_.areasFromArray)
+  {
+    return nullptr;
+  }
+  if (options_.areaArray.empty())
+  {
+    throw Refusal("areas are to come from an array but none is named; name it");
+  }
+  return this->findArray(leaf, options_.areaArray, 1);
+}
+
+template <class View> View InputViews::viewOf(vtkDataArray* array)
+{
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  {
+    return View(floats->GetPointer(0), count);
+  }
+  auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array);
+  if (!doubles)
+  {
+    auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+    copy->DeepCopy(array);
+    doubles = copy;
+    copies_.emplace_back(copy);
+  }
+  return View(doubles->GetPointer(0), count);
+}
+
+VectorsView InputViews::vectorsOf(vtkDataArray* array)
+{
+  return this->viewOf<VectorsView>(array);
+}
+
+ScalarsView InputViews::scalarsOf(vtkDataArray* array)
+{
+  return this->viewOf<ScalarsView>(array);
+}
+
+TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
+{
+  if (polygons->IsHomogeneous() == 3)
+  {
+    const auto count = static_cast<std::size_t>(polygons->GetNumberOfCells());
+    if (polygons->IsStorage64Bit())
+    {
+      // vtkTypeInt64 may be another 64 bit type than std::int64_t, with the same representation.
+      return { reinterpret_cast<const std::int64_t*>(
+                 polygons->GetConnectivityArray64()->GetPointer(0)),
+        count };
+    }
+    return { polygons->GetConnectivityArray32()->GetPointer(0), count };
+  }
+  ids_.push_back(flatten(polygons, appendFan));
+  return { ids_.back().data(), ids_.back().size() / 3 };
+}
+
+void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
+{
+  auto* polyData = vtkPolyData::SafeDownCast(leaf);
+  if (!polyData)
+  {
+    vtkNew<vtkDataSetSurfaceFilter> skin;
+    skin->SetInputData(leaf);
+    skin->Update();
+    polyData = skin->GetOutput();
+    skins_.emplace_back(polyData);
+    if (polyData->GetNumberOfPoints() == 0)
+    {
+      return;
+    }
+  }
+  const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
+  if (polyData->GetNumberOfPolys() > 0)
+  {
+    views.push_back({ points, this->idsOf(polyData->GetPolys()) });
+  }
+  if (polyData->GetNumberOfStrips() > 0)
+  {
+    ids_.push_back(flatten(polyData->GetStrips(), appendStrip));
+    views.push_back({ points, { ids_.back().data(), ids_.back().size() / 3 } });
+  }
+}
+
+std::vector<TrianglesView> InputViews::triangles()
+{
+  std::vector<TrianglesView> views;
+  for (vtkPointSet* leaf : leaves_)
+  {
+    this->addTriangles(leaf, views);
+  }
+  return views;
+}
+
+/// Normals of a mesh's points: the sum of the area vectors of the triangles around each.
+VectorsView InputViews::meshNormalsOf(vtkPointSet* leaf)
+{
+  std::vector<TrianglesView> views;
+  this->addTriangles(leaf, views);
+  std::vector<double> normals(3 * static_cast<std::size_t>(leaf->GetNumberOfPoints()));
+  for (const TrianglesView& view : views)
+  {
+    for (std::size_t t = 0; t < view.triangles.size(); ++t)
+    {
+      std::size_t id[3];
+      bool valid = true;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        id[i] = static_cast<std::size_t>(view.triangles(t, i));
+        valid = valid && id[i] < view.points.size() && 3 * id[i] < normals.size();
+      }
+      if (!valid)
+      {
+        continue;
+      }
+      const Eigen::Vector3d a = view.points[id[0]];
+      const Eigen::Vector3d areaVector = (view.points[id[1]] - a).cross(view.points[id[2]] - a);
+      for (std::size_t corner : id)
+      {
+        Eigen::Map<Eigen::Vector3d>(&normals[3 * corner]) += areaVector;
+      }
+    }
+  }
+  normals_.push_back(std::move(normals));
+  return { normals_.back().data(), normals_.back().size() / 3 };
+}
+
+std::vector<OrientedPointsView> InputViews::orientedPoints()
+{
+  std::vector<OrientedPointsView> views;
+  for (vtkPointSet* leaf : leaves_)
+  {
+    OrientedPointsView view;
+    view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
+    vtkDataArray* own = this->findArray(leaf, options_.normalsArray, 3);
+    view.normals = own ? this->vectorsOf(own) : this->meshNormalsOf(leaf);
+    if (vtkDataArray* areas = this->areasOf(leaf))
+    {
+      view.areas = this->scalarsOf(areas);
+    }
+    views.push_back(view);
+  }
+  return views;
+}
+
+}

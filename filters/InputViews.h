@@ -1,0 +1,81 @@
+#pragma once
+
+#include "Sanitize.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDataObject;
+class vtkPointSet;
+
+namespace winding
+{
+
+/// Which arrays of a source to use, and as what.
+struct InputOptions
+{
+  bool asPoints = false;       ///< a mesh as the cloud of its points
+  std::string normalsArray;    ///< empty: the active normals
+  bool areasFromArray = false; ///< clouds: areas from areaArray, not constant
+  std::string areaArray;
+
+  bool operator==(const InputOptions& other) const
+  {
+    return asPoints == other.asPoints && normalsArray == other.normalsArray &&
+      areasFromArray == other.areasFromArray && areaArray == other.areaArray;
+  }
+};
+
+/**
+ * A VTK source as the core's views. Finding out what a source is costs nothing; views are made on
+ * request, over VTK's own memory wherever its layout allows that, and live as long as this object.
+ *
+ * Throws Refusal, with a line for the user, for data that is no source.
+ */
+class InputViews
+{
+public:
+  /// What a source is made of: the arrays that count and when they were last modified.
+  using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
+
+  InputViews(vtkDataObject* source, const InputOptions& options);
+  ~InputViews();
+
+  bool isSurface() const { return isSurface_; }
+  const Identity& identity() const { return identity_; }
+
+  std::vector<TrianglesView> triangles();
+  std::vector<OrientedPointsView> orientedPoints();
+
+private:
+  void addLeaf(vtkDataObject* leaf, const std::string& name);
+  void identify(vtkPointSet* leaf);
+  vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
+  vtkDataArray* normalsOf(vtkPointSet* leaf) const;
+  vtkDataArray* areasOf(vtkPointSet* leaf) const;
+  VectorsView vectorsOf(vtkDataArray* array);
+  ScalarsView scalarsOf(vtkDataArray* array);
+  template <class View> View viewOf(vtkDataArray* array);
+  TriangleIdsView idsOf(vtkCellArray* polygons);
+  VectorsView meshNormalsOf(vtkPointSet* leaf);
+  void addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views);
+
+  InputOptions options_;
+  bool isSurface_ = false;
+  std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
+  Identity identity_;
+
+  // What views point into where VTK's own memory would not do.
+  std::vector<vtkSmartPointer<vtkDataArray>> copies_;
+  std::vector<vtkSmartPointer<vtkPointSet>> skins_;
+  std::vector<std::vector<std::int64_t>> ids_;
+  std::vector<std::vector<double>> normals_;
+};
+
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "Executor.h"
+
+class vtkAlgorithm;
+
+namespace winding
+{
+
+/**
+ * Runs the core's blocks on vtkSMPTools for a filter. The blocks go out in batches of about a tenth
+ * of a second; between batches, on the calling thread, the filter's progress is updated and its abort
+ * flag is asked. Which blocks make a batch depends on the clock, what they compute does not.
+ */
+class SmpExecutor final : public Executor
+{
+public:
+  /// threads: the most to use, 0 for as many as vtkSMPTools would.
+  SmpExecutor(vtkAlgorithm* filter, int threads);
+
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+
+private:
+  void runBatch(
+    std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
+
+  vtkAlgorithm* filter_;
+  int threads_;
+};
+
+}

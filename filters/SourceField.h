@@ -1,0 +1,48 @@
+#pragma once
+
+#include "Field.h"
+#include "InputViews.h"
+
+class vtkDataObject;
+
+namespace winding
+{
+
+/// Everything that a field depends on beside the source itself.
+struct SourceOptions
+{
+  InputOptions input;
+  FieldOptions field;
+};
+
+/**
+ * The field of a filter's source, kept for as long as the source and the options that it depends on
+ * stay the same.
+ */
+class SourceField
+{
+public:
+  /// Builds the field, or keeps the last one. Throws Refusal.
+  const Field& prepare(vtkDataObject* source, const SourceOptions& options);
+
+  /// Bounds of the source's usable primitives, without building; kept likewise. Throws Refusal.
+  const Bounds& bounds(vtkDataObject* source, const InputOptions& options);
+
+  /// Information on the last field; that of an empty one before the first.
+  const FieldInfo& info() const;
+
+  /// Whether the last prepare() had to build.
+  bool wasBuilt() const { return wasBuilt_; }
+
+private:
+  InputViews::Identity identity_;
+  SourceOptions options_;
+  std::shared_ptr<const Field> field_;
+  bool wasBuilt_ = false;
+
+  InputViews::Identity boundsIdentity_;
+  InputOptions boundsOptions_;
+  Bounds bounds_;
+};
+
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/**
+ * A text file taken apart into lines of numbers, for the readers of this module. Blank lines and
+ * comments, from '#' to the end of the line, are passed over. Numbers are read the same way in
+ * every locale. The whole file is in memory, so that counts which a file promises can be held
+ * against what it has before anything is allocated for them.
+ */
+class TextScanner
+{
+public:
+  /// What is wrong with the file: one line that names file and line, and a vtkErrorCode.
+  class Fault : public std::runtime_error
+  {
+  public:
+    Fault(unsigned long errorCode, const std::string& message)
+      : std::runtime_error(message)
+      , code(errorCode)
+    {
+    }
+    unsigned long code;
+  };
+
+  /// Reads the file; throws Fault when it cannot, or when the file is empty.
+  explicit TextScanner(const char* fileName);
+
+  /// Goes to the next line that has anything on it; false at the end of the file.
+  bool nextLine();
+
+  /// The next word of the line; empty at its end.
+  std::string_view word();
+
+  /// How many words are left on the line.
+  std::size_t wordsLeft() const;
+
+  /// The next word of the line as a number. Throws Fault, naming `what`, if it is none.
+  double number(const char* what);
+  std::int64_t integer(const char* what);
+
+  /// An integer from 0 to what could stand in the rest of the file at `bytesPerItem` or more each.
+  std::int64_t count(const char* what, std::size_t bytesPerItem);
+
+  /// How many lines with anything on them follow the present one. O(rest of the file).
+  std::size_t linesLeft() const;
+
+  /// From 0, for progress, to 1.
+  double fractionRead() const;
+
+  /// Throw a Fault about the present line, or about the file's end.
+  [[noreturn]] void refuse(const std::string& message) const;
+  [[noreturn]] void refuseEnd(const std::string& message) const;
+
+private:
+  /// The line that starts at `start` without its comment; moves `start` behind it.
+  std::string_view lineAt(std::size_t& start) const;
+
+  std::string fileName_;
+  std::string text_;
+  std::size_t next_ = 0; ///< where the next line starts
+  std::size_t lineNumber_ = 0;
+  std::string_view line_; ///< what is left of the present line
+};

@@ -1,0 +1,304 @@
+#include "vtkWindingNumberAlgorithm.h"
+
+#include "ResultArrays.h"
+#include "SmpExecutor.h"
+#include "SourceField.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <chrono>
+#include <new>
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+winding::Method coreMethod(int method)
+{
+  switch (method)
+  {
+    case vtkWindingNumberAlgorithm::AUTOMATIC:
+      return winding::Method::automatic;
+    case vtkWindingNumberAlgorithm::DIRECT:
+      return winding::Method::direct;
+    case vtkWindingNumberAlgorithm::PARITY:
+      return winding::Method::parity;
+  }
+  throw winding::Refusal("the method is " + std::to_string(method) +
+    "; it must be AUTOMATIC (0), DIRECT (3) or PARITY (4)");
+}
+
+bool areasComeFromArray(int pointAreaMethod)
+{
+  if (pointAreaMethod != vtkWindingNumberAlgorithm::CONSTANT &&
+    pointAreaMethod != vtkWindingNumberAlgorithm::ARRAY)
+  {
+    throw winding::Refusal("the point area method is " + std::to_string(pointAreaMethod) +
+      "; it must be CONSTANT (2) or ARRAY (3)");
+  }
+  return pointAreaMethod == vtkWindingNumberAlgorithm::ARRAY;
+}
+
+winding::InsideRule coreRule(int rule)
+{
+  switch (rule)
+  {
+    case vtkWindingNumberAlgorithm::ABSOLUTE:
+      return winding::InsideRule::absoluteThreshold;
+    case vtkWindingNumberAlgorithm::ODD:
+      return winding::InsideRule::odd;
+    default:
+      return winding::InsideRule::signedThreshold;
+  }
+}
+
+std::string textOf(const char* text)
+{
+  return text ? text : "";
+}
+
+}
+
+vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
+  : Source(std::make_unique<winding::SourceField>())
+{
+  this->SetAreaArray("Area");
+  this->SetResultArrayName("WindingNumber");
+}
+
+vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
+{
+  this->SetNormalsArray(nullptr);
+  this->SetAreaArray(nullptr);
+  this->SetResultArrayName(nullptr);
+}
+
+vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  void (vtkWindingNumberAlgorithm::*answer)(vtkInformationVector**, vtkInformationVector*) = nullptr;
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    answer = &vtkWindingNumberAlgorithm::GiveDataObject;
+  }
+  else if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    answer = &vtkWindingNumberAlgorithm::GiveInformation;
+  }
+  else if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    answer = &vtkWindingNumberAlgorithm::AskForUpdate;
+  }
+  else if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    answer = &vtkWindingNumberAlgorithm::GiveData;
+  }
+  else
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+
+  this->Status = DONE;
+  try
+  {
+    (this->*answer)(inputs, outputs);
+    return 1;
+  }
+  catch (const winding::OutOfMemory& refusal)
+  {
+    this->Status = OUT_OF_MEMORY;
+    vtkErrorMacro(<< refusal.what());
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    this->Status = REFUSED;
+    vtkErrorMacro(<< refusal.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Status = OUT_OF_MEMORY;
+    vtkErrorMacro(<< "there is not enough memory for this source and grid; choose larger voxels or "
+                     "write the result in pieces");
+  }
+  return 0;
+}
+
+void vtkWindingNumberAlgorithm::GiveDataObject(vtkInformationVector**, vtkInformationVector*) {}
+
+void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+void vtkWindingNumberAlgorithm::AskForWholeSource(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  // A structured source, such as a curvilinear grid, is asked for by extent instead.
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
+{
+  winding::SourceOptions options;
+  options.input.asPoints = this->SourceAsPoints != 0;
+  options.input.normalsArray = textOf(this->NormalsArray);
+  options.input.areasFromArray = areasComeFromArray(this->PointAreaMethod);
+  options.input.areaArray = textOf(this->AreaArray);
+  options.field.method = coreMethod(this->Method);
+  options.field.pointArea = this->PointArea;
+  return options;
+}
+
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source)
+{
+  const Clock::time_point start = Clock::now();
+  const winding::Field& field = this->Source->prepare(source, this->GetSourceOptions());
+  this->PrepareSeconds = this->Source->wasBuilt() ? secondsSince(start) : 0;
+  const winding::FieldInfo& info = field.info();
+  if (!info.warning.empty())
+  {
+    vtkWarningMacro(<< info.warning);
+  }
+  if (info.primitives == 0)
+  {
+    vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
+  }
+  return field;
+}
+
+bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
+{
+  const winding::Bounds& found = this->Source->bounds(source, this->GetSourceOptions().input);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = found.min()[axis];
+    bounds[2 * axis + 1] = found.max()[axis];
+  }
+  return !found.isEmpty();
+}
+
+winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+{
+  const std::string name = textOf(this->ResultArrayName);
+  return { samples, this->OutputScalarType, name.empty() ? "WindingNumber" : name,
+    this->GenerateInside != 0 };
+}
+
+winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
+{
+  return results.output(coreRule(this->InsideRule), this->WindingThreshold);
+}
+
+void vtkWindingNumberAlgorithm::AddResults(const winding::ResultArrays& results, vtkDataSet* output,
+  vtkDataSetAttributes* attributes) const
+{
+  results.addTo(attributes);
+  const auto note = [output](const char* name, const char* text)
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    array->InsertNextValue(text);
+    output->GetFieldData()->AddArray(array);
+  };
+  note("WindingNumberMethod", this->GetMethodUsed());
+  note("WindingNumberMethodReason", this->GetMethodReason());
+}
+
+bool vtkWindingNumberAlgorithm::Evaluate(
+  const std::function<bool(winding::Executor&)>& evaluation)
+{
+  const Clock::time_point start = Clock::now();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  const bool complete = evaluation(executor);
+  this->EvaluateSeconds = secondsSince(start);
+  this->Status = complete ? DONE : ABORTED;
+  return complete;
+}
+
+const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const
+{
+  return this->Source->info();
+}
+
+const char* vtkWindingNumberAlgorithm::GetMethodUsed() const
+{
+  return winding::nameOf(this->GetSourceInfo().method);
+}
+
+const char* vtkWindingNumberAlgorithm::GetMethodReason() const
+{
+  return this->GetSourceInfo().why.c_str();
+}
+
+bool vtkWindingNumberAlgorithm::GetSourceIsSurface() const
+{
+  return this->GetSourceInfo().isSurface;
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfPrimitives() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().primitives);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfDroppedPrimitives() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().dropped);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfWeldedVertices() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().weldedVertices);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfBoundaryEdges() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().boundaryEdges);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfNetBoundaryEdges() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().netBoundaryEdges);
+}
+
+void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "SourceAsPoints: " << this->SourceAsPoints << "\n";
+  os << indent << "NormalsArray: " << textOf(this->NormalsArray) << "\n";
+  os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
+  os << indent << "PointArea: " << this->PointArea << "\n";
+  os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";
+  os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
+  os << indent << "InsideRule: " << this->InsideRule << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Status: " << this->Status << "\n";
+  os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
+  os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n";
+  os << indent << "EvaluateSeconds: " << this->EvaluateSeconds << "\n";
+}

@@ -1,0 +1,223 @@
+#include "vtkWindingNumberField.h"
+
+#include "Grid.h"
+#include "Refusal.h"
+#include "ResultArrays.h"
+#include "SmpExecutor.h"
+#include "Verify.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+
+winding::Bounds toBounds(const double (&b)[6])
+{
+  return { Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5]) };
+}
+
+}
+
+vtkStandardNewMacro(vtkWindingNumberField);
+
+vtkWindingNumberField::vtkWindingNumberField()
+  : Sampling(std::make_unique<winding::Grid>())
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(1);
+}
+
+vtkWindingNumberField::~vtkWindingNumberField() = default;
+
+vtkImageData* vtkWindingNumberField::GetOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkWindingNumberField::FillInputPortInformation(int, vtkInformation* info)
+{
+  FillSourcePortInformation(info);
+  return 1;
+}
+
+int vtkWindingNumberField::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
+  return 1;
+}
+
+/// Brings the source up to date, whole: the grid depends on its bounds, and must be known before
+/// anybody can ask for a part of it.
+void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
+{
+  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
+  vtkAlgorithm* producer = connection->GetProducer();
+  const int port = connection->GetIndex();
+  vtkNew<vtkInformation> request;
+  producer->UpdateInformation();
+  vtkInformation* produced = producer->GetOutputInformation(port);
+  if (produced->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  AskForWholeSource(request);
+  request->Remove(Pipeline::WHOLE_EXTENT());
+  if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Get(Pipeline::UPDATE_TIME_STEP()));
+  }
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  requests->SetInformationObject(port, request);
+  producer->Update(port, requests);
+}
+
+void vtkWindingNumberField::LayOutGrid(vtkDataObject* source)
+{
+  winding::GridRequest request;
+  double bounds[6];
+  if (this->UseInputBounds && this->GetSourceBounds(source, bounds))
+  {
+    request.bounds = toBounds(bounds);
+    request.padding = this->Padding;
+  }
+  else
+  {
+    request.bounds = toBounds(this->SamplingBounds);
+  }
+  request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
+  request.voxelSize = this->VoxelSize;
+  request.resolution = this->Resolution;
+  *this->Sampling = winding::layOutGrid(request);
+}
+
+void vtkWindingNumberField::GiveInformation(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  if (this->UseInputBounds)
+  {
+    this->UpdateSource(outInfo);
+  }
+  this->LayOutGrid(vtkDataObject::GetData(inputs[0]));
+
+  const winding::Grid& grid = *this->Sampling;
+  const bool asCells = this->OutputAssociation == CELLS;
+  const Eigen::Vector3d origin = asCells ? grid.corner() : grid.firstSample;
+  // An image of n cells has n + 1 points.
+  const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Constant(asCells ? 0 : 1);
+  const int extent[6] = { 0, last[0], 0, last[1], 0, last[2] };
+  outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+  outInfo->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
+  outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  if (!asCells)
+  {
+    vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->OutputScalarType, 1);
+  }
+}
+
+void vtkWindingNumberField::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)
+{
+  AskForWholeSource(inputs[0]->GetInformationObject(0));
+}
+
+void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
+  int extent[6];
+  outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
+  output->SetExtent(extent);
+  output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
+  output->SetSpacing(outInfo->Get(vtkDataObject::SPACING()));
+
+  const bool asCells = this->OutputAssociation == CELLS;
+  winding::Extent samples;
+  std::copy_n(extent, 6, samples.begin());
+  for (int axis = 0; asCells && axis < 3; ++axis)
+  {
+    --samples[2 * axis + 1];
+  }
+
+  const winding::ResultArrays results =
+    this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
+  const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[0]));
+  const bool complete = this->Evaluate(
+    [&](winding::Executor& executor)
+    { return field.evaluate(*this->Sampling, samples, this->OutputTo(results), executor); });
+  if (!complete)
+  {
+    output->Initialize();
+    return;
+  }
+  vtkDataSetAttributes* attributes = output->GetPointData();
+  if (asCells)
+  {
+    attributes = output->GetCellData();
+  }
+  this->AddResults(results, output, attributes);
+  this->Verify(field, samples.data(), results.values());
+}
+
+void vtkWindingNumberField::Verify(
+  const winding::Field& field, const int* samples, vtkDataArray* values)
+{
+  winding::Verification found;
+  if (this->VerifySamples > 0)
+  {
+    if (field.info().method == winding::Method::parity)
+    {
+      throw winding::Refusal(
+        "parity is no winding number, so it cannot be verified; choose another method");
+    }
+    constexpr unsigned seed = 20260101;
+    winding::Extent extent;
+    std::copy_n(samples, 6, extent.begin());
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    found = winding::verify(
+      field, *this->Sampling, extent,
+      [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); },
+      static_cast<std::size_t>(this->VerifySamples), seed, executor);
+  }
+  this->MaxError = found.everywhere.max;
+  this->RMSError = found.everywhere.rms();
+  this->NearMaxError = found.nearSurface.max;
+  this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
+  this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
+}
+
+void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* dimensions = this->SamplingDimensions;
+  const double* bounds = this->SamplingBounds;
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "VoxelSize: " << this->VoxelSize << "\n";
+  os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
+     << dimensions[2] << "\n";
+  os << indent << "UseInputBounds: " << this->UseInputBounds << "\n";
+  os << indent << "SamplingBounds: " << bounds[0] << " " << bounds[1] << " " << bounds[2] << " "
+     << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
+  os << indent << "VerifySamples: " << this->VerifySamples << "\n";
+  os << indent << "MaxError: " << this->MaxError << "\n";
+  os << indent << "RMSError: " << this->RMSError << "\n";
+  os << indent << "NearMaxError: " << this->NearMaxError << "\n";
+  os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
+  os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
+}

@@ -1,0 +1,226 @@
+#include "vtkWindingNumberVoxels.h"
+
+#include "InsideRule.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <array>
+#include <vector>
+
+namespace
+{
+
+struct Classify
+{
+  template <class Array>
+  void operator()(Array* values, winding::InsideRule rule, double threshold,
+    std::vector<unsigned char>& inside) const
+  {
+    const auto range = vtk::DataArrayValueRange<1>(values);
+    inside.reserve(static_cast<std::size_t>(range.size()));
+    for (const auto value : range)
+    {
+      inside.push_back(winding::isInside(static_cast<double>(value), rule, threshold));
+    }
+  }
+};
+
+/**
+ * Walks the corners of the voxels layer by layer, from low z to high z, and makes a quad for every
+ * face between inside and outside. Corner ids are needed for two layers of corners at a time only.
+ */
+class BlockSurface
+{
+public:
+  BlockSurface(const std::vector<unsigned char>& inside, const int* dimensions,
+    const double* corner, const double* spacing, vtkPoints* points, vtkCellArray* quads)
+    : inside_(inside)
+    , n_{ dimensions[0], dimensions[1], dimensions[2] }
+    , corner_{ corner[0], corner[1], corner[2] }
+    , spacing_{ spacing[0], spacing[1], spacing[2] }
+    , points_(points)
+    , quads_(quads)
+  {
+    const std::size_t corners =
+      static_cast<std::size_t>(n_[0] + 1) * static_cast<std::size_t>(n_[1] + 1);
+    lower_.assign(corners, -1);
+    upper_.assign(corners, -1);
+  }
+
+  void build()
+  {
+    for (int k = 0; k <= n_[2]; ++k)
+    {
+      // Layer k: the faces across z at its bottom, and the upright faces of its voxels.
+      for (int j = 0; j <= n_[1]; ++j)
+      {
+        for (int i = 0; i <= n_[0]; ++i)
+        {
+          this->facesAt(i, j, k);
+        }
+      }
+      lower_.swap(upper_);
+      upper_.assign(upper_.size(), -1);
+    }
+  }
+
+private:
+  bool isInside(int i, int j, int k) const
+  {
+    if (i < 0 || j < 0 || k < 0 || i >= n_[0] || j >= n_[1] || k >= n_[2])
+    {
+      return false;
+    }
+    return inside_[(static_cast<std::size_t>(k) * n_[1] + j) * n_[0] + i] != 0;
+  }
+
+  /// The three faces on the low sides of voxel (i, j, k).
+  void facesAt(int i, int j, int k)
+  {
+    const bool here = this->isInside(i, j, k);
+    const bool left = this->isInside(i - 1, j, k);
+    const bool front = this->isInside(i, j - 1, k);
+    const bool below = this->isInside(i, j, k - 1);
+    if (here != left)
+    {
+      this->addQuad(left, { this->id(i, j, k, 0), this->id(i, j + 1, k, 0),
+                            this->id(i, j + 1, k, 1), this->id(i, j, k, 1) });
+    }
+    if (here != front)
+    {
+      this->addQuad(front, { this->id(i, j, k, 0), this->id(i, j, k, 1),
+                             this->id(i + 1, j, k, 1), this->id(i + 1, j, k, 0) });
+    }
+    if (here != below)
+    {
+      this->addQuad(below, { this->id(i, j, k, 0), this->id(i + 1, j, k, 0),
+                             this->id(i + 1, j + 1, k, 0), this->id(i, j + 1, k, 0) });
+    }
+  }
+
+  /// The corners run counter-clockwise seen from the high side, where the face looks if the voxel
+  /// on its low side is the inside one.
+  void addQuad(bool lowSideIsInside, std::array<vtkIdType, 4> corners)
+  {
+    if (!lowSideIsInside)
+    {
+      std::swap(corners[1], corners[3]);
+    }
+    quads_->InsertNextCell(4, corners.data());
+  }
+
+  /// Id of the corner (i, j, k + up), made when first asked for.
+  vtkIdType id(int i, int j, int k, int up)
+  {
+    std::vector<vtkIdType>& layer = up ? upper_ : lower_;
+    vtkIdType& known = layer[static_cast<std::size_t>(j) * (n_[0] + 1) + i];
+    if (known < 0)
+    {
+      known = points_->InsertNextPoint(corner_[0] + i * spacing_[0], corner_[1] + j * spacing_[1],
+        corner_[2] + (k + up) * spacing_[2]);
+    }
+    return known;
+  }
+
+  const std::vector<unsigned char>& inside_;
+  int n_[3];
+  double corner_[3], spacing_[3];
+  vtkPoints* points_;
+  vtkCellArray* quads_;
+  std::vector<vtkIdType> lower_, upper_;
+};
+
+}
+
+vtkStandardNewMacro(vtkWindingNumberVoxels);
+
+vtkWindingNumberVoxels::vtkWindingNumberVoxels()
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
+    vtkDataSetAttributes::SCALARS);
+}
+
+int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkWindingNumberVoxels::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  return 1;
+}
+
+int vtkWindingNumberVoxels::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0 ||
+    image->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* values = this->GetInputArrayToProcess(0, image, association);
+  if (!values || values->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro(<< "the image has no scalar array to tell inside from outside by; compute one with "
+                     "vtkWindingNumberField or choose it by SetInputArrayToProcess");
+    return 0;
+  }
+
+  const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  int extent[6];
+  image->GetExtent(extent);
+  const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  int dimensions[3];
+  double corner[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + (asCells ? 0 : 1);
+    corner[axis] = origin[axis] + (extent[2 * axis] - (asCells ? 0.0 : 0.5)) * spacing[axis];
+  }
+
+  std::vector<unsigned char> inside;
+  const auto rule = static_cast<winding::InsideRule>(this->InsideRule);
+  if (!vtkArrayDispatch::Dispatch::Execute(
+        values, Classify{}, rule, this->WindingThreshold, inside))
+  {
+    Classify{}(values, rule, this->WindingThreshold, inside);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> quads;
+  BlockSurface(inside, dimensions, corner, spacing, points, quads).build();
+  output->SetPoints(points);
+  output->SetPolys(quads);
+  return 1;
+}
+
+void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
+  os << indent << "InsideRule: " << this->InsideRule << "\n";
+}
