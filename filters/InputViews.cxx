@@ -16,6 +16,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace winding
 {
 
@@ -43,12 +46,55 @@ bool hasFaces(vtkPointSet* leaf)
   return false;
 }
 
+/// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
+class Hash
+{
+public:
+  template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
+
+  void addArray(vtkDataArray* array)
+  {
+    if (!array)
+    {
+      this->addValue(-1);
+      return;
+    }
+    this->addValue(array->GetDataType());
+    this->addValue(array->GetNumberOfValues());
+    this->addBytes(array->GetVoidPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) *
+                                               static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+
+  void addCells(vtkCellArray* cells)
+  {
+    this->addArray(cells->GetOffsetsArray());
+    this->addArray(cells->GetConnectivityArray());
+  }
+
+  std::uint64_t value() const { return hash_; }
+
+private:
+  void addBytes(const void* data, std::size_t size)
+  {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t))
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes + i, std::min(sizeof word, size - i));
+      hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
+      hash_ ^= hash_ >> 29;
+    }
+  }
+
+  std::uint64_t hash_ = 0x2545F4914F6CDD1Du;
+};
+
 /// A polygon as the fan from its first vertex: for planar polygons the right chain, convex or not.
 void appendFan(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
 {
   for (vtkIdType i = 2; i < size; ++i)
   {
-    triangles.insert(triangles.end(), { ids[0], ids[i - 1], ids[i] });
+    triangles.insert(triangles.end(), {ids[0], ids[i - 1], ids[i]});
   }
 }
 
@@ -59,12 +105,11 @@ void appendStrip(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>
   {
     const bool turned = i % 2 == 1;
     triangles.insert(
-      triangles.end(), { ids[i - 2], ids[turned ? i : i - 1], ids[turned ? i - 1 : i] });
+      triangles.end(), {ids[i - 2], ids[turned ? i : i - 1], ids[turned ? i - 1 : i]});
   }
 }
 
-template <class Append>
-std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
+template <class Append> std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
 {
   std::vector<std::int64_t> triangles;
   triangles.reserve(3 * static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
@@ -78,7 +123,7 @@ std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
   return triangles;
 }
 
-}
+} // namespace
 
 InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
   : options_(options)
@@ -97,10 +142,6 @@ InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
   {
     this->addLeaf(source, "the source");
   }
-  for (vtkPointSet* leaf : leaves_)
-  {
-    this->identify(leaf);
-  }
 }
 
 InputViews::~InputViews() = default;
@@ -111,7 +152,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   if (!points)
   {
     throw Refusal(name + " is a " + std::string(leaf->GetClassName()) +
-      "; a source is a surface or points (vtkPointSet)");
+                  "; a source is a surface or points (vtkPointSet)");
   }
   if (points->GetNumberOfPoints() == 0)
   {
@@ -124,35 +165,33 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   isSurface_ = isSurface;
   leaves_.emplace_back(points);
+  identity_.emplace_back(points, points->GetMTime());
 }
 
-void InputViews::identify(vtkPointSet* leaf)
+std::uint64_t InputViews::fingerprint() const
 {
-  const auto add = [this](vtkObject* object)
+  Hash hash;
+  hash.addValue(isSurface_);
+  for (vtkPointSet* leaf : leaves_)
   {
-    if (object)
+    hash.addArray(leaf->GetPoints()->GetData());
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
     {
-      identity_.emplace_back(object, object->GetMTime());
+      hash.addCells(polyData->GetPolys());
+      hash.addCells(polyData->GetStrips());
     }
-  };
-  add(leaf->GetPoints());
-  add(leaf->GetPoints()->GetData());
-  auto* polyData = vtkPolyData::SafeDownCast(leaf);
-  if (polyData && (isSurface_ || options_.asPoints))
-  {
-    add(polyData->GetPolys());
-    add(polyData->GetStrips());
+    else
+    {
+      // Cells of volume meshes have many forms; any change of the data set counts as one of them.
+      hash.addValue(leaf->GetMTime());
+    }
+    if (!isSurface_)
+    {
+      hash.addArray(this->normalsOf(leaf, true));
+      hash.addArray(this->areasOf(leaf));
+    }
   }
-  else if (!polyData)
-  {
-    add(leaf);
-  }
-  if (!isSurface_)
-  {
-    // A mesh taken as points may have no normals of its own.
-    add(hasFaces(leaf) ? this->findArray(leaf, options_.normalsArray, 3) : this->normalsOf(leaf));
-    add(this->areasOf(leaf));
-  }
+  return hash.value();
 }
 
 /// The named point array, or the active normals for no name; null if there is none.
@@ -164,8 +203,8 @@ vtkDataArray* InputViews::findArray(
   if (array && array->GetNumberOfComponents() != components)
   {
     throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
-      "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
-      std::to_string(components) + "; choose another array");
+                  "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
+                  std::to_string(components) + "; choose another array");
   }
   if (!array && !name.empty())
   {
@@ -174,10 +213,10 @@ vtkDataArray* InputViews::findArray(
   return array;
 }
 
-vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
+vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf, bool mayBeMissing) const
 {
   vtkDataArray* normals = this->findArray(leaf, options_.normalsArray, 3);
-  if (!normals)
+  if (!normals && !mayBeMissing)
   {
     throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
                   "compute oriented normals first, for instance by vtkPCANormalEstimation with "
@@ -235,14 +274,14 @@ TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
     if (polygons->IsStorage64Bit())
     {
       // vtkTypeInt64 may be another 64 bit type than std::int64_t, with the same representation.
-      return { reinterpret_cast<const std::int64_t*>(
-                 polygons->GetConnectivityArray64()->GetPointer(0)),
-        count };
+      return {
+        reinterpret_cast<const std::int64_t*>(polygons->GetConnectivityArray64()->GetPointer(0)),
+        count};
     }
-    return { polygons->GetConnectivityArray32()->GetPointer(0), count };
+    return {polygons->GetConnectivityArray32()->GetPointer(0), count};
   }
   ids_.push_back(flatten(polygons, appendFan));
-  return { ids_.back().data(), ids_.back().size() / 3 };
+  return {ids_.back().data(), ids_.back().size() / 3};
 }
 
 void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
@@ -263,12 +302,12 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
   const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
   if (polyData->GetNumberOfPolys() > 0)
   {
-    views.push_back({ points, this->idsOf(polyData->GetPolys()) });
+    views.push_back({points, this->idsOf(polyData->GetPolys())});
   }
   if (polyData->GetNumberOfStrips() > 0)
   {
     ids_.push_back(flatten(polyData->GetStrips(), appendStrip));
-    views.push_back({ points, { ids_.back().data(), ids_.back().size() / 3 } });
+    views.push_back({points, {ids_.back().data(), ids_.back().size() / 3}});
   }
 }
 
@@ -312,7 +351,7 @@ VectorsView InputViews::meshNormalsOf(vtkPointSet* leaf)
     }
   }
   normals_.push_back(std::move(normals));
-  return { normals_.back().data(), normals_.back().size() / 3 };
+  return {normals_.back().data(), normals_.back().size() / 3};
 }
 
 std::vector<OrientedPointsView> InputViews::orientedPoints()
@@ -322,7 +361,8 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
   {
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
-    vtkDataArray* own = this->findArray(leaf, options_.normalsArray, 3);
+    // A mesh that is taken as points may have no normals of its own.
+    vtkDataArray* own = this->normalsOf(leaf, options_.asPoints && hasFaces(leaf));
     view.normals = own ? this->vectorsOf(own) : this->meshNormalsOf(leaf);
     if (vtkDataArray* areas = this->areasOf(leaf))
     {
@@ -333,4 +373,4 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
   return views;
 }
 
-}
+} // namespace winding

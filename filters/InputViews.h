@@ -28,7 +28,7 @@ struct InputOptions
   bool operator==(const InputOptions& other) const
   {
     return asPoints == other.asPoints && normalsArray == other.normalsArray &&
-      areasFromArray == other.areasFromArray && areaArray == other.areaArray;
+           areasFromArray == other.areasFromArray && areaArray == other.areaArray;
   }
 };
 
@@ -41,7 +41,7 @@ struct InputOptions
 class InputViews
 {
 public:
-  /// What a source is made of: the arrays that count and when they were last modified.
+  /// Which data sets a source is made of and when they were last modified.
   using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
 
   InputViews(vtkDataObject* source, const InputOptions& options);
@@ -50,14 +50,17 @@ public:
   bool isSurface() const { return isSurface_; }
   const Identity& identity() const { return identity_; }
 
+  /// A hash of all that a field is built from. Two sources with different identities may still be
+  /// the same: what a reader gives for every time step, say, when only attributes change.
+  std::uint64_t fingerprint() const;
+
   std::vector<TrianglesView> triangles();
   std::vector<OrientedPointsView> orientedPoints();
 
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
-  void identify(vtkPointSet* leaf);
   vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
-  vtkDataArray* normalsOf(vtkPointSet* leaf) const;
+  vtkDataArray* normalsOf(vtkPointSet* leaf, bool mayBeMissing) const;
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);
@@ -78,4 +81,4 @@ private:
   std::vector<std::vector<double>> normals_;
 };
 
-}
+} // namespace winding

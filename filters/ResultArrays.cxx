@@ -28,18 +28,17 @@ void refuseBeyondMemory(vtkIdType samples, double bytes)
   }
   vtksys::SystemInformation system;
   system.RunMemoryCheck();
-  const double freeBytes =
-    1024.0 * (static_cast<double>(system.GetHostMemoryTotal()) -
-    static_cast<double>(system.GetHostMemoryUsed()));
+  const double freeBytes = 1024.0 * (static_cast<double>(system.GetHostMemoryTotal()) -
+                                      static_cast<double>(system.GetHostMemoryUsed()));
   if (bytes > freeBytes)
   {
     throw OutOfMemory("the result of " + std::to_string(samples) + " samples needs " +
-      inGiB(bytes) + " of memory and " + inGiB(freeBytes) +
-      " is free; choose larger voxels or write it in pieces");
+                      inGiB(bytes) + " of memory and " + inGiB(freeBytes) +
+                      " is free; choose larger voxels or write it in pieces");
   }
 }
 
-}
+} // namespace
 
 ResultArrays::ResultArrays(
   vtkIdType samples, int scalarType, const std::string& name, bool withInside)
@@ -47,7 +46,7 @@ ResultArrays::ResultArrays(
   if (scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE)
   {
     throw Refusal("the output scalar type is " + std::to_string(scalarType) +
-      "; it must be VTK_FLOAT or VTK_DOUBLE");
+                  "; it must be VTK_FLOAT or VTK_DOUBLE");
   }
   const double bytesPerSample = (scalarType == VTK_DOUBLE ? 8.0 : 4.0) + (withInside ? 1.0 : 0.0);
   refuseBeyondMemory(samples, bytesPerSample * static_cast<double>(samples));
@@ -82,11 +81,13 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
-  attributes->SetScalars(values_);
+  // SetScalars() would throw the array out that was active until now.
+  attributes->AddArray(values_);
+  attributes->SetActiveScalars(values_->GetName());
   if (inside_)
   {
     attributes->AddArray(inside_);
   }
 }
 
-}
+} // namespace winding

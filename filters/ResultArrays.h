@@ -41,4 +41,4 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> inside_;
 };
 
-}
+} // namespace winding

@@ -32,7 +32,7 @@ std::string backendToUse()
 
 constexpr double secondsPerBatch = 0.1;
 
-}
+} // namespace
 
 SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
   : filter_(filter)
@@ -63,8 +63,8 @@ bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>&
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backendToUse(), false),
     [&]()
     {
-      std::size_t batch = 4 * static_cast<std::size_t>(
-        std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+      std::size_t batch =
+        4 * static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
       for (std::size_t done = 0; done < count && !aborted;)
       {
         const std::size_t last = std::min(count, done + batch);
@@ -72,9 +72,9 @@ bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>&
         this->runBatch(done, last, work);
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         done = last;
-        const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
-        batch = static_cast<std::size_t>(
-          std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
+        const double wanted =
+          static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
+        batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
         filter_->UpdateProgress(static_cast<double>(done) / static_cast<double>(count));
         aborted = done < count && isAborted(filter_);
       }
@@ -82,4 +82,4 @@ bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>&
   return !aborted;
 }
 
-}
+} // namespace winding

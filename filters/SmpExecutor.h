@@ -9,8 +9,8 @@ namespace winding
 
 /**
  * Runs the core's blocks on vtkSMPTools for a filter. The blocks go out in batches of about a tenth
- * of a second; between batches, on the calling thread, the filter's progress is updated and its abort
- * flag is asked. Which blocks make a batch depends on the clock, what they compute does not.
+ * of a second; between batches, on the calling thread, the filter's progress is updated and its
+ * abort flag is asked. Which blocks make a batch depends on the clock, what they compute does not.
  */
 class SmpExecutor final : public Executor
 {
@@ -28,4 +28,4 @@ private:
   int threads_;
 };
 
-}
+} // namespace winding

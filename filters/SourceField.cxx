@@ -3,18 +3,31 @@
 namespace winding
 {
 
+bool SourceField::Memory::isSame(const InputViews& views)
+{
+  if (views.identity() == identity_)
+  {
+    return true;
+  }
+  const std::uint64_t fingerprint = views.fingerprint();
+  const bool same = !identity_.empty() && fingerprint == fingerprint_;
+  identity_ = views.identity();
+  fingerprint_ = fingerprint;
+  return same;
+}
+
 const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& options)
 {
   InputViews views(source, options.input);
-  wasBuilt_ = !field_ || views.identity() != identity_ || !(options_.input == options.input) ||
-    !(options_.field == options.field);
+  const bool isSameSource = source_.isSame(views);
+  wasBuilt_ = !field_ || !isSameSource || !(options_.input == options.input) ||
+              !(options_.field == options.field);
   if (wasBuilt_)
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
     field_ = views.isSurface() || views.identity().empty()
-      ? Field::build(views.triangles(), options.field)
-      : Field::build(views.orientedPoints(), options.field);
-    identity_ = views.identity();
+               ? Field::build(views.triangles(), options.field)
+               : Field::build(views.orientedPoints(), options.field);
     options_ = options;
   }
   return *field_;
@@ -23,12 +36,14 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
 const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& options)
 {
   InputViews views(source, options);
-  if (views.identity() != boundsIdentity_ || !(options == boundsOptions_))
+  Memory memory = boundedSource_;
+  const bool isSameSource = memory.isSame(views);
+  if (!isSameSource || !(options == boundsOptions_))
   {
     bounds_ = views.isSurface() ? boundsOf(views.triangles()) : boundsOf(views.orientedPoints());
-    boundsIdentity_ = views.identity();
     boundsOptions_ = options;
   }
+  boundedSource_ = memory; // not before: a source that is refused must be refused again
   return bounds_;
 }
 
@@ -38,4 +53,4 @@ const FieldInfo& SourceField::info() const
   return field_ ? field_->info() : none;
 }
 
-}
+} // namespace winding

@@ -35,14 +35,25 @@ public:
   bool wasBuilt() const { return wasBuilt_; }
 
 private:
-  InputViews::Identity identity_;
+  /// Remembers a source, and tells whether the next one is the same.
+  class Memory
+  {
+  public:
+    bool isSame(const InputViews& views);
+
+  private:
+    InputViews::Identity identity_;
+    std::uint64_t fingerprint_ = 0;
+  };
+
+  Memory source_;
   SourceOptions options_;
   std::shared_ptr<const Field> field_;
   bool wasBuilt_ = false;
 
-  InputViews::Identity boundsIdentity_;
+  Memory boundedSource_;
   InputOptions boundsOptions_;
   Bounds bounds_;
 };
 
-}
+} // namespace winding

@@ -2,7 +2,8 @@
 
 /**
  * @file
- * What differs between the VTK versions that this project builds with (9.1 and newer), in one place.
+ * What differs between the VTK versions that this project builds with (9.1 and newer), in one
+ * place.
  */
 namespace winding
 {
@@ -24,4 +25,4 @@ template <class Algorithm> bool isAborted(Algorithm* filter)
   return isAborted(filter, 0) || filter->GetAbortExecute() != 0;
 }
 
-}
+} // namespace winding

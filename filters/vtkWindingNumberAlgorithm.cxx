@@ -30,24 +30,24 @@ winding::Method coreMethod(int method)
 {
   switch (method)
   {
-    case vtkWindingNumberAlgorithm::AUTOMATIC:
-      return winding::Method::automatic;
-    case vtkWindingNumberAlgorithm::DIRECT:
-      return winding::Method::direct;
-    case vtkWindingNumberAlgorithm::PARITY:
-      return winding::Method::parity;
+  case vtkWindingNumberAlgorithm::AUTOMATIC:
+    return winding::Method::automatic;
+  case vtkWindingNumberAlgorithm::DIRECT:
+    return winding::Method::direct;
+  case vtkWindingNumberAlgorithm::PARITY:
+    return winding::Method::parity;
   }
   throw winding::Refusal("the method is " + std::to_string(method) +
-    "; it must be AUTOMATIC (0), DIRECT (3) or PARITY (4)");
+                         "; it must be AUTOMATIC (0), DIRECT (3) or PARITY (4)");
 }
 
 bool areasComeFromArray(int pointAreaMethod)
 {
   if (pointAreaMethod != vtkWindingNumberAlgorithm::CONSTANT &&
-    pointAreaMethod != vtkWindingNumberAlgorithm::ARRAY)
+      pointAreaMethod != vtkWindingNumberAlgorithm::ARRAY)
   {
     throw winding::Refusal("the point area method is " + std::to_string(pointAreaMethod) +
-      "; it must be CONSTANT (2) or ARRAY (3)");
+                           "; it must be CONSTANT (2) or ARRAY (3)");
   }
   return pointAreaMethod == vtkWindingNumberAlgorithm::ARRAY;
 }
@@ -56,12 +56,12 @@ winding::InsideRule coreRule(int rule)
 {
   switch (rule)
   {
-    case vtkWindingNumberAlgorithm::ABSOLUTE:
-      return winding::InsideRule::absoluteThreshold;
-    case vtkWindingNumberAlgorithm::ODD:
-      return winding::InsideRule::odd;
-    default:
-      return winding::InsideRule::signedThreshold;
+  case vtkWindingNumberAlgorithm::ABSOLUTE:
+    return winding::InsideRule::absoluteThreshold;
+  case vtkWindingNumberAlgorithm::ODD:
+    return winding::InsideRule::odd;
+  default:
+    return winding::InsideRule::signedThreshold;
   }
 }
 
@@ -70,7 +70,7 @@ std::string textOf(const char* text)
   return text ? text : "";
 }
 
-}
+} // namespace
 
 vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
   : Source(std::make_unique<winding::SourceField>())
@@ -89,7 +89,8 @@ vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  void (vtkWindingNumberAlgorithm::*answer)(vtkInformationVector**, vtkInformationVector*) = nullptr;
+  void (vtkWindingNumberAlgorithm::*answer)(vtkInformationVector**, vtkInformationVector*) =
+    nullptr;
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     answer = &vtkWindingNumberAlgorithm::GiveDataObject;
@@ -132,6 +133,12 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
     this->Status = OUT_OF_MEMORY;
     vtkErrorMacro(<< "there is not enough memory for this source and grid; choose larger voxels or "
                      "write the result in pieces");
+  }
+  // The pipeline would add an extent that failed to the next one that is asked for.
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Remove(
+      vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
   return 0;
 }
@@ -200,8 +207,8 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
 winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
 {
   const std::string name = textOf(this->ResultArrayName);
-  return { samples, this->OutputScalarType, name.empty() ? "WindingNumber" : name,
-    this->GenerateInside != 0 };
+  return {samples, this->OutputScalarType, name.empty() ? "WindingNumber" : name,
+    this->GenerateInside != 0};
 }
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
@@ -209,8 +216,8 @@ winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultAr
   return results.output(coreRule(this->InsideRule), this->WindingThreshold);
 }
 
-void vtkWindingNumberAlgorithm::AddResults(const winding::ResultArrays& results, vtkDataSet* output,
-  vtkDataSetAttributes* attributes) const
+void vtkWindingNumberAlgorithm::AddResults(
+  const winding::ResultArrays& results, vtkDataSet* output, vtkDataSetAttributes* attributes) const
 {
   results.addTo(attributes);
   const auto note = [output](const char* name, const char* text)
@@ -224,8 +231,7 @@ void vtkWindingNumberAlgorithm::AddResults(const winding::ResultArrays& results,
   note("WindingNumberMethodReason", this->GetMethodReason());
 }
 
-bool vtkWindingNumberAlgorithm::Evaluate(
-  const std::function<bool(winding::Executor&)>& evaluation)
+bool vtkWindingNumberAlgorithm::Evaluate(const std::function<bool(winding::Executor&)>& evaluation)
 {
   const Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);

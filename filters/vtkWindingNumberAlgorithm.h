@@ -1,17 +1,17 @@
 /**
  * @class   vtkWindingNumberAlgorithm
- * @brief   what all winding-number filters have in common: the source, the method, the result arrays
+ * @brief   what winding-number filters have in common: source, method, result arrays
  *
- * The generalized winding number w says how often an oriented surface wraps around a point: 1 inside,
- * 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It tells inside
- * from outside for input that ray tests fail on: open scans, triangle soups, self-intersections,
- * non-manifold pieces, oriented point clouds (Jacobson, Kavan, Sorkine-Hornung, Robust inside-outside
- * segmentation using generalized winding numbers, 2013).
+ * The generalized winding number w says how often an oriented surface wraps around a point: 1
+ * inside, 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It tells
+ * inside from outside for input that ray tests fail on: open scans, triangle soups,
+ * self-intersections, non-manifold pieces, oriented point clouds (Jacobson, Kavan, Sorkine-Hornung,
+ * Robust inside-outside segmentation using generalized winding numbers, 2013).
  *
  * A **source** is a surface or an oriented point cloud:
- * - vtkPolyData with triangles, quads, polygons or strips. Polygons are fans from their first vertex,
- *   which is exact for planar ones, convex or not. Orientation matters: counter-clockwise seen from
- *   outside gives w = +1 inside.
+ * - vtkPolyData with triangles, quads, polygons or strips. Polygons are fans from their first
+ *   vertex, which is exact for planar ones, convex or not. Orientation matters: counter-clockwise
+ *   seen from outside gives w = +1 inside.
  * - any other vtkPointSet with cells of two or three dimensions, through its outer surface.
  * - a vtkPointSet without such cells, as a cloud of its points, which then need normals.
  * - composite data of the above: the leaves are one source. Surfaces and clouds do not mix.
@@ -19,12 +19,13 @@
  * Primitives with NaN or infinite values or ids of points that do not exist are left out; a warning
  * says how many. A source without primitives gives w = 0 everywhere, with a warning.
  *
- * What is built from a source (welded vertices, areas) is kept for as long as its points, cells,
- * normals and areas are the same arrays, unmodified: threshold, grid or time steps never rebuild it.
+ * What is built from a source (welded vertices, areas) is kept until a source with other points,
+ * cells, normals or areas comes in: threshold, grid, time steps or other attributes never rebuild
+ * it.
  *
  * Threads are those of vtkSMPTools. Where its backend is Sequential only because VTK was built so
- * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads 1
- * keep it serial. Results have the same bits for any backend and number of threads.
+ * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads
+ * 1 keep it serial. Results have the same bits for any backend and number of threads.
  */
 #ifndef vtkWindingNumberAlgorithm_h
 #define vtkWindingNumberAlgorithm_h
@@ -44,7 +45,7 @@ class SourceField;
 struct FieldInfo;
 struct FieldOutput;
 struct SourceOptions;
-}
+} // namespace winding
 class vtkDataObject;
 class vtkDataSet;
 class vtkDataSetAttributes;
@@ -86,6 +87,9 @@ public:
     OUT_OF_MEMORY = 2, ///< the result does not fit into memory; an error was reported
     ABORTED = 3        ///< AbortExecute; the output is empty
   };
+
+  /// Input of port 0 without a pipeline.
+  void SetInputData(vtkDataObject* input) { this->SetInputDataObject(0, input); }
 
   ///@{
   /// Default AUTOMATIC.
@@ -147,8 +151,8 @@ public:
   ///@}
 
   ///@{
-  /// Add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from the value in
-  /// the result array. Default off.
+  /// Add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from the value
+  /// in the result array. Default off.
   vtkSetMacro(GenerateInside, vtkTypeBool);
   vtkGetMacro(GenerateInside, vtkTypeBool);
   vtkBooleanMacro(GenerateInside, vtkTypeBool);
@@ -226,8 +230,8 @@ protected:
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
   ///@{
-  /// Result arrays as the properties want them, where the core writes to in them, and their way into
-  /// the output, together with field data that says how they came about.
+  /// Result arrays as the properties want them, where the core writes to in them, and their way
+  /// into the output, together with field data that says how they came about.
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,

@@ -26,10 +26,10 @@ namespace
 
 winding::Bounds toBounds(const double (&b)[6])
 {
-  return { Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5]) };
+  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
-}
+} // namespace
 
 vtkStandardNewMacro(vtkWindingNumberField);
 
@@ -119,7 +119,7 @@ void vtkWindingNumberField::GiveInformation(
   const Eigen::Vector3d origin = asCells ? grid.corner() : grid.firstSample;
   // An image of n cells has n + 1 points.
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Constant(asCells ? 0 : 1);
-  const int extent[6] = { 0, last[0], 0, last[1], 0, last[2] };
+  const int extent[6] = {0, last[0], 0, last[1], 0, last[2]};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
   outInfo->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
   outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
@@ -139,11 +139,15 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
+  // The pipeline keeps an image's old arrays to be used again, which these are not.
+  output->Initialize();
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
-  output->SetExtent(extent);
-  output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
-  output->SetSpacing(outInfo->Get(vtkDataObject::SPACING()));
+  if (this->VerifySamples > 0 && this->Method == PARITY)
+  {
+    throw winding::Refusal(
+      "parity is no winding number, so it cannot be verified; choose another method");
+  }
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -156,14 +160,15 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
   const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[0]));
-  const bool complete = this->Evaluate(
-    [&](winding::Executor& executor)
+  const bool complete = this->Evaluate([&](winding::Executor& executor)
     { return field.evaluate(*this->Sampling, samples, this->OutputTo(results), executor); });
   if (!complete)
   {
-    output->Initialize();
     return;
   }
+  output->SetExtent(extent);
+  output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
+  output->SetSpacing(outInfo->Get(vtkDataObject::SPACING()));
   vtkDataSetAttributes* attributes = output->GetPointData();
   if (asCells)
   {
@@ -179,11 +184,6 @@ void vtkWindingNumberField::Verify(
   winding::Verification found;
   if (this->VerifySamples > 0)
   {
-    if (field.info().method == winding::Method::parity)
-    {
-      throw winding::Refusal(
-        "parity is no winding number, so it cannot be verified; choose another method");
-    }
     constexpr unsigned seed = 20260101;
     winding::Extent extent;
     std::copy_n(samples, 6, extent.begin());

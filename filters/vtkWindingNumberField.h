@@ -17,20 +17,21 @@
  *
  * **Grid.** The samples are the centres of voxels that fill a box: the input's bounds and a padding
  * around them, or SamplingBounds. Voxels are cubic, their size given by VoxelSize or by Resolution,
- * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions says
- * how many there are along each axis, and they fill the box exactly.
+ * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
+ * says how many there are along each axis, and they fill the box exactly.
  *
  * **Pipeline.** Streams: any sub-extent can be asked for, and has the very bits that the whole has.
  * The whole source is read for each. The grid is laid when the pipeline's information is asked for,
  * over the source as it is then; for geometry that moves with time, set SamplingBounds.
  * Progress is reported and abort obeyed within a fraction of a second.
  *
- * **On the surface** w is the mean of both sides (0.5 on a face of a closed mesh) for samples exactly
- * in the plane of a triangle, and one of the sides for samples that are there up to rounding.
+ * **On the surface** w is the mean of both sides (0.5 on a face of a closed mesh) for samples
+ * exactly in the plane of a triangle, and one of the sides for samples that are there up to
+ * rounding.
  *
- * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds without
- * normals, sources of which no primitive is usable, and results larger than the free memory, which
- * are refused before anything is allocated.
+ * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds
+ * without normals, sources of which no primitive is usable, and results larger than the free
+ * memory, which are refused before anything is allocated.
  *
  * @sa vtkWindingNumberProbe vtkWindingNumberVoxels vtkContourFilter vtkThreshold
  */
@@ -80,7 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Lay the grid over the bounds of the input, with Padding, instead of SamplingBounds. Default on.
+  /// Lay the grid over the bounds of the input, with Padding, instead of SamplingBounds. Default
+  /// on.
   vtkSetMacro(UseInputBounds, vtkTypeBool);
   vtkGetMacro(UseInputBounds, vtkTypeBool);
   vtkBooleanMacro(UseInputBounds, vtkTypeBool);
@@ -144,9 +146,9 @@ protected:
 
   int Resolution = 64;
   double VoxelSize = 0;
-  int SamplingDimensions[3] = { 0, 0, 0 };
+  int SamplingDimensions[3] = {0, 0, 0};
   vtkTypeBool UseInputBounds = 1;
-  double SamplingBounds[6] = { 0, 1, 0, 1, 0, 1 };
+  double SamplingBounds[6] = {0, 1, 0, 1, 0, 1};
   double Padding = 0.05;
   int OutputAssociation = POINTS;
   int VerifySamples = 0;

@@ -52,7 +52,7 @@ std::vector<double> cellCentersOf(vtkDataSet* queries)
   return positions;
 }
 
-}
+} // namespace
 
 vtkStandardNewMacro(vtkWindingNumberProbe);
 

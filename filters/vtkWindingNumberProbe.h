@@ -4,8 +4,9 @@
  *
  * Port 0 takes the data set that says where (any vtkDataSet); port 1 the source, a surface or an
  * oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow copy of port 0 with
- * the array "WindingNumber" and, if asked for, "Inside". The ports are those of vtkPointInterpolator;
- * what the filter is for is what vtkSelectEnclosedPoints is for, on surfaces that need not be closed.
+ * the array "WindingNumber" and, if asked for, "Inside". The ports are those of
+ * vtkPointInterpolator; what the filter is for is what vtkSelectEnclosedPoints is for, on surfaces
+ * that need not be closed.
  *
  * @code
  *   vtkNew<vtkWindingNumberProbe> probe;
@@ -14,8 +15,8 @@
  *   probe->GenerateInsideOn();
  * @endcode
  *
- * The value of a point does not depend on the other points. Points that are NaN or infinite get NaN,
- * and are not inside.
+ * The value of a point does not depend on the other points. Points that are NaN or infinite get
+ * NaN, and are not inside.
  *
  * @sa vtkWindingNumberField vtkSelectEnclosedPoints
  */

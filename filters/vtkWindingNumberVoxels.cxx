@@ -49,9 +49,9 @@ public:
   BlockSurface(const std::vector<unsigned char>& inside, const int* dimensions,
     const double* corner, const double* spacing, vtkPoints* points, vtkCellArray* quads)
     : inside_(inside)
-    , n_{ dimensions[0], dimensions[1], dimensions[2] }
-    , corner_{ corner[0], corner[1], corner[2] }
-    , spacing_{ spacing[0], spacing[1], spacing[2] }
+    , n_{dimensions[0], dimensions[1], dimensions[2]}
+    , corner_{corner[0], corner[1], corner[2]}
+    , spacing_{spacing[0], spacing[1], spacing[2]}
     , points_(points)
     , quads_(quads)
   {
@@ -97,18 +97,18 @@ private:
     const bool below = this->isInside(i, j, k - 1);
     if (here != left)
     {
-      this->addQuad(left, { this->id(i, j, k, 0), this->id(i, j + 1, k, 0),
-                            this->id(i, j + 1, k, 1), this->id(i, j, k, 1) });
+      this->addQuad(left, {this->id(i, j, k, 0), this->id(i, j + 1, k, 0), this->id(i, j + 1, k, 1),
+                            this->id(i, j, k, 1)});
     }
     if (here != front)
     {
-      this->addQuad(front, { this->id(i, j, k, 0), this->id(i, j, k, 1),
-                             this->id(i + 1, j, k, 1), this->id(i + 1, j, k, 0) });
+      this->addQuad(front, {this->id(i, j, k, 0), this->id(i, j, k, 1), this->id(i + 1, j, k, 1),
+                             this->id(i + 1, j, k, 0)});
     }
     if (here != below)
     {
-      this->addQuad(below, { this->id(i, j, k, 0), this->id(i + 1, j, k, 0),
-                             this->id(i + 1, j + 1, k, 0), this->id(i, j + 1, k, 0) });
+      this->addQuad(below, {this->id(i, j, k, 0), this->id(i + 1, j, k, 0),
+                             this->id(i + 1, j + 1, k, 0), this->id(i, j + 1, k, 0)});
     }
   }
 
@@ -144,14 +144,14 @@ private:
   std::vector<vtkIdType> lower_, upper_;
 };
 
-}
+} // namespace
 
 vtkStandardNewMacro(vtkWindingNumberVoxels);
 
 vtkWindingNumberVoxels::vtkWindingNumberVoxels()
 {
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
-    vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
 }
 
 int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
@@ -176,7 +176,7 @@ int vtkWindingNumberVoxels::RequestData(
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
   if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0 ||
-    image->GetNumberOfPoints() == 0)
+      image->GetNumberOfPoints() == 0)
   {
     return 1;
   }
@@ -184,8 +184,9 @@ int vtkWindingNumberVoxels::RequestData(
   vtkDataArray* values = this->GetInputArrayToProcess(0, image, association);
   if (!values || values->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(<< "the image has no scalar array to tell inside from outside by; compute one with "
-                     "vtkWindingNumberField or choose it by SetInputArrayToProcess");
+    vtkErrorMacro(
+      << "the image has no scalar array to tell inside from outside by; compute one with "
+         "vtkWindingNumberField or choose it by SetInputArrayToProcess");
     return 0;
   }
 

@@ -3,15 +3,15 @@
  * @brief   surface of the voxels that are inside, as quads
  *
  * Takes the image of vtkWindingNumberField (or any vtkImageData with a scalar array) and gives the
- * "block" surface of its inside voxels: one quad for every face between an inside voxel and an outside
- * one, or the edge of the image, facing outwards. Quads share their vertices; there are no faces
- * inside, no duplicate points and no unused points.
+ * "block" surface of its inside voxels: one quad for every face between an inside voxel and an
+ * outside one, or the edge of the image, facing outwards. Quads share their vertices; there are no
+ * faces inside, no duplicate points and no unused points.
  *
  * Samples may be the image's points (a voxel around each, of the size of the spacing) or its cells.
  * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside.
  *
- * The array is picked by SetInputArrayToProcess(0, …); default: the active scalars of the points, or
- * else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
+ * The array is picked by SetInputArrayToProcess(0, …); default: the active scalars of the points,
+ * or else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
  * The order of points and quads depends on the input only. Works on the whole image: with several
  * pieces, all is in the first.
  *

@@ -19,7 +19,7 @@ void store(const Eigen::Vector3d& from, double (&to)[3])
   std::copy_n(from.data(), 3, to);
 }
 
-}
+} // namespace
 
 TriangleSum::TriangleSum(const Surface& surface)
   : surface_(surface)
@@ -90,4 +90,4 @@ void DipoleSum::evaluate(const SampleBlock& block, double* values) const
   std::copy_n(sums.sum, scaled.count, values);
 }
 
-}
+} // namespace winding

@@ -47,4 +47,4 @@ private:
   double scale_;
 };
 
-}
+} // namespace winding

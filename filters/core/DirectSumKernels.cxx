@@ -56,17 +56,19 @@ void multiplyAnglesLoop(const KernelTriangle* HWY_RESTRICT triangles, std::size_
       const Vec a = hn::Sqrt(dot(ax, ay, az, ax, ay, az));
       const Vec b = hn::Sqrt(dot(bx, by, bz, bx, by, bz));
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
-      const Vec num = dot(ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]),
-        hn::Set(d, t->normal[2]));
-      const Vec ab = hn::MulAdd(a, b, dot(ax, ay, az, bx, by, bz));
-      Vec den = hn::MulAdd(c, ab,
-        hn::MulAdd(a, dot(bx, by, bz, cx, cy, cz), hn::Mul(b, dot(cx, cy, cz, ax, ay, az))));
+      const Vec num = dot(
+        ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
+      // Symmetric in b and c to the bit, so that the sum is odd under their exchange.
+      const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
+      Vec den = hn::MulAdd(a, bc,
+        hn::Add(hn::Mul(c, dot(ax, ay, az, bx, by, bz)), hn::Mul(b, dot(ax, ay, az, cx, cy, cz))));
       // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);
 
       const Vec newRe = hn::Sub(hn::Mul(re, den), hn::Mul(im, num));
       const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
-      // The argument crossed the branch cut iff both angles had one sign and their sum has the other.
+      // The argument crossed the branch cut iff both angles had one sign and their sum has the
+      // other.
       const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
       const Vec step = hn::IfThenZeroElse(hn::Eq(num, zero), hn::CopySign(one, num));
       turns = hn::Add(turns, hn::IfNegativeThenElse(crossed, step, zero));
@@ -99,8 +101,8 @@ void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
       const Vec z = hn::Sub(hn::Set(d, p->position[2]), qz);
       const Vec r2 = dot(x, y, z, x, y, z);
       const Vec cube = hn::Mul(r2, hn::Sqrt(r2));
-      const Vec flux = dot(x, y, z, hn::Set(d, p->moment[0]), hn::Set(d, p->moment[1]),
-        hn::Set(d, p->moment[2]));
+      const Vec flux =
+        dot(x, y, z, hn::Set(d, p->moment[0]), hn::Set(d, p->moment[1]), hn::Set(d, p->moment[2]));
       // At the point itself, and where the cube of the distance underflows, the share is 0.
       sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(cube, zero), hn::Div(flux, cube)));
     }
@@ -113,8 +115,8 @@ const char* instructionSetName()
   return hwy::TargetName(HWY_TARGET);
 }
 
-}
-}
+} // namespace HWY_NAMESPACE
+} // namespace winding
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -142,5 +144,5 @@ const char* kernelInstructionSet()
   return HWY_DYNAMIC_DISPATCH(instructionSetName)();
 }
 
-}
+} // namespace winding
 #endif

@@ -49,4 +49,4 @@ void addDipoles(
 /// Name of the instruction set that this machine's kernels use, such as "AVX2".
 const char* kernelInstructionSet();
 
-}
+} // namespace winding

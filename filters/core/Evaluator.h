@@ -32,4 +32,4 @@ public:
   virtual void evaluate(const SampleBlock& block, double* values) const = 0;
 };
 
-}
+} // namespace winding

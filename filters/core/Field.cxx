@@ -18,8 +18,9 @@ namespace
 {
 
 /**
- * Samples per block of work: many, so that what is done per block costs nothing, but few enough that
- * a block over all primitives ends in a fraction of a second and an interrupt is answered soon.
+ * Samples per block of work: many, so that what is done per block costs nothing, but few enough
+ * that a block over all primitives ends in a fraction of a second and an interrupt is answered
+ * soon.
  */
 std::size_t samplesPerBlock(std::size_t primitives)
 {
@@ -67,7 +68,7 @@ std::string droppedWarning(std::size_t dropped, std::size_t input, const std::st
 {
   return dropped == 0 ? std::string()
                       : std::to_string(dropped) + " of " + std::to_string(input) +
-      " primitives were unusable and left out (" + details + ")";
+                          " primitives were unusable and left out (" + details + ")";
 }
 
 class SurfaceField final : public Field
@@ -125,7 +126,8 @@ public:
     const Triangle& triangle = surface_.triangles[i];
     const double root = std::sqrt(u);
     return (1 - root) * surface_.vertices[triangle[0]] +
-      root * (1 - v) * surface_.vertices[triangle[1]] + root * v * surface_.vertices[triangle[2]];
+           root * (1 - v) * surface_.vertices[triangle[1]] +
+           root * v * surface_.vertices[triangle[2]];
   }
 
 protected:
@@ -151,7 +153,7 @@ public:
     if (!(options.pointArea >= 0) || !std::isfinite(options.pointArea))
     {
       throw Refusal("the point area is " + std::to_string(options.pointArea) +
-        "; it must be more than 0, or 0 to be estimated");
+                    "; it must be more than 0, or 0 to be estimated");
     }
     info_.isSurface = false;
     info_.inputPrimitives = cloud_.inputPoints;
@@ -171,7 +173,8 @@ public:
       cloud_.areas.assign(cloud_.positions.size(), info_.pointArea);
       if (info_.pointArea == 0 && !cloud_.positions.empty())
       {
-        info_.warning += std::string(info_.warning.empty() ? "" : "; ") +
+        info_.warning +=
+          std::string(info_.warning.empty() ? "" : "; ") +
           "the area of the points cannot be estimated, so the field is 0; set a point area";
       }
     }
@@ -200,18 +203,18 @@ private:
   std::unique_ptr<Evaluator> evaluator_;
 };
 
-}
+} // namespace
 
 const char* nameOf(Method method)
 {
   switch (method)
   {
-    case Method::automatic:
-      return "automatic";
-    case Method::direct:
-      return "direct";
-    case Method::parity:
-      return "parity";
+  case Method::automatic:
+    return "automatic";
+  case Method::direct:
+    return "direct";
+  case Method::parity:
+    return "parity";
   }
   return "";
 }
@@ -274,4 +277,4 @@ bool Field::evaluate(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
-}
+} // namespace winding

@@ -39,13 +39,13 @@ struct FieldOptions
 struct FieldInfo
 {
   bool isSurface = true;
-  std::size_t inputPrimitives = 0; ///< triangles or points that came in
-  std::size_t primitives = 0;      ///< those that are summed over
-  std::size_t dropped = 0;         ///< unusable ones: NaN, bad ids, zero normals, negative areas
-  std::size_t weldedVertices = 0;  ///< surfaces: different vertices; clouds: points
+  std::size_t inputPrimitives = 0;  ///< triangles or points that came in
+  std::size_t primitives = 0;       ///< those that are summed over
+  std::size_t dropped = 0;          ///< unusable ones: NaN, bad ids, zero normals, negative areas
+  std::size_t weldedVertices = 0;   ///< surfaces: different vertices; clouds: points
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
-  double pointArea = 0; ///< clouds: the constant area, 0 if points have their own
+  double pointArea = 0;             ///< clouds: the constant area, 0 if points have their own
   Bounds bounds;
   Method method = Method::direct; ///< the one chosen, never automatic
   std::string why;                ///< why this one, for the user
@@ -103,8 +103,8 @@ protected:
 
 private:
   template <class PositionOf>
-  bool evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
-    const FieldOutput& output, Executor& executor) const;
+  bool evaluateBlocks(std::size_t samples, const PositionOf& positionOf, const FieldOutput& output,
+    Executor& executor) const;
 };
 
-}
+} // namespace winding

@@ -23,7 +23,7 @@ void checkBounds(const Bounds& bounds)
 {
   const Eigen::Vector3d &low = bounds.min(), &high = bounds.max();
   if (!low.allFinite() || !high.allFinite() || (low.array() > high.array()).any() ||
-    !(high - low).allFinite())
+      !(high - low).allFinite())
   {
     refuse("the bounds ", low[0], " ", high[0], " ", low[1], " ", high[1], " ", low[2], " ",
       high[2], " are inverted or not finite; give min <= max for each axis");
@@ -49,12 +49,12 @@ void checkSampleCount(const Grid& grid)
   const double samples = grid.dimensions.cast<double>().prod();
   if (samples > 9e18)
   {
-    refuse("a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
-      grid.dimensions[2], " voxels has more samples than can be counted; choose larger voxels");
+    refuse("a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ", grid.dimensions[2],
+      " voxels has more samples than can be counted; choose larger voxels");
   }
 }
 
-}
+} // namespace
 
 std::size_t sampleCount(const Extent& extent)
 {
@@ -71,8 +71,8 @@ Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n)
 {
   const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
-  return { extent[0] + static_cast<int>(n % nx), extent[2] + static_cast<int>(n / nx % ny),
-    extent[4] + static_cast<int>(n / nx / ny) };
+  return {extent[0] + static_cast<int>(n % nx), extent[2] + static_cast<int>(n / nx % ny),
+    extent[4] + static_cast<int>(n / nx / ny)};
 }
 
 Grid layOutGrid(const GridRequest& request)
@@ -127,15 +127,19 @@ Grid layOutGrid(const GridRequest& request)
     }
   }
   checkSampleCount(grid);
-  // From the centre: what cubic voxels reach over is shared by both sides.
+  // What cubic voxels reach over is shared by both sides; given dimensions fill the box exactly.
+  const Eigen::Vector3d excess =
+    request.dimensions != Eigen::Vector3i::Zero()
+      ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+      : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
+  grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;
   const Eigen::Vector3d steps = (grid.dimensions - Eigen::Vector3i::Ones()).cast<double>();
-  grid.firstSample = padded.center() - 0.5 * steps.cwiseProduct(grid.spacing);
   const Eigen::Vector3d last = grid.firstSample + steps.cwiseProduct(grid.spacing);
   for (int axis = 0; axis < 3; ++axis)
   {
     if (grid.dimensions[axis] > 1 &&
-      !(grid.firstSample[axis] + grid.spacing[axis] > grid.firstSample[axis] &&
-        last[axis] - grid.spacing[axis] < last[axis]))
+        !(grid.firstSample[axis] + grid.spacing[axis] > grid.firstSample[axis] &&
+          last[axis] - grid.spacing[axis] < last[axis]))
     {
       refuse("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
         grid.firstSample[axis], " in double precision; move the data towards the origin");
@@ -144,4 +148,4 @@ Grid layOutGrid(const GridRequest& request)
   return grid;
 }
 
-}
+} // namespace winding

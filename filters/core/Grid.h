@@ -32,7 +32,7 @@ struct Grid
 
   Extent wholeExtent() const
   {
-    return { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
+    return {0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1};
   }
 };
 
@@ -45,11 +45,11 @@ Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 /// What a user says about a grid.
 struct GridRequest
 {
-  Bounds bounds;         ///< what to cover: of the source, or the user's own
-  double padding = 0;    ///< margin on each side, as a fraction of the longest side
+  Bounds bounds;      ///< what to cover: of the source, or the user's own
+  double padding = 0; ///< margin on each side, as a fraction of the longest side
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
-  double voxelSize = 0;  ///< side of the cubic voxels; 0: from resolution
-  int resolution = 64;   ///< cubic voxels along the longest side
+  double voxelSize = 0; ///< side of the cubic voxels; 0: from resolution
+  int resolution = 64;  ///< cubic voxels along the longest side
 };
 
 /**
@@ -59,4 +59,4 @@ struct GridRequest
  */
 Grid layOutGrid(const GridRequest& request);
 
-}
+} // namespace winding

@@ -17,14 +17,14 @@ inline bool isInside(double windingNumber, InsideRule rule, double threshold)
 {
   switch (rule)
   {
-    case InsideRule::signedThreshold:
-      return windingNumber >= threshold;
-    case InsideRule::absoluteThreshold:
-      return std::abs(windingNumber) >= threshold;
-    case InsideRule::odd:
-      return std::fmod(std::abs(std::round(windingNumber)), 2.0) == 1.0;
+  case InsideRule::signedThreshold:
+    return windingNumber >= threshold;
+  case InsideRule::absoluteThreshold:
+    return std::abs(windingNumber) >= threshold;
+  case InsideRule::odd:
+    return std::fmod(std::abs(std::round(windingNumber)), 2.0) == 1.0;
   }
   return false;
 }
 
-}
+} // namespace winding

@@ -24,10 +24,11 @@ struct ScaledPoints
   template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
 };
 
-using PointTree = nanoflann::KDTreeSingleIndexAdaptor<
-  nanoflann::L2_Simple_Adaptor<double, ScaledPoints>, ScaledPoints, 3, std::uint32_t>;
+using PointTree =
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, ScaledPoints>,
+    ScaledPoints, 3, std::uint32_t>;
 
-}
+} // namespace
 
 double meanPointArea(const PointCloud& cloud, int neighbors)
 {
@@ -37,7 +38,7 @@ double meanPointArea(const PointCloud& cloud, int neighbors)
     return 0;
   }
   const std::size_t k = std::min(static_cast<std::size_t>(std::max(neighbors, 1)), points - 1);
-  const ScaledPoints scaled{ cloud.positions, unitScale(cloud.bounds) };
+  const ScaledPoints scaled{cloud.positions, unitScale(cloud.bounds)};
   const PointTree tree(3, scaled, nanoflann::KDTreeSingleIndexAdaptorParams(16));
 
   std::vector<std::uint32_t> ids(k + 1);
@@ -51,12 +52,14 @@ double meanPointArea(const PointCloud& cloud, int neighbors)
     areas[i] = squared[k];
   }
   const std::size_t kept = points - points / 100;
-  std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept - 1), areas.end());
+  std::nth_element(
+    areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept - 1), areas.end());
   // Sorted before they are summed: the mean must not depend on the order of the points.
   std::sort(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept));
-  const double sum = std::accumulate(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
+  const double sum =
+    std::accumulate(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
   constexpr double pi = 3.14159265358979323846;
   return pi * sum / static_cast<double>(kept * k) / scaled.scale / scaled.scale;
 }
 
-}
+} // namespace winding

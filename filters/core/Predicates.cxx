@@ -78,12 +78,12 @@ void addProduct(Expansion& sum, const ExactDifference& a, const ExactDifference&
 int exactSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q)
 {
   Expansion sum;
-  addProduct(sum, { to[0], from[0] }, { q[1], from[1] }, 1);
-  addProduct(sum, { to[1], from[1] }, { q[0], from[0] }, -1);
+  addProduct(sum, {to[0], from[0]}, {q[1], from[1]}, 1);
+  addProduct(sum, {to[1], from[1]}, {q[0], from[0]}, -1);
   return sum.sign();
 }
 
-}
+} // namespace
 
 int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q)
 {
@@ -101,9 +101,10 @@ int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eig
   {
     return side;
   }
-  // On the line: what the infinitesimal steps of q add, −(to − from)_v along u, (to − from)_u along v.
+  // On the line: what the infinitesimal steps of q add, −(to − from)_v along u, (to − from)_u along
+  // v.
   const int alongU = (from[1] > to[1]) - (from[1] < to[1]);
   return alongU != 0 ? alongU : (to[0] > from[0]) - (to[0] < from[0]);
 }
 
-}
+} // namespace winding

@@ -16,7 +16,6 @@ namespace winding
  * an infinitesimal step along +u and by one infinitely smaller along +v (u, v: first and second
  * coordinate), the same for every edge, so that the edges of a triangulation agree about it.
  */
-int sideOfEdge(
-  const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
+int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
 
-}
+} // namespace winding

@@ -17,7 +17,7 @@ class RayTarget
 public:
   RayTarget(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
     : corner_(a)
-    , across_{ a.tail<2>(), b.tail<2>(), c.tail<2>() }
+    , across_{a.tail<2>(), b.tail<2>(), c.tail<2>()}
     , normal_((b - a).cross(c - a))
     , low_(a.cwiseMin(b).cwiseMin(c))
     , high_(a.cwiseMax(b).cwiseMax(c))
@@ -33,7 +33,7 @@ public:
     const Eigen::Vector2d q(y, z);
     const int side = sideOfEdge(across_[0], across_[1], q);
     if (side == 0 || sideOfEdge(across_[1], across_[2], q) != side ||
-      sideOfEdge(across_[2], across_[0], q) != side)
+        sideOfEdge(across_[2], across_[0], q) != side)
     {
       return false;
     }
@@ -53,7 +53,7 @@ private:
   Eigen::Vector3d low_, high_;
 };
 
-}
+} // namespace
 
 RayParity::RayParity(const Surface& surface)
   : surface_(surface)
@@ -78,4 +78,4 @@ void RayParity::evaluate(const SampleBlock& block, double* values) const
   std::copy_n(odd, scaled.count, values);
 }
 
-}
+} // namespace winding

@@ -27,4 +27,4 @@ private:
   double scale_;
 };
 
-}
+} // namespace winding

@@ -46,4 +46,4 @@ template double referenceSum<double>(
 template long double referenceSum<long double>(
   const PointCloud&, const std::vector<double>&, const Eigen::Vector3d&);
 
-}
+} // namespace winding

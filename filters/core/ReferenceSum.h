@@ -25,4 +25,4 @@ extern template double referenceSum<double>(
 extern template long double referenceSum<long double>(
   const PointCloud&, const std::vector<double>&, const Eigen::Vector3d&);
 
-}
+} // namespace winding

@@ -13,7 +13,8 @@ namespace winding
 namespace
 {
 
-/// Gives equal coordinates equal ids, in order of first appearance. Open addressing, linear probing.
+/// Gives equal coordinates equal ids, in order of first appearance. Open addressing, linear
+/// probing.
 class Welder
 {
 public:
@@ -130,12 +131,12 @@ void checkLengths(const OrientedPointsView& view)
   if (view.normals.size() != points || (!view.areas.empty() && view.areas.size() != points))
   {
     throw Refusal("the cloud has " + std::to_string(points) + " points but " +
-      std::to_string(view.normals.size()) + " normals and " + std::to_string(view.areas.size()) +
-      " areas; give one of each to every point");
+                  std::to_string(view.normals.size()) + " normals and " +
+                  std::to_string(view.areas.size()) + " areas; give one of each to every point");
   }
 }
 
-}
+} // namespace
 
 Surface sanitize(const std::vector<TrianglesView>& views)
 {
@@ -172,7 +173,7 @@ Surface sanitize(const std::vector<TrianglesView>& views)
       }
       else
       {
-        surface.triangles.push_back({ welder.weld(a), welder.weld(b), welder.weld(c) });
+        surface.triangles.push_back({welder.weld(a), welder.weld(b), welder.weld(c)});
       }
     }
   }
@@ -182,10 +183,10 @@ Surface sanitize(const std::vector<TrianglesView>& views)
   }
   if (surface.inputTriangles > 0 && surface.dropped() == surface.inputTriangles)
   {
-    throw Refusal("all " + std::to_string(surface.inputTriangles) +
-      " triangles are unusable: " + std::to_string(surface.nonFiniteTriangles) +
-      " with NaN or infinite coordinates, " + std::to_string(surface.invalidIdTriangles) +
-      " with ids of points that do not exist");
+    throw Refusal(
+      "all " + std::to_string(surface.inputTriangles) + " triangles are unusable: " +
+      std::to_string(surface.nonFiniteTriangles) + " with NaN or infinite coordinates, " +
+      std::to_string(surface.invalidIdTriangles) + " with ids of points that do not exist");
   }
   return surface;
 }
@@ -209,20 +210,22 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views)
     {
       switch (faultOf(view, i))
       {
-        case PointFault::nonFinite:
-          ++cloud.nonFinitePoints;
-          continue;
-        case PointFault::zeroNormal:
-          ++cloud.zeroNormalPoints;
-          continue;
-        case PointFault::badArea:
-          ++cloud.badAreaPoints;
-          continue;
-        case PointFault::none:
-          break;
+      case PointFault::nonFinite:
+        ++cloud.nonFinitePoints;
+        continue;
+      case PointFault::zeroNormal:
+        ++cloud.zeroNormalPoints;
+        continue;
+      case PointFault::badArea:
+        ++cloud.badAreaPoints;
+        continue;
+      case PointFault::none:
+        break;
       }
       cloud.positions.push_back(view.positions[i]);
-      cloud.normals.push_back(view.normals[i].stableNormalized());
+      // By the largest component first: the square of a very long or short normal leaves the range.
+      const Eigen::Vector3d normal = view.normals[i];
+      cloud.normals.push_back((normal / normal.cwiseAbs().maxCoeff()).normalized());
       if (withAreas)
       {
         cloud.areas.push_back(view.areas[i]);
@@ -233,9 +236,9 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views)
   if (cloud.inputPoints > 0 && cloud.positions.empty())
   {
     throw Refusal("all " + std::to_string(cloud.inputPoints) + " points are unusable: " +
-      std::to_string(cloud.nonFinitePoints) + " with NaN or infinite values, " +
-      std::to_string(cloud.zeroNormalPoints) + " with normals of length 0, " +
-      std::to_string(cloud.badAreaPoints) + " with negative areas");
+                  std::to_string(cloud.nonFinitePoints) + " with NaN or infinite values, " +
+                  std::to_string(cloud.zeroNormalPoints) + " with normals of length 0, " +
+                  std::to_string(cloud.badAreaPoints) + " with negative areas");
   }
   return cloud;
 }
@@ -278,4 +281,4 @@ Bounds boundsOf(const std::vector<OrientedPointsView>& views)
   return bounds;
 }
 
-}
+} // namespace winding

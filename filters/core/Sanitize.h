@@ -68,4 +68,4 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views);
 Bounds boundsOf(const std::vector<TrianglesView>& views);
 Bounds boundsOf(const std::vector<OrientedPointsView>& views);
 
-}
+} // namespace winding

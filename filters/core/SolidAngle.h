@@ -13,10 +13,10 @@
  * Notation: q the sample; a, b, c the vertices of a triangle minus q.
  *
  * Guaranteed: (1) no absolute epsilon, so a uniform scale of all coordinates changes nothing but
- * rounding; (2) odd under a flip of orientation, to the bit; (3) a sample in the plane of a triangle
- * receives 0 from it: on the surface the sums are therefore principal values, the mean of the two
- * sides (0.5 on a face of a closed mesh); (4) degenerate triangles give 0.
- * Not guaranteed: (3) for a sample that is in the plane only up to rounding; it gets one side.
+ * rounding; (2) odd under a flip of orientation, to the bit; (3) a sample in the plane of a
+ * triangle receives 0 from it: on the surface the sums are therefore principal values, the mean of
+ * the two sides (0.5 on a face of a closed mesh); (4) degenerate triangles give 0. Not guaranteed:
+ * (3) for a sample that is in the plane only up to rounding; it gets one side.
  */
 namespace winding
 {
@@ -28,8 +28,8 @@ template <class Scalar> using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
  * outward oriented closed surface gives +4π inside.
  *
  * tan(Ω/2) = a·(b×c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
- * (van Oosterom and Strackee, The solid angle of a plane triangle, IEEE TBME 1983.) The numerator is
- * taken as a·((b−a)×(c−a)), which does not cancel for small far triangles.
+ * (van Oosterom and Strackee, The solid angle of a plane triangle, IEEE TBME 1983.) The numerator
+ * is taken as a·((b−a)×(c−a)), which does not cancel for small far triangles.
  */
 template <class Scalar>
 Scalar solidAngle(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c)
@@ -57,4 +57,4 @@ Scalar dipoleSolidAngle(
   return squared == 0 ? 0 : area * unitNormal.dot(offset) / (squared * std::sqrt(squared));
 }
 
-}
+} // namespace winding

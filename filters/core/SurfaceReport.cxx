@@ -67,7 +67,7 @@ std::vector<EdgeUse> sortedEdgeUses(const Surface& surface)
     {
       const std::int32_t from = triangle[i], to = triangle[(i + 1) % 3];
       uses.push_back(
-        { std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to });
+        {std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to});
     }
   }
   std::sort(uses.begin(), uses.end());
@@ -98,7 +98,7 @@ std::size_t countVertexComponents(const Surface& surface)
   return count;
 }
 
-}
+} // namespace
 
 EdgeCounts countEdges(const Surface& surface)
 {
@@ -159,8 +159,9 @@ SurfaceReport reportOn(const Surface& surface)
     report.volume += a.dot(normal) / 6;
   }
   report.eulerCharacteristic = static_cast<long long>(surface.vertices.size()) -
-    static_cast<long long>(report.edges.edges) + static_cast<long long>(surface.triangles.size());
+                               static_cast<long long>(report.edges.edges) +
+                               static_cast<long long>(surface.triangles.size());
   return report;
 }
 
-}
+} // namespace winding

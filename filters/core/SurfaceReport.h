@@ -9,12 +9,12 @@ namespace winding
 struct EdgeCounts
 {
   std::size_t edges = 0;
-  std::size_t boundary = 0;     ///< used by one triangle
-  std::size_t netBoundary = 0;  ///< used more often in one direction than in the other
-  std::size_t nonManifold = 0;  ///< used by more than two triangles
-  std::size_t inconsistent = 0; ///< used by two triangles in the same direction
+  std::size_t boundary = 0;      ///< used by one triangle
+  std::size_t netBoundary = 0;   ///< used more often in one direction than in the other
+  std::size_t nonManifold = 0;   ///< used by more than two triangles
+  std::size_t inconsistent = 0;  ///< used by two triangles in the same direction
   std::size_t boundaryLoops = 0; ///< connected pieces of the boundary edges
-  std::size_t components = 0;   ///< pieces connected through edges
+  std::size_t components = 0;    ///< pieces connected through edges
 
   /// Whether every edge cancels: then w is an integer everywhere off the surface.
   bool isClosed() const { return netBoundary == 0; }
@@ -39,4 +39,4 @@ struct SurfaceReport
 
 SurfaceReport reportOn(const Surface& surface);
 
-}
+} // namespace winding

@@ -43,4 +43,4 @@ inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& sc
   scaled.count = block.count;
 }
 
-}
+} // namespace winding

@@ -75,7 +75,7 @@ std::vector<Eigen::Vector3i> drawNear(
     const Eigen::Array3d nearest = jittered.round();
     const Eigen::Array3d last = (grid.dimensions.array() - 1).cast<double>();
     if ((nearest >= 0).all() && (nearest <= last).all() &&
-      (nearest - position).matrix().norm() <= farthest)
+        (nearest - position).matrix().norm() <= farthest)
     {
       drawn.push_back(nearest.cast<int>().matrix());
     }
@@ -83,15 +83,15 @@ std::vector<Eigen::Vector3i> drawNear(
   return drawn;
 }
 
-}
+} // namespace
 
 void ErrorStatistics::add(double error)
 {
   ++samples;
   // A value that is no number must not hide: it counts as infinitely wrong.
-  max = std::isnan(error) ? std::numeric_limits<double>::infinity()
-                          : std::max(max, std::abs(error));
-  sumOfSquares += error * error;
+  const double size = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::abs(error);
+  max = std::max(max, size);
+  sumOfSquares += size * size;
 }
 
 void ErrorStatistics::add(const ErrorStatistics& other)
@@ -128,7 +128,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
         const std::size_t y = static_cast<std::size_t>(index[1] - extent[2]);
         const std::size_t z = static_cast<std::size_t>(index[2] - extent[4]);
         errors[i] = valueOf((z * ny + y) * nx + x) -
-          field.reference(grid.sample(index[0], index[1], index[2]));
+                    field.reference(grid.sample(index[0], index[1], index[2]));
       }
     });
 
@@ -143,4 +143,4 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   return result;
 }
 
-}
+} // namespace winding

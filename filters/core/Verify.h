@@ -35,4 +35,4 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   const std::function<double(std::size_t)>& valueOf, std::size_t samples, unsigned seed,
   Executor& executor);
 
-}
+} // namespace winding

@@ -50,7 +50,7 @@ private:
   std::size_t count_ = 0;
   std::size_t stride_ = 0;
 };
-}
+} // namespace detail
 
 /// #V by 3: positions or normals. Stride in numbers, at least 3.
 class VectorsView : public detail::StridedView<float, double, double>
@@ -62,7 +62,7 @@ public:
     : StridedView(data, count, stride)
   {
   }
-  Eigen::Vector3d operator[](std::size_t i) const { return { at(i, 0), at(i, 1), at(i, 2) }; }
+  Eigen::Vector3d operator[](std::size_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
 };
 
 /// #V by 1: areas. Stride in numbers, at least 1.
@@ -109,4 +109,4 @@ struct OrientedPointsView
   ScalarsView areas;
 };
 
-}
+} // namespace winding

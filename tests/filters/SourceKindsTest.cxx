@@ -1,0 +1,313 @@
+#include "filters/ErrorLog.h"
+
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The winding number of a source at one point.
+class SourceKinds : public testing::Test
+{
+protected:
+  SourceKinds() { probe->SetOutputScalarTypeToDouble(); }
+
+  double windingNumber(vtkDataObject* source, double x, double y, double z)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(x, y, z);
+    vtkNew<vtkPolyData> query;
+    query->SetPoints(points);
+    probe->SetInputData(query);
+    probe->SetSourceData(source);
+    probe->Update();
+    vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    return values ? values->GetTuple1(0) : nan;
+  }
+
+  void expectRefused(vtkDataObject* source, const std::string& part)
+  {
+    ErrorLog log(probe);
+    this->windingNumber(source, 0, 0, 0);
+    EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
+    EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::REFUSED);
+  }
+
+  vtkNew<vtkWindingNumberProbe> probe;
+};
+
+vtkSmartPointer<vtkPolyData> sphere(double radius = 0.5, bool normals = true)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetThetaResolution(60);
+  source->SetPhiResolution(60);
+  source->SetGenerateNormals(normals);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
+  return result;
+}
+
+/// The points of a sphere without its triangles.
+vtkSmartPointer<vtkPolyData> cloud(bool normals = true)
+{
+  auto result = sphere(0.5, normals);
+  result->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  return result;
+}
+
+TEST_F(SourceKinds, QuadsTrianglesAndStripsAreOneSurface)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkStripper> strips;
+  strips->SetInputConnection(triangles->GetOutputPort());
+  strips->Update();
+  ASSERT_GT(strips->GetOutput()->GetNumberOfStrips(), 0);
+  for (vtkPolyData* source : {cube->GetOutput(), triangles->GetOutput(), strips->GetOutput()})
+  {
+    EXPECT_NEAR(this->windingNumber(source, 0.1, 0.2, 0.3), 1, 1e-14);
+    EXPECT_NEAR(this->windingNumber(source, 0.1, 0.2, 0.6), 0, 1e-14);
+  }
+}
+
+TEST_F(SourceKinds, NonConvexPolygonsGiveTheChainThatTheyAre)
+{
+  // A prism over an L: its caps are hexagons whose fans overlap outside the L, and cancel there.
+  const double outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (int first = 0; first < 6; ++first)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> polys;
+    for (int i = 0; i < 12; ++i)
+    {
+      const double* p = outline[(i + first) % 6];
+      points->InsertNextPoint(p[0], p[1], i < 6 ? 0 : 1);
+    }
+    const vtkIdType bottom[6] = {5, 4, 3, 2, 1, 0}, top[6] = {6, 7, 8, 9, 10, 11};
+    polys->InsertNextCell(6, bottom);
+    polys->InsertNextCell(6, top);
+    for (vtkIdType i = 0; i < 6; ++i)
+    {
+      const vtkIdType j = (i + 1) % 6;
+      const vtkIdType side[4] = {i, j, j + 6, i + 6};
+      polys->InsertNextCell(4, side);
+    }
+    vtkNew<vtkPolyData> prism;
+    prism->SetPoints(points);
+    prism->SetPolys(polys);
+    EXPECT_NEAR(this->windingNumber(prism, 0.5, 1.5, 0.5), 1, 1e-14) << first;
+    EXPECT_NEAR(this->windingNumber(prism, 1.5, 0.5, 0.5), 1, 1e-14) << first;
+    EXPECT_NEAR(this->windingNumber(prism, 1.5, 1.5, 0.5), 0, 1e-14) << first;
+    EXPECT_NEAR(this->windingNumber(prism, 1.4, 1.4, 0.1), 0, 1e-14) << first;
+  }
+}
+
+TEST_F(SourceKinds, CompositeLeavesAreOneSource)
+{
+  vtkNew<vtkMultiBlockDataSet> nested, blocks;
+  nested->SetBlock(0, sphere(0.25));
+  blocks->SetBlock(0, sphere(0.5));
+  blocks->SetBlock(1, nested);
+  blocks->SetBlock(2, nullptr);
+  EXPECT_NEAR(this->windingNumber(blocks, 0, 0, 0), 2, 1e-12);
+  EXPECT_NEAR(this->windingNumber(blocks, 0.4, 0, 0), 1, 1e-12);
+}
+
+TEST_F(SourceKinds, VolumeMeshesCountThroughTheirSkin)
+{
+  vtkNew<vtkPoints> points;
+  const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const auto& corner : corners)
+  {
+    points->InsertNextPoint(corner);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  const vtkIdType ids[4] = {0, 1, 2, 3};
+  grid->InsertNextCell(VTK_TETRA, 4, ids);
+  EXPECT_NEAR(this->windingNumber(grid, 0.1, 0.1, 0.1), 1, 1e-14);
+  EXPECT_NEAR(this->windingNumber(grid, 0.5, 0.5, 0.5), 0, 1e-14);
+}
+
+TEST_F(SourceKinds, CoordinatesOfAnyArrayTypeAreRead)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(4);
+  cube->SetYLength(4);
+  cube->SetZLength(4);
+  cube->Update();
+  vtkNew<vtkIntArray> integers;
+  integers->DeepCopy(cube->GetOutput()->GetPoints()->GetData());
+  cube->GetOutput()->GetPoints()->SetData(integers);
+  EXPECT_NEAR(this->windingNumber(cube->GetOutput(), 0, 0, 0), 1, 1e-14);
+}
+
+TEST_F(SourceKinds, CloudGivesAPlateauOfOneWithEstimatedAreas)
+{
+  // The sphere's poles are sampled far more densely than its equator, so no constant area is right.
+  EXPECT_NEAR(this->windingNumber(cloud(), 0, 0, 0), 1, 0.05); // measured 1.014
+  EXPECT_FALSE(probe->GetSourceIsSurface());
+  EXPECT_NEAR(this->windingNumber(cloud(), 1, 0, 0), 0, 0.05); // measured 0.025
+}
+
+TEST_F(SourceKinds, ConstantAreaScalesTheCloudsField)
+{
+  probe->SetPointArea(1e-3);
+  const double w = this->windingNumber(cloud(), 0, 0, 0);
+  probe->SetPointArea(2e-3);
+  EXPECT_NEAR(this->windingNumber(cloud(), 0, 0, 0), 2 * w, 1e-15);
+  // All points at distance 1/2 with outward normals: w = n · area / (4π/4).
+  const double n = static_cast<double>(cloud()->GetNumberOfPoints());
+  EXPECT_NEAR(w, n * 1e-3 / 3.14159265358979, 1e-6);
+}
+
+TEST_F(SourceKinds, AreasFromAnArrayAreUsed)
+{
+  auto points = cloud();
+  vtkNew<vtkFloatArray> areas;
+  areas->SetName("Area");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    areas->InsertNextValue(i == 5 ? 1.0F : 0.0F);
+  }
+  points->GetPointData()->AddArray(areas);
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::ARRAY);
+  EXPECT_NEAR(this->windingNumber(points, 0, 0, 0), 1 / 3.14159265358979, 1e-6);
+  probe->SetAreaArray("no such");
+  expectRefused(points, "no point array 'no such'");
+  probe->SetAreaArray("Normals");
+  expectRefused(points, "has 3 components, not 1");
+}
+
+TEST_F(SourceKinds, NormalsNeedNoUnitLengthAndMayBeNamed)
+{
+  auto points = cloud();
+  const double w = this->windingNumber(points, 0, 0, 0);
+  vtkNew<vtkDoubleArray> scaled;
+  scaled->SetName("scaled");
+  scaled->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    points->GetPointData()->GetNormals()->GetTuple(i, n);
+    scaled->InsertNextTuple3(-7 * n[0], -7 * n[1], -7 * n[2]);
+  }
+  points->GetPointData()->AddArray(scaled);
+  probe->SetNormalsArray("scaled");
+  EXPECT_NEAR(this->windingNumber(points, 0, 0, 0), -w, 1e-6);
+}
+
+TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)
+{
+  expectRefused(cloud(false), "vtkPCANormalEstimation");
+}
+
+TEST_F(SourceKinds, MeshAsPointsIsItsCloud)
+{
+  probe->SetSourceAsPoints(1);
+  EXPECT_NEAR(this->windingNumber(sphere(), 0, 0, 0), 1, 0.05);
+  EXPECT_FALSE(probe->GetSourceIsSurface());
+  // Without normals of its own the mesh's triangles give them.
+  EXPECT_NEAR(
+    this->windingNumber(sphere(0.5, false), 0, 0, 0), this->windingNumber(sphere(), 0, 0, 0), 1e-3);
+}
+
+TEST_F(SourceKinds, ParityNeedsTriangles)
+{
+  probe->SetMethod(vtkWindingNumberProbe::PARITY);
+  expectRefused(cloud(), "parity needs triangles");
+}
+
+TEST_F(SourceKinds, SurfacesAndCloudsDoNotMix)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, sphere());
+  blocks->SetBlock(1, cloud());
+  expectRefused(blocks, "mixes surfaces and point clouds");
+}
+
+TEST_F(SourceKinds, LeavesThatAreNoPointsAreRefused)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkSmartPointer<vtkImageData>::New());
+  expectRefused(blocks, "is a vtkImageData");
+}
+
+TEST_F(SourceKinds, NothingToSumOverGivesZeroAndAWarning)
+{
+  vtkNew<vtkPolyData> empty;
+  ErrorLog log(probe);
+  EXPECT_EQ(this->windingNumber(empty, 0, 0, 0), 0);
+  EXPECT_NE(log.warnings().find("its field is 0"), std::string::npos) << log.warnings();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), 0);
+
+  vtkNew<vtkWindingNumberField> field;
+  ErrorLog fieldLog(field);
+  field->SetInputData(empty);
+  field->SetResolution(4);
+  field->Update();
+  EXPECT_EQ(fieldLog.errors(), "");
+  EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 64) << "over the sampling bounds";
+  EXPECT_EQ(field->GetOutput()->GetPointData()->GetScalars()->GetRange()[1], 0);
+}
+
+TEST_F(SourceKinds, BadPrimitivesAreDroppedAndCounted)
+{
+  auto source = sphere();
+  const double before = this->windingNumber(source, 0, 0, 0);
+  vtkIdType bad = source->GetPoints()->InsertNextPoint(nan, 0, 0);
+  const vtkIdType withNaN[3] = {0, 1, bad}, beyond[3] = {0, 1, 999999};
+  source->GetPolys()->InsertNextCell(3, withNaN);
+  source->GetPolys()->InsertNextCell(3, beyond);
+  source->Modified();
+  ErrorLog log(probe);
+  EXPECT_EQ(this->windingNumber(source, 0, 0, 0), before);
+  EXPECT_EQ(probe->GetNumberOfDroppedPrimitives(), 2);
+  EXPECT_NE(
+    log.warnings().find("1 with NaN or infinite coordinates, 1 with ids"), std::string::npos)
+    << log.warnings();
+}
+
+TEST_F(SourceKinds, OnlyBadPrimitivesAreAnError)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(nan, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, 1, 0);
+  vtkNew<vtkCellArray> polys;
+  const vtkIdType ids[3] = {0, 1, 2};
+  polys->InsertNextCell(3, ids);
+  vtkNew<vtkPolyData> source;
+  source->SetPoints(points);
+  source->SetPolys(polys);
+  expectRefused(source, "all 1 triangles are unusable");
+}
+
+} // namespace
