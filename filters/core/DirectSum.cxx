@@ -19,12 +19,46 @@ void store(const Eigen::Vector3d& from, double (&to)[3])
   std::copy_n(from.data(), 3, to);
 }
 
+void sumAngles(const AngleProducts& products, std::size_t count, double* values)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    values[i] = products.turns[i] + std::atan2(products.im[i], products.re[i]) / (2 * pi);
+  }
+}
+
 } // namespace
 
-TriangleSum::TriangleSum(const Surface& surface)
-  : surface_(surface)
-  , scale_(unitScale(surface.bounds))
+TriangleSum::TriangleSum(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds)
+  : vertices_(vertices)
+  , triangles_(triangles)
+  , scale_(unitScale(bounds))
 {
+}
+
+void TriangleSum::multiply(
+  const SampleBlock& scaled, AngleProducts& products, bool watching) const
+{
+  // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
+  // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
+  KernelTriangle chunk[kernelChunk];
+  for (std::size_t first = 0; first < triangles_.size(); first += kernelChunk)
+  {
+    const std::size_t count = std::min(kernelChunk, triangles_.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Triangle& triangle = triangles_[first + i];
+      const Eigen::Vector3d a = vertices_[triangle[0]] * scale_;
+      const Eigen::Vector3d b = vertices_[triangle[1]] * scale_;
+      const Eigen::Vector3d c = vertices_[triangle[2]] * scale_;
+      store(a, chunk[i].a);
+      store(b, chunk[i].b);
+      store(c, chunk[i].c);
+      store((b - a).cross(c - a), chunk[i].normal);
+    }
+    (watching ? multiplyAnglesWatching : multiplyAngles)(chunk, count, scaled, products);
+  }
 }
 
 void TriangleSum::evaluate(const SampleBlock& block, double* values) const
@@ -32,32 +66,25 @@ void TriangleSum::evaluate(const SampleBlock& block, double* values) const
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   AngleProducts products;
-  std::fill_n(products.re, scaled.count, 1.0);
+  this->multiply(scaled, products, false);
+  sumAngles(products, scaled.count, values);
+}
 
-  // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
-  // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
-  KernelTriangle chunk[kernelChunk];
-  const std::size_t total = surface_.triangles.size();
-  for (std::size_t first = 0; first < total; first += kernelChunk)
-  {
-    const std::size_t count = std::min(kernelChunk, total - first);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Triangle& triangle = surface_.triangles[first + i];
-      const Eigen::Vector3d a = surface_.vertices[triangle[0]] * scale_;
-      const Eigen::Vector3d b = surface_.vertices[triangle[1]] * scale_;
-      const Eigen::Vector3d c = surface_.vertices[triangle[2]] * scale_;
-      store(a, chunk[i].a);
-      store(b, chunk[i].b);
-      store(c, chunk[i].c);
-      store((b - a).cross(c - a), chunk[i].normal);
-    }
-    multiplyAngles(chunk, count, scaled, products);
-  }
+bool TriangleSum::evaluateWatching(
+  const SampleBlock& block, double* values, bool* isSuspect) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  AngleProducts products;
+  this->multiply(scaled, products, true);
+  sumAngles(products, scaled.count, values);
+  bool any = false;
   for (std::size_t i = 0; i < scaled.count; ++i)
   {
-    values[i] = products.turns[i] + std::atan2(products.im[i], products.re[i]) / (2 * pi);
+    isSuspect[i] = products.suspect[i] != 0;
+    any = any || isSuspect[i];
   }
+  return any;
 }
 
 DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)

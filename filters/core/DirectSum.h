@@ -6,6 +6,8 @@
 namespace winding
 {
 
+struct AngleProducts;
+
 /**
  * The direct sum over all triangles, in double, vectorised over samples.
  *
@@ -22,13 +24,22 @@ namespace winding
 class TriangleSum final : public Evaluator
 {
 public:
-  /// Keeps a reference: the surface must outlive this.
-  explicit TriangleSum(const Surface& surface);
+  /// Keeps references: vertices and triangles must outlive this. The bounds need not be tight; they
+  /// tell the size of things.
+  TriangleSum(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+    const Bounds& bounds);
 
   void evaluate(const SampleBlock& block, double* values) const override;
 
+  /// The same, and sets isSuspect[i] where sample i lies on a triangle within rounding, so that its
+  /// value is one of those around it by chance. Returns whether there is any.
+  bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
+
 private:
-  const Surface& surface_;
+  void multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const;
+
+  const std::vector<Eigen::Vector3d>& vertices_;
+  const std::vector<Triangle>& triangles_;
   double scale_; ///< a power of two: brings the surface to about unit size, without rounding
 };
 

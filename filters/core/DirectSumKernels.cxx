@@ -29,7 +29,8 @@ HWY_INLINE Vec inverseMagnitude(Tag d, Vec value)
   return hn::BitCast(d, hn::Sub(hn::Set(du, 0x7FE0000000000000ull), exponent));
 }
 
-void multiplyAnglesLoop(const KernelTriangle* HWY_RESTRICT triangles, std::size_t count,
+template <bool Watching>
+HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products)
 {
   const Tag d;
@@ -42,6 +43,7 @@ void multiplyAnglesLoop(const KernelTriangle* HWY_RESTRICT triangles, std::size_
     Vec re = hn::Load(d, products.re + s);
     Vec im = hn::Load(d, products.im + s);
     Vec turns = hn::Load(d, products.turns + s);
+    Vec suspect = zero;
     for (const KernelTriangle* t = triangles; t != triangles + count; ++t)
     {
       const Vec ax = hn::Sub(hn::Set(d, t->a[0]), qx);
@@ -62,6 +64,12 @@ void multiplyAnglesLoop(const KernelTriangle* HWY_RESTRICT triangles, std::size_
       const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
       Vec den = hn::MulAdd(a, bc,
         hn::Add(hn::Mul(c, dot(ax, ay, az, bx, by, bz)), hn::Mul(b, dot(ax, ay, az, cx, cy, cz))));
+      if (Watching)
+      {
+        const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
+        suspect = hn::IfThenElse(
+          hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound)), one, suspect);
+      }
       // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);
 
@@ -80,7 +88,23 @@ void multiplyAnglesLoop(const KernelTriangle* HWY_RESTRICT triangles, std::size_
     hn::Store(re, d, products.re + s);
     hn::Store(im, d, products.im + s);
     hn::Store(turns, d, products.turns + s);
+    if (Watching)
+    {
+      hn::Store(hn::Max(suspect, hn::Load(d, products.suspect + s)), d, products.suspect + s);
+    }
   }
+}
+
+void multiplyAnglesLoop(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  multiply<false>(triangles, count, samples, products);
+}
+
+void multiplyAnglesWatchingLoop(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  multiply<true>(triangles, count, samples, products);
 }
 
 void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
@@ -124,6 +148,7 @@ namespace winding
 {
 
 HWY_EXPORT(multiplyAnglesLoop);
+HWY_EXPORT(multiplyAnglesWatchingLoop);
 HWY_EXPORT(addDipolesLoop);
 HWY_EXPORT(instructionSetName);
 
@@ -131,6 +156,12 @@ void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const Sa
   AngleProducts& products)
 {
   HWY_DYNAMIC_DISPATCH(multiplyAnglesLoop)(triangles, count, samples, products);
+}
+
+void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  HWY_DYNAMIC_DISPATCH(multiplyAnglesWatchingLoop)(triangles, count, samples, products);
 }
 
 void addDipoles(

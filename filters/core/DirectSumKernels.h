@@ -2,6 +2,7 @@
 
 #include "Evaluator.h"
 
+#include <algorithm>
 #include <cstddef>
 
 /**
@@ -30,9 +31,13 @@ struct KernelDipole
 /// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
 struct AngleProducts
 {
-  alignas(64) double re[SampleBlock::capacity] = {};
+  AngleProducts() { std::fill_n(re, SampleBlock::capacity, 1.0); }
+
+  alignas(64) double re[SampleBlock::capacity];
   alignas(64) double im[SampleBlock::capacity] = {};
   alignas(64) double turns[SampleBlock::capacity] = {};
+  /// Not 0 where a triangle is so near that rounding decides about its angle; see below.
+  alignas(64) double suspect[SampleBlock::capacity] = {};
 };
 
 struct KernelSums
@@ -42,6 +47,17 @@ struct KernelSums
 
 void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
   AngleProducts& products);
+
+/**
+ * The same, and marks the samples that lie on a triangle, its edges included, within rounding: those
+ * where numerator and denominator are both less than suspectAngle times |a||b||c|.
+ */
+void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products);
+
+/// Rounding errors of the two are some 1e-16 times |a||b||c| times the ratio of the coordinates to
+/// the distances; what passes has angles right to 1e-10 and better.
+constexpr double suspectAngle = 1e-6;
 
 void addDipoles(
   const KernelDipole* dipoles, std::size_t count, const SampleBlock& samples, KernelSums& sums);

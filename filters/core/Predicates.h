@@ -18,4 +18,13 @@ namespace winding
  */
 int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
 
+/**
+ * The side of the plane of a triangle that q is on: +1 where the normal (b−a)×(c−a) points away from
+ * q, −1 where it points towards q. Exact as sideOfEdge() is; a q in the plane counts as moved by
+ * infinitesimal steps, along y, by an infinitely smaller one along z, and by one smaller still along
+ * x, which is what sideOfEdge() assumes where u, v are y, z. 0 only for degenerate triangles.
+ */
+int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+  const Eigen::Vector3d& q);
+
 } // namespace winding

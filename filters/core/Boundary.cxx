@@ -1,0 +1,93 @@
+#include "Boundary.h"
+
+#include "Edges.h"
+
+#include <cstdlib>
+
+namespace winding
+{
+
+std::vector<BoundaryEdge> boundaryChain(const Surface& surface)
+{
+  std::vector<BoundaryEdge> chain;
+  EdgeUses(surface).forEachEdge(
+    [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
+    {
+      const std::int32_t high = first->high;
+      std::int32_t net = 0;
+      for (; first != last; ++first)
+      {
+        net += first->sense();
+      }
+      if (net > 0)
+      {
+        chain.push_back({ low, high, net });
+      }
+      else if (net < 0)
+      {
+        chain.push_back({ high, low, -net });
+      }
+    });
+  return chain;
+}
+
+std::vector<BoundaryLoop> boundaryLoops(
+  const std::vector<BoundaryEdge>& chain, std::size_t vertices)
+{
+  // Edges by the vertex that they leave.
+  std::vector<std::size_t> starts(vertices + 1, 0);
+  for (const BoundaryEdge& edge : chain)
+  {
+    ++starts[static_cast<std::size_t>(edge.from) + 1];
+  }
+  for (std::size_t v = 1; v <= vertices; ++v)
+  {
+    starts[v] += starts[v - 1];
+  }
+  std::vector<BoundaryEdge> leaving(chain.size());
+  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  for (const BoundaryEdge& edge : chain)
+  {
+    leaving[next[static_cast<std::size_t>(edge.from)]++] = edge;
+  }
+  next.assign(starts.begin(), starts.end() - 1);
+
+  // Walk on until a vertex comes up again, cut the loop off that this closes, and walk on from there.
+  // As many edges leave each vertex as arrive, so a walk can only get stuck where it began.
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::int32_t> path;
+  std::vector<std::int32_t> placeInPath(vertices, -1);
+  for (const BoundaryEdge& seed : chain)
+  {
+    std::int32_t here = seed.from;
+    while (true)
+    {
+      if (placeInPath[here] >= 0)
+      {
+        const auto cut = path.begin() + placeInPath[here];
+        loops.emplace_back(cut, path.end());
+        for (auto visited = cut; visited != path.end(); ++visited)
+        {
+          placeInPath[*visited] = -1;
+        }
+        path.erase(cut, path.end());
+      }
+      std::size_t& edge = next[here];
+      while (edge < starts[here + 1] && leaving[edge].multiplicity == 0)
+      {
+        ++edge;
+      }
+      if (edge == starts[here + 1])
+      {
+        break;
+      }
+      placeInPath[here] = static_cast<std::int32_t>(path.size());
+      path.push_back(here);
+      --leaving[edge].multiplicity;
+      here = leaving[edge].to;
+    }
+  }
+  return loops;
+}
+
+} // namespace winding

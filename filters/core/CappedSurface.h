@@ -1,0 +1,54 @@
+#pragma once
+
+#include "DirectSum.h"
+#include "Executor.h"
+#include "FieldOutput.h"
+#include "Grid.h"
+#include "RowCrossings.h"
+
+namespace winding
+{
+
+/**
+ * The winding number of a surface on grids, as the difference of two parts that are each easy:
+ *
+ *   w_M = χ_{M+C} − w_C   for a cap C with ∂C = −∂M
+ *
+ * χ is an integer, found for whole rows at once (RowCrossings.h); w_C is summed over the cap, which
+ * has about as many triangles as the surface has boundary edges, and none if it is closed.
+ *
+ * Guaranteed: (1) for a closed surface, integers, exact off the surface; (2) for an open one, equal to
+ * the direct sum up to its rounding, next to the cap too: there χ and w_C jump by the same 1, and
+ * where rounding could make them disagree about the side, another cap that is elsewhere decides;
+ * (3) values have the same bits for any extent, executor and number of threads.
+ */
+class CappedSurface
+{
+public:
+  /// Keeps a reference: the surface must outlive this.
+  explicit CappedSurface(const Surface& surface);
+
+  /// Edges of the boundary chain, without their multiplicities, and triangles of the cap: 0 if closed.
+  std::size_t boundaryEdges() const { return boundaryEdges_; }
+  std::size_t capTriangles() const { return cap_.size(); }
+
+  /// False when the executor was interrupted.
+  bool evaluate(
+    const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+
+private:
+  void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
+    const std::vector<RowRun>& runs, const FieldOutput& output) const;
+  double resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const;
+
+  const Surface& surface_;
+  std::size_t boundaryEdges_;
+  std::vector<Triangle> cap_;
+  std::vector<Eigen::Vector3d> fanVertices_;
+  std::vector<Triangle> fan_; ///< the other cap
+  RowCrossings rows_;         ///< of M + C
+  RowCrossings capRows_, fanRows_;
+  TriangleSum surfaceSum_, capSum_, fanSum_;
+};
+
+} // namespace winding

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace winding
+{
+
+/**
+ * A triangle in units of a grid, sample (i, j, k) at (i, j, k): which rows along x cross it, in which
+ * direction, and between which samples. Every decision is exact for the given coordinates
+ * (Predicates.h); rounded arithmetic only narrows down where to ask.
+ */
+class RowTriangle
+{
+public:
+  RowTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+  /// The rows (j, k) of layer k that may cross: j in [first, last], empty if last < first.
+  struct Range
+  {
+    int first, last;
+  };
+  Range rowsIn(int k, int lowest, int highest) const;
+
+  /// +1 if row (j, k) leaves through the front of the triangle, walking along +x, −1 if it enters, 0
+  /// if it does not cross.
+  int crossingSign(int j, int k) const;
+
+  /// For a row that crosses with this sign: the first sample i in [lowest, highest] behind the
+  /// crossing, highest + 1 if there is none. Samples before it see the triangle along +x.
+  int firstBehind(int j, int k, int sign, int lowest, int highest) const;
+
+private:
+  double crossingX(int j, int k, double& error) const;
+
+  Eigen::Vector3d a_, b_, c_;
+  Eigen::Vector3d normal_, normalMagnitude_;
+  double lowX_, highX_, lowY_, highY_;
+};
+
+} // namespace winding
