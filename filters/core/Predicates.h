@@ -18,4 +18,11 @@ namespace winding
  */
 int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
 
+/**
+ * The sign of the volume of (a, b, c, q), that of (a − q)·((b − a)×(c − a)): +1 where q lies behind
+ * the triangle, seen against its normal, −1 in front of it, 0 in its plane. Exact as sideOfEdge.
+ */
+int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+  const Eigen::Vector3d& q);
+
 } // namespace winding
