@@ -61,7 +61,7 @@ std::size_t sampleCount(const Extent& extent)
   std::size_t count = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int length = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    const long long length = static_cast<long long>(extent[2 * axis + 1]) - extent[2 * axis] + 1;
     count *= length > 0 ? static_cast<std::size_t>(length) : 0;
   }
   return count;

@@ -54,7 +54,7 @@ struct GridRequest
 
 /**
  * Lays a grid over the bounds. With dimensions given it fills the padded bounds exactly; cubic
- * voxels may reach over them, by the same amount on both sides, and by less than a voxel in all.
+ * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most.
  * Throws Refusal for sizes, bounds or paddings that make no grid, with the numbers.
  */
 Grid layOutGrid(const GridRequest& request);

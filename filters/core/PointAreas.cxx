@@ -49,7 +49,11 @@ double meanPointArea(const PointCloud& cloud, int neighbors)
     // One more than k: the nearest is the point itself.
     const Eigen::Vector3d query = cloud.positions[i] * scaled.scale;
     tree.knnSearch(query.data(), k + 1, ids.data(), squared.data());
-    areas[i] = squared[k];
+    areas[i] = 0;
+    for (std::size_t j = 1; j <= k; ++j)
+    {
+      areas[i] += squared[j];
+    }
   }
   const std::size_t kept = points - points / 100;
   std::nth_element(
@@ -59,7 +63,8 @@ double meanPointArea(const PointCloud& cloud, int neighbors)
   const double sum =
     std::accumulate(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
   constexpr double pi = 3.14159265358979323846;
-  return pi * sum / static_cast<double>(kept * k) / scaled.scale / scaled.scale;
+  return pi * sum / (static_cast<double>(kept) * 0.5 * static_cast<double>(k * (k + 1))) /
+         scaled.scale / scaled.scale;
 }
 
 } // namespace winding

@@ -16,9 +16,8 @@ class RayTarget
 {
 public:
   RayTarget(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
-    : corner_(a)
+    : corners_{a, b, c}
     , across_{a.tail<2>(), b.tail<2>(), c.tail<2>()}
-    , normal_((b - a).cross(c - a))
     , low_(a.cwiseMin(b).cwiseMin(c))
     , high_(a.cwiseMax(b).cwiseMax(c))
   {
@@ -42,14 +41,12 @@ public:
       return true;
     }
     // The sample is within the triangle's extent along the ray: which side of its plane is it on?
-    // Rounding can decide wrongly only for a sample within rounding of the triangle itself.
-    return normal_.dot(corner_ - Eigen::Vector3d(x, y, z)) * side > 0;
+    return sideOfPlane(corners_[0], corners_[1], corners_[2], {x, y, z}) * side > 0;
   }
 
 private:
-  Eigen::Vector3d corner_;
+  Eigen::Vector3d corners_[3];
   Eigen::Vector2d across_[3];
-  Eigen::Vector3d normal_;
   Eigen::Vector3d low_, high_;
 };
 

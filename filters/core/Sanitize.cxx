@@ -194,12 +194,17 @@ Surface sanitize(const std::vector<TrianglesView>& views)
 PointCloud sanitize(const std::vector<OrientedPointsView>& views)
 {
   PointCloud cloud;
-  bool withAreas = !views.empty();
+  bool withAreas = false, withoutAreas = false;
   for (const OrientedPointsView& view : views)
   {
     checkLengths(view);
-    withAreas = withAreas && (!view.areas.empty() || view.positions.empty());
+    withAreas = withAreas || !view.areas.empty();
+    withoutAreas = withoutAreas || (view.areas.empty() && !view.positions.empty());
     cloud.inputPoints += view.positions.size();
+  }
+  if (withAreas && withoutAreas)
+  {
+    throw Refusal("some parts of the cloud have areas and others have none; give areas to all");
   }
   cloud.positions.reserve(cloud.inputPoints);
   cloud.normals.reserve(cloud.inputPoints);

@@ -13,7 +13,8 @@
  * Notation: q the sample; a, b, c the vertices of a triangle minus q.
  *
  * Guaranteed: (1) no absolute epsilon, so a uniform scale of all coordinates changes nothing but
- * rounding; (2) odd under a flip of orientation, to the bit; (3) a sample in the plane of a
+ * rounding; (2) odd under a flip of orientation, to the bit where
+ * it exchanges b and c; (3) a sample in the plane of a
  * triangle receives 0 from it: on the surface the sums are therefore principal values, the mean of
  * the two sides (0.5 on a face of a closed mesh); (4) degenerate triangles give 0. Not guaranteed:
  * (3) for a sample that is in the plane only up to rounding; it gets one side.
@@ -40,7 +41,8 @@ Scalar solidAngle(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vect
     return 0;
   }
   const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
-  const Scalar denominator = (la * lb + a.dot(b)) * lc + b.dot(c) * la + c.dot(a) * lb;
+  // Symmetric in b and c to the bit.
+  const Scalar denominator = (lb * lc + b.dot(c)) * la + (a.dot(b) * lc + a.dot(c) * lb);
   return 2 * std::atan2(numerator, denominator);
 }
 

@@ -150,13 +150,14 @@ SurfaceReport reportOn(const Surface& surface)
     surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
   for (const Triangle& triangle : surface.triangles)
   {
-    const Eigen::Vector3d a = surface.vertices[triangle[0]] - center;
-    const Eigen::Vector3d b = surface.vertices[triangle[1]] - center;
-    const Eigen::Vector3d c = surface.vertices[triangle[2]] - center;
+    // Only the volume is taken from the centre: its rounding would give area to points on a line.
+    const Eigen::Vector3d& a = surface.vertices[triangle[0]];
+    const Eigen::Vector3d& b = surface.vertices[triangle[1]];
+    const Eigen::Vector3d& c = surface.vertices[triangle[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     report.zeroAreaTriangles += normal == Eigen::Vector3d::Zero();
     report.area += 0.5 * normal.norm();
-    report.volume += a.dot(normal) / 6;
+    report.volume += (a - center).dot(normal) / 6;
   }
   report.eulerCharacteristic = static_cast<long long>(surface.vertices.size()) -
                                static_cast<long long>(report.edges.edges) +

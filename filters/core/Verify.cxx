@@ -118,7 +118,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
   std::vector<double> errors(drawn.size());
-  executor.run(drawn.size(),
+  const bool complete = executor.run(drawn.size(),
     [&](std::size_t i)
     {
       const Eigen::Vector3i& index = drawn[i];
@@ -133,6 +133,10 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
     });
 
   Verification result;
+  if (!complete)
+  {
+    return result;
+  }
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
     if (contains(extent, drawn[i]))

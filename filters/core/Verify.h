@@ -29,6 +29,8 @@ struct Verification
  * seed and the whole grid only; those of its samples that lie in the extent are compared, so that
  * the pieces of a grid together compare what the whole does.
  *
+ * When the executor is interrupted, no sample counts as compared.
+ *
  * valueOf(n) is the value of the n-th sample of the extent.
  */
 Verification verify(const Field& field, const Grid& grid, const Extent& extent,
