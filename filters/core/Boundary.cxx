@@ -7,13 +7,14 @@
 namespace winding
 {
 
-std::vector<BoundaryEdge> boundaryChain(const Surface& surface)
+BoundaryChain boundaryChain(const Surface& surface)
 {
-  std::vector<BoundaryEdge> chain;
+  BoundaryChain chain;
   EdgeUses(surface).forEachEdge(
     [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
     {
       const std::int32_t high = first->high;
+      chain.edgesOfOneTriangle += last - first == 1;
       std::int32_t net = 0;
       for (; first != last; ++first)
       {
@@ -21,22 +22,21 @@ std::vector<BoundaryEdge> boundaryChain(const Surface& surface)
       }
       if (net > 0)
       {
-        chain.push_back({ low, high, net });
+        chain.edges.push_back({low, high, net});
       }
       else if (net < 0)
       {
-        chain.push_back({ high, low, -net });
+        chain.edges.push_back({high, low, -net});
       }
     });
   return chain;
 }
 
-std::vector<BoundaryLoop> boundaryLoops(
-  const std::vector<BoundaryEdge>& chain, std::size_t vertices)
+std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
 {
   // Edges by the vertex that they leave.
   std::vector<std::size_t> starts(vertices + 1, 0);
-  for (const BoundaryEdge& edge : chain)
+  for (const BoundaryEdge& edge : chain.edges)
   {
     ++starts[static_cast<std::size_t>(edge.from) + 1];
   }
@@ -44,9 +44,9 @@ std::vector<BoundaryLoop> boundaryLoops(
   {
     starts[v] += starts[v - 1];
   }
-  std::vector<BoundaryEdge> leaving(chain.size());
+  std::vector<BoundaryEdge> leaving(chain.edges.size());
   std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-  for (const BoundaryEdge& edge : chain)
+  for (const BoundaryEdge& edge : chain.edges)
   {
     leaving[next[static_cast<std::size_t>(edge.from)]++] = edge;
   }
@@ -57,7 +57,7 @@ std::vector<BoundaryLoop> boundaryLoops(
   std::vector<BoundaryLoop> loops;
   std::vector<std::int32_t> path;
   std::vector<std::int32_t> placeInPath(vertices, -1);
-  for (const BoundaryEdge& seed : chain)
+  for (const BoundaryEdge& seed : chain.edges)
   {
     std::int32_t here = seed.from;
     while (true)

@@ -20,15 +20,23 @@ struct BoundaryEdge
   std::int32_t multiplicity;
 };
 
-/// In the order of (lower vertex, higher vertex); each undirected edge occurs once at most. At every
-/// vertex as many edges leave as arrive, counted with multiplicity.
-std::vector<BoundaryEdge> boundaryChain(const Surface& surface);
+struct BoundaryChain
+{
+  /// In the order of (lower vertex, higher vertex); each undirected edge occurs once at most. At
+  /// every vertex as many edges leave as arrive, counted with multiplicity.
+  std::vector<BoundaryEdge> edges;
+
+  /// Edges that one triangle uses: what a mesh viewer calls its boundary. All of them are in the
+  /// chain, together with those where orientations disagree or triangles meet in odd numbers.
+  std::size_t edgesOfOneTriangle = 0;
+};
+
+BoundaryChain boundaryChain(const Surface& surface);
 
 /// A closed walk v₀ → v₁ → … → v₀ along boundary edges that visits no vertex twice; at least three.
 using BoundaryLoop = std::vector<std::int32_t>;
 
 /// Splits a chain into loops: together they run along each edge as often as its multiplicity says.
-std::vector<BoundaryLoop> boundaryLoops(
-  const std::vector<BoundaryEdge>& chain, std::size_t vertices);
+std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices);
 
 } // namespace winding

@@ -18,7 +18,7 @@ std::vector<Triangle> capOf(const std::vector<BoundaryLoop>& loops)
         if (i + 1 < n)
         {
           // Against the sense of the rim, whose two edges it cancels.
-          cap.push_back({ rim[i], rim[(i + 2) % n], rim[i + 1] });
+          cap.push_back({rim[i], rim[(i + 2) % n], rim[i + 1]});
         }
       }
       if (n == 3)
@@ -51,7 +51,7 @@ std::vector<Triangle> fanOf(
     vertices.push_back(center + size * aside);
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      fan.push_back({ loop[(i + 1) % loop.size()], loop[i], apex });
+      fan.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
     }
   }
   return fan;

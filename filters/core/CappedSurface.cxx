@@ -1,6 +1,5 @@
 #include "CappedSurface.h"
 
-#include "Boundary.h"
 #include "Cap.h"
 
 #include <algorithm>
@@ -8,18 +7,15 @@
 namespace winding
 {
 
-CappedSurface::CappedSurface(const Surface& surface)
-  : surface_(surface)
-  , rows_(surface.vertices, surface.triangles, cap_)
+CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain)
+  : rows_(surface.vertices, surface.triangles, cap_)
   , capRows_(surface.vertices, cap_)
   , fanRows_(fanVertices_, fan_)
   , surfaceSum_(surface.vertices, surface.triangles, surface.bounds)
   , capSum_(surface.vertices, cap_, surface.bounds)
   , fanSum_(fanVertices_, fan_, surface.bounds)
 {
-  const std::vector<BoundaryEdge> chain = boundaryChain(surface);
-  boundaryEdges_ = chain.size();
-  if (!chain.empty())
+  if (!chain.edges.empty())
   {
     const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
     cap_ = capOf(loops);
@@ -32,8 +28,7 @@ bool CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   // Enough work to be worth a block, and little enough to answer an interrupt within a moment.
-  const std::size_t samplesPerBlock =
-    std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
+  const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
   return rows_.evaluate(
     grid, extent, samplesPerBlock,
     [&](int j, int k, const std::vector<RowRun>& runs)

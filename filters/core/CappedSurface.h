@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Boundary.h"
 #include "DirectSum.h"
 #include "Executor.h"
 #include "FieldOutput.h"
@@ -25,11 +26,10 @@ namespace winding
 class CappedSurface
 {
 public:
-  /// Keeps a reference: the surface must outlive this.
-  explicit CappedSurface(const Surface& surface);
+  /// Keeps a reference to the surface, which must outlive this; chain is its boundary.
+  CappedSurface(const Surface& surface, const BoundaryChain& chain);
 
-  /// Edges of the boundary chain, without their multiplicities, and triangles of the cap: 0 if closed.
-  std::size_t boundaryEdges() const { return boundaryEdges_; }
+  /// 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
   /// False when the executor was interrupted.
@@ -41,8 +41,6 @@ private:
     const std::vector<RowRun>& runs, const FieldOutput& output) const;
   double resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const;
 
-  const Surface& surface_;
-  std::size_t boundaryEdges_;
   std::vector<Triangle> cap_;
   std::vector<Eigen::Vector3d> fanVertices_;
   std::vector<Triangle> fan_; ///< the other cap

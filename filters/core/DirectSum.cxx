@@ -37,8 +37,7 @@ TriangleSum::TriangleSum(const std::vector<Eigen::Vector3d>& vertices,
 {
 }
 
-void TriangleSum::multiply(
-  const SampleBlock& scaled, AngleProducts& products, bool watching) const
+void TriangleSum::multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const
 {
   // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
   // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
@@ -70,8 +69,7 @@ void TriangleSum::evaluate(const SampleBlock& block, double* values) const
   sumAngles(products, scaled.count, values);
 }
 
-bool TriangleSum::evaluateWatching(
-  const SampleBlock& block, double* values, bool* isSuspect) const
+bool TriangleSum::evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const
 {
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);

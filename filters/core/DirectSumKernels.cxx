@@ -67,8 +67,8 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       if (Watching)
       {
         const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
-        suspect = hn::IfThenElse(
-          hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound)), one, suspect);
+        suspect =
+          hn::IfThenElse(hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound)), one, suspect);
       }
       // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);

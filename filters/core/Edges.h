@@ -12,7 +12,7 @@ namespace winding
 /// One side of one triangle, as a use of the edge from its lower to its higher vertex.
 struct EdgeUse
 {
-  std::int32_t high;             ///< the higher vertex; the lower one is the use's place in EdgeUses
+  std::int32_t high; ///< the higher vertex; the lower one is the use's place in EdgeUses
   std::uint32_t triangleAndSense; ///< triangle · 2 + 1 if it runs from low to high
 
   std::int32_t triangle() const { return static_cast<std::int32_t>(triangleAndSense >> 1); }
@@ -50,8 +50,8 @@ public:
       {
         const std::int32_t from = triangle[i], to = triangle[(i + 1) % 3];
         const std::size_t low = static_cast<std::size_t>(std::min(from, to));
-        uses_[starts_[low + 1]++] = { std::max(from, to),
-          static_cast<std::uint32_t>(2 * t + (from < to ? 1 : 0)) };
+        uses_[starts_[low + 1]++] = {
+          std::max(from, to), static_cast<std::uint32_t>(2 * t + (from < to ? 1 : 0))};
       }
     }
   }
@@ -66,9 +66,7 @@ public:
       EdgeUse* const end = uses_.data() + starts_[low + 1];
       std::sort(first, end,
         [](const EdgeUse& a, const EdgeUse& b)
-        {
-          return a.high != b.high ? a.high < b.high : a.triangleAndSense < b.triangleAndSense;
-        });
+        { return a.high != b.high ? a.high < b.high : a.triangleAndSense < b.triangleAndSense; });
       while (first != end)
       {
         const EdgeUse* last = first;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Executor.h"
+#include "FieldOutput.h"
 #include "Grid.h"
-#include "InsideRule.h"
 #include "Views.h"
 
 #include <memory>
@@ -17,6 +17,7 @@ class Evaluator;
 enum class Method
 {
   automatic, ///< the fastest that keeps the tolerance
+  rows,      ///< whole grid rows at once, exact (CappedSurface.h); triangles only
   direct,    ///< the sum over all primitives, exact up to rounding
   parity     ///< ray casting, the baseline; triangles only
 };
@@ -45,23 +46,12 @@ struct FieldInfo
   std::size_t weldedVertices = 0;   ///< surfaces: different vertices; clouds: points
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
+  std::size_t capTriangles = 0;     ///< method rows: triangles that close the surface
   double pointArea = 0;             ///< clouds: the constant area, 0 if points have their own
   Bounds bounds;
   Method method = Method::direct; ///< the one chosen, never automatic
   std::string why;                ///< why this one, for the user
   std::string warning;            ///< what the user should know about the input; may be empty
-};
-
-/// Where values go, one per sample in the samples' order; null pointers are left out.
-struct FieldOutput
-{
-  float* values = nullptr;
-  double* doubleValues = nullptr;
-  /// 1 inside, 0 outside, decided on the value as the array stores it: rounded to float unless
-  /// doubleValues is set.
-  unsigned char* inside = nullptr;
-  InsideRule rule = InsideRule::signedThreshold;
-  double threshold = 0.5;
 };
 
 /**
@@ -86,10 +76,10 @@ public:
   virtual const FieldInfo& info() const = 0;
 
   /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
-  bool evaluate(
+  virtual bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples. False when the executor was interrupted.
+  /// Evaluates scattered samples; where the method needs a grid, by the direct sum. False when the executor was interrupted.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).

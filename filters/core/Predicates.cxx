@@ -95,7 +95,7 @@ int exactSign(const ExactDifference& a1, const ExactDifference& b1, const ExactD
 int exactOrientation(
   const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, int u, int v)
 {
-  return exactSign({ b[u], a[u] }, { c[v], a[v] }, { b[v], a[v] }, { c[u], a[u] });
+  return exactSign({b[u], a[u]}, {c[v], a[v]}, {b[v], a[v]}, {c[u], a[u]});
 }
 
 /// Sign of (a − q) · ((b − a) × (c − a)).
@@ -109,8 +109,8 @@ int exactSideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const E
     const int y = (x + 1) % 3, z = (x + 2) % 3;
     for (int turn = 0; turn < 2; ++turn)
     {
-      const ExactDifference f[3] = { { a[x], q[x] }, { b[turn ? z : y], a[turn ? z : y] },
-        { c[turn ? y : z], a[turn ? y : z] } };
+      const ExactDifference f[3] = {
+        {a[x], q[x]}, {b[turn ? z : y], a[turn ? z : y]}, {c[turn ? y : z], a[turn ? y : z]}};
       const double sign = turn ? -1 : 1;
       for (int parts = 0; parts < 8; ++parts)
       {
@@ -140,8 +140,7 @@ int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eig
   {
     return signOf(area);
   }
-  const int side =
-    exactSign({ to[0], from[0] }, { q[1], from[1] }, { to[1], from[1] }, { q[0], from[0] });
+  const int side = exactSign({to[0], from[0]}, {q[1], from[1]}, {to[1], from[1]}, {q[0], from[0]});
   if (side != 0)
   {
     return side;

@@ -28,15 +28,15 @@ public:
     const auto forEach = [&](const auto& visit)
     {
       std::uint32_t number = 0;
-      for (const std::vector<Triangle>* list : { &triangles, &cap })
+      for (const std::vector<Triangle>* list : {&triangles, &cap})
       {
         for (const Triangle& triangle : *list)
         {
           const double za = vertices[triangle[0]][2];
           const double zb = vertices[triangle[1]][2];
           const double zc = vertices[triangle[2]][2];
-          const double low = std::max<double>(std::ceil(std::min({ za, zb, zc })), extent[4]);
-          const double high = std::min<double>(std::floor(std::max({ za, zb, zc })), extent[5]);
+          const double low = std::max<double>(std::ceil(std::min({za, zb, zc})), extent[4]);
+          const double high = std::min<double>(std::floor(std::max({za, zb, zc})), extent[5]);
           for (int k = static_cast<int>(low); low <= high && k <= static_cast<int>(high); ++k)
           {
             visit(static_cast<std::size_t>(k - extent[4]), number);
@@ -52,8 +52,8 @@ public:
       starts_[i] += starts_[i - 1];
     }
     triangles_.resize(starts_.back());
-    forEach([&](std::size_t layer, std::uint32_t number)
-      { triangles_[starts_[layer + 1]++] = number; });
+    forEach(
+      [&](std::size_t layer, std::uint32_t number) { triangles_[starts_[layer + 1]++] = number; });
   }
 
   const std::uint32_t* begin(int k) const
@@ -108,8 +108,7 @@ private:
 /// Turns the crossings of a row into runs of equal values over [low, high].
 void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<RowRun>& runs)
 {
-  std::sort(
-    first, last, [](const Crossing& a, const Crossing& b) { return a.behind < b.behind; });
+  std::sort(first, last, [](const Crossing& a, const Crossing& b) { return a.behind < b.behind; });
   runs.clear();
   // A sample's value is the sum of the signs of the crossings ahead of it.
   int value = 0;
@@ -122,14 +121,14 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
   {
     if (crossing->behind > begin)
     {
-      runs.push_back({ begin, crossing->behind, value });
+      runs.push_back({begin, crossing->behind, value});
       begin = crossing->behind;
     }
     value -= crossing->sign;
   }
   if (begin <= high)
   {
-    runs.push_back({ begin, high + 1, value });
+    runs.push_back({begin, high + 1, value});
   }
 }
 
@@ -184,8 +183,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
         {
           if (const int sign = triangle.crossingSign(j, k))
           {
-            crossings.push_back(
-              { j, triangle.firstBehind(j, k, sign, extent[0], extent[1]), sign });
+            crossings.push_back({j, triangle.firstBehind(j, k, sign, extent[0], extent[1]), sign});
           }
         }
       }
@@ -204,7 +202,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
 int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const
 {
   int value = 0;
-  for (const std::vector<Triangle>* list : { &triangles_, &cap_ })
+  for (const std::vector<Triangle>* list : {&triangles_, &cap_})
   {
     for (const Triangle& ids : *list)
     {

@@ -41,8 +41,8 @@ public:
 
   /// A chain is two lists of triangles over common vertices: a surface and its cap. References are
   /// kept.
-  RowCrossings(const std::vector<Eigen::Vector3d>& vertices,
-    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap = noTriangles());
+  RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+    const std::vector<Triangle>& cap = noTriangles());
 
   /// samplesPerBlock: about how many make a block of work, at least a row. False when the executor
   /// was interrupted.

@@ -53,10 +53,10 @@ RowTriangle::RowTriangle(
   : a_(a)
   , b_(b)
   , c_(c)
-  , lowX_(std::min({ a[0], b[0], c[0] }))
-  , highX_(std::max({ a[0], b[0], c[0] }))
-  , lowY_(std::min({ a[1], b[1], c[1] }))
-  , highY_(std::max({ a[1], b[1], c[1] }))
+  , lowX_(std::min({a[0], b[0], c[0]}))
+  , highX_(std::max({a[0], b[0], c[0]}))
+  , lowY_(std::min({a[1], b[1], c[1]}))
+  , highY_(std::max({a[1], b[1], c[1]}))
 {
   const Eigen::Vector3d u = b - a, v = c - a;
   for (int x = 0; x < 3; ++x)
@@ -77,9 +77,9 @@ RowTriangle::Range RowTriangle::rowsIn(int k, int lowest, int highest) const
   high = std::floor(high);
   if (!(low <= high) || low > highest || high < lowest)
   {
-    return { 0, -1 };
+    return {0, -1};
   }
-  return { toIndex(low, lowest, highest), toIndex(high, lowest, highest) };
+  return {toIndex(low, lowest, highest), toIndex(high, lowest, highest)};
 }
 
 int RowTriangle::crossingSign(int j, int k) const
@@ -87,9 +87,9 @@ int RowTriangle::crossingSign(int j, int k) const
   const Eigen::Vector2d q(j, k);
   const int side = sideOfEdge(a_.tail<2>(), b_.tail<2>(), q);
   return side != 0 && sideOfEdge(b_.tail<2>(), c_.tail<2>(), q) == side &&
-      sideOfEdge(c_.tail<2>(), a_.tail<2>(), q) == side
-    ? side
-    : 0;
+             sideOfEdge(c_.tail<2>(), a_.tail<2>(), q) == side
+           ? side
+           : 0;
 }
 
 /// Where row (j, k) meets the triangle's plane, and a bound of that number's rounding error.
@@ -106,8 +106,8 @@ double RowTriangle::crossingX(int j, int k, double& error) const
   const double magnitude = normalMagnitude_[1] * std::abs(dy) + normalMagnitude_[2] * std::abs(dz);
   const double x = a_[0] - shift / nx;
   error = 8 * epsilon *
-    (magnitude / std::abs(nx) + std::abs(shift / nx) * normalMagnitude_[0] / std::abs(nx) +
-      std::abs(a_[0]) + std::abs(x));
+          (magnitude / std::abs(nx) + std::abs(shift / nx) * normalMagnitude_[0] / std::abs(nx) +
+            std::abs(a_[0]) + std::abs(x));
   return x;
 }
 
@@ -118,7 +118,7 @@ int RowTriangle::firstBehind(int j, int k, int sign, int lowest, int highest) co
   // The crossing lies in [low, high] for certain; samples in between are asked one by one.
   const double low = std::isfinite(error) ? std::max(x - error, lowX_) : lowX_;
   const double high = std::isfinite(error) ? std::min(x + error, highX_) : highX_;
-  int before = toIndex(std::ceil(low), lowest, highest + 1); // may or may not be behind
+  int before = toIndex(std::ceil(low), lowest, highest + 1);       // may or may not be behind
   int behind = toIndex(std::floor(high) + 1, lowest, highest + 1); // behind, or beyond the extent
   while (before < behind)
   {

@@ -1,5 +1,7 @@
 #include "SurfaceReport.h"
 
+#include "Edges.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -42,38 +44,6 @@ private:
   std::vector<std::int32_t> parent_;
 };
 
-/// One side of one triangle; sorting by edge brings the uses of an edge together.
-struct EdgeUse
-{
-  std::int32_t low, high; ///< vertex ids, low < high
-  std::int32_t triangle;
-  bool upward; ///< from low to high
-
-  bool operator<(const EdgeUse& other) const
-  {
-    return low != other.low ? low < other.low : high < other.high;
-  }
-  bool sameEdge(const EdgeUse& other) const { return low == other.low && high == other.high; }
-};
-
-std::vector<EdgeUse> sortedEdgeUses(const Surface& surface)
-{
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * surface.triangles.size());
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    const Triangle& triangle = surface.triangles[t];
-    for (int i = 0; i < 3; ++i)
-    {
-      const std::int32_t from = triangle[i], to = triangle[(i + 1) % 3];
-      uses.push_back(
-        {std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to});
-    }
-  }
-  std::sort(uses.begin(), uses.end());
-  return uses;
-}
-
 std::size_t countDuplicates(const Surface& surface)
 {
   std::vector<Triangle> sorted = surface.triangles;
@@ -102,34 +72,32 @@ std::size_t countVertexComponents(const Surface& surface)
 
 EdgeCounts countEdges(const Surface& surface)
 {
-  const std::vector<EdgeUse> uses = sortedEdgeUses(surface);
   EdgeCounts counts;
   counts.components = surface.triangles.size();
   UnionFind pieces(surface.triangles.size());
   UnionFind rims(surface.vertices.size());
   std::vector<std::int32_t> rimVertices;
-  for (auto first = uses.begin(); first != uses.end();)
-  {
-    auto last = first;
-    std::ptrdiff_t net = 0;
-    for (; last != uses.end() && last->sameEdge(*first); ++last)
+  EdgeUses(surface).forEachEdge(
+    [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
     {
-      net += last->upward ? 1 : -1;
-      counts.components -= pieces.unite(first->triangle, last->triangle);
-    }
-    const std::ptrdiff_t used = last - first;
-    ++counts.edges;
-    counts.netBoundary += net != 0;
-    counts.nonManifold += used > 2;
-    counts.inconsistent += used == 2 && net != 0;
-    if (used == 1)
-    {
-      ++counts.boundary;
-      rims.unite(first->low, first->high);
-      rimVertices.push_back(first->low);
-    }
-    first = last;
-  }
+      std::ptrdiff_t net = 0;
+      for (const EdgeUse* use = first; use != last; ++use)
+      {
+        net += use->sense();
+        counts.components -= pieces.unite(first->triangle(), use->triangle());
+      }
+      const std::ptrdiff_t used = last - first;
+      ++counts.edges;
+      counts.netBoundary += net != 0;
+      counts.nonManifold += used > 2;
+      counts.inconsistent += used == 2 && net != 0;
+      if (used == 1)
+      {
+        ++counts.boundary;
+        rims.unite(low, first->high);
+        rimVertices.push_back(low);
+      }
+    });
   for (std::int32_t& vertex : rimVertices)
   {
     vertex = rims.find(vertex);

@@ -1,0 +1,76 @@
+#include "CloudField.h"
+
+#include "DirectSum.h"
+#include "PointAreas.h"
+#include "ReferenceSum.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+CloudField::CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options)
+  : cloud_(sanitize(views))
+{
+  if (options.method == Method::parity || options.method == Method::rows)
+  {
+    throw Refusal(std::string(nameOf(options.method)) +
+                  " needs triangles and this is a point cloud; choose another method");
+  }
+  info_.isSurface = false;
+  info_.inputPrimitives = cloud_.inputPoints;
+  info_.primitives = cloud_.positions.size();
+  info_.dropped = cloud_.dropped();
+  info_.weldedVertices = cloud_.positions.size();
+  info_.bounds = cloud_.bounds;
+  info_.why =
+    options.method == Method::direct ? "asked for" : "exact for every cloud with given areas";
+  if (cloud_.dropped() > 0)
+  {
+    info_.warning = std::to_string(cloud_.dropped()) + " of " + std::to_string(cloud_.inputPoints) +
+                    " points were unusable and left out (" +
+                    std::to_string(cloud_.nonFinitePoints) + " with NaN or infinite values, " +
+                    std::to_string(cloud_.zeroNormalPoints) + " with normals of length 0, " +
+                    std::to_string(cloud_.badAreaPoints) + " with negative areas)";
+  }
+  this->chooseAreas(options.pointArea);
+  evaluator_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
+}
+
+CloudField::~CloudField() = default;
+
+void CloudField::chooseAreas(double constantArea)
+{
+  if (!(constantArea >= 0) || !std::isfinite(constantArea))
+  {
+    throw Refusal("the point area is " + std::to_string(constantArea) +
+                  "; it must be more than 0, or 0 to be estimated");
+  }
+  if (!cloud_.areas.empty())
+  {
+    return;
+  }
+  info_.pointArea = constantArea > 0 ? constantArea : meanPointArea(cloud_);
+  cloud_.areas.assign(cloud_.positions.size(), info_.pointArea);
+  if (info_.pointArea == 0 && !cloud_.positions.empty())
+  {
+    info_.warning += std::string(info_.warning.empty() ? "" : "; ") +
+                     "the area of the points cannot be estimated, so the field is 0; set a point "
+                     "area";
+  }
+}
+
+double CloudField::reference(const Eigen::Vector3d& sample) const
+{
+  return referenceSum<double>(cloud_, cloud_.areas, sample);
+}
+
+Eigen::Vector3d CloudField::pointOnSource(double, double, double t) const
+{
+  const auto i = static_cast<std::size_t>(t * static_cast<double>(cloud_.positions.size()));
+  return cloud_.positions[std::min(i, cloud_.positions.size() - 1)];
+}
+
+} // namespace winding

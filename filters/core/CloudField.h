@@ -1,0 +1,31 @@
+#pragma once
+
+#include "Evaluator.h"
+#include "Field.h"
+
+namespace winding
+{
+
+/// The field of oriented points.
+class CloudField final : public Field
+{
+public:
+  CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options);
+  ~CloudField() override;
+
+  const FieldInfo& info() const override { return info_; }
+  double reference(const Eigen::Vector3d& sample) const override;
+  Eigen::Vector3d pointOnSource(double u, double v, double t) const override;
+
+protected:
+  const Evaluator& evaluator() const override { return *evaluator_; }
+
+private:
+  void chooseAreas(double constantArea);
+
+  PointCloud cloud_;
+  FieldInfo info_;
+  std::unique_ptr<const Evaluator> evaluator_;
+};
+
+} // namespace winding

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "CappedSurface.h"
+#include "Evaluator.h"
+#include "Field.h"
+
+namespace winding
+{
+
+/// The field of triangles: chooses between the methods for surfaces.
+class SurfaceField final : public Field
+{
+public:
+  SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options);
+  ~SurfaceField() override;
+
+  const FieldInfo& info() const override { return info_; }
+
+  using Field::evaluate;
+  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+
+  double reference(const Eigen::Vector3d& sample) const override;
+  Eigen::Vector3d pointOnSource(double u, double v, double t) const override;
+
+protected:
+  const Evaluator& evaluator() const override { return *evaluator_; }
+
+private:
+  void chooseMethod(Method asked);
+
+  Surface surface_;
+  FieldInfo info_;
+  std::unique_ptr<const CappedSurface> capped_; ///< method rows: for grids
+  std::unique_ptr<const Evaluator> evaluator_;  ///< for scattered samples, and for other methods
+  std::vector<double> cumulativeAreas_;
+};
+
+} // namespace winding
