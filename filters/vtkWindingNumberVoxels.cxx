@@ -165,6 +165,9 @@ int vtkWindingNumberVoxels::RequestUpdateExtent(
 {
   vtkInformation* info = inputs[0]->GetInformationObject(0);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
   return 1;
 }
@@ -182,6 +185,17 @@ int vtkWindingNumberVoxels::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* values = this->GetInputArrayToProcess(0, image, association);
+  if (!values)
+  {
+    // ParaView asks for an array of no name where it does not know the image's arrays yet.
+    values = image->GetPointData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  if (!values)
+  {
+    values = image->GetCellData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  }
   if (!values || values->GetNumberOfComponents() != 1)
   {
     vtkErrorMacro(

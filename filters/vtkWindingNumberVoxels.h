@@ -10,8 +10,8 @@
  * Samples may be the image's points (a voxel around each, of the size of the spacing) or its cells.
  * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside.
  *
- * The array is picked by SetInputArrayToProcess(0, …); default: the active scalars of the points,
- * or else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
+ * The array is picked by SetInputArrayToProcess(0, …); where it picks none, the active scalars of
+ * the points are taken, or else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
  * The order of points and quads depends on the input only. Works on the whole image: with several
  * pieces, all is in the first.
  *

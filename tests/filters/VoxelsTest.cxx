@@ -184,6 +184,33 @@ TEST(Voxels, FollowsPointsAndCellsOfTheFieldAlike)
   }
 }
 
+TEST(Voxels, FirstPieceHasItAll)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(12);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputConnection(field->GetOutputPort());
+  voxels->Update();
+  const vtkIdType all = voxels->GetOutput()->GetNumberOfPolys();
+  for (int piece : {0, 1})
+  {
+    field->Modified();
+    voxels->UpdatePiece(piece, 2, 0);
+    EXPECT_EQ(voxels->GetOutput()->GetNumberOfPolys(), piece == 0 ? all : 0);
+  }
+}
+
+TEST(Voxels, UnknownArrayMeansTheActiveScalars)
+{
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputData(image(1, 1, 1, {1}));
+  voxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "");
+  voxels->Update();
+  EXPECT_EQ(voxels->GetOutput()->GetNumberOfPolys(), 6);
+}
+
 TEST(Voxels, ImageWithoutScalarsIsAnError)
 {
   vtkNew<vtkImageData> empty;

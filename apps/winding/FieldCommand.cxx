@@ -1,0 +1,25 @@
+#include "Commands.h"
+#include "FieldRun.h"
+#include "Messages.h"
+#include "Options.h"
+#include "OutputFile.h"
+
+void runField(const Options& options, Messages& messages)
+{
+  OutputFile output(options.output);
+  FieldRun run(options, messages);
+  if (options.pieces == 1)
+  {
+    run.update();
+  }
+  run.write(output);
+  const Json report = run.report();
+  if (options.json)
+  {
+    print(report);
+  }
+  else if (!options.quiet)
+  {
+    print(run.summary(report));
+  }
+}

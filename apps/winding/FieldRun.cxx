@@ -1,0 +1,154 @@
+#include "FieldRun.h"
+
+#include "Failure.h"
+#include "FilterSettings.h"
+#include "Interrupt.h"
+#include "Options.h"
+#include "Progress.h"
+#include "ReadInput.h"
+#include "WriteOutput.h"
+
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+FieldRun::FieldRun(const Options& options, Messages& messages)
+  : options_(options)
+  , messages_(messages)
+{
+  const auto input = readInput(options.input, options, messages);
+  readSeconds_ = stopwatch_.total();
+  filter_->SetInputDataObject(input);
+  applyMethod(options, filter_);
+  applyGrid(options, filter_);
+  observer_ = filter_->AddObserver(vtkCommand::EndEvent, this, &FieldRun::addExecution);
+  filter_->UpdateInformation();
+  this->check();
+}
+
+FieldRun::~FieldRun()
+{
+  filter_->RemoveObserver(observer_);
+}
+
+vtkImageData* FieldRun::update()
+{
+  const Progress progress(filter_, "field", options_.quiet);
+  filter_->Update();
+  this->check();
+  return filter_->GetOutput();
+}
+
+void FieldRun::write(OutputFile& file)
+{
+  const Progress progress(filter_, "field", options_.quiet);
+  writeImage(filter_->GetOutputPort(), file, options_, messages_, [this] { checkExecutions(); });
+}
+
+void FieldRun::check()
+{
+  checkFilter(filter_->GetStatus(), options_.input, messages_);
+}
+
+void FieldRun::checkExecutions()
+{
+  interrupt::check();
+  if (status_ != vtkWindingNumberAlgorithm::DONE)
+  {
+    checkFilter(status_, options_.input, messages_);
+  }
+}
+
+void FieldRun::addExecution()
+{
+  if (status_ == vtkWindingNumberAlgorithm::DONE)
+  {
+    status_ = filter_->GetStatus();
+  }
+  prepareSeconds_ += filter_->GetPrepareSeconds();
+  evaluateSeconds_ += filter_->GetEvaluateSeconds();
+  const vtkIdType samples = filter_->GetNumberOfVerifiedSamples();
+  maxError_ = std::max(maxError_, filter_->GetMaxError());
+  nearMaxError_ = std::max(nearMaxError_, filter_->GetNearMaxError());
+  sumOfSquares_ += std::pow(filter_->GetRMSError(), 2) * static_cast<double>(samples);
+  verified_ += samples;
+  nearVerified_ += filter_->GetNumberOfNearVerifiedSamples();
+}
+
+Json FieldRun::describeGrid() const
+{
+  vtkInformation* information = filter_->GetOutputInformation(0);
+  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  const double* origin = information->Get(vtkDataObject::ORIGIN());
+  const double* spacing = information->Get(vtkDataObject::SPACING());
+  const bool cells = filter_->GetOutputAssociation() == vtkWindingNumberField::CELLS;
+  Json dimensions, origins, spacings, bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int voxels = extent[2 * axis + 1] - extent[2 * axis] + (cells ? 0 : 1);
+    const double low = origin[axis] - (cells ? 0 : spacing[axis] / 2);
+    dimensions.push_back(voxels);
+    origins.push_back(origin[axis]);
+    spacings.push_back(spacing[axis]);
+    bounds.push_back(low);
+    bounds.push_back(low + voxels * spacing[axis]);
+  }
+  return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
+    {"bounds", bounds}, {"association", cells ? "cells" : "points"}};
+}
+
+void FieldRun::addErrors(Json& report) const
+{
+  // Null where the grid does not reach the source, so that nothing could be compared.
+  const auto errorOf = [](vtkIdType samples, double error)
+  {
+    return samples > 0 ? Json(error) : Json(nullptr);
+  };
+  report["max_error"] = errorOf(verified_, maxError_);
+  report["rms_error"] = errorOf(
+    verified_, std::sqrt(sumOfSquares_ / std::max<double>(1, static_cast<double>(verified_))));
+  report["near_max_error"] = errorOf(nearVerified_, nearMaxError_);
+}
+
+Json FieldRun::report()
+{
+  const double total = stopwatch_.total();
+  const double write = total - readSeconds_ - prepareSeconds_ - evaluateSeconds_;
+  Json report = {{"input", describeInput(options_.input, *filter_)},
+    {"method", filter_->GetMethodUsed()}, {"why", filter_->GetMethodReason()},
+    {"tolerance", options_.tolerance}, {"grid", this->describeGrid()},
+    {"seconds",
+      {{"read", readSeconds_}, {"prepare", prepareSeconds_}, {"evaluate", evaluateSeconds_},
+        {"write", std::max(0.0, write)}, {"total", total}}},
+    {"peak_memory", peakMemory()}, {"threads", threadsOf(options_)}};
+  if (options_.verify > 0)
+  {
+    this->addErrors(report);
+  }
+  return report;
+}
+
+std::string FieldRun::summary(const Json& report) const
+{
+  const Json& input = report["input"];
+  const Json& grid = report["grid"]["dimensions"];
+  std::string text = options_.input + ": " + input["kind"].get<std::string>() + ", " +
+                     std::to_string(input["primitives"].get<long long>()) + " primitives, " +
+                     std::to_string(input["boundary_edges"].get<long long>()) +
+                     " boundary edges\n" + "method " + report["method"].get<std::string>() + " (" +
+                     report["why"].get<std::string>() + "), " + std::to_string(grid[0].get<int>()) +
+                     " x " + std::to_string(grid[1].get<int>()) + " x " +
+                     std::to_string(grid[2].get<int>()) + " voxels, " +
+                     shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
+  if (options_.verify > 0)
+  {
+    text += "error max " + report["max_error"].dump() + ", rms " + report["rms_error"].dump() +
+            ", max near the surface " + report["near_max_error"].dump() + "\n";
+  }
+  return text + "wrote " + options_.output;
+}

@@ -1,0 +1,60 @@
+#include "FilterSettings.h"
+
+#include "Failure.h"
+#include "Interrupt.h"
+#include "Messages.h"
+#include "Options.h"
+
+#include "vtkWindingNumberField.h"
+
+void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
+{
+  filter->SetMethod(options.method);
+  filter->SetTolerance(options.tolerance);
+  filter->SetSourceAsPoints(options.asPoints);
+  filter->SetPointAreaMethod(options.areas);
+  filter->SetPointArea(options.area);
+  filter->SetWindingThreshold(options.threshold);
+  filter->SetInsideRule(options.rule);
+  filter->SetGenerateInside(options.inside);
+  filter->SetResultArrayName(options.array.c_str());
+  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
+  filter->SetNumberOfThreads(options.threads);
+}
+
+void applyGrid(const Options& options, vtkWindingNumberField* filter)
+{
+  filter->SetResolution(options.resolution);
+  filter->SetVoxelSize(options.voxelSize);
+  if (!options.dimensions.empty())
+  {
+    filter->SetSamplingDimensions(options.dimensions.data());
+  }
+  if (!options.bounds.empty())
+  {
+    filter->SetUseInputBounds(0);
+    filter->SetSamplingBounds(options.bounds.data());
+  }
+  filter->SetPadding(options.padding);
+  filter->SetOutputAssociation(
+    options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
+  filter->SetVerifySamples(options.verify);
+}
+
+void checkFilter(int status, const std::string& fileName, Messages& messages)
+{
+  interrupt::check();
+  try
+  {
+    messages.throwIfError(fileName);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(
+      status == vtkWindingNumberAlgorithm::OUT_OF_MEMORY ? NO_MEMORY : REFUSED, failure.what());
+  }
+  if (status != vtkWindingNumberAlgorithm::DONE)
+  {
+    throw Failure(REFUSED, fileName, "the winding field could not be made");
+  }
+}

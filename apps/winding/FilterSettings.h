@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+class Messages;
+struct Options;
+class vtkPointSet;
+class vtkWindingNumberAlgorithm;
+class vtkWindingNumberField;
+
+/// Hands the options on to a filter: method, areas, threshold, result array, threads.
+void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter);
+
+/// The grid, and how many samples to verify.
+void applyGrid(const Options& options, vtkWindingNumberField* filter);
+
+/// Throws what kept the filter from being done as a Failure about the file. status is the filter's.
+void checkFilter(int status, const std::string& fileName, Messages& messages);

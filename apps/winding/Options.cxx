@@ -1,0 +1,375 @@
+#include "Options.h"
+
+#include "Failure.h"
+
+#include "vtkWindingNumberAlgorithm.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+namespace
+{
+
+using Filter = vtkWindingNumberAlgorithm;
+
+using Choices = std::vector<std::pair<std::string, int>>;
+
+/// Turns a name into its number. (CLI11's own would take numbers too, and say less.)
+CLI::Validator oneOf(const Choices& choices)
+{
+  CLI::Validator validator;
+  validator.operation(
+    [choices](std::string& word)
+    {
+      std::string names;
+      for (const auto& [name, number] : choices)
+      {
+        if (word == name)
+        {
+          word = std::to_string(number);
+          return std::string();
+        }
+        names += (names.empty() ? "" : " | ") + name;
+      }
+      return word + " is not one of " + names;
+    });
+  return validator;
+}
+
+void addGrid(CLI::App* command, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution = command->add_option(
+    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
+  CLI::Option* voxelSize = command->add_option(
+    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
+  CLI::Option* dimensions = command->add_option(
+    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
+  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
+    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
+  CLI::Option* padding = command->add_option("--padding", options.padding,
+    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
+  CLI::Option* cells = command->add_flag("--cells", options.cells,
+    options.command == "field" ? "Make the samples cells of the image, not points"
+                               : "As of field; makes no difference to the surface");
+  dimensions->expected(3)->type_name("NX NY NZ");
+  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  resolution->excludes(voxelSize)->excludes(dimensions);
+  voxelSize->excludes(dimensions);
+  bounds->excludes(padding);
+  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
+  {
+    option->group(group);
+  }
+}
+
+void addMethod(CLI::App* command, Options& options)
+{
+  const std::string group = "Method";
+  command
+    ->add_option("--method", options.method,
+      "auto | direct | parity (auto). Parity is ray casting, for closed surfaces")
+    ->transform(
+      oneOf({{"auto", Filter::AUTOMATIC}, {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
+    ->type_name("NAME")
+    ->group(group);
+  command
+    ->add_option("--tolerance", options.tolerance,
+      "Largest absolute error that an approximation may make (0.001)")
+    ->group(group);
+  command
+    ->add_option("--areas", options.areas,
+      "Areas of a cloud's points: constant | array, the point data array \"Area\" (constant)")
+    ->transform(oneOf({{"constant", Filter::CONSTANT}, {"array", Filter::ARRAY}}))
+    ->type_name("NAME")
+    ->group(group);
+  command
+    ->add_option("--area", options.area,
+      "The constant area of a cloud's points (estimated from their distances)")
+    ->group(group);
+  command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
+    ->group(group);
+}
+
+void addThreshold(CLI::App* command, Options& options)
+{
+  command
+    ->add_option(
+      "--threshold", options.threshold, "The winding number from which on is inside (0.5)")
+    ->group("Output");
+  command
+    ->add_option("--rule", options.rule,
+      "Inside is where: signed, w >= threshold | absolute, |w| >= threshold | odd, w rounds to an "
+      "odd number (signed)")
+    ->transform(
+      oneOf({{"signed", Filter::SIGNED}, {"absolute", Filter::ABSOLUTE}, {"odd", Filter::ODD}}))
+    ->type_name("NAME")
+    ->group("Output");
+}
+
+void addArrayName(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--array", options.array, "Name of the array of winding numbers (WindingNumber)")
+    ->group("Output");
+}
+
+void addDouble(CLI::App* command, Options& options)
+{
+  command->add_flag("--double", options.asDouble, "Double precision, not float")->group("Output");
+}
+
+void addVerify(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--verify", options.verify,
+      "Compare this many random samples, and as many near the surface, with the direct sum")
+    ->group("Run");
+}
+
+void addThreads(CLI::App* command, Options& options)
+{
+  command->add_option("--threads", options.threads, "Most threads to use (all)")->group("Run");
+}
+
+void addReporting(CLI::App* command, Options& options)
+{
+  command->add_flag("--json", options.json, "Print one JSON object on standard output")
+    ->group("Run");
+  command->add_flag("--quiet", options.quiet, "No progress, warnings or summary")->group("Run");
+}
+
+CLI::App* addCommand(CLI::App& app, Options& options, const char* name, const char* description)
+{
+  CLI::App* command = app.add_subcommand(name, description);
+  options.command = name; // for the descriptions that depend on it
+  command
+    ->add_option("IN", options.input,
+      "Surface or oriented points: .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv")
+    ->required()
+    ->type_name("");
+  return command;
+}
+
+void addOutput(CLI::App* command, Options& options, const char* suffixes)
+{
+  command->add_option("-o,--output", options.output, std::string("The file to write: ") + suffixes)
+    ->required()
+    ->type_name("OUT")
+    ->group("Output");
+}
+
+void addCommands(CLI::App& app, Options& options)
+{
+  CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
+  addOutput(field, options, ".vti");
+  addThreshold(field, options);
+  field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
+  addArrayName(field, options);
+  addDouble(field, options);
+  addGrid(field, options);
+  addMethod(field, options);
+  field
+    ->add_option("--pieces", options.pieces,
+      "Make and write the field in this many pieces, to save memory (1)")
+    ->group("Run");
+
+  CLI::App* surface =
+    addCommand(app, options, "surface", "Smooth surface where the winding field is the threshold");
+  addOutput(surface, options, ".vtp .ply .stl .obj");
+  addThreshold(surface, options);
+  addDouble(surface, options);
+  addGrid(surface, options);
+  addMethod(surface, options);
+
+  CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
+  addOutput(voxels, options, ".vtp .ply .stl .obj");
+  addThreshold(voxels, options);
+  addDouble(voxels, options);
+  addGrid(voxels, options);
+  addMethod(voxels, options);
+
+  CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
+  probe
+    ->add_option("QUERIES", options.queries,
+      "The points: any of the formats of IN; .csv or .tsv with columns x,y,z")
+    ->required()
+    ->type_name("");
+  addOutput(probe, options, ".vtp .vtu .csv .tsv");
+  addThreshold(probe, options);
+  addArrayName(probe, options);
+  addMethod(probe, options);
+
+  CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
+
+  for (CLI::App* command : {field, surface, voxels})
+  {
+    addVerify(command, options);
+  }
+  for (CLI::App* command : {field, surface, voxels, probe})
+  {
+    addThreads(command, options);
+  }
+  for (CLI::App* command : {field, surface, voxels, probe, check})
+  {
+    addReporting(command, options);
+  }
+}
+
+std::string shown(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+void require(bool condition, const std::string& message)
+{
+  if (!condition)
+  {
+    throw Failure(USAGE, message);
+  }
+}
+
+void checkGrid(const CLI::App& command, const Options& options)
+{
+  const auto said = [&command](const char* name)
+  {
+    return command.count(name) > 0;
+  };
+  require(options.resolution >= 1,
+    "--resolution is " + std::to_string(options.resolution) + "; give 1 or more voxels");
+  require(!said("--voxel-size") || (options.voxelSize > 0 && std::isfinite(options.voxelSize)),
+    "--voxel-size is " + shown(options.voxelSize) + "; give a length greater than 0");
+  for (const int size : options.dimensions)
+  {
+    require(size >= 1, "--dims has " + std::to_string(size) + "; give 1 or more voxels per axis");
+  }
+  for (std::size_t axis = 0; axis < options.bounds.size() / 2; ++axis)
+  {
+    const double low = options.bounds[2 * axis], high = options.bounds[2 * axis + 1];
+    require(low < high && std::isfinite(low) && std::isfinite(high),
+      std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) + " to " + shown(high) +
+        "; give the lower one first");
+  }
+  require(options.padding >= 0 && std::isfinite(options.padding),
+    "--padding is " + shown(options.padding) + "; give 0 or more");
+}
+
+void checkMethod(const CLI::App& command, const Options& options)
+{
+  require(
+    options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  require(options.area >= 0 && std::isfinite(options.area),
+    "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
+  require(options.areas != Filter::ARRAY || command.count("--area") == 0,
+    "--area is for --areas constant; leave one of them out");
+  require(std::isfinite(options.threshold),
+    "--threshold is " + shown(options.threshold) + "; give a finite number");
+  require(options.threads >= 0,
+    "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
+}
+
+void checkOutput(const Options& options, const std::vector<std::string>& suffixes)
+{
+  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(options.output)) == suffixes.end())
+  {
+    std::string names;
+    for (const std::string& suffix : suffixes)
+    {
+      names += " " + suffix;
+    }
+    throw Failure(USAGE, options.output,
+      options.command + " writes" + names + "; give the output one of these suffixes");
+  }
+}
+
+void checkFieldLike(const CLI::App& command, const Options& options)
+{
+  checkGrid(command, options);
+  require(options.verify >= 0,
+    "--verify is " + std::to_string(options.verify) + "; give a number of samples");
+  require(options.verify == 0 || options.method != Filter::PARITY,
+    "--verify compares winding numbers, which --method parity does not give; leave one out");
+  require(
+    options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
+}
+
+void checkOptions(const CLI::App& command, const Options& options)
+{
+  if (options.command == "check")
+  {
+    return;
+  }
+  checkMethod(command, options);
+  if (options.command == "probe")
+  {
+    checkOutput(options, {".vtp", ".vtu", ".csv", ".tsv"});
+  }
+  else if (options.command == "field")
+  {
+    checkOutput(options, {".vti"});
+    checkFieldLike(command, options);
+  }
+  else
+  {
+    checkOutput(options, {".vtp", ".ply", ".stl", ".obj"});
+    checkFieldLike(command, options);
+  }
+  require(!options.array.empty(), "--array is empty; give the array a name");
+  require(options.command != "surface" || options.rule != Filter::ODD,
+    "--rule odd has no level to draw a surface at; use voxels, or another rule");
+}
+
+/// What the parser has to say, on one line, with where to look further.
+std::string explanation(const CLI::App& app, const CLI::ParseError& error)
+{
+  std::string text = error.what();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  const auto commands = app.get_subcommands();
+  return text + "; see winding " + (commands.empty() ? "" : commands[0]->get_name() + " ") +
+         "--help";
+}
+
+} // namespace
+
+std::optional<Options> parseCommandLine(int argc, char** argv)
+{
+  Options options;
+  options.areas = Filter::CONSTANT;
+  CLI::App app(
+    "Winding numbers of surfaces and oriented point clouds: what is inside, and how often",
+    "winding");
+  app.set_version_flag("--version", WINDING_VERSION);
+  app.require_subcommand(1);
+  addCommands(app, options);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& wish)
+  {
+    app.exit(wish); // prints the help or the version
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(USAGE, explanation(app, error));
+  }
+  const CLI::App* command = app.get_subcommands()[0];
+  options.command = command->get_name();
+  checkOptions(*command, options);
+  return options;
+}
+
+std::string suffixOf(const std::string& fileName)
+{
+  std::string suffix = std::filesystem::path(fileName).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// All that the command line can say, with the defaults of what it leaves out.
+struct Options
+{
+  std::string command; ///< field, surface, voxels, probe or check
+  std::string input;
+  std::string queries;
+  std::string output;
+
+  // The grid. Empty: not said.
+  int resolution = 64;
+  double voxelSize = 0;
+  std::vector<int> dimensions;
+  std::vector<double> bounds;
+  double padding = 0.05;
+  bool cells = false;
+
+  // The method, as the filters number their choices.
+  int method = 0;
+  double tolerance = 1e-3;
+  int areas = 0;
+  double area = 0;
+  bool asPoints = false;
+
+  // The output.
+  double threshold = 0.5;
+  int rule = 0;
+  bool inside = false;
+  bool asDouble = false;
+  std::string array = "WindingNumber";
+
+  // The run.
+  int threads = 0;
+  int pieces = 1;
+  int verify = 0;
+  bool json = false;
+  bool quiet = false;
+};
+
+/**
+ * Parses the command line. Prints help where that is asked for, and then returns nothing. Throws
+ * Failure(USAGE) for command lines that make no sense, whatever the input may be.
+ */
+std::optional<Options> parseCommandLine(int argc, char** argv);
+
+/// The part of a file name that says what is in it: lower case, with the dot; may be empty.
+std::string suffixOf(const std::string& fileName);

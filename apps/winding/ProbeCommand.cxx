@@ -1,0 +1,215 @@
+#include "Commands.h"
+#include "Failure.h"
+#include "FilterSettings.h"
+#include "Messages.h"
+#include "Options.h"
+#include "OutputFile.h"
+#include "Progress.h"
+#include "ReadInput.h"
+#include "Report.h"
+#include "Table.h"
+#include "WriteOutput.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkWindingNumberProbe.h"
+
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+namespace
+{
+
+bool isTable(const std::string& fileName)
+{
+  const std::string suffix = suffixOf(fileName);
+  return suffix == ".csv" || suffix == ".tsv";
+}
+
+/// The points asked about, and the table that they come from, if they do.
+struct Queries
+{
+  std::optional<Table> table;
+  vtkSmartPointer<vtkPointSet> points;
+};
+
+void checkColumns(const Table& table, const Options& options)
+{
+  for (const std::string& name : {options.array, std::string("Inside")})
+  {
+    if (table.find(name))
+    {
+      throw Failure(REFUSED, options.queries,
+        "already has a column " + name + "; rename or remove it, or use --array");
+    }
+  }
+}
+
+Queries readQueries(const Options& options, Messages& messages)
+{
+  Queries queries;
+  if (isTable(options.queries))
+  {
+    queries.table.emplace(options.queries);
+    checkColumns(*queries.table, options);
+    queries.points = queries.table->points();
+  }
+  else
+  {
+    queries.points = readInput(options.queries, options, messages);
+  }
+  return queries;
+}
+
+/// The columns of a table that the points do not hold already, as arrays.
+void addColumns(const Table& table, vtkDataSet* points)
+{
+  for (std::size_t column = 0; column < table.columns(); ++column)
+  {
+    const std::string& name = table.name(column);
+    if (name == "x" || name == "y" || name == "z")
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkAbstractArray> array;
+    if (table.isNumeric(column))
+    {
+      vtkNew<vtkDoubleArray> numbers;
+      for (const double value : table.numbers(column))
+      {
+        numbers->InsertNextValue(value);
+      }
+      array = numbers;
+    }
+    else
+    {
+      vtkNew<vtkStringArray> texts;
+      for (const std::string& text : table.texts(column))
+      {
+        texts->InsertNextValue(text);
+      }
+      array = texts;
+    }
+    array->SetName(name.c_str());
+    points->GetPointData()->AddArray(array);
+  }
+}
+
+/// 17 significant digits: enough for every double to come back with the same bits.
+std::string exact(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+/// The rows as they came in, or the coordinates of points that came in otherwise, with two columns
+/// more.
+void writeTable(
+  const Queries& queries, vtkDataSet* answer, const Options& options, OutputFile& file)
+{
+  const char own = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
+  const char separator = queries.table ? queries.table->separator() : own;
+  const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
+  if (separator != own)
+  {
+    throw Failure(REFUSED, file.name(),
+      "the columns of the queries are kept as they are; give it their suffix " +
+        suffixOf(options.queries));
+  }
+  vtkDataArray* values = answer->GetPointData()->GetArray(options.array.c_str());
+  vtkDataArray* inside = answer->GetPointData()->GetArray("Inside");
+  std::ofstream stream(file.temporaryName(), std::ios::binary);
+  stream << (queries.table ? std::string(queries.table->header())
+                           : std::string("x") + separator + "y" + separator + "z")
+         << separator << options.array << separator << "Inside" << lineEnd;
+  for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
+  {
+    if (queries.table)
+    {
+      stream << queries.table->row(static_cast<std::size_t>(i));
+    }
+    else
+    {
+      double point[3];
+      answer->GetPoint(i, point);
+      stream << exact(point[0]) << separator << exact(point[1]) << separator << exact(point[2]);
+    }
+    stream << separator << exact(values->GetTuple1(i)) << separator << inside->GetTuple1(i)
+           << lineEnd;
+  }
+  stream.close();
+  if (!stream)
+  {
+    file.refuseWriting();
+  }
+  file.commit();
+}
+
+void writeAnswer(const Queries& queries, vtkDataSet* answer, const Options& options,
+  OutputFile& file, Messages& messages)
+{
+  if (isTable(options.output))
+  {
+    writeTable(queries, answer, options, file);
+    return;
+  }
+  if (queries.table)
+  {
+    addColumns(*queries.table, answer);
+  }
+  writePoints(answer, file, options, messages);
+}
+
+void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType queries,
+  double readSeconds, double totalSeconds)
+{
+  const double prepare = probe.GetPrepareSeconds(), evaluate = probe.GetEvaluateSeconds();
+  const Json report = {{"input", describeInput(options.input, probe)},
+    {"method", probe.GetMethodUsed()}, {"why", probe.GetMethodReason()},
+    {"tolerance", options.tolerance}, {"queries", {{"file", options.queries}, {"count", queries}}},
+    {"output", {{"file", options.output}}},
+    {"seconds", {{"read", readSeconds}, {"prepare", prepare}, {"evaluate", evaluate},
+                  {"write", std::max(0.0, totalSeconds - readSeconds - prepare - evaluate)},
+                  {"total", totalSeconds}}},
+    {"peak_memory", peakMemory()}, {"threads", threadsOf(options)}};
+  if (options.json)
+  {
+    print(report);
+  }
+  else if (!options.quiet)
+  {
+    print(options.input + ": method " + probe.GetMethodUsed() + " (" + probe.GetMethodReason() +
+          "), " + std::to_string(queries) + " queries, " + shown(totalSeconds, 3) + " s\nwrote " +
+          options.output);
+  }
+}
+
+} // namespace
+
+void runProbe(const Options& options, Messages& messages)
+{
+  Stopwatch stopwatch;
+  OutputFile output(options.output);
+  const Queries queries = readQueries(options, messages);
+  const auto source = readInput(options.input, options, messages);
+  const double readSeconds = stopwatch.total();
+
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputDataObject(queries.points);
+  probe->SetSourceData(source);
+  applyMethod(options, probe);
+  probe->GenerateInsideOn();
+  probe->SetOutputScalarTypeToDouble();
+  {
+    const Progress progress(probe, "probe", options.quiet);
+    probe->Update();
+  }
+  checkFilter(probe->GetStatus(), options.input, messages);
+  writeAnswer(queries, probe->GetOutput(), options, output, messages);
+  printReport(options, *probe, queries.points->GetNumberOfPoints(), readSeconds, stopwatch.total());
+}

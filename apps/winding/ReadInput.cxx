@@ -1,0 +1,253 @@
+#include "ReadInput.h"
+
+#include "Failure.h"
+#include "FileAccess.h"
+#include "FileGuards.h"
+#include "Interrupt.h"
+#include "MemoryBudget.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "Table.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellTypes.h"
+#include "vtkDataSetReader.h"
+#include "vtkErrorCode.h"
+#include "vtkGenericCell.h"
+#include "vtkGeomviewOFFReader.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkOrientedPointsReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <new>
+#include <stdexcept>
+
+namespace
+{
+
+template <class Reader> vtkSmartPointer<vtkAlgorithm> plain(const std::string& fileName)
+{
+  const auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(fileName.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> stl(const std::string& fileName)
+{
+  guardStl(fileName);
+  const auto reader = vtkSmartPointer<vtkSTLReader>::New();
+  reader->SetFileName(fileName.c_str());
+  reader->MergingOff(); // the core welds, and counts what it welds
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> ply(const std::string& fileName)
+{
+  guardPly(fileName);
+  const auto reader = vtkSmartPointer<vtkPLYReader>::New();
+  reader->SetFileName(fileName.c_str());
+  std::string text = contentsOf(fileName);
+  const bool isText =
+    text.substr(0, text.find("end_header")).find("format ascii") != std::string::npos;
+  if (isText && text.back() != '\n')
+  {
+    // VTK ends the program where the last line has no end.
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(text + "\n");
+  }
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> obj(const std::string& fileName)
+{
+  guardObj(fileName);
+  return plain<vtkOBJReader>(fileName);
+}
+
+template <class Reader> vtkSmartPointer<vtkAlgorithm> xmlVtk(const std::string& fileName)
+{
+  guardXmlVtk(fileName);
+  return plain<Reader>(fileName);
+}
+
+vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
+{
+  guardLegacyVtk(fileName);
+  const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
+  reader->SetFileName(fileName.c_str());
+  // By default it reads the first array of each kind.
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllFieldsOn();
+  return reader;
+}
+
+using MakeReader = std::function<vtkSmartPointer<vtkAlgorithm>(const std::string&)>;
+
+MakeReader readerFor(const std::string& fileName)
+{
+  const std::pair<const char*, MakeReader> readers[] = {
+    {".vtp", xmlVtk<vtkXMLPolyDataReader>},
+    {".vtu", xmlVtk<vtkXMLUnstructuredGridReader>},
+    {".vtk", legacyVtk},
+    {".ply", ply},
+    {".stl", stl},
+    {".obj", obj},
+    {".off", plain<vtkGeomviewOFFReader>},
+    {".xyz", plain<vtkOrientedPointsReader>},
+    {".pwn", plain<vtkOrientedPointsReader>},
+  };
+  const std::string suffix = suffixOf(fileName);
+  for (const auto& [name, maker] : readers)
+  {
+    if (suffix == name)
+    {
+      return maker;
+    }
+  }
+  throw Failure(REFUSED, fileName,
+    "has a suffix that is not known; give one of .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn "
+    ".csv");
+}
+
+[[noreturn]] void refuseCells(const std::string& fileName)
+{
+  throw Failure(REFUSED, fileName, "has cells that contradict each other; it is damaged");
+}
+
+/// Offsets that lead out of their array would lead whoever follows them out of it, too.
+void checkOffsets(const std::string& fileName, vtkCellArray* cells)
+{
+  if (cells && !cells->IsValid())
+  {
+    refuseCells(fileName);
+  }
+}
+
+/// The surface filter that a grid goes through believes every id, and every cell to have its corners.
+void checkGrid(const std::string& fileName, vtkUnstructuredGrid* grid)
+{
+  vtkCellArray* cells = grid->GetCells();
+  const vtkIdType points = grid->GetNumberOfPoints();
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  if (!types || types->GetNumberOfTuples() != cells->GetNumberOfCells())
+  {
+    refuseCells(fileName);
+  }
+  vtkNew<vtkGenericCell> cell;
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, size, ids);
+    const int type = types->GetValue(i);
+    if (!vtkCellTypes::GetClassNameFromTypeId(type) || vtkCellTypes::IsLinear(type) == 0)
+    {
+      // Cells of higher order have as many points as they like.
+      cell->SetCellType(VTK_EMPTY_CELL);
+    }
+    else if (cell->GetCellType() != type)
+    {
+      cell->SetCellType(type);
+    }
+    const bool idsExist =
+      std::all_of(ids, ids + size, [points](vtkIdType id) { return id >= 0 && id < points; });
+    if (!idsExist || size < cell->GetNumberOfPoints())
+    {
+      refuseCells(fileName);
+    }
+  }
+}
+
+void checkCells(const std::string& fileName, vtkPointSet* data)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    checkOffsets(fileName, polyData->GetVerts());
+    checkOffsets(fileName, polyData->GetLines());
+    checkOffsets(fileName, polyData->GetPolys());
+    checkOffsets(fileName, polyData->GetStrips());
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    checkOffsets(fileName, grid->GetCells());
+    checkGrid(fileName, grid);
+  }
+}
+
+vtkSmartPointer<vtkPointSet> readWith(
+  vtkAlgorithm* reader, const std::string& fileName, const Options& options, Messages& messages)
+{
+  const Progress progress(reader, "read", options.quiet);
+  reader->Update();
+  interrupt::check();
+  messages.throwIfError(fileName);
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw Failure(REFUSED, fileName,
+      std::string("cannot be read: ") +
+        vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
+  }
+  vtkDataObject* output = reader->GetOutputDataObject(0);
+  vtkSmartPointer<vtkPointSet> data = vtkPointSet::SafeDownCast(output);
+  if (!data)
+  {
+    throw Failure(REFUSED, fileName,
+      std::string("holds ") + (output ? output->GetClassName() : "nothing") +
+        "; a surface, an unstructured grid or points are needed");
+  }
+  checkCells(fileName, data);
+  return data;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPointSet> readInput(
+  const std::string& fileName, const Options& options, Messages& messages)
+{
+  messages.setSubject(fileName);
+  try
+  {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(fileName, error);
+    const MemoryBudget budget(error ? 0 : size);
+    const std::string suffix = suffixOf(fileName);
+    if (suffix == ".csv" || suffix == ".tsv")
+    {
+      checkContentFits(fileName);
+      return cloudFrom(Table(fileName));
+    }
+    const MakeReader makeReader = readerFor(fileName);
+    checkContentFits(fileName);
+    return readWith(makeReader(fileName), fileName, options, messages);
+  }
+  catch (const std::length_error&)
+  {
+    throw Failure(REFUSED, fileName, "its counts ask for more than there can be; it is damaged");
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A small file that asks for all memory is not to be believed.
+    std::error_code error;
+    const bool small = std::filesystem::file_size(fileName, error) < (std::uintmax_t(1) << 28);
+    throw Failure(small && !error ? REFUSED : NO_MEMORY, fileName,
+      small ? "its counts ask for more memory than there is; it is damaged"
+            : "does not fit into memory; use a smaller one");
+  }
+}

@@ -1,0 +1,64 @@
+#include "Commands.h"
+#include "Failure.h"
+#include "Interrupt.h"
+#include "Messages.h"
+#include "Options.h"
+
+#include "vtkSMPTools.h"
+
+#include <csignal>
+#include <map>
+#include <new>
+
+namespace
+{
+
+int fail(ExitStatus status, const std::string& message)
+{
+  printLine("winding: " + (status == INTERRUPTED ? message : "error: " + message));
+  return status;
+}
+
+void run(const Options& options)
+{
+  Messages& messages = Messages::install(options.quiet);
+  if (options.threads > 0)
+  {
+    vtkSMPTools::Initialize(options.threads);
+  }
+  const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
+    {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck}};
+  try
+  {
+    commands.at(options.command)(options, messages);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(NO_MEMORY, options.input, outOfMemoryAdvice());
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  interrupt::install();
+  // A limit on the size of files is to be an error of writing, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try
+  {
+    if (const auto options = parseCommandLine(argc, argv))
+    {
+      run(*options);
+    }
+    return DONE;
+  }
+  catch (const Failure& failure)
+  {
+    return fail(failure.status, failure.what());
+  }
+  catch (const std::exception& error)
+  {
+    return fail(REFUSED, std::string("unexpected: ") + error.what());
+  }
+}

@@ -1,0 +1,83 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using Arguments = std::vector<std::string>;
+
+TEST(CommandLine, HelpAndVersionGoToStandardOutput)
+{
+  for (const Arguments& arguments :
+    {Arguments{"--help"}, {"--version"}, {"field", "--help"}, {"check", "-h"}})
+  {
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_FALSE(run.out.empty());
+    EXPECT_EQ(run.err, "");
+  }
+}
+
+/// Every one of them is exit status 1 and one line, and names what is wrong.
+TEST(CommandLine, UsageErrors)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const std::string vti = folder.path("out.vti");
+  const std::string vtp = folder.path("out.vtp");
+  const std::pair<Arguments, std::string> cases[] = {
+    {{}, "subcommand"},
+    {{"nonsense"}, "subcommand"},
+    {{"bench"}, "subcommand"},
+    {{"field"}, "IN is required"},
+    {{"field", in}, "--output is required"},
+    {{"field", in, "-o", vti, "--nonsense"}, "--nonsense"},
+    {{"field", in, "-o", vti, "--distance"}, "--distance"},
+    {{"field", in, "-o", vtp}, ".vti"},
+    {{"surface", in, "-o", vti}, ".stl"},
+    {{"probe", in, in, "-o", vti}, ".csv"},
+    {{"field", in, "-o", vti, "--resolution", "0"}, "--resolution is 0"},
+    {{"field", in, "-o", vti, "--resolution", "-7"}, "--resolution is -7"},
+    {{"field", in, "-o", vti, "--resolution", "many"}, "--resolution"},
+    {{"field", in, "-o", vti, "--voxel-size", "-0.5"}, "--voxel-size is -0.5"},
+    {{"field", in, "-o", vti, "--voxel-size", "0"}, "--voxel-size is 0"},
+    {{"field", in, "-o", vti, "--dims", "4", "0", "4"}, "--dims has 0"},
+    {{"field", in, "-o", vti, "--dims", "4", "4"}, "--dims"},
+    {{"field", in, "-o", vti, "--bounds", "0", "1", "3", "2", "0", "1"}, "along y are 3 to 2"},
+    {{"field", in, "-o", vti, "--bounds", "0", "1", "2", "2", "0", "1"}, "along y are 2 to 2"},
+    {{"field", in, "-o", vti, "--padding", "-1"}, "--padding is -1"},
+    {{"field", in, "-o", vti, "--resolution", "8", "--voxel-size", "1"}, "excludes"},
+    {{"field", in, "-o", vti, "--method", "rows"}, "auto | direct | parity"},
+    {{"field", in, "-o", vti, "--areas", "voronoi"}, "constant | array"},
+    {{"field", in, "-o", vti, "--areas", "array", "--area", "1"}, "--area"},
+    {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},
+    {{"field", in, "-o", vti, "--pieces", "0"}, "--pieces is 0"},
+    {{"field", in, "-o", vti, "--threads", "-1"}, "--threads is -1"},
+    {{"field", in, "-o", vti, "--verify", "-1"}, "--verify is -1"},
+    {{"field", in, "-o", vti, "--verify", "9", "--method", "parity"}, "--method parity"},
+    {{"surface", in, "-o", vtp, "--rule", "odd"}, "--rule odd"},
+    {{"surface", in, "-o", vtp, "--rule", "even"}, "signed | absolute | odd"},
+  };
+  for (const auto& [arguments, part] : cases)
+  {
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 1) << run;
+    EXPECT_TRUE(run.saysInOneLine({part})) << part << "\n" << run;
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST(CommandLine, NegativeNumbersAreValuesOfOptions)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--json",
+    "--resolution", "4", "--bounds", "-.5", "0.5", "-1e0", "1", "-2", "2", "--threshold", "-0.5"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["grid"]["dimensions"], nlohmann::json({1, 2, 4}));
+}
+
+} // namespace

@@ -1,0 +1,217 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> readImage(const std::string& fileName)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+class FieldCommand : public testing::Test
+{
+protected:
+  Outcome run(const std::string& name, const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {"field", in, "-o", folder.path(name), "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome result = runProgram(arguments);
+    EXPECT_EQ(result.status, 0) << result;
+    EXPECT_EQ(result.err, "") << "nothing but errors when piped";
+    return result;
+  }
+
+  vtkSmartPointer<vtkImageData> image(const std::string& name)
+  {
+    return readImage(folder.path(name));
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.write("sphere.off", asOff(sphere(3)));
+};
+
+std::vector<std::string> namesOf(const nlohmann::json& object)
+{
+  std::vector<std::string> names;
+  for (const auto& item : object.items())
+  {
+    names.push_back(item.key());
+  }
+  return names;
+}
+
+TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
+{
+  const nlohmann::json report =
+    run("a.vti", {"--resolution", "16", "--verify", "100", "--threads", "1"}).json();
+  for (const char* name : {"input", "method", "why", "tolerance", "grid", "seconds", "peak_memory",
+         "threads", "max_error", "rms_error", "near_max_error"})
+  {
+    EXPECT_TRUE(report.contains(name)) << name;
+  }
+  EXPECT_EQ(report["input"]["file"], in);
+  EXPECT_EQ(report["input"]["kind"], "surface");
+  EXPECT_EQ(report["input"]["primitives"], 512);
+  EXPECT_EQ(report["input"]["welded_vertices"], 258);
+  EXPECT_EQ(report["input"]["boundary_edges"], 0);
+  EXPECT_EQ(report["input"]["net_boundary_edges"], 0);
+  EXPECT_EQ(report["input"]["dropped"], 0);
+  EXPECT_EQ(namesOf(report["grid"]),
+    (std::vector<std::string>{"association", "bounds", "dimensions", "origin", "spacing"}));
+  EXPECT_EQ(namesOf(report["seconds"]),
+    (std::vector<std::string>{"evaluate", "prepare", "read", "total", "write"}));
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_GT(report["peak_memory"], 1000000);
+  EXPECT_LT(report["max_error"], 1e-5);
+  EXPECT_LT(report["near_max_error"], 1e-5);
+  EXPECT_FALSE(run("a.vti", {}).json().contains("max_error"));
+}
+
+TEST_F(FieldCommand, JsonSaysWhatTheImageIs)
+{
+  for (const bool cells : {false, true})
+  {
+    std::vector<std::string> arguments = {
+      "--dims", "4", "5", "6", "--bounds", "-2", "2", "-2.5", "2.5", "-3", "3"};
+    if (cells)
+    {
+      arguments.emplace_back("--cells");
+    }
+    const nlohmann::json grid = run("a.vti", arguments).json()["grid"];
+    const auto field = image("a.vti");
+    EXPECT_EQ(grid["association"], cells ? "cells" : "points");
+    EXPECT_EQ(grid["bounds"], nlohmann::json({-2.0, 2.0, -2.5, 2.5, -3.0, 3.0}));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto a = static_cast<std::size_t>(axis);
+      EXPECT_EQ(grid["dimensions"][a], field->GetDimensions()[axis] - (cells ? 1 : 0));
+      EXPECT_EQ(grid["origin"][a], field->GetOrigin()[axis]);
+      EXPECT_EQ(grid["spacing"][a], field->GetSpacing()[axis]);
+    }
+    vtkDataArray* values = cells ? field->GetCellData()->GetArray("WindingNumber")
+                                 : field->GetPointData()->GetArray("WindingNumber");
+    ASSERT_NE(values, nullptr);
+    EXPECT_EQ(values->GetNumberOfTuples(), 4 * 5 * 6);
+  }
+}
+
+TEST_F(FieldCommand, OutputOptions)
+{
+  run("a.vti", {"--resolution", "9", "--inside", "--double", "--array", "w", "--padding", "0"});
+  const auto field = image("a.vti");
+  vtkDataArray* w = field->GetPointData()->GetArray("w");
+  vtkDataArray* inside = field->GetPointData()->GetArray("Inside");
+  ASSERT_NE(w, nullptr);
+  ASSERT_NE(inside, nullptr);
+  EXPECT_EQ(w->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(inside->GetDataType(), VTK_UNSIGNED_CHAR);
+  const vtkIdType middle = w->GetNumberOfTuples() / 2;
+  EXPECT_NEAR(w->GetTuple1(middle), 1, 1e-12);
+  EXPECT_EQ(inside->GetTuple1(middle), 1);
+  EXPECT_NEAR(w->GetTuple1(0), 0, 1e-12);
+  EXPECT_EQ(inside->GetTuple1(0), 0);
+  EXPECT_LT(field->GetBounds()[1], 1) << "no padding: the outer samples are in the sphere's box";
+}
+
+TEST_F(FieldCommand, PiecesAndThreadsDoNotChangeABit)
+{
+  for (const bool cells : {false, true})
+  {
+    const std::string flag = cells ? "--cells" : "--inside";
+    run("whole.vti", {"--resolution", "21", "--threads", "1", flag});
+    const auto whole = image("whole.vti");
+    const std::vector<std::vector<std::string>> variants = {{"--pieces", "1"}, {"--pieces", "4"},
+      {"--pieces", "7", "--threads", "2"}, {"--threads", "2"}};
+    for (const auto& variant : variants)
+    {
+      std::vector<std::string> arguments = variant;
+      arguments.insert(arguments.end(), {"--resolution", "21", flag});
+      run("part.vti", arguments);
+      const auto part = image("part.vti");
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_EQ(part->GetDimensions()[axis], whole->GetDimensions()[axis]);
+        EXPECT_EQ(part->GetOrigin()[axis], whole->GetOrigin()[axis]);
+      }
+      const auto valuesOf = [cells](vtkImageData* field)
+      {
+        return cells ? field->GetCellData()->GetArray("WindingNumber")
+                     : field->GetPointData()->GetArray("WindingNumber");
+      };
+      vtkDataArray *a = valuesOf(whole), *b = valuesOf(part);
+      ASSERT_EQ(a->GetNumberOfTuples(), b->GetNumberOfTuples());
+      for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+      {
+        ASSERT_EQ(a->GetTuple1(i), b->GetTuple1(i)) << variant[1] << " at " << i;
+      }
+    }
+  }
+}
+
+TEST_F(FieldCommand, PiecesReportTheFiguresOfAll)
+{
+  const nlohmann::json whole = run("a.vti", {"--cells", "--verify", "200"}).json();
+  const nlohmann::json pieces =
+    run("a.vti", {"--cells", "--verify", "200", "--pieces", "5"}).json();
+  for (const char* name : {"max_error", "rms_error", "near_max_error"})
+  {
+    EXPECT_NEAR(whole[name].get<double>(), pieces[name].get<double>(), 1e-12) << name;
+  }
+  EXPECT_EQ(whole["grid"], pieces["grid"]);
+  EXPECT_GT(pieces["seconds"]["evaluate"], 0);
+}
+
+TEST_F(FieldCommand, Methods)
+{
+  EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "direct"}).json()["method"], "direct");
+  EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "parity"}).json()["method"], "parity");
+  EXPECT_NE(run("a.vti", {"--resolution", "8"}).json()["why"], "");
+}
+
+TEST_F(FieldCommand, Clouds)
+{
+  const Mesh mesh = sphere(3);
+  const std::string csv = folder.write("cloud.csv", asCsv(mesh));
+  for (const std::vector<std::string>& arguments : {
+         std::vector<std::string>{"field", csv, "--areas", "array"},
+         {"field", csv, "--area", "0.0487"},
+         {"field", csv},
+         {"field", in, "--points"},
+       })
+  {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"-o", folder.path("c.vti"), "--resolution", "5", "--json"});
+    const Outcome result = runProgram(all);
+    ASSERT_EQ(result.status, 0) << result;
+    EXPECT_EQ(result.json()["input"]["kind"], "points");
+    EXPECT_EQ(result.json()["input"]["primitives"], mesh.points.size());
+    const auto field = image("c.vti");
+    vtkDataArray* w = field->GetPointData()->GetArray("WindingNumber");
+    EXPECT_NEAR(w->GetTuple1(w->GetNumberOfTuples() / 2), 1, 0.15) << result;
+  }
+}
+
+TEST_F(FieldCommand, WithoutJsonItIsForPeople)
+{
+  const Outcome result = runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "8"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("wrote " + folder.path("a.vti")), std::string::npos) << result;
+  EXPECT_EQ(result.err, "");
+}
+
+} // namespace

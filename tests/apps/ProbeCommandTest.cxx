@@ -1,0 +1,200 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace
+{
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+  std::vector<std::string> fields;
+  std::istringstream stream(text);
+  for (std::string field; std::getline(stream, field, separator);)
+  {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+class ProbeCommand : public testing::Test
+{
+protected:
+  Outcome probe(
+    const std::string& queries, const std::string& out, const std::vector<std::string>& more = {})
+  {
+    std::vector<std::string> arguments = {"probe", in, queries, "-o", folder.path(out)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runProgram(arguments);
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.write("sphere.off", asOff(sphere(3)));
+};
+
+/// Rows, their order and their text stay: quotes, spaces, trailing zeros, line ends and all.
+TEST_F(ProbeCommand, TableIsKeptAsItIs)
+{
+  const std::vector<std::string> rows = {
+    "\"a, b\", 0.10,0 ,+0.0,1e-1", "far,5.000,0,0,", "edge,.5,.5,-.5,\"x\""};
+  const std::string header = "\"the name\",x,y,z,note";
+  const std::string queries =
+    folder.write("q.csv", header + "\r\n" + rows[0] + "\r\n" + rows[1] + "\r\n" + rows[2] + "\r\n");
+  const Outcome run = probe(queries, "out.csv", {"--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["queries"]["count"], 3);
+  const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], header + ",WindingNumber,Inside\r");
+  const double expected[] = {1, 0, 1};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    ASSERT_EQ(lines[i + 1].rfind(rows[i] + ",", 0), 0u) << lines[i + 1];
+    const auto added = split(lines[i + 1].substr(rows[i].size() + 1), ',');
+    ASSERT_EQ(added.size(), 2u);
+    EXPECT_NEAR(std::stod(added[0]), expected[i], 1e-12);
+    EXPECT_EQ(added[1], expected[i] == 1 ? "1\r" : "0\r");
+  }
+}
+
+TEST_F(ProbeCommand, TabsStayTabs)
+{
+  const std::string queries = folder.write("q.tsv", "x\ty\tz\n0\t0\t0");
+  ASSERT_EQ(probe(queries, "out.tsv", {"--array", "w"}).status, 0);
+  const auto lines = split(contentsOf(folder.path("out.tsv")), '\n');
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "x\ty\tz\tw\tInside");
+  EXPECT_EQ(lines[1].rfind("0\t0\t0\t", 0), 0u);
+  const Outcome mixed = probe(queries, "out.csv");
+  EXPECT_EQ(mixed.status, 2);
+  EXPECT_TRUE(mixed.saysInOneLine({"out.csv", ".tsv"})) << mixed;
+}
+
+TEST_F(ProbeCommand, SeventeenDigitsBringBackEveryBit)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0.9999,0.01,0.02\n");
+  const std::string half = folder.write("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  in = half;
+  ASSERT_EQ(probe(queries, "out.csv").status, 0);
+  const auto fields = split(split(contentsOf(folder.path("out.csv")), '\n')[1], ',');
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", std::stod(fields[3]));
+  EXPECT_EQ(fields[3], text);
+  EXPECT_GE(fields[3].size(), 17u);
+}
+
+TEST_F(ProbeCommand, PointsThatAreNotFinite)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\nnan,0,0\n0,inf,0\n0,0,0\n");
+  ASSERT_EQ(probe(queries, "out.csv").status, 0);
+  const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+  EXPECT_EQ(lines[1].rfind("nan,0,0,nan,0", 0), 0u) << lines[1];
+  EXPECT_EQ(lines[3].back(), '1');
+}
+
+TEST_F(ProbeCommand, ColumnsOfTheSameNameAreRefused)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z,WindingNumber\n0,0,0,1\n");
+  const Outcome run = probe(queries, "out.csv");
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"q.csv", "WindingNumber", "--array"})) << run;
+  EXPECT_EQ(probe(queries, "out.csv", {"--array", "w"}).status, 0);
+}
+
+TEST_F(ProbeCommand, BadQueriesAreNamed)
+{
+  const Outcome run = probe(folder.write("q.csv", "x,y,z\n0,0,0\n0,zero,0\n"), "out.csv");
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"q.csv: line 3", "column y"})) << run;
+  const Outcome missing = probe(folder.path("missing.csv"), "out.csv");
+  EXPECT_TRUE(missing.saysInOneLine({"missing.csv", "no such file"})) << missing;
+}
+
+TEST_F(ProbeCommand, TableToVtp)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z,t,name\n0,0,0,7,a\n3,0,0,8,b\n");
+  ASSERT_EQ(probe(queries, "out.vtp").status, 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("out.vtp").c_str());
+  reader->Update();
+  vtkPointData* data = reader->GetOutput()->GetPointData();
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), 2);
+  EXPECT_EQ(data->GetArray("WindingNumber")->GetDataType(), VTK_DOUBLE);
+  EXPECT_NEAR(data->GetArray("WindingNumber")->GetTuple1(0), 1, 1e-12);
+  EXPECT_EQ(data->GetArray("Inside")->GetTuple1(1), 0);
+  EXPECT_EQ(data->GetArray("t")->GetTuple1(1), 8);
+  EXPECT_NE(data->GetAbstractArray("name"), nullptr);
+}
+
+TEST_F(ProbeCommand, DataSetsKeepTheirCells)
+{
+  const Mesh small = sphere(1);
+  const std::string grid = folder.write("grid.vtu", asVtu(small));
+  ASSERT_EQ(probe(grid, "out.vtu").status, 0);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(folder.path("out.vtu").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 18);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 32);
+  EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("Inside"), nullptr);
+  const Outcome wrong = probe(grid, "out.vtp");
+  EXPECT_EQ(wrong.status, 2) << wrong;
+  EXPECT_TRUE(wrong.saysInOneLine({"out.vtp", ".vtu"})) << wrong;
+
+  ASSERT_EQ(probe(folder.write("mesh.obj", asObj(small)), "out.csv").status, 0);
+  const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+  EXPECT_EQ(lines[0], "x,y,z,WindingNumber,Inside");
+  EXPECT_EQ(lines.size(), 19u);
+}
+
+/// Independent values, from long-double sums of another program over the same float coordinates.
+TEST(ProbeReference, EveryMesh)
+{
+  const std::string shared = WINDING_SHARED_DATA;
+  if (!std::filesystem::exists(shared + "/REFERENCE_W.tsv"))
+  {
+    GTEST_SKIP() << "there is no " << shared << "/REFERENCE_W.tsv";
+  }
+  const auto lines = split(contentsOf(shared + "/REFERENCE_W.tsv"), '\n');
+  ASSERT_EQ(
+    split(lines[0], '\t'), (std::vector<std::string>{"set", "name", "kind", "x", "y", "z", "w"}));
+  std::map<std::string, std::string> tables;
+  for (std::size_t i = 1; i < lines.size(); ++i)
+  {
+    const std::string name = split(lines[i], '\t')[1];
+    auto place = tables.try_emplace(name, lines[0] + "\n").first;
+    place->second += lines[i] + "\n";
+  }
+  EXPECT_GE(tables.size(), 16u);
+  for (const auto& [name, table] : tables)
+  {
+    const TemporaryFolder folder;
+    const std::string queries = folder.write("q.tsv", table);
+    const Outcome run =
+      runProgram({"probe", shared + "/" + name, queries, "-o", folder.path("a.tsv"), "--quiet"});
+    ASSERT_EQ(run.status, 0) << run;
+    const auto answers = split(contentsOf(folder.path("a.tsv")), '\n');
+    double largest = 0;
+    for (std::size_t i = 1; i < answers.size(); ++i)
+    {
+      const auto fields = split(answers[i], '\t');
+      largest = std::max(largest, std::abs(std::stod(fields[6]) - std::stod(fields[7])));
+    }
+    EXPECT_LT(largest, 2e-5) << name; // measured: 1.2e-7 at most
+  }
+}
+
+} // namespace

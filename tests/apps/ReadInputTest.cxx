@@ -1,0 +1,310 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+
+const std::vector<std::string> allSuffixes = {
+  "vtp", "vtk", "vtu", "ply", "stl", "obj", "off", "xyz", "pwn", "csv"};
+
+Outcome check(const std::string& fileName)
+{
+  return runProgram({"check", fileName, "--json"});
+}
+
+TEST(ReadInput, EveryFormat)
+{
+  const TemporaryFolder folder;
+  const Mesh mesh = sphere(2);
+  for (const std::string& suffix : allSuffixes)
+  {
+    const Outcome run = check(folder.write("in." + suffix, asFile(mesh, suffix)));
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err, "");
+    const bool isCloud = suffix == "xyz" || suffix == "pwn" || suffix == "csv";
+    const nlohmann::json report = run.json();
+    EXPECT_EQ(report["kind"], isCloud ? "points" : "surface") << run;
+    if (isCloud)
+    {
+      EXPECT_EQ(report["points"], mesh.points.size());
+      EXPECT_EQ(report["normals"], true);
+    }
+    else
+    {
+      EXPECT_EQ(report["triangles"], mesh.triangles.size());
+      EXPECT_EQ(report["vertices_merged"], mesh.points.size());
+      EXPECT_EQ(report["closed"], true);
+    }
+  }
+}
+
+TEST(ReadInput, TextVariantsOfBinaryFormats)
+{
+  const TemporaryFolder folder;
+  const Mesh mesh = sphere(2);
+  for (const std::string& fileName :
+    {folder.write("in.ply", asPly(mesh)), folder.write("in.stl", asStl(mesh))})
+  {
+    const Outcome run = check(fileName);
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.json()["closed"], true);
+  }
+}
+
+/// Editors leave the end of the last line away, and Windows ends lines in its own way.
+TEST(ReadInput, LineEnds)
+{
+  const TemporaryFolder folder;
+  const Mesh mesh = sphere(1);
+  const std::pair<std::string, std::string> files[] = {{"a.off", asOff(mesh)},
+    {"a.obj", asObj(mesh)}, {"a.ply", asPly(mesh)}, {"a.stl", asStl(mesh)}, {"a.vtk", asVtk(mesh)},
+    {"a.vtp", asVtp(mesh)}, {"a.xyz", asXyz(mesh)}, {"a.pwn", asPwn(mesh)}, {"a.csv", asCsv(mesh)}};
+  for (const auto& [name, text] : files)
+  {
+    const auto countsOf = [&](const std::string& contents)
+    {
+      const Outcome run = check(folder.write(name, contents));
+      EXPECT_EQ(run.status, 0) << run;
+      const nlohmann::json report = run.json();
+      return report[report["kind"] == "surface" ? "triangles" : "points"];
+    };
+    std::string dos;
+    for (const char c : text)
+    {
+      dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    }
+    EXPECT_EQ(countsOf(text.substr(0, text.size() - 1)), countsOf(text)) << name;
+    EXPECT_EQ(countsOf(dos), countsOf(text)) << name;
+  }
+}
+
+TEST(ReadInput, CloudsKeepTheirNormals)
+{
+  const TemporaryFolder folder;
+  const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float "
+    "y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float "
+    "nz\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 2\n";
+  const Outcome run = check(folder.write("cloud.ply", ply));
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["normals"], true);
+  EXPECT_EQ(run.json()["non_unit_normals"], 1);
+}
+
+TEST(ReadInput, MissingEmptyOrAFolder)
+{
+  const TemporaryFolder folder;
+  for (const std::string& suffix : allSuffixes)
+  {
+    const Outcome missing = check(folder.path("missing." + suffix));
+    EXPECT_EQ(missing.status, 2) << missing;
+    EXPECT_TRUE(missing.saysInOneLine({"missing." + suffix, "no such file"})) << missing;
+
+    const Outcome empty = check(folder.write("empty." + suffix, ""));
+    EXPECT_EQ(empty.status, 2) << empty;
+    EXPECT_TRUE(empty.saysInOneLine({"empty." + suffix, "is empty"})) << empty;
+
+    mkdir(folder.path("folder." + suffix).c_str(), 0777);
+    const Outcome directory = check(folder.path("folder." + suffix));
+    EXPECT_EQ(directory.status, 2) << directory;
+    EXPECT_TRUE(directory.saysInOneLine({"folder." + suffix, "is a folder"})) << directory;
+  }
+}
+
+TEST(ReadInput, Unreadable)
+{
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "the superuser can read everything";
+  }
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  chmod(in.c_str(), 0);
+  const Outcome run = check(in);
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({in, "permissions"})) << run;
+}
+
+TEST(ReadInput, UnknownSuffix)
+{
+  const TemporaryFolder folder;
+  const Outcome run = check(folder.write("in.step", "whatever"));
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"in.step", "suffix", ".off"})) << run;
+}
+
+TEST(ReadInput, TruncatedAnywhere)
+{
+  const TemporaryFolder folder;
+  const Mesh mesh = sphere(1);
+  for (const std::string& suffix : allSuffixes)
+  {
+    const std::string whole = asFile(mesh, suffix);
+    for (const double part : {0.003, 0.1, 0.35, 0.6, 0.8, 0.99})
+    {
+      // Ends within a number or a word, not between the lines: half of an .xyz is a good .xyz.
+      std::size_t length = static_cast<std::size_t>(part * static_cast<double>(whole.size()));
+      while (length > 1 && (whole[length - 1] == '\n' || whole[length] == '\n'))
+      {
+        --length;
+      }
+      const Outcome run =
+        check(folder.write("cut." + suffix, whole.substr(0, std::max<std::size_t>(1, length))));
+      // The last number of a line may be cut where nobody can tell, but not crash anything.
+      const bool cannotTell =
+        suffix == "xyz" || suffix == "pwn" || suffix == "csv" || suffix == "obj";
+      EXPECT_TRUE(run.status == 2 || (cannotTell && run.status == 0)) << suffix << part << run;
+      EXPECT_TRUE(run.status == 0 || run.saysInOneLine({"cut." + suffix})) << part << run;
+    }
+  }
+}
+
+TEST(ReadInput, GarbageUnderEverySuffix)
+{
+  const TemporaryFolder folder;
+  std::mt19937 random(5);
+  std::string garbage;
+  for (int i = 0; i < 5000; ++i)
+  {
+    garbage += static_cast<char>(random());
+  }
+  for (const std::string& suffix : allSuffixes)
+  {
+    for (const std::string& contents : {garbage, std::string("hello world\n")})
+    {
+      const Outcome run = check(folder.write("garbage." + suffix, contents));
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_TRUE(run.saysInOneLine({"garbage." + suffix})) << run;
+    }
+  }
+}
+
+/// The suffix promises one format and the file holds another.
+TEST(ReadInput, WrongSuffix)
+{
+  const TemporaryFolder folder;
+  const Mesh mesh = sphere(1);
+  const Outcome plyAsStl = check(folder.write("a.stl", asBinaryPly(mesh)));
+  EXPECT_EQ(plyAsStl.status, 2);
+  EXPECT_TRUE(plyAsStl.saysInOneLine({"is not stl", "begins like PLY", ".ply"})) << plyAsStl;
+  for (const std::string& suffix : allSuffixes)
+  {
+    for (const std::string& content : allSuffixes)
+    {
+      const bool fits = suffix == content || (suffix == "pwn" && content == "xyz") ||
+                        (suffix == "xyz" && content == "pwn");
+      if (!fits)
+      {
+        const Outcome run = check(folder.write("wrong." + suffix, asFile(mesh, content)));
+        EXPECT_EQ(run.status, 2) << suffix << " holds " << content << " " << run;
+        EXPECT_TRUE(run.saysInOneLine({"wrong." + suffix})) << content << run;
+      }
+    }
+  }
+}
+
+TEST(ReadInput, Compressed)
+{
+  const TemporaryFolder folder;
+  const Outcome run = check(folder.write("in.stl", std::string("\x1f\x8b\x08\x00", 4) + "packed"));
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.saysInOneLine({"gzip", "unpack"})) << run;
+}
+
+/// Counts that no file of that size can hold must not be believed.
+TEST(ReadInput, HugeAndNegativeCounts)
+{
+  const TemporaryFolder folder;
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to)
+  {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  const Mesh mesh = sphere(1);
+  for (const std::string number : {"99999999999", "-18"})
+  {
+    const std::pair<std::string, std::string> files[] = {
+      {"a.off", replaced(asOff(mesh), "OFF\n18", "OFF\n" + number)},
+      {"a.ply", replaced(asPly(mesh), "vertex 18", "vertex " + number)},
+      {"b.ply", replaced(asBinaryPly(mesh), "face 32", "face " + number)},
+      {"a.pwn", replaced(asPwn(mesh), "18\n", number + "\n")},
+      {"a.vtk", replaced(asVtk(mesh), "POINTS 18", "POINTS " + number)},
+      {"b.vtk", replaced(asVtk(mesh), "POLYGONS 32", "POLYGONS " + number)},
+      {"a.vtp", replaced(asVtp(mesh), "NumberOfPoints=\"18", "NumberOfPoints=\"" + number)},
+      {"a.vtu", replaced(asVtu(mesh), "NumberOfCells=\"32", "NumberOfCells=\"" + number)},
+    };
+    for (const auto& [name, contents] : files)
+    {
+      const Outcome run = check(folder.write(name, contents));
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_TRUE(run.saysInOneLine({name})) << run;
+    }
+  }
+  std::string stl = asBinaryStl(mesh);
+  stl[83] = '\x7f';
+  const Outcome run = check(folder.write("a.stl", stl));
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"a.stl", "triangles but holds 32"})) << run;
+}
+
+TEST(ReadInput, IndicesOutOfRange)
+{
+  const TemporaryFolder folder;
+  Mesh mesh = sphere(1);
+  mesh.triangles[20][1] = 5000;
+  for (const std::string suffix : {"off", "obj", "ply", "vtu"})
+  {
+    const Outcome run = check(folder.write("bad." + suffix, asFile(mesh, suffix)));
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"bad." + suffix})) << run;
+  }
+  // VTK's own format may be read; the triangle is left out and counted.
+  for (const std::string suffix : {"vtp", "vtk"})
+  {
+    const Outcome run = check(folder.write("bad." + suffix, asFile(mesh, suffix)));
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.json()["invalid_ids"], 1);
+  }
+}
+
+TEST(ReadInput, BrokenTables)
+{
+  const TemporaryFolder folder;
+  const std::pair<std::string, std::string> cases[] = {
+    {"a,b,c\n1,2,3\n", "columns x, y and z"},
+    {"x,y,z\n1,2\n", "line 2: has 2 fields"},
+    {"x,y,z\n1,2,3\n4,five,6\n", "line 3: \"five\" in column y"},
+  };
+  for (const auto& [contents, part] : cases)
+  {
+    const Outcome run = check(folder.write("in.csv", contents));
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"in.csv", part})) << run;
+  }
+}
+
+TEST(ReadInput, WarningsAreOneLineEachAndQuietDropsThem)
+{
+  const TemporaryFolder folder;
+  Mesh mesh = sphere(1);
+  mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  const std::string in = folder.write("in.off", asOff(mesh));
+  const Outcome loud = runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "4"});
+  EXPECT_EQ(loud.status, 0) << loud;
+  EXPECT_EQ(loud.err.rfind("winding: warning: " + in, 0), 0u) << loud;
+  EXPECT_EQ(loud.err.find('\n'), loud.err.size() - 1) << loud;
+  const Outcome quiet =
+    runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "4", "--quiet"});
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, "");
+}
+
+} // namespace

@@ -1,0 +1,94 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+class SurfaceCommands : public testing::TestWithParam<std::string>
+{
+protected:
+  /// What `winding check` says about what a command has made of the sphere.
+  nlohmann::json checked(const std::string& command, const std::string& suffix,
+    const std::vector<std::string>& more = {})
+  {
+    const std::string out = folder.path("out." + suffix);
+    std::vector<std::string> arguments = {command, in, "-o", out, "--resolution", "20", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    made = run.json();
+    const Outcome check = runProgram({"check", out, "--json"});
+    EXPECT_EQ(check.status, 0) << check;
+    return check.json();
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.write("sphere.off", asOff(sphere(3)));
+  nlohmann::json made;
+};
+
+constexpr double volumeOfSphere = 4.18879;
+
+/// Outward faces and nothing open, in every format.
+TEST_P(SurfaceCommands, AreClosedAndFaceOutward)
+{
+  for (const std::string suffix : {"vtp", "ply", "stl", "obj"})
+  {
+    const nlohmann::json report = checked(GetParam(), suffix);
+    EXPECT_EQ(report["closed"], true) << suffix << report;
+    EXPECT_EQ(report["boundary_edges"], 0);
+    EXPECT_EQ(report["components_edge"], 1);
+    EXPECT_NEAR(report["volume"], volumeOfSphere, 0.1 * volumeOfSphere) << suffix;
+    EXPECT_EQ(made["output"]["file"], folder.path("out." + suffix));
+    EXPECT_GT(made["output"]["points"], 100);
+    EXPECT_GT(made["output"]["cells"], 100);
+    EXPECT_TRUE(made.contains("grid") && made.contains("seconds"));
+  }
+}
+
+TEST_P(SurfaceCommands, CellsMakeNoDifference)
+{
+  const nlohmann::json points = checked(GetParam(), "ply");
+  const nlohmann::json cells = checked(GetParam(), "ply", {"--cells"});
+  EXPECT_EQ(points["triangles"], cells["triangles"]);
+  EXPECT_EQ(points["volume"], cells["volume"]);
+}
+
+TEST_P(SurfaceCommands, RuleAbsoluteTakesEitherOrientation)
+{
+  Mesh mesh = sphere(3);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  in = folder.write("inverted.off", asOff(mesh));
+  const nlohmann::json report = checked(GetParam(), "ply", {"--rule", "absolute"});
+  EXPECT_EQ(report["closed"], true);
+  EXPECT_NEAR(report["volume"], volumeOfSphere, 0.1 * volumeOfSphere);
+}
+
+TEST_P(SurfaceCommands, EmptyResultsAreWarnedOf)
+{
+  const Outcome run = runProgram({GetParam(), in, "-o", folder.path("out.vtp"), "--resolution", "8",
+    "--threshold", "5", "--json"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["output"]["cells"], 0);
+  EXPECT_NE(run.err.find("winding: warning: "), std::string::npos) << run;
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SurfaceCommands, testing::Values("surface", "voxels"),
+  [](const auto& parameter) { return parameter.param; });
+
+TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(1)));
+  const Outcome run =
+    runProgram({"surface", in, "-o", folder.path("out.vtp"), "--dims", "8", "1", "8"});
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"one voxel along y"})) << run;
+}
+
+} // namespace

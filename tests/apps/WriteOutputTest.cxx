@@ -1,0 +1,99 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace
+{
+
+class WriteOutput : public testing::Test
+{
+protected:
+  TemporaryFolder folder;
+  std::string in = folder.write("in.off", asOff(sphere(2)));
+};
+
+TEST_F(WriteOutput, UnwritableFolder)
+{
+  for (const std::string& out : {folder.path("nowhere/out.vti"), std::string("/proc/out.vti")})
+  {
+    const Outcome run = runProgram({"field", in, "-o", out, "--resolution", "4"});
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({out, "cannot be written"})) << run;
+  }
+}
+
+TEST_F(WriteOutput, AFolderIsNotReplaced)
+{
+  ASSERT_EQ(std::system(("mkdir " + folder.path("out.vti")).c_str()), 0);
+  const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--resolution", "4"});
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"out.vti"})) << run;
+}
+
+/// A limit on the size of files stands in for a full disk: writing stops in the middle, too.
+TEST_F(WriteOutput, FullDisk)
+{
+  const std::string queries = folder.write("queries.csv", asCsv(sphere(4)));
+  const std::vector<std::vector<std::string>> commands = {
+    {"field", in, "-o", folder.path("out.vti"), "--resolution", "40"},
+    {"field", in, "-o", folder.path("out.vti"), "--resolution", "40", "--pieces", "3"},
+    {"surface", in, "-o", folder.path("out.vtp"), "--resolution", "40"},
+    {"surface", in, "-o", folder.path("out.ply"), "--resolution", "40"},
+    {"surface", in, "-o", folder.path("out.stl"), "--resolution", "40"},
+    {"surface", in, "-o", folder.path("out.obj"), "--resolution", "40"},
+    {"voxels", in, "-o", folder.path("out.obj"), "--resolution", "40"},
+    {"probe", in, queries, "-o", folder.path("out.csv")},
+    {"probe", in, queries, "-o", folder.path("out.vtu")},
+  };
+  for (const auto& command : commands)
+  {
+    const std::string& out = command[command[0] == "probe" ? 4 : 3];
+    const std::string name = out.substr(out.rfind('/') + 1);
+    folder.write(name, "what was there before");
+    const Outcome run = runProgram(command, "ulimit -f 8; ");
+    EXPECT_EQ(run.status, 2) << name << run;
+    EXPECT_TRUE(run.saysInOneLine({name, "cannot be written"})) << run;
+    EXPECT_EQ(contentsOf(out), "what was there before");
+    for (const std::string& left : folder.names())
+    {
+      EXPECT_EQ(left.find(".part"), std::string::npos) << left;
+    }
+  }
+}
+
+TEST_F(WriteOutput, NothingIsLeftBesideTheOutput)
+{
+  const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--resolution", "4"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(folder.names().size(), 2u);
+}
+
+TEST_F(WriteOutput, TooLargeForMemoryIsRefusedAtOnce)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome run =
+    runProgram({"field", in, "-o", folder.path("out.vti"), "--dims", "100000", "100000", "1000"});
+  EXPECT_EQ(run.status, 3) << run;
+  EXPECT_TRUE(run.saysInOneLine({"in.off", "10000000000000 samples", "memory"})) << run;
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST_F(WriteOutput, CloudWithoutNormalsNamesTheFilterThatMakesThem)
+{
+  const std::string cloud = folder.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  const Outcome run = runProgram({"field", cloud, "-o", folder.path("out.vti")});
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"cloud.xyz", "normals", "vtkPCANormalEstimation"})) << run;
+}
+
+TEST_F(WriteOutput, StandardOutputThatCannotBeWrittenIsAnError)
+{
+  const Outcome run = runProgram({"check", in, "--json"}, "full() { \"$@\" >/dev/full; }; full ");
+  EXPECT_EQ(run.status, 2) << run;
+}
+
+} // namespace

@@ -1,0 +1,232 @@
+#include "filters/ErrorLog.h"
+
+#include "vtkCellArray.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include "vtkGeomviewOFFReader.h"
+#include "vtkOrientedPointsReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+namespace
+{
+
+/// A file of the test's own, gone with it.
+class TextFile
+{
+public:
+  explicit TextFile(const std::string& contents)
+    : path_((std::filesystem::temp_directory_path() /
+             ("winding-readers-test-" + std::to_string(getpid()) + ".txt"))
+              .string())
+  {
+    std::ofstream(path_, std::ios::binary) << contents;
+  }
+  ~TextFile() { std::filesystem::remove(path_); }
+
+  const char* path() const { return path_.c_str(); }
+
+private:
+  std::string path_;
+};
+
+template <class Reader> vtkSmartPointer<vtkPolyData> read(const std::string& contents)
+{
+  const TextFile file(contents);
+  vtkNew<Reader> reader;
+  const ErrorLog log(reader);
+  reader->SetFileName(file.path());
+  reader->Update();
+  EXPECT_EQ(log.errors(), "");
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  return reader->GetOutput();
+}
+
+/// Expects one error that says `part`, an error code, and an output without points.
+template <class Reader>
+void expectRefusal(const std::string& contents, const std::string& part, unsigned long code)
+{
+  const TextFile file(contents);
+  vtkNew<Reader> reader;
+  const ErrorLog log(reader);
+  reader->SetFileName(file.path());
+  reader->Update();
+  EXPECT_NE(log.errors().find(part), std::string::npos) << contents << "\n" << log.errors();
+  EXPECT_NE(log.errors().find(file.path()), std::string::npos);
+  EXPECT_EQ(reader->GetErrorCode(), code) << contents;
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
+}
+
+constexpr unsigned long format = vtkErrorCode::FileFormatError;
+constexpr unsigned long end = vtkErrorCode::PrematureEndOfFileError;
+
+void expectRow(vtkDataArray* array, vtkIdType row, double x, double y, double z)
+{
+  ASSERT_NE(array, nullptr);
+  const double* tuple = array->GetTuple3(row);
+  EXPECT_EQ(tuple[0], x);
+  EXPECT_EQ(tuple[1], y);
+  EXPECT_EQ(tuple[2], z);
+}
+
+using Off = vtkGeomviewOFFReader;
+using Points = vtkOrientedPointsReader;
+
+TEST(GeomviewOFFReader, PolygonsOfAnySize)
+{
+  const auto mesh = read<Off>("OFF\n# a comment\n5 4 0\n0 0 0\n1 0 0 # one\n\n1 1 0\n0 1 0\n"
+                              "0.1 -2e-3 +3\n3 0 1 2\n4 0 1 2 3 255 0 0\n2 3 4\n1 4\n");
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 5);
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 4, 0.1, -2e-3, 3);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  vtkIdType size;
+  const vtkIdType* ids;
+  mesh->GetPolys()->GetCellAtId(1, size, ids);
+  EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2, 3}));
+}
+
+TEST(GeomviewOFFReader, CountsOnTheLineOfTheKeyword)
+{
+  EXPECT_EQ(read<Off>("OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2")->GetNumberOfPolys(), 1);
+  EXPECT_EQ(read<Off>("OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->GetNumberOfPolys(), 1);
+}
+
+TEST(GeomviewOFFReader, NormalsAreKeptAndColoursPassedOver)
+{
+  const auto normals = read<Off>("NOFF\n1 0 0\n0 0 0 0 0.6 0.8\n");
+  expectRow(normals->GetPointData()->GetNormals(), 0, 0, 0.6, 0.8);
+  EXPECT_EQ(normals->GetNumberOfVerts(), 1) << "points alone are to be seen";
+  const auto colours = read<Off>("COFF\n1 0 0\n1 2 3 255 0 0 255\n");
+  expectRow(colours->GetPoints()->GetData(), 0, 1, 2, 3);
+  EXPECT_EQ(colours->GetPointData()->GetNormals(), nullptr);
+  const auto all = read<Off>("STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 1 0.5 0.5\n");
+  expectRow(all->GetPointData()->GetNormals(), 0, 0, 0, 1);
+}
+
+TEST(GeomviewOFFReader, SpecialNumbers)
+{
+  const auto mesh = read<Off>("OFF\n2 0 0\nnan inf -inf\n1e-400 1e300 -0\n");
+  const double* first = mesh->GetPoints()->GetData()->GetTuple3(0);
+  EXPECT_TRUE(std::isnan(first[0]));
+  EXPECT_TRUE(std::isinf(first[1]) && std::isinf(first[2]));
+  expectRow(mesh->GetPoints()->GetData(), 1, 0, 1e300, 0);
+}
+
+TEST(GeomviewOFFReader, Refusals)
+{
+  expectRefusal<Off>("", "is empty", end);
+  expectRefusal<Off>("# only a comment\n", "keyword OFF", format);
+  expectRefusal<Off>("solid\n", "keyword OFF", format);
+  expectRefusal<Off>("OFF BINARY\n", "binary", format);
+  expectRefusal<Off>("4OFF\n1 0 0\n1 1 1 1\n", "three dimensions", format);
+  expectRefusal<Off>("OFF\n", "numbers of vertices", end);
+  expectRefusal<Off>("OFF\nx 1 0\n", "line 2: \"x\"", format);
+  expectRefusal<Off>("OFF\n-3 1 0\n", "negative: -3", format);
+  expectRefusal<Off>("OFF\n99999999999999 1 0\n0 0 0\n", "99999999999999", format);
+  expectRefusal<Off>("OFF\n99999999999999999999999 1 0\n0 0 0\n", "line 2", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", "promises 1 faces but has 0", end);
+  expectRefusal<Off>(
+    "OFF\n3 1 0\n0 0 0.000000\n1 0 0.000000\n", "promises 3 vertices but has 2", end);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 zero\n3 0 1 2\n", "line 5: \"zero\"", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: a coordinate", format);
+  expectRefusal<Off>(
+    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3 does not exist", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: the face has 3", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1\n", "the face has -3", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1\n", "999999999", format);
+}
+
+TEST(GeomviewOFFReader, MissingFilesAndNames)
+{
+  vtkNew<Off> reader;
+  const ErrorLog log(reader);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+  reader->SetFileName("/nowhere/at/all.off");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
+  reader->SetFileName("/");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+  EXPECT_NE(log.errors().find("/nowhere/at/all.off: no such file"), std::string::npos);
+}
+
+TEST(OrientedPointsReader, PositionsOnly)
+{
+  const auto cloud = read<Points>("# x y z\n0 0 0\n1.5 2 -3 # last\n");
+  EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(cloud->GetPoints()->GetData(), 1, 1.5, 2, -3);
+  EXPECT_EQ(cloud->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(cloud->GetNumberOfVerts(), 1);
+}
+
+TEST(OrientedPointsReader, NormalsOnTheSameLine)
+{
+  for (const std::string count : {"", "2\n"})
+  {
+    const auto cloud = read<Points>(count + "0 0 0 0 0 1\n1\t2\t3\t0\t2\t0\r\n");
+    EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+    expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
+    expectRow(cloud->GetPointData()->GetNormals(), 1, 0, 2, 0);
+    EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
+  }
+}
+
+TEST(OrientedPointsReader, NormalsAfterAllPositions)
+{
+  const auto cloud = read<Points>("2\n0 0 0\n1 2 3\n0 0 1\n0 1 0\n");
+  EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+  expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
+  expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 1);
+  const auto positions = read<Points>("2\n0 0 0\n1 2 3\n");
+  EXPECT_EQ(positions->GetNumberOfPoints(), 2);
+  EXPECT_EQ(positions->GetPointData()->GetNormals(), nullptr);
+}
+
+TEST(OrientedPointsReader, Refusals)
+{
+  expectRefusal<Points>("", "is empty", end);
+  expectRefusal<Points>("# nothing\n\n", "holds no points", end);
+  expectRefusal<Points>("5\n", "5", format);
+  expectRefusal<Points>("-2\n0 0 0\n1 1 1\n", "negative: -2", format);
+  expectRefusal<Points>("99999999999\n0 0 0\n", "99999999999", format);
+  expectRefusal<Points>(
+    "3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "promises 3 points, but 4 lines", format);
+  expectRefusal<Points>("0 0\n", "line 1: holds 2 words", format);
+  expectRefusal<Points>("0 0 0 1\n", "line 1: holds 4 words", format);
+  expectRefusal<Points>("0 0 0\n0 0 1 0 0 1\n", "line 2: holds more", format);
+  expectRefusal<Points>("0 0 0 0 0 1\n0 0 1\n", "line 2: a component of the normal", format);
+  expectRefusal<Points>("0 0 0\n0 C 0\n", "line 2: \"C\"", format);
+  expectRefusal<Points>(std::string("0 0 0\n\0\x01 2 3\n", 14), "line 2", format);
+}
+
+TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)
+{
+  vtkNew<Points> reader;
+  const ErrorLog log(reader);
+  reader->SetFileName("/nowhere.xyz");
+  reader->Update();
+  EXPECT_NE(log.errors(), "");
+  const TextFile file("1 2 3\n");
+  reader->SetFileName(file.path());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 1);
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+}
+
+} // namespace
