@@ -1,10 +1,17 @@
 #include "ResultArrays.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 
 #include <vtksys/SystemInformation.hxx>
 
+#include <cstdint>
 #include <cstdio>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace winding
 {
@@ -38,40 +45,72 @@ void refuseBeyondMemory(vtkIdType samples, double bytes)
   }
 }
 
+/// Asks for large pages where the system hands them out on request only. Touching fresh memory in
+/// small pages for the first time takes several times as long as filling it.
+void adviseLargePages(vtkDataArray* array)
+{
+#ifdef MADV_HUGEPAGE
+  constexpr std::uintptr_t largePage = 2u << 20;
+  const auto begin = reinterpret_cast<std::uintptr_t>(array->GetVoidPointer(0));
+  const std::uintptr_t end =
+    begin + static_cast<std::uintptr_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+  const std::uintptr_t first = (begin + largePage - 1) / largePage * largePage;
+  if (first < end)
+  {
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  }
+#else
+  (void)array;
+#endif
+}
+
+vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkIdType samples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(samples);
+  adviseLargePages(array);
+  return array;
+}
+
 } // namespace
 
-ResultArrays::ResultArrays(
-  vtkIdType samples, int scalarType, const std::string& name, bool withInside)
+ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
-  if (scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE)
+  if (options.scalarType != VTK_FLOAT && options.scalarType != VTK_DOUBLE)
   {
-    throw Refusal("the output scalar type is " + std::to_string(scalarType) +
+    throw Refusal("the output scalar type is " + std::to_string(options.scalarType) +
                   "; it must be VTK_FLOAT or VTK_DOUBLE");
   }
-  const double bytesPerSample = (scalarType == VTK_DOUBLE ? 8.0 : 4.0) + (withInside ? 1.0 : 0.0);
-  refuseBeyondMemory(samples, bytesPerSample * static_cast<double>(samples));
-  values_.TakeReference(vtkDataArray::CreateDataArray(scalarType));
-  values_->SetName(name.c_str());
-  values_->SetNumberOfTuples(samples);
-  if (withInside)
+  if (!options.withValues && !options.withInside)
   {
-    inside_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    inside_->SetName("Inside");
-    inside_->SetNumberOfTuples(samples);
+    throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
+  }
+  const double bytesPerValue = options.scalarType == VTK_DOUBLE ? 8 : 4;
+  const double bytesPerSample =
+    (options.withValues ? bytesPerValue : 0) + (options.withInside ? 1 : 0);
+  refuseBeyondMemory(samples, bytesPerSample * static_cast<double>(samples));
+  if (options.withValues)
+  {
+    values_ =
+      makeArray(options.scalarType, options.name.empty() ? "WindingNumber" : options.name, samples);
+  }
+  if (options.withInside)
+  {
+    inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, "Inside", samples));
   }
 }
 
 FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 {
   FieldOutput output;
-  void* data = values_->GetVoidPointer(0);
-  if (values_->GetDataType() == VTK_DOUBLE)
+  if (auto* floats = vtkFloatArray::SafeDownCast(values_))
   {
-    output.doubleValues = static_cast<double*>(data);
+    output.values = floats->GetPointer(0);
   }
-  else
+  else if (auto* doubles = vtkDoubleArray::SafeDownCast(values_))
   {
-    output.values = static_cast<float*>(data);
+    output.doubleValues = doubles->GetPointer(0);
   }
   output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
   output.rule = rule;
@@ -82,11 +121,15 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.
-  attributes->AddArray(values_);
-  attributes->SetActiveScalars(values_->GetName());
   if (inside_)
   {
     attributes->AddArray(inside_);
+    attributes->SetActiveScalars(inside_->GetName());
+  }
+  if (values_)
+  {
+    attributes->AddArray(values_);
+    attributes->SetActiveScalars(values_->GetName());
   }
 }
 

@@ -21,19 +21,29 @@ public:
   using Refusal::Refusal;
 };
 
+struct ResultOptions
+{
+  bool withValues = true;     ///< an array of w
+  bool withInside = false;    ///< the array "Inside"
+  int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
+  std::string name;           ///< of the array of w; empty: "WindingNumber"
+};
+
 /// The arrays that a filter adds to its output.
 class ResultArrays
 {
 public:
-  /// scalarType is VTK_FLOAT or VTK_DOUBLE. Throws OutOfMemory, with the numbers.
-  ResultArrays(vtkIdType samples, int scalarType, const std::string& name, bool withInside);
+  /// Throws Refusal for options that make no array, OutOfMemory, with the numbers, for too many
+  /// samples.
+  ResultArrays(vtkIdType samples, const ResultOptions& options);
 
   /// Pointers into the arrays.
   FieldOutput output(InsideRule rule, double threshold) const;
 
+  /// Null if there is no array of w.
   vtkDataArray* values() const { return values_; }
 
-  /// Adds them; the values become the active scalars.
+  /// Adds them; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 
 private:

@@ -32,13 +32,15 @@ winding::Method coreMethod(int method)
   {
   case vtkWindingNumberAlgorithm::AUTOMATIC:
     return winding::Method::automatic;
+  case vtkWindingNumberAlgorithm::ROWS:
+    return winding::Method::rows;
   case vtkWindingNumberAlgorithm::DIRECT:
     return winding::Method::direct;
   case vtkWindingNumberAlgorithm::PARITY:
     return winding::Method::parity;
   }
   throw winding::Refusal("the method is " + std::to_string(method) +
-                         "; it must be AUTOMATIC (0), DIRECT (3) or PARITY (4)");
+                         "; it must be AUTOMATIC (0), ROWS (1), DIRECT (3) or PARITY (4)");
 }
 
 bool areasComeFromArray(int pointAreaMethod)
@@ -173,6 +175,7 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
   options.input.areaArray = textOf(this->AreaArray);
   options.field.method = coreMethod(this->Method);
   options.field.pointArea = this->PointArea;
+  options.field.scattered = !this->EvaluatesGrid();
   return options;
 }
 
@@ -206,9 +209,12 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
 
 winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
 {
-  const std::string name = textOf(this->ResultArrayName);
-  return {samples, this->OutputScalarType, name.empty() ? "WindingNumber" : name,
-    this->GenerateInside != 0};
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0;
+  options.scalarType = this->OutputScalarType;
+  options.name = textOf(this->ResultArrayName);
+  return {samples, options};
 }
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
@@ -286,6 +292,11 @@ vtkIdType vtkWindingNumberAlgorithm::GetNumberOfNetBoundaryEdges() const
   return static_cast<vtkIdType>(this->GetSourceInfo().netBoundaryEdges);
 }
 
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().capTriangles);
+}
+
 void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -298,6 +309,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
   os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";

@@ -60,6 +60,7 @@ public:
   enum MethodType
   {
     AUTOMATIC = 0, ///< the fastest that keeps the tolerance
+    ROWS = 1,      ///< grids of surfaces, whole rows at once: exact, and fastest with few holes
     DIRECT = 3,    ///< sum over all primitives, exact up to rounding
     PARITY = 4     ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
   };
@@ -98,7 +99,7 @@ public:
   ///@}
 
   ///@{
-  /// Largest absolute error of w that an approximation may make; 0 forbids approximation. Both
+  /// Largest absolute error of w that an approximation may make; 0 forbids approximation. All
   /// methods above are exact and keep any tolerance. 0 or more, default 0.001.
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
@@ -151,6 +152,14 @@ public:
   ///@}
 
   ///@{
+  /// Add the array of w itself. Default on. Without it, "Inside" is made directly and nothing else
+  /// takes memory; it is what it would be with an array of floats.
+  vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// Add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from the value
   /// in the result array. Default off.
   vtkSetMacro(GenerateInside, vtkTypeBool);
@@ -199,6 +208,11 @@ public:
   vtkIdType GetNumberOfNetBoundaryEdges() const;
   ///@}
 
+  ///@{
+  /// Method rows: triangles of the cap that closes the source; 0 for closed sources.
+  vtkIdType GetNumberOfCapTriangles() const;
+  ///@}
+
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -217,6 +231,9 @@ protected:
   virtual void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
   virtual void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
   ///@}
+
+  /// Whether the filter evaluates a grid, whose rows can share work, or scattered samples.
+  virtual bool EvaluatesGrid() const = 0;
 
   static void FillSourcePortInformation(vtkInformation* info);
 
@@ -250,6 +267,7 @@ protected:
   char* AreaArray = nullptr;
   double WindingThreshold = 0.5;
   int InsideRule = SIGNED;
+  vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;

@@ -126,7 +126,8 @@ void vtkWindingNumberField::GiveInformation(
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   if (!asCells)
   {
-    vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->OutputScalarType, 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(
+      outInfo, this->GenerateWindingNumber ? this->OutputScalarType : VTK_UNSIGNED_CHAR, 1);
   }
 }
 
@@ -147,6 +148,10 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   {
     throw winding::Refusal(
       "parity is no winding number, so it cannot be verified; choose another method");
+  }
+  if (this->VerifySamples > 0 && !this->GenerateWindingNumber)
+  {
+    throw winding::Refusal("only values can be verified; turn GenerateWindingNumber on");
   }
 
   const bool asCells = this->OutputAssociation == CELLS;

@@ -137,6 +137,7 @@ protected:
   vtkWindingNumberField(const vtkWindingNumberField&) = delete;
   void operator=(const vtkWindingNumberField&) = delete;
 
+  bool EvaluatesGrid() const override { return true; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 

@@ -64,6 +64,7 @@ protected:
   vtkWindingNumberProbe(const vtkWindingNumberProbe&) = delete;
   void operator=(const vtkWindingNumberProbe&) = delete;
 
+  bool EvaluatesGrid() const override { return false; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 

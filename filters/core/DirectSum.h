@@ -29,6 +29,11 @@ public:
   TriangleSum(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
     const Bounds& bounds);
 
+  explicit TriangleSum(const Surface& surface)
+    : TriangleSum(surface.vertices, surface.triangles, surface.bounds)
+  {
+  }
+
   void evaluate(const SampleBlock& block, double* values) const override;
 
   /// The same, and sets isSuspect[i] where sample i lies on a triangle within rounding, so that its

@@ -29,10 +29,13 @@ struct FieldOptions
   Method method = Method::automatic;
   /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
   double pointArea = 0;
+  /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
+  /// of a grid are no use then.
+  bool scattered = false;
 
   bool operator==(const FieldOptions& other) const
   {
-    return method == other.method && pointArea == other.pointArea;
+    return method == other.method && pointArea == other.pointArea && scattered == other.scattered;
   }
 };
 

@@ -3,6 +3,7 @@
 #include "DirectSum.h"
 #include "RayParity.h"
 #include "ReferenceSum.h"
+#include "Refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldO
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
       " with ids of points that do not exist)";
   }
-  this->chooseMethod(options.method);
+  this->chooseMethod(options);
 
   cumulativeAreas_.reserve(surface_.triangles.size());
   double area = 0;
@@ -40,8 +41,13 @@ SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldO
 
 SurfaceField::~SurfaceField() = default;
 
-void SurfaceField::chooseMethod(Method asked)
+void SurfaceField::chooseMethod(const FieldOptions& options)
 {
+  const Method asked = options.method;
+  if (asked == Method::rows && options.scattered)
+  {
+    throw Refusal("rows needs a grid and these are scattered samples; choose another method");
+  }
   const BoundaryChain chain = boundaryChain(surface_);
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
@@ -53,10 +59,10 @@ void SurfaceField::chooseMethod(Method asked)
     return;
   }
   evaluator_ =
-    std::make_unique<TriangleSum>(surface_.vertices, surface_.triangles, surface_.bounds);
-  if (asked == Method::direct)
+    std::make_unique<TriangleSum>(surface_);
+  if (asked == Method::direct || options.scattered)
   {
-    info_.why = "asked for";
+    info_.why = asked == Method::direct ? "asked for" : "exact for every surface, open or closed";
     return;
   }
 

@@ -27,7 +27,7 @@ protected:
   const Evaluator& evaluator() const override { return *evaluator_; }
 
 private:
-  void chooseMethod(Method asked);
+  void chooseMethod(const FieldOptions& options);
 
   Surface surface_;
   FieldInfo info_;
