@@ -61,8 +61,10 @@ struct FieldInfo
  * The winding field of one source, built once and immutable. All evaluation is const and may run
  * from several threads at once.
  *
- * Guaranteed: the bits of a sample's value depend on its position and the source only: not on
- * the grid's extent, the pieces it is cut into, the executor or its threads.
+ * Guaranteed: the bits of a sample's value depend on the source and on its grid as a whole, or for
+ * scattered samples on its position, only: not on the extent, the pieces that a grid is cut into, the
+ * samples beside it, the executor or its threads. On a grid and scattered, a sample has the same
+ * value up to rounding, and the same bits with method direct or parity.
  * A field without primitives is 0 everywhere.
  */
 class Field

@@ -76,9 +76,10 @@ TEST_F(Probe, CellsAreProbedAtTheirCentres)
   }
 }
 
-TEST_F(Probe, EqualsTheFieldToTheBit)
+TEST_F(Probe, EqualsTheDirectFieldToTheBit)
 {
   vtkNew<vtkWindingNumberField> field;
+  field->SetMethod(vtkWindingNumberField::DIRECT);
   field->SetInputConnection(sphere->GetOutputPort());
   field->SetResolution(13);
   field->SetOutputScalarTypeToDouble();
