@@ -11,6 +11,7 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -44,6 +45,25 @@ bool hasFaces(vtkPointSet* leaf)
     }
   }
   return false;
+}
+
+/// vtkDataSetSurfaceFilter trusts the ids of cells, and crashes on those of points that do not exist.
+void checkCellIds(vtkPointSet* leaf)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
+  {
+    leaf->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
+      {
+        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
+                      std::to_string(ids->GetId(i)) + " of " +
+                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
+      }
+    }
+  }
 }
 
 /// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
@@ -289,6 +309,7 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
   auto* polyData = vtkPolyData::SafeDownCast(leaf);
   if (!polyData)
   {
+    checkCellIds(leaf);
     vtkNew<vtkDataSetSurfaceFilter> skin;
     skin->SetInputData(leaf);
     skin->Update();

@@ -155,6 +155,17 @@ TEST_F(SourceKinds, VolumeMeshesCountThroughTheirSkin)
   EXPECT_NEAR(this->windingNumber(grid, 0.5, 0.5, 0.5), 0, 1e-14);
 }
 
+TEST_F(SourceKinds, VolumeMeshesWithIdsOfNoPointAreRefused)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  const vtkIdType ids[4] = {0, 1, 2, 3};
+  grid->InsertNextCell(VTK_TETRA, 4, ids);
+  expectRefused(grid, "cell 0 of the source refers to point 1 of 1");
+}
+
 TEST_F(SourceKinds, CoordinatesOfAnyArrayTypeAreRead)
 {
   vtkNew<vtkCubeSource> cube;
