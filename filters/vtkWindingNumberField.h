@@ -25,9 +25,10 @@
  * over the source as it is then; for geometry that moves with time, set SamplingBounds.
  * Progress is reported and abort obeyed within a fraction of a second.
  *
- * **On the surface** w is the mean of both sides (0.5 on a face of a closed mesh) for samples
- * exactly in the plane of a triangle, and one of the sides for samples that are there up to
- * rounding.
+ * **On the surface.** Method rows: a sample exactly on a closed surface gets the value beside it,
+ * towards +y, or if that is on the surface too towards +z, or +x. Sums (direct, clouds, the caps of open
+ * surfaces): a sample exactly in the plane of a triangle gets the mean of both sides from it, 0.5 on
+ * a face of a closed mesh; one that is there only up to rounding gets one of the sides.
  *
  * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds
  * without normals, sources of which no primitive is usable, and results larger than the free

@@ -24,6 +24,7 @@ COMMON = {
     "AreaArray": ("Size", "Size"),
     "WindingThreshold": (1.5, "1.5"),
     "InsideRule": (2, "2"),
+    "GenerateWindingNumber": (0, "0"),
     "GenerateInside": (1, "1"),
     "ResultArrayName": ("w", "w"),
     "OutputScalarType": (11, "11"),
@@ -67,7 +68,7 @@ INPUTS = {
 }
 
 ENUMERATIONS = {
-    "Method": {"Automatic": 0, "Direct Sum": 3, "Ray Parity": 4},
+    "Method": {"Automatic": 0, "Rows": 1, "Direct Sum": 3, "Ray Parity": 4},
     "InsideRule": {
         "Winding Number at Least Threshold": 0,
         "Absolute Value at Least Threshold": 1,
