@@ -37,9 +37,12 @@ public:
           const double zc = vertices[triangle[2]][2];
           const double low = std::max<double>(std::ceil(std::min({za, zb, zc})), extent[4]);
           const double high = std::min<double>(std::floor(std::max({za, zb, zc})), extent[5]);
-          for (int k = static_cast<int>(low); low <= high && k <= static_cast<int>(high); ++k)
+          if (low <= high)
           {
-            visit(static_cast<std::size_t>(k - extent[4]), number);
+            for (int k = static_cast<int>(low); k <= static_cast<int>(high); ++k)
+            {
+              visit(static_cast<std::size_t>(k - extent[4]), number);
+            }
           }
           ++number;
         }

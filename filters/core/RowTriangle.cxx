@@ -42,8 +42,8 @@ void addIntersection(
 
 int toIndex(double value, int lowest, int highest)
 {
-  return static_cast<int>(
-    std::clamp(value, static_cast<double>(lowest), static_cast<double>(highest)));
+  // Not std::clamp, which would let NaN pass: coordinates may be huge in units of the grid.
+  return value >= highest ? highest : value > lowest ? static_cast<int>(value) : lowest;
 }
 
 } // namespace
