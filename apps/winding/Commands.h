@@ -13,3 +13,4 @@ void runSurface(const Options& options, Messages& messages);
 void runVoxels(const Options& options, Messages& messages);
 void runProbe(const Options& options, Messages& messages);
 void runCheck(const Options& options, Messages& messages);
+void runBench(const Options& options, Messages& messages);

@@ -9,6 +9,7 @@ class Messages;
 class OutputFile;
 struct Options;
 class vtkImageData;
+class vtkPolyData;
 
 /**
  * One run of the field filter over the input of a command, with the figures that it reports: what
@@ -27,6 +28,9 @@ public:
   /// Writes the field, and evaluates it piece by piece where update() was not called.
   void write(OutputFile& file);
 
+  /// Writes a surface that was made of the field.
+  void write(vtkPolyData* surface, OutputFile& file);
+
   /// The report so far; call it when the output is written.
   Json report();
 
@@ -36,6 +40,7 @@ public:
 private:
   void check();
   void checkExecutions();
+  void startExecution();
   void addExecution();
   Json describeGrid() const;
   void addErrors(Json& report) const;
@@ -43,14 +48,19 @@ private:
   const Options& options_;
   Messages& messages_;
   vtkNew<vtkWindingNumberField> filter_;
-  unsigned long observer_ = 0;
+  unsigned long startObserver_ = 0;
+  unsigned long endObserver_ = 0;
   Stopwatch stopwatch_;
 
   int status_ = vtkWindingNumberAlgorithm::DONE; ///< of the first execution that was not DONE
   double readSeconds_ = 0;
+  double writeSeconds_ = 0;
+  Stopwatch execution_;
   // Sums over the executions, one for each piece.
   double prepareSeconds_ = 0;
   double evaluateSeconds_ = 0;
+  double verifySeconds_ = 0;
+  double executionSeconds_ = 0; ///< all of these, and the little around them
   double maxError_ = 0;
   double nearMaxError_ = 0;
   double sumOfSquares_ = 0;

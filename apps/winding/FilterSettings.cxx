@@ -16,7 +16,8 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetPointArea(options.area);
   filter->SetWindingThreshold(options.threshold);
   filter->SetInsideRule(options.rule);
-  filter->SetGenerateInside(options.inside);
+  filter->SetGenerateInside(options.inside || options.insideOnly);
+  filter->SetGenerateWindingNumber(!options.insideOnly);
   filter->SetResultArrayName(options.array.c_str());
   filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
   filter->SetNumberOfThreads(options.threads);

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -72,9 +71,12 @@ void addMethod(CLI::App* command, Options& options)
   const std::string group = "Method";
   command
     ->add_option("--method", options.method,
-      "auto | direct | parity (auto). Parity is ray casting, for closed surfaces")
-    ->transform(
-      oneOf({{"auto", Filter::AUTOMATIC}, {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
+      command->get_name() == "probe"
+        ? "auto | direct | parity (auto). Parity is ray casting, for closed surfaces"
+        : "auto | rows | direct | parity (auto). Rows is for surfaces; parity is ray casting, for "
+          "closed ones")
+    ->transform(oneOf({{"auto", Filter::AUTOMATIC}, {"rows", Filter::ROWS},
+      {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
     ->type_name("NAME")
     ->group(group);
   command
@@ -118,13 +120,17 @@ void addArrayName(CLI::App* command, Options& options)
     ->group("Output");
 }
 
-void addDouble(CLI::App* command, Options& options)
+CLI::Option* addDouble(CLI::App* command, Options& options)
 {
-  command->add_flag("--double", options.asDouble, "Double precision, not float")->group("Output");
+  return command->add_flag("--double", options.asDouble, "Double precision, not float")
+    ->group("Output");
 }
 
-void addVerify(CLI::App* command, Options& options)
+/// What commands have that make a field.
+void addFieldLike(CLI::App* command, Options& options)
 {
+  addGrid(command, options);
+  addMethod(command, options);
   command
     ->add_option("--verify", options.verify,
       "Compare this many random samples, and as many near the surface, with the direct sum")
@@ -163,16 +169,43 @@ void addOutput(CLI::App* command, Options& options, const char* suffixes)
     ->group("Output");
 }
 
+CLI::App* addBench(CLI::App& app, Options& options)
+{
+  CLI::App* bench =
+    app.add_subcommand("bench", "How long the methods take, and how exact they are");
+  bench
+    ->add_option("FILE", options.subjects,
+      "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
+      "parts that the methods are made of")
+    ->required()
+    ->type_name("");
+  bench
+    ->add_option("--resolution", options.resolutions,
+      "Cubic voxels along the longest side, one or more (64 128 256)")
+    ->type_name("N...")
+    ->group("Grid");
+  bench
+    ->add_option(
+      "--data", options.data, "seed: the folder with the published meshes (../shared/data)")
+    ->type_name("FOLDER")
+    ->group("Grid");
+  return bench;
+}
+
 void addCommands(CLI::App& app, Options& options)
 {
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
   addOutput(field, options, ".vti");
   addThreshold(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
+  CLI::Option* insideOnly =
+    field
+      ->add_flag("--inside-only", options.insideOnly,
+        "Only the array Inside, which takes a quarter of the memory of the winding numbers")
+      ->group("Output");
   addArrayName(field, options);
-  addDouble(field, options);
-  addGrid(field, options);
-  addMethod(field, options);
+  insideOnly->excludes(addDouble(field, options));
+  addFieldLike(field, options);
   field
     ->add_option("--pieces", options.pieces,
       "Make and write the field in this many pieces, to save memory (1)")
@@ -183,15 +216,13 @@ void addCommands(CLI::App& app, Options& options)
   addOutput(surface, options, ".vtp .ply .stl .obj");
   addThreshold(surface, options);
   addDouble(surface, options);
-  addGrid(surface, options);
-  addMethod(surface, options);
+  addFieldLike(surface, options);
 
   CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
   addOutput(voxels, options, ".vtp .ply .stl .obj");
   addThreshold(voxels, options);
   addDouble(voxels, options);
-  addGrid(voxels, options);
-  addMethod(voxels, options);
+  addFieldLike(voxels, options);
 
   CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
   probe
@@ -206,123 +237,16 @@ void addCommands(CLI::App& app, Options& options)
 
   CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
 
-  for (CLI::App* command : {field, surface, voxels})
-  {
-    addVerify(command, options);
-  }
-  for (CLI::App* command : {field, surface, voxels, probe})
+  CLI::App* bench = addBench(app, options);
+
+  for (CLI::App* command : {field, surface, voxels, probe, bench})
   {
     addThreads(command, options);
   }
-  for (CLI::App* command : {field, surface, voxels, probe, check})
+  for (CLI::App* command : {field, surface, voxels, probe, check, bench})
   {
     addReporting(command, options);
   }
-}
-
-std::string shown(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-void require(bool condition, const std::string& message)
-{
-  if (!condition)
-  {
-    throw Failure(USAGE, message);
-  }
-}
-
-void checkGrid(const CLI::App& command, const Options& options)
-{
-  const auto said = [&command](const char* name)
-  {
-    return command.count(name) > 0;
-  };
-  require(options.resolution >= 1,
-    "--resolution is " + std::to_string(options.resolution) + "; give 1 or more voxels");
-  require(!said("--voxel-size") || (options.voxelSize > 0 && std::isfinite(options.voxelSize)),
-    "--voxel-size is " + shown(options.voxelSize) + "; give a length greater than 0");
-  for (const int size : options.dimensions)
-  {
-    require(size >= 1, "--dims has " + std::to_string(size) + "; give 1 or more voxels per axis");
-  }
-  for (std::size_t axis = 0; axis < options.bounds.size() / 2; ++axis)
-  {
-    const double low = options.bounds[2 * axis], high = options.bounds[2 * axis + 1];
-    require(low < high && std::isfinite(low) && std::isfinite(high),
-      std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) + " to " + shown(high) +
-        "; give the lower one first");
-  }
-  require(options.padding >= 0 && std::isfinite(options.padding),
-    "--padding is " + shown(options.padding) + "; give 0 or more");
-}
-
-void checkMethod(const CLI::App& command, const Options& options)
-{
-  require(
-    options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
-  require(options.area >= 0 && std::isfinite(options.area),
-    "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
-  require(options.areas != Filter::ARRAY || command.count("--area") == 0,
-    "--area is for --areas constant; leave one of them out");
-  require(std::isfinite(options.threshold),
-    "--threshold is " + shown(options.threshold) + "; give a finite number");
-  require(options.threads >= 0,
-    "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
-}
-
-void checkOutput(const Options& options, const std::vector<std::string>& suffixes)
-{
-  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(options.output)) == suffixes.end())
-  {
-    std::string names;
-    for (const std::string& suffix : suffixes)
-    {
-      names += " " + suffix;
-    }
-    throw Failure(USAGE, options.output,
-      options.command + " writes" + names + "; give the output one of these suffixes");
-  }
-}
-
-void checkFieldLike(const CLI::App& command, const Options& options)
-{
-  checkGrid(command, options);
-  require(options.verify >= 0,
-    "--verify is " + std::to_string(options.verify) + "; give a number of samples");
-  require(options.verify == 0 || options.method != Filter::PARITY,
-    "--verify compares winding numbers, which --method parity does not give; leave one out");
-  require(
-    options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
-}
-
-void checkOptions(const CLI::App& command, const Options& options)
-{
-  if (options.command == "check")
-  {
-    return;
-  }
-  checkMethod(command, options);
-  if (options.command == "probe")
-  {
-    checkOutput(options, {".vtp", ".vtu", ".csv", ".tsv"});
-  }
-  else if (options.command == "field")
-  {
-    checkOutput(options, {".vti"});
-    checkFieldLike(command, options);
-  }
-  else
-  {
-    checkOutput(options, {".vtp", ".ply", ".stl", ".obj"});
-    checkFieldLike(command, options);
-  }
-  require(!options.array.empty(), "--array is empty; give the array a name");
-  require(options.command != "surface" || options.rule != Filter::ODD,
-    "--rule odd has no level to draw a surface at; use voxels, or another rule");
 }
 
 /// What the parser has to say, on one line, with where to look further.
@@ -362,7 +286,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   const CLI::App* command = app.get_subcommands()[0];
   options.command = command->get_name();
-  checkOptions(*command, options);
+  checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
   return options;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,7 +8,7 @@
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
-  std::string command; ///< field, surface, voxels, probe or check
+  std::string command; ///< field, surface, voxels, probe, check or bench
   std::string input;
   std::string queries;
   std::string output;
@@ -31,8 +32,14 @@ struct Options
   double threshold = 0.5;
   int rule = 0;
   bool inside = false;
+  bool insideOnly = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
+
+  // What bench measures: files at these resolutions, or "seed" or "kernels".
+  std::vector<std::string> subjects;
+  std::vector<int> resolutions = {64, 128, 256};
+  std::string data = "../shared/data";
 
   // The run.
   int threads = 0;
@@ -47,6 +54,10 @@ struct Options
  * Failure(USAGE) for command lines that make no sense, whatever the input may be.
  */
 std::optional<Options> parseCommandLine(int argc, char** argv);
+
+/// Throws Failure(USAGE) for options that make no sense, alone or together. wasGiven tells whether
+/// the command line had an option.
+void checkOptions(const Options& options, const std::function<bool(const char* option)>& wasGiven);
 
 /// The part of a file name that says what is in it: lower case, with the dot; may be empty.
 std::string suffixOf(const std::string& fileName);

@@ -6,7 +6,6 @@
 #include "Options.h"
 #include "OutputFile.h"
 #include "SurfaceReportOutput.h"
-#include "WriteOutput.h"
 
 #include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
@@ -74,6 +73,6 @@ void runSurface(const Options& given, Messages& messages)
     messages.warn(
       options.input + ": the field does not reach the threshold, so the surface is empty");
   }
-  writeSurface(surface, output, options, messages);
+  run.write(surface, output);
   printSurfaceReport(run, surface, options);
 }

@@ -27,7 +27,8 @@ void run(const Options& options)
     vtkSMPTools::Initialize(options.threads);
   }
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
-    {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck}};
+    {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck},
+    {"bench", runBench}};
   try
   {
     commands.at(options.command)(options, messages);

@@ -44,9 +44,10 @@ std::vector<Triangle> fanOf(
       bounds.extend(vertices[vertex]);
       center += vertices[vertex] / static_cast<double>(loop.size());
     }
-    // Beside the loop's centre by no simple fraction of its size: grids and CAD are full of those.
+    // Beside the loop's centre by no simple fraction of its size, nor by a root of one, which sizes
+    // are: π/18, e/12 and ln 2 · 3/8. Grids and CAD are full of the others.
     const double size = bounds.diagonal().norm();
-    const Eigen::Vector3d aside(0.17320508075688773, 0.22360679774997897, 0.26457513110645906);
+    const Eigen::Vector3d aside(0.17453292519943295, 0.22652348570492042, 0.25993019270997947);
     const std::int32_t apex = static_cast<std::int32_t>(vertices.size());
     vertices.push_back(center + size * aside);
     for (std::size_t i = 0; i < loop.size(); ++i)

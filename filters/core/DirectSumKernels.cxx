@@ -58,8 +58,10 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec a = hn::Sqrt(dot(ax, ay, az, ax, ay, az));
       const Vec b = hn::Sqrt(dot(bx, by, bz, bx, by, bz));
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
-      const Vec num = dot(
-        ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
+      // + 0 makes −0 of it +0: times a factor of 1 − 0i, a product at the branch cut would change the
+      // sign of its imaginary part and so lose a turn.
+      const Vec num = hn::Add(zero, dot(ax, ay, az, hn::Set(d, t->normal[0]),
+                                      hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2])));
       // Symmetric in b and c to the bit, so that the sum is odd under their exchange.
       const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
       Vec den = hn::MulAdd(a, bc,

@@ -74,12 +74,16 @@ TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
   EXPECT_EQ(namesOf(report["grid"]),
     (std::vector<std::string>{"association", "bounds", "dimensions", "origin", "spacing"}));
   EXPECT_EQ(namesOf(report["seconds"]),
-    (std::vector<std::string>{"evaluate", "prepare", "read", "total", "write"}));
+    (std::vector<std::string>{"evaluate", "prepare", "read", "total", "verify", "write"}));
   EXPECT_EQ(report["threads"], 1);
   EXPECT_GT(report["peak_memory"], 1000000);
   EXPECT_LT(report["max_error"], 1e-5);
   EXPECT_LT(report["near_max_error"], 1e-5);
-  EXPECT_FALSE(run("a.vti", {}).json().contains("max_error"));
+  EXPECT_EQ(report["cap_triangles"], 0);
+  const nlohmann::json plain = run("a.vti", {"--method", "direct"}).json();
+  EXPECT_FALSE(plain.contains("max_error"));
+  EXPECT_FALSE(plain["seconds"].contains("verify"));
+  EXPECT_FALSE(plain.contains("cap_triangles"));
 }
 
 TEST_F(FieldCommand, JsonSaysWhatTheImageIs)
@@ -126,6 +130,47 @@ TEST_F(FieldCommand, OutputOptions)
   EXPECT_NEAR(w->GetTuple1(0), 0, 1e-12);
   EXPECT_EQ(inside->GetTuple1(0), 0);
   EXPECT_LT(field->GetBounds()[1], 1) << "no padding: the outer samples are in the sphere's box";
+}
+
+TEST_F(FieldCommand, InsideOnlyIsInsideWithoutTheRest)
+{
+  for (const bool cells : {false, true})
+  {
+    std::vector<std::string> arguments = {"--resolution", "13"};
+    if (cells)
+    {
+      arguments.emplace_back("--cells");
+    }
+    arguments.emplace_back("--inside");
+    run("both.vti", arguments);
+    arguments.back() = "--inside-only";
+    run("only.vti", arguments);
+    const auto both = image("both.vti"), only = image("only.vti");
+    const auto inside = [cells](vtkImageData* field)
+    {
+      return cells ? field->GetCellData()->GetArray("Inside")
+                   : field->GetPointData()->GetArray("Inside");
+    };
+    ASSERT_NE(inside(only), nullptr);
+    EXPECT_EQ(only->GetPointData()->GetNumberOfArrays(), cells ? 0 : 1);
+    EXPECT_EQ(only->GetCellData()->GetNumberOfArrays(), cells ? 1 : 0);
+    ASSERT_EQ(inside(only)->GetNumberOfTuples(), inside(both)->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < inside(both)->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(inside(only)->GetTuple1(i), inside(both)->GetTuple1(i));
+    }
+  }
+}
+
+TEST_F(FieldCommand, CapTrianglesOfOpenSurfaces)
+{
+  Mesh mesh = sphere(3);
+  mesh.triangles.pop_back();
+  in = folder.write("open.off", asOff(mesh));
+  const nlohmann::json report = run("a.vti", {"--resolution", "8", "--verify", "50"}).json();
+  EXPECT_EQ(report["method"], "rows");
+  EXPECT_EQ(report["cap_triangles"], 1);
+  EXPECT_LT(report["near_max_error"], 2e-6);
 }
 
 TEST_F(FieldCommand, PiecesAndThreadsDoNotChangeABit)
@@ -180,6 +225,7 @@ TEST_F(FieldCommand, Methods)
 {
   EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "direct"}).json()["method"], "direct");
   EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "parity"}).json()["method"], "parity");
+  EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "rows"}).json()["method"], "rows");
   EXPECT_NE(run("a.vti", {"--resolution", "8"}).json()["why"], "");
 }
 

@@ -41,12 +41,12 @@ void interruptRun(int signal, const std::vector<std::string>& more)
 
 TEST(Interrupt, FieldInMemory)
 {
-  interruptRun(SIGINT, {});
+  interruptRun(SIGINT, {"--method", "direct"});
 }
 
 TEST(Interrupt, FieldInPieces)
 {
-  interruptRun(SIGTERM, {"--pieces", "40"});
+  interruptRun(SIGTERM, {"--method", "direct", "--pieces", "40"});
 }
 
 } // namespace

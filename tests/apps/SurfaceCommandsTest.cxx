@@ -81,6 +81,27 @@ TEST_P(SurfaceCommands, EmptyResultsAreWarnedOf)
 INSTANTIATE_TEST_SUITE_P(Both, SurfaceCommands, testing::Values("surface", "voxels"),
   [](const auto& parameter) { return parameter.param; });
 
+/// Neither what is stored on the way nor its precision makes a difference.
+TEST(VoxelsCommand, SameVoxelsFromInsideAndFromValues)
+{
+  const TemporaryFolder folder;
+  Mesh mesh = sphere(3);
+  mesh.triangles.resize(mesh.triangles.size() * 3 / 4);
+  const std::string in = folder.write("open.off", asOff(mesh));
+  for (const char* rule : {"signed", "absolute", "odd"})
+  {
+    std::vector<std::string> contents;
+    for (const char* more : {"--json", "--double", "--verify=5"})
+    {
+      const Outcome run = runProgram({"voxels", in, "-o", folder.path("out.ply"), "--resolution",
+        "20", "--threshold", "0.3", "--rule", rule, more});
+      EXPECT_EQ(run.status, 0) << run;
+      contents.push_back(contentsOf(folder.path("out.ply")));
+    }
+    EXPECT_TRUE(contents[0] == contents[1] && contents[0] == contents[2]) << rule;
+  }
+}
+
 TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
 {
   const TemporaryFolder folder;

@@ -285,3 +285,15 @@ TEST(TriangleSum, EqualsTheReferenceValuesOfAnotherProgram)
     EXPECT_LT(error, 1e-11) << known;
   }
 }
+
+TEST(TriangleSum, KeepsHalfATurnWhereTheSampleLiesInThePlaneOfAnotherTriangle)
+{
+  // Two quarters of a turn make −1 − 0i, at the branch cut; the third factor is 1 ± 0i.
+  const std::vector<Point> points = {{0, 8, 8}, {0, 0, 0}, {4, 8, 0}, {0, 4, 4}};
+  for (const Mesh& mesh : {Mesh{points, {{0, 1, 2}, {0, 1, 2}, {1, 0, 3}}},
+         Mesh{points, {{0, 1, 2}, {0, 1, 2}, {0, 1, 3}}}})
+  {
+    EXPECT_EQ(valuesOf(winding::TriangleSum(clean(mesh)), {{2, 4, 4}})[0], -0.5);
+    EXPECT_EQ(valuesOf(winding::TriangleSum(clean(mesh.reversed())), {{2, 4, 4}})[0], 0.5);
+  }
+}

@@ -1,0 +1,149 @@
+#include "BenchCommands.h"
+#include "BenchTools.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Options.h"
+#include "ReadInput.h"
+#include "Triangles.h"
+
+#include "Cap.h"
+#include "Refusal.h"
+#include "RowTriangle.h"
+
+#include "vtkPointSet.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+
+/// How often the rows of a grid cross a surface and its cap.
+std::size_t countCrossings(const winding::Surface& surface, const winding::Grid& grid)
+{
+  const std::vector<winding::Triangle> cap =
+    winding::capOf(boundaryLoops(boundaryChain(surface), surface.vertices.size()));
+  std::vector<winding::Triangle> chain = surface.triangles;
+  chain.insert(chain.end(), cap.begin(), cap.end());
+  const auto inGrid = [&](std::int32_t id) -> Eigen::Vector3d
+  {
+    return (surface.vertices[static_cast<std::size_t>(id)] - grid.firstSample)
+      .cwiseQuotient(grid.spacing);
+  };
+  constexpr std::size_t block = 1024;
+  std::vector<std::size_t> counts((chain.size() + block - 1) / block);
+  ThreadExecutor().run(counts.size(),
+    [&](std::size_t number)
+    {
+      for (std::size_t i = number * block; i < std::min(chain.size(), (number + 1) * block); ++i)
+      {
+        const Eigen::Vector3d a = inGrid(chain[i][0]), b = inGrid(chain[i][1]),
+                              c = inGrid(chain[i][2]);
+        const winding::RowTriangle triangle(a, b, c);
+        const double low = std::max(0.0, std::ceil(std::min({a[2], b[2], c[2]})));
+        const double high =
+          std::min(grid.dimensions[2] - 1.0, std::floor(std::max({a[2], b[2], c[2]})));
+        for (int k = static_cast<int>(low); k <= high; ++k)
+        {
+          const winding::RowTriangle::Range range = triangle.rowsIn(k, 0, grid.dimensions[1] - 1);
+          for (int j = range.first; j <= range.last; ++j)
+          {
+            counts[number] += triangle.crossingSign(j, k) != 0;
+          }
+        }
+      }
+    });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+}
+
+Json rowOf(const Measurement& measured, const winding::Grid& grid, double fill)
+{
+  const winding::FieldInfo& info = measured.field->info();
+  const auto samples = static_cast<double>(winding::sampleCount(grid.wholeExtent()));
+  const winding::Verification errors = verified(measured, grid, 500);
+  const auto errorOf = [](const winding::ErrorStatistics& found, double error)
+  {
+    return found.samples > 0 ? Json(error) : Json(nullptr);
+  };
+  return {{"method", winding::nameOf(info.method)}, {"prepare s", measured.prepare},
+    {"evaluate s", measured.evaluate}, {"scaled", measured.isScaled ? "yes" : "no"},
+    {"ns/voxel", 1e9 * measured.evaluate / samples}, {"crossings", nullptr},
+    {"boundary edges", info.netBoundaryEdges}, {"cap triangles", nullptr},
+    {"max error", errorOf(errors.everywhere, errors.everywhere.max)},
+    {"RMS error", errorOf(errors.everywhere, errors.everywhere.rms())},
+    {"near max error", errorOf(errors.nearSurface, errors.nearSurface.max)}, {"fill s", fill},
+    {"times fill", (measured.prepare + measured.evaluate) / fill}};
+}
+
+void addRows(BenchTable& table, const winding::TrianglesView& view, const winding::Surface& surface,
+  int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = surface.bounds;
+  request.padding = 0.05;
+  request.resolution = resolution;
+  const winding::Grid grid = winding::layOutGrid(request);
+  const double fill = secondsToFill(winding::sampleCount(grid.wholeExtent()));
+  const Json size = std::to_string(grid.dimensions[0]) + " x " +
+                    std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]);
+  bool isDirectDone = false;
+  for (const winding::Method method :
+    {winding::Method::automatic, winding::Method::direct, winding::Method::parity})
+  {
+    if (method == winding::Method::direct && isDirectDone)
+    {
+      continue; // automatic has chosen it
+    }
+    winding::FieldOptions options;
+    options.method = method;
+    const Measurement measured =
+      measure([&] { return winding::Field::build({view}, options); }, grid);
+    Json row = {{"voxels", size}};
+    row.update(rowOf(measured, grid, fill));
+    if (measured.field->info().method == winding::Method::rows)
+    {
+      row["crossings"] = countCrossings(surface, grid);
+      row["cap triangles"] = measured.field->info().capTriangles;
+    }
+    isDirectDone = isDirectDone || measured.field->info().method == winding::Method::direct;
+    table.add(row);
+  }
+}
+
+} // namespace
+
+std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
+{
+  std::vector<BenchTable> tables;
+  for (const std::string& file : options.subjects)
+  {
+    const Triangles triangles = trianglesOf(readInput(file, options, messages));
+    messages.throwIfError(file);
+    if (triangles.triangles() == 0)
+    {
+      throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+    }
+    try
+    {
+      const winding::Surface surface = winding::sanitize({triangles.view()});
+      BenchTable table(file + ": " + std::to_string(surface.triangles.size()) + " triangles, " +
+                         std::to_string(threadsOf(options)) + " threads",
+        {"the first method of each size is the one that automatic chooses",
+          "scaled: measured at random voxels; all of them would take more than 2 s",
+          "fill: one thread writes a constant to a fresh array of floats; times fill: prepare and "
+          "evaluate beside it",
+          "errors: against the direct sum done term by term at 500 random voxels, and 500 near the "
+          "surface"});
+      for (const int resolution : options.resolutions)
+      {
+        addRows(table, triangles.view(), surface, resolution);
+      }
+      tables.push_back(table);
+    }
+    catch (const winding::Refusal& refusal)
+    {
+      throw Failure(REFUSED, file, refusal.what());
+    }
+  }
+  return tables;
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Sanitize.h"
+
+/**
+ * @file
+ * Methods as they are first written down, to measure what better ones gain. (The winding number's
+ * is referenceSum() of the core.)
+ */
+
+/// Whether a ray along +x crosses the surface an odd number of times: one test per triangle, in
+/// rounded arithmetic (Möller, Trumbore 1997). Rays through edges and vertices may count twice.
+bool naiveParity(const winding::Surface& surface, const Eigen::Vector3d& sample);
+
+/// A cloud of the surface's vertices; each has the area-weighted mean of its triangles' normals.
+winding::PointCloud verticesOf(const winding::Surface& surface);

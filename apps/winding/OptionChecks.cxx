@@ -1,0 +1,133 @@
+#include "Failure.h"
+#include "Options.h"
+#include "Report.h"
+
+#include "vtkWindingNumberAlgorithm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using Filter = vtkWindingNumberAlgorithm;
+
+using WasGiven = std::function<bool(const char* option)>;
+
+void require(bool condition, const std::string& message)
+{
+  if (!condition)
+  {
+    throw Failure(USAGE, message);
+  }
+}
+
+void checkGrid(const Options& options, const WasGiven& wasGiven)
+{
+  require(options.resolution >= 1,
+    "--resolution is " + std::to_string(options.resolution) + "; give 1 or more voxels");
+  require(!wasGiven("--voxel-size") || (options.voxelSize > 0 && std::isfinite(options.voxelSize)),
+    "--voxel-size is " + shown(options.voxelSize) + "; give a length greater than 0");
+  for (const int size : options.dimensions)
+  {
+    require(size >= 1, "--dims has " + std::to_string(size) + "; give 1 or more voxels per axis");
+  }
+  for (std::size_t axis = 0; axis < options.bounds.size() / 2; ++axis)
+  {
+    const double low = options.bounds[2 * axis], high = options.bounds[2 * axis + 1];
+    require(low < high && std::isfinite(low) && std::isfinite(high),
+      std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) + " to " + shown(high) +
+        "; give the lower one first");
+  }
+  require(options.padding >= 0 && std::isfinite(options.padding),
+    "--padding is " + shown(options.padding) + "; give 0 or more");
+}
+
+void checkMethod(const Options& options, const WasGiven& wasGiven)
+{
+  require(
+    options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  require(options.area >= 0 && std::isfinite(options.area),
+    "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
+  require(options.areas != Filter::ARRAY || !wasGiven("--area"),
+    "--area is for --areas constant; leave one of them out");
+  require(std::isfinite(options.threshold),
+    "--threshold is " + shown(options.threshold) + "; give a finite number");
+}
+
+void checkOutput(const Options& options, const std::vector<std::string>& suffixes)
+{
+  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(options.output)) == suffixes.end())
+  {
+    std::string names;
+    for (const std::string& suffix : suffixes)
+    {
+      names += " " + suffix;
+    }
+    throw Failure(USAGE, options.output,
+      options.command + " writes" + names + "; give the output one of these suffixes");
+  }
+}
+
+void checkFieldLike(const Options& options, const WasGiven& wasGiven)
+{
+  checkGrid(options, wasGiven);
+  require(options.verify >= 0,
+    "--verify is " + std::to_string(options.verify) + "; give a number of samples");
+  require(options.verify == 0 || options.method != Filter::PARITY,
+    "--verify compares winding numbers, which --method parity does not give; leave one out");
+  require(options.verify == 0 || !options.insideOnly,
+    "--verify compares winding numbers, which --inside-only does not make; leave one out");
+  require(
+    options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
+}
+
+void checkBench(const Options& options)
+{
+  for (const int resolution : options.resolutions)
+  {
+    require(
+      resolution >= 1, "--resolution is " + std::to_string(resolution) + "; give 1 or more voxels");
+  }
+  for (const char* name : {"seed", "kernels"})
+  {
+    const auto& subjects = options.subjects;
+    require(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,
+      std::string("bench ") + name + " stands alone; for a file of that name give ./" + name);
+  }
+}
+
+} // namespace
+
+void checkOptions(const Options& options, const WasGiven& wasGiven)
+{
+  if (options.command == "check")
+  {
+    return;
+  }
+  require(options.threads >= 0,
+    "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
+  if (options.command == "bench")
+  {
+    checkBench(options);
+    return;
+  }
+  checkMethod(options, wasGiven);
+  if (options.command == "probe")
+  {
+    checkOutput(options, {".vtp", ".vtu", ".csv", ".tsv"});
+  }
+  else if (options.command == "field")
+  {
+    checkOutput(options, {".vti"});
+    checkFieldLike(options, wasGiven);
+  }
+  else
+  {
+    checkOutput(options, {".vtp", ".ply", ".stl", ".obj"});
+    checkFieldLike(options, wasGiven);
+  }
+  require(!options.array.empty(), "--array is empty; give the array a name");
+  require(options.command != "surface" || options.rule != Filter::ODD,
+    "--rule odd has no level to draw a surface at; use voxels, or another rule");
+}

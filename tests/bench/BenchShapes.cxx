@@ -1,0 +1,100 @@
+#include "BenchShapes.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace shapes
+{
+
+using namespace winding;
+
+Soup lumpySphereSoup(int n)
+{
+  const double pi = std::acos(-1.0);
+  const auto point = [&](int i, int j) -> Eigen::Vector3d
+  {
+    const double theta = pi * i / n, phi = 2 * pi * (j % n) / n;
+    const double r = 1 + 0.2 * std::sin(5 * theta) * std::cos(4 * phi);
+    return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi),
+      r * std::cos(theta)};
+  };
+  Soup soup;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}})
+      {
+        const Eigen::Vector3d corner = point(i + di, j + dj);
+        soup.corners.insert(soup.corners.end(), corner.data(), corner.data() + 3);
+      }
+    }
+  }
+  soup.ids.resize(soup.corners.size() / 3);
+  std::iota(soup.ids.begin(), soup.ids.end(), 0);
+  return soup;
+}
+
+Surface lumpySphere(int n)
+{
+  const Soup soup = lumpySphereSoup(n);
+  return sanitize(std::vector<TrianglesView>{soup.view()});
+}
+
+Surface withHoles(const Surface& surface, std::size_t period)
+{
+  Surface result = surface;
+  result.triangles.clear();
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    if (i % period != 0)
+    {
+      result.triangles.push_back(surface.triangles[i]);
+    }
+  }
+  return result;
+}
+
+PointCloud centroids(const Surface& surface)
+{
+  PointCloud cloud;
+  for (const Triangle& t : surface.triangles)
+  {
+    const Eigen::Vector3d &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
+                          &c = surface.vertices[t[2]];
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (normal.isZero(0))
+    {
+      continue; // at the poles
+    }
+    cloud.positions.push_back((a + b + c) / 3);
+    cloud.normals.push_back(normal.normalized());
+    cloud.areas.push_back(normal.norm() / 2);
+    cloud.bounds.extend(cloud.positions.back());
+  }
+  return cloud;
+}
+
+SampleBlock someSamples()
+{
+  SampleBlock block;
+  block.count = SampleBlock::capacity;
+  for (std::size_t i = 0; i < block.count; ++i)
+  {
+    block.x[i] = std::sin(1.7 * static_cast<double>(i));
+    block.y[i] = std::sin(2.3 * static_cast<double>(i) + 1);
+    block.z[i] = std::sin(3.1 * static_cast<double>(i) + 2);
+  }
+  return block;
+}
+
+Grid gridAround(int n)
+{
+  Grid grid;
+  grid.dimensions = Eigen::Vector3i::Constant(n);
+  grid.spacing = Eigen::Vector3d::Constant(2.8 / n);
+  grid.firstSample = Eigen::Vector3d::Constant(-1.4) + 0.5 * grid.spacing;
+  return grid;
+}
+
+} // namespace shapes

@@ -1,0 +1,151 @@
+// Time of the parts of method rows, on one thread: per triangle of welding and boundary, per
+// boundary edge of the cap, crossings and bytes per second on a grid, per cap triangle and sample.
+
+#include "BenchShapes.h"
+
+#include "Cap.h"
+#include "DirectSum.h"
+#include "FieldOutput.h"
+#include "RowCrossings.h"
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+namespace
+{
+
+using namespace winding;
+using namespace shapes;
+
+/// The time of one of so many things that each iteration does.
+void reportTimePer(benchmark::State& state, const char* what, std::size_t count)
+{
+  const double all = static_cast<double>(count) * static_cast<double>(state.iterations());
+  state.counters[what] =
+    benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void welding(benchmark::State& state)
+{
+  const Soup soup = lumpySphereSoup(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(sanitize(std::vector<TrianglesView>{soup.view()}));
+  }
+  reportTimePer(state, "time per triangle", soup.ids.size() / 3);
+}
+
+void boundaryOfClosed(benchmark::State& state)
+{
+  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(boundaryChain(surface));
+  }
+  reportTimePer(state, "time per triangle", surface.triangles.size());
+}
+
+void boundaryOfOpen(benchmark::State& state)
+{
+  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(boundaryChain(surface));
+  }
+  reportTimePer(state, "time per triangle", surface.triangles.size());
+}
+
+void loopsAndCap(benchmark::State& state)
+{
+  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  const BoundaryChain chain = boundaryChain(surface);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(capOf(boundaryLoops(chain, surface.vertices.size())));
+  }
+  reportTimePer(state, "time per boundary edge", chain.edges.size());
+}
+
+/// Arguments: n of the sphere, samples along each axis.
+void crossings(benchmark::State& state)
+{
+  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Grid grid = gridAround(static_cast<int>(state.range(1)));
+  const RowCrossings rows(surface.vertices, surface.triangles);
+  SerialExecutor executor;
+  std::size_t count = 0;
+  for (auto _ : state)
+  {
+    count = 0;
+    rows.evaluate(
+      grid, grid.wholeExtent(), 65536,
+      [&count](int, int, const std::vector<RowRun>& runs) { count += runs.size() - 1; }, executor);
+  }
+  // Two crossings between the same samples are not seen here; on a fine grid they are few.
+  state.counters["crossings"] = static_cast<double>(count);
+  reportTimePer(state, "time per crossing", count);
+}
+
+/// A fresh array each time: its pages are touched first by the fill, as in a new image.
+void fillFresh(benchmark::State& state)
+{
+  const auto samples = static_cast<std::size_t>(state.range(0));
+  for (auto _ : state)
+  {
+    const std::unique_ptr<float[]> values(new float[samples]);
+    FieldOutput output;
+    output.values = values.get();
+    output.fill(1, 0, samples);
+    benchmark::DoNotOptimize(values.get());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(
+    static_cast<std::int64_t>(4 * samples) * static_cast<std::int64_t>(state.iterations()));
+}
+
+void fillUsed(benchmark::State& state)
+{
+  const auto samples = static_cast<std::size_t>(state.range(0));
+  std::vector<float> values(samples);
+  FieldOutput output;
+  output.values = values.data();
+  for (auto _ : state)
+  {
+    output.fill(1, 0, samples);
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(
+    static_cast<std::int64_t>(4 * samples) * static_cast<std::int64_t>(state.iterations()));
+}
+
+/// The sum that open surfaces need, watching for samples on the cap.
+void capSum(benchmark::State& state)
+{
+  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  const std::vector<Triangle> cap =
+    capOf(boundaryLoops(boundaryChain(surface), surface.vertices.size()));
+  const TriangleSum sum(surface.vertices, cap, surface.bounds);
+  const SampleBlock block = someSamples();
+  double values[SampleBlock::capacity];
+  bool isSuspect[SampleBlock::capacity];
+  for (auto _ : state)
+  {
+    sum.evaluateWatching(block, values, isSuspect);
+    benchmark::DoNotOptimize(values);
+  }
+  reportTimePer(state, "time per pair", cap.size() * block.count);
+}
+
+constexpr int megabyteOfFloats = 1 << 18;
+
+BENCHMARK(welding)->Arg(20)->Arg(224);
+BENCHMARK(boundaryOfClosed)->Arg(20)->Arg(224);
+BENCHMARK(boundaryOfOpen)->Arg(20)->Arg(224);
+BENCHMARK(loopsAndCap)->Arg(224);
+BENCHMARK(crossings)->Args({20, 256})->Args({224, 128})->Args({224, 256});
+BENCHMARK(fillFresh)->Arg(64 * megabyteOfFloats);
+BENCHMARK(fillUsed)->Arg(megabyteOfFloats)->Arg(64 * megabyteOfFloats);
+BENCHMARK(capSum)->Arg(20)->Arg(224);
+
+} // namespace

@@ -1,0 +1,38 @@
+// Rows and caps against the direct sum on as many random chains as there is time for.
+// random_chains [cases] [first seed]: prints the seeds of failures and a summary; 1 if any failed.
+
+#include "core/LatticeChain.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+int main(int argc, char** argv)
+{
+  const long cases = argc > 1 ? std::atol(argv[1]) : 10000;
+  const long firstSeed = argc > 2 ? std::atol(argv[2]) : 1;
+  shapes::ChainComparison total;
+  long failures = 0, closed = 0;
+  for (long i = 0; i < cases; ++i)
+  {
+    const auto seed = static_cast<unsigned>(firstSeed + i);
+    const shapes::LatticeChain chain = shapes::randomLatticeChain(seed, 12, 4);
+    const shapes::ChainComparison found = shapes::compareWithDirectSum(chain);
+    closed += winding::boundaryChain(chain.surface).edges.empty();
+    total.offSurface += found.offSurface;
+    total.onSurface += found.onSurface;
+    total.onRim += found.onRim;
+    total.means += found.means;
+    total.largestError = std::max(total.largestError, found.largestError);
+    if (!found.failure.empty())
+    {
+      ++failures;
+      std::printf("seed %u: %s\n", seed, found.failure.c_str());
+    }
+  }
+  std::printf(
+    "%ld chains from seed %ld, %ld of them closed: %zu samples off the surface, largest "
+    "error %.3g; %zu on it, %zu of those on the rim and %zu with the mean; %ld failures\n",
+    cases, firstSeed, closed, total.offSurface, total.largestError, total.onSurface, total.onRim,
+    total.means, failures);
+  return failures > 0;
+}
