@@ -8,14 +8,17 @@
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtractCells.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstring>
@@ -64,6 +67,69 @@ void checkCellIds(vtkPointSet* leaf)
       }
     }
   }
+}
+
+/// Whether any of a ghost array's flags is set.
+bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
+{
+  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    if (ghosts->GetValue(i) & flags)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/**
+ * What a data set has in its own right: cells and points that another piece of the data has too, or
+ * that are hidden, would be counted twice or against the user's will.
+ */
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
+{
+  constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  constexpr int ghostPoint =
+    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  const bool strip = isMesh ? hasFlags(leaf->GetCellGhostArray(), ghostCell)
+                            : hasFlags(leaf->GetPointGhostArray(), ghostPoint);
+  if (!strip)
+  {
+    return leaf;
+  }
+  vtkNew<vtkIdList> own;
+  auto clean = vtkSmartPointer<vtkPolyData>::New();
+  if (isMesh)
+  {
+    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+    {
+      if (!(leaf->GetCellGhostArray()->GetValue(i) & ghostCell))
+      {
+        own->InsertNextId(i);
+      }
+    }
+    vtkNew<vtkExtractCells> extract;
+    extract->SetInputData(leaf);
+    extract->SetCellList(own);
+    vtkNew<vtkDataSetSurfaceFilter> skin;
+    skin->SetInputConnection(extract->GetOutputPort());
+    skin->Update();
+    clean->ShallowCopy(skin->GetOutput());
+    return clean;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  clean->GetPointData()->CopyAllocate(leaf->GetPointData());
+  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
+  {
+    if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
+    {
+      clean->GetPointData()->CopyData(
+        leaf->GetPointData(), i, points->InsertNextPoint(leaf->GetPoint(i)));
+    }
+  }
+  clean->SetPoints(points);
+  return clean;
 }
 
 /// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
@@ -179,12 +245,17 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
     return;
   }
   const bool isSurface = !options_.asPoints && hasFaces(points);
+  const auto own = withoutGhosts(points, isSurface || options_.asPoints);
+  if (own->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
   if (!leaves_.empty() && isSurface != isSurface_)
   {
     throw Refusal("the source mixes surfaces and point clouds; extract the blocks of one kind");
   }
   isSurface_ = isSurface;
-  leaves_.emplace_back(points);
+  leaves_.push_back(own);
   identity_.emplace_back(points, points->GetMTime());
 }
 
@@ -304,21 +375,27 @@ TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
   return {ids_.back().data(), ids_.back().size() / 3};
 }
 
+/// The polygons of a data set: its own, or the outer surface of volume cells.
+vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData;
+  }
+  checkCellIds(leaf);
+  vtkNew<vtkDataSetSurfaceFilter> skin;
+  skin->SetInputData(leaf);
+  skin->Update();
+  skins_.emplace_back(skin->GetOutput());
+  return skin->GetOutput();
+}
+
 void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
 {
-  auto* polyData = vtkPolyData::SafeDownCast(leaf);
-  if (!polyData)
+  vtkPolyData* polyData = this->skinOf(leaf);
+  if (polyData->GetNumberOfPoints() == 0)
   {
-    checkCellIds(leaf);
-    vtkNew<vtkDataSetSurfaceFilter> skin;
-    skin->SetInputData(leaf);
-    skin->Update();
-    polyData = skin->GetOutput();
-    skins_.emplace_back(polyData);
-    if (polyData->GetNumberOfPoints() == 0)
-    {
-      return;
-    }
+    return;
   }
   const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
   if (polyData->GetNumberOfPolys() > 0)
@@ -378,8 +455,14 @@ VectorsView InputViews::meshNormalsOf(vtkPointSet* leaf)
 std::vector<OrientedPointsView> InputViews::orientedPoints()
 {
   std::vector<OrientedPointsView> views;
-  for (vtkPointSet* leaf : leaves_)
+  for (vtkPointSet* source : leaves_)
   {
+    // Points inside of a volume mesh are no points of its surface.
+    vtkPointSet* leaf = options_.asPoints && hasFaces(source) ? this->skinOf(source) : source;
+    if (leaf->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
     // A mesh that is taken as points may have no normals of its own.

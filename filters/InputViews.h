@@ -13,6 +13,7 @@ class vtkCellArray;
 class vtkDataArray;
 class vtkDataObject;
 class vtkPointSet;
+class vtkPolyData;
 
 namespace winding
 {
@@ -67,6 +68,7 @@ private:
   template <class View> View viewOf(vtkDataArray* array);
   TriangleIdsView idsOf(vtkCellArray* polygons);
   VectorsView meshNormalsOf(vtkPointSet* leaf);
+  vtkPolyData* skinOf(vtkPointSet* leaf);
   void addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views);
 
   InputOptions options_;

@@ -86,6 +86,10 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   {
     throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
   }
+  if (options.withValues && options.withInside && options.name == "Inside")
+  {
+    throw Refusal("the array of w cannot have the name 'Inside' of the array beside it; rename it");
+  }
   const double bytesPerValue = options.scalarType == VTK_DOUBLE ? 8 : 4;
   const double bytesPerSample =
     (options.withValues ? bytesPerValue : 0) + (options.withInside ? 1 : 0);

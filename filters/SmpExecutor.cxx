@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <string>
+#include <thread>
 
 namespace winding
 {
@@ -36,7 +38,7 @@ constexpr double secondsPerBatch = 0.1;
 
 SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
   : filter_(filter)
-  , threads_(threads)
+  , threads_(std::min(threads, static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))))
 {
 }
 
@@ -56,30 +58,46 @@ void SmpExecutor::runBatch(
     });
 }
 
-bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+bool SmpExecutor::runBatches(std::size_t count, const std::function<void(std::size_t)>& work) const
 {
   using Clock = std::chrono::steady_clock;
-  bool aborted = false;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backendToUse(), false),
-    [&]()
+  std::size_t batch =
+    static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+  for (std::size_t done = 0; done < count;)
+  {
+    const std::size_t last = std::min(count, done + batch);
+    const Clock::time_point start = Clock::now();
+    this->runBatch(done, last, work);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    done = last;
+    const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
+    batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
+    filter_->UpdateProgress(static_cast<double>(done) / static_cast<double>(count));
+    if (done < count && isAborted(filter_))
     {
-      std::size_t batch =
-        4 * static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
-      for (std::size_t done = 0; done < count && !aborted;)
-      {
-        const std::size_t last = std::min(count, done + batch);
-        const Clock::time_point start = Clock::now();
-        this->runBatch(done, last, work);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        done = last;
-        const double wanted =
-          static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
-        batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
-        filter_->UpdateProgress(static_cast<double>(done) / static_cast<double>(count));
-        aborted = done < count && isAborted(filter_);
-      }
-    });
-  return !aborted;
+      return false;
+    }
+  }
+  return true;
+}
+
+bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  const std::string backend = backendToUse();
+  if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
+  {
+    return this->runBatches(count, work);
+  }
+  const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
+  bool complete = false;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false),
+    [&]() { complete = this->runBatches(count, work); });
+  // With TBB the scope's limit outlives the scope (VTK 9.1).
+  if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
+  {
+    vtkSMPTools::Initialize(before);
+  }
+  return complete;
 }
 
 } // namespace winding

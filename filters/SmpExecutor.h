@@ -15,12 +15,13 @@ namespace winding
 class SmpExecutor final : public Executor
 {
 public:
-  /// threads: the most to use, 0 for as many as vtkSMPTools would.
+  /// threads: the most to use, 0 for as many as vtkSMPTools would; never more than there are cores.
   SmpExecutor(vtkAlgorithm* filter, int threads);
 
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
 private:
+  bool runBatches(std::size_t count, const std::function<void(std::size_t)>& work) const;
   void runBatch(
     std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
 

@@ -3,15 +3,17 @@
 namespace winding
 {
 
-bool SourceField::Memory::isSame(const InputViews& views)
+bool SourceField::Memory::isSame(const InputViews& views, const InputOptions& options)
 {
-  if (views.identity() == identity_)
+  const bool sameOptions = options == options_;
+  if (sameOptions && views.identity() == identity_)
   {
     return true;
   }
   const std::uint64_t fingerprint = views.fingerprint();
-  const bool same = !identity_.empty() && fingerprint == fingerprint_;
+  const bool same = sameOptions && !identity_.empty() && fingerprint == fingerprint_;
   identity_ = views.identity();
+  options_ = options;
   fingerprint_ = fingerprint;
   return same;
 }
@@ -19,16 +21,15 @@ bool SourceField::Memory::isSame(const InputViews& views)
 const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& options)
 {
   InputViews views(source, options.input);
-  const bool isSameSource = source_.isSame(views);
-  wasBuilt_ = !field_ || !isSameSource || !(options_.input == options.input) ||
-              !(options_.field == options.field);
+  const bool isSameSource = source_.isSame(views, options.input);
+  wasBuilt_ = !field_ || !isSameSource || !(options_ == options.field);
   if (wasBuilt_)
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
     field_ = views.isSurface() || views.identity().empty()
                ? Field::build(views.triangles(), options.field)
                : Field::build(views.orientedPoints(), options.field);
-    options_ = options;
+    options_ = options.field;
   }
   return *field_;
 }
@@ -37,11 +38,9 @@ const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& opt
 {
   InputViews views(source, options);
   Memory memory = boundedSource_;
-  const bool isSameSource = memory.isSame(views);
-  if (!isSameSource || !(options == boundsOptions_))
+  if (!memory.isSame(views, options))
   {
     bounds_ = views.isSurface() ? boundsOf(views.triangles()) : boundsOf(views.orientedPoints());
-    boundsOptions_ = options;
   }
   boundedSource_ = memory; // not before: a source that is refused must be refused again
   return bounds_;

@@ -39,20 +39,20 @@ private:
   class Memory
   {
   public:
-    bool isSame(const InputViews& views);
+    bool isSame(const InputViews& views, const InputOptions& options);
 
   private:
     InputViews::Identity identity_;
+    InputOptions options_; ///< the fingerprint is of what these pick
     std::uint64_t fingerprint_ = 0;
   };
 
   Memory source_;
-  SourceOptions options_;
+  FieldOptions options_;
   std::shared_ptr<const Field> field_;
   bool wasBuilt_ = false;
 
   Memory boundedSource_;
-  InputOptions boundsOptions_;
   Bounds bounds_;
 };
 

@@ -21,7 +21,7 @@
  *
  * What is built from a source (welded vertices, areas) is kept until a source with other points,
  * cells, normals or areas comes in: threshold, grid, time steps or other attributes never rebuild
- * it.
+ * it (for polydata; any change of another data set counts as a change of its cells).
  *
  * Threads are those of vtkSMPTools. Where its backend is Sequential only because VTK was built so
  * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads

@@ -82,7 +82,10 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(port + 1);
   requests->SetInformationObject(port, request);
-  producer->Update(port, requests);
+  if (!producer->Update(port, requests))
+  {
+    throw winding::Refusal("the filter or reader before this one failed; mend that first");
+  }
 }
 
 void vtkWindingNumberField::LayOutGrid(vtkDataObject* source)

@@ -114,8 +114,17 @@ void vtkWindingNumberProbe::GiveInformation(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputs->GetInformationObject(0);
-  outInfo->CopyEntry(inputs[0]->GetInformationObject(0), Pipeline::TIME_STEPS());
-  outInfo->CopyEntry(inputs[0]->GetInformationObject(0), Pipeline::TIME_RANGE());
+  // Without time steps in its information the pipeline would ask a moving source once only.
+  for (vtkInformationVector* input : {inputs[1], inputs[0]})
+  {
+    vtkInformation* info = input->GetInformationObject(0);
+    if (info->Has(Pipeline::TIME_STEPS()) || info->Has(Pipeline::TIME_RANGE()))
+    {
+      outInfo->CopyEntry(info, Pipeline::TIME_STEPS());
+      outInfo->CopyEntry(info, Pipeline::TIME_RANGE());
+      return;
+    }
+  }
 }
 
 void vtkWindingNumberProbe::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)

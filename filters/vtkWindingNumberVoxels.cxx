@@ -1,6 +1,7 @@
 #include "vtkWindingNumberVoxels.h"
 
 #include "InsideRule.h"
+#include "VtkVersions.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -11,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -18,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -46,25 +49,36 @@ struct Classify
 class BlockSurface
 {
 public:
-  BlockSurface(const std::vector<unsigned char>& inside, const int* dimensions,
-    const double* corner, const double* spacing, vtkPoints* points, vtkCellArray* quads)
+  /// Voxel (0, 0, 0) begins at this continuous index of the image.
+  BlockSurface(const std::vector<unsigned char>& inside, const int* dimensions, vtkImageData* image,
+    const double* firstIndex, vtkPoints* points, vtkCellArray* quads)
     : inside_(inside)
     , n_{dimensions[0], dimensions[1], dimensions[2]}
-    , corner_{corner[0], corner[1], corner[2]}
-    , spacing_{spacing[0], spacing[1], spacing[2]}
+    , image_(image)
+    , firstIndex_{firstIndex[0], firstIndex[1], firstIndex[2]}
     , points_(points)
     , quads_(quads)
   {
+    // An image whose axes are mirrored turns all faces inside out.
+    const double* spacing = image->GetSpacing();
+    mirrored_ =
+      image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] * spacing[2] < 0;
     const std::size_t corners =
       static_cast<std::size_t>(n_[0] + 1) * static_cast<std::size_t>(n_[1] + 1);
     lower_.assign(corners, -1);
     upper_.assign(corners, -1);
   }
 
-  void build()
+  /// False if the filter was aborted.
+  bool build(vtkAlgorithm* filter)
   {
     for (int k = 0; k <= n_[2]; ++k)
     {
+      filter->UpdateProgress(static_cast<double>(k) / (n_[2] + 1));
+      if (winding::isAborted(filter))
+      {
+        return false;
+      }
       // Layer k: the faces across z at its bottom, and the upright faces of its voxels.
       for (int j = 0; j <= n_[1]; ++j)
       {
@@ -76,6 +90,7 @@ public:
       lower_.swap(upper_);
       upper_.assign(upper_.size(), -1);
     }
+    return true;
   }
 
 private:
@@ -116,7 +131,7 @@ private:
   /// on its low side is the inside one.
   void addQuad(bool lowSideIsInside, std::array<vtkIdType, 4> corners)
   {
-    if (!lowSideIsInside)
+    if (lowSideIsInside == mirrored_)
     {
       std::swap(corners[1], corners[3]);
     }
@@ -130,15 +145,19 @@ private:
     vtkIdType& known = layer[static_cast<std::size_t>(j) * (n_[0] + 1) + i];
     if (known < 0)
     {
-      known = points_->InsertNextPoint(corner_[0] + i * spacing_[0], corner_[1] + j * spacing_[1],
-        corner_[2] + (k + up) * spacing_[2]);
+      double position[3];
+      image_->TransformContinuousIndexToPhysicalPoint(
+        firstIndex_[0] + i, firstIndex_[1] + j, firstIndex_[2] + k + up, position);
+      known = points_->InsertNextPoint(position);
     }
     return known;
   }
 
   const std::vector<unsigned char>& inside_;
   int n_[3];
-  double corner_[3], spacing_[3];
+  vtkImageData* image_;
+  double firstIndex_[3];
+  bool mirrored_;
   vtkPoints* points_;
   vtkCellArray* quads_;
   std::vector<vtkIdType> lower_, upper_;
@@ -207,14 +226,23 @@ int vtkWindingNumberVoxels::RequestData(
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   int extent[6];
   image->GetExtent(extent);
-  const double* origin = image->GetOrigin();
-  const double* spacing = image->GetSpacing();
   int dimensions[3];
-  double corner[3];
+  double firstIndex[3];
+  vtkIdType voxelCount = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + (asCells ? 0 : 1);
-    corner[axis] = origin[axis] + (extent[2 * axis] - (asCells ? 0.0 : 0.5)) * spacing[axis];
+    // A flat image has a layer of cells, too.
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    dimensions[axis] = asCells ? std::max(1, points - 1) : points;
+    firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
+    voxelCount *= dimensions[axis];
+  }
+  if (values->GetNumberOfTuples() != voxelCount)
+  {
+    vtkErrorMacro(<< "the array '" << (values->GetName() ? values->GetName() : "") << "' has "
+                  << values->GetNumberOfTuples() << " values for " << voxelCount
+                  << " voxels; choose an array of the points or the cells");
+    return 0;
   }
 
   std::vector<unsigned char> inside;
@@ -227,9 +255,12 @@ int vtkWindingNumberVoxels::RequestData(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
-  BlockSurface(inside, dimensions, corner, spacing, points, quads).build();
-  output->SetPoints(points);
-  output->SetPolys(quads);
+  BlockSurface surface(inside, dimensions, image, firstIndex, points, quads);
+  if (surface.build(this))
+  {
+    output->SetPoints(points);
+    output->SetPolys(quads);
+  }
   return 1;
 }
 

@@ -11,9 +11,9 @@
  * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside.
  *
  * The array is picked by SetInputArrayToProcess(0, …); where it picks none, the active scalars of
- * the points are taken, or else of the cells. Time is linear in voxels and quads, working memory is two layers of voxels.
- * The order of points and quads depends on the input only. Works on the whole image: with several
- * pieces, all is in the first.
+ * the points are taken, or else of the cells. Time is linear in voxels and quads; working memory is
+ * a byte for each voxel. The order of points and quads depends on the input only. Works on the whole
+ * image: with several pieces, all is in the first. Aborted, the output is empty.
  *
  * @sa vtkWindingNumberField vtkThreshold
  */

@@ -6,8 +6,10 @@
 #include "vtkSMPTools.h"
 #include "vtkWindingNumberAlgorithm.h"
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 #include <sys/resource.h>
 
@@ -32,7 +34,8 @@ long long peakMemory()
 int threadsOf(const Options& options)
 {
   const int available = vtkSMPTools::GetEstimatedNumberOfThreads();
-  return options.threads > 0 ? options.threads : available;
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return options.threads > 0 ? std::min(options.threads, cores) : available;
 }
 
 void print(const std::string& text)

@@ -11,7 +11,7 @@ namespace winding
  * the surface an odd number of times. Orientation is ignored, holes and overlaps give stripes.
  *
  * Guaranteed: right for every sample off a closed surface, rays through edges, through vertices and
- * along faces included: whether a ray meets a triangle is decided exactly (Predicates.h).
+ * along faces included: whether a ray meets a triangle is decided exactly, as far as Predicates.h goes.
  * On the surface itself: 0 or 1. O(n) per sample.
  */
 class RayParity final : public Evaluator

@@ -145,6 +145,10 @@ Surface sanitize(const std::vector<TrianglesView>& views)
   {
     surface.inputTriangles += view.triangles.size();
   }
+  if (surface.inputTriangles > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Refusal("the surface has more than 2147483647 triangles; split it");
+  }
   surface.triangles.reserve(surface.inputTriangles);
   surface.vertices.reserve(surface.inputTriangles / 2 + 3);
 

@@ -58,8 +58,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options)
     evaluator_ = std::make_unique<RayParity>(surface_);
     return;
   }
-  evaluator_ =
-    std::make_unique<TriangleSum>(surface_);
+  evaluator_ = std::make_unique<TriangleSum>(surface_);
   if (asked == Method::direct || options.scattered)
   {
     info_.why = asked == Method::direct ? "asked for" : "exact for every surface, open or closed";

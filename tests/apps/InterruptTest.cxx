@@ -20,7 +20,8 @@ void interruptRun(int signal, const std::vector<std::string>& more)
   const TemporaryFolder folder;
   const std::string in = folder.write("in.off", asOff(sphere(5)));
   std::vector<std::string> arguments = {
-    "field", in, "-o", folder.path("out.vti"), "--threads", "1", "--resolution", "500"};
+    "field", in, "-o", folder.path("out.vti"), "--threads", "1", "--resolution", "500",
+    "--method", "direct"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const int process = startProgram(arguments);
   for (int i = 0; i < 500 && folder.names().size() < 2; ++i)

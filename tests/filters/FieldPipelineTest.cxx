@@ -4,6 +4,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkGeomviewOFFReader.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -280,6 +281,36 @@ TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 40);
+}
+
+TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
+{
+  vtkNew<vtkGeomviewOFFReader> reader;
+  reader->SetFileName("no such file.off");
+  ErrorLog readerLog(reader);
+  field->SetInputConnection(reader->GetOutputPort());
+  ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  EXPECT_NE(log.errors().find("failed"), std::string::npos) << log.errors();
+}
+
+TEST_F(FieldPipeline, ThreadLimitEndsWithTheFilter)
+{
+  const std::string active = vtkSMPTools::GetBackend();
+  for (const char* backend : {"Sequential", "STDThread", "TBB"})
+  {
+    if (!vtkSMPTools::SetBackend(backend))
+    {
+      continue; // not in this VTK
+    }
+    const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
+    field->SetNumberOfThreads(1);
+    field->Modified();
+    field->Update();
+    EXPECT_EQ(vtkSMPTools::GetEstimatedNumberOfThreads(), before) << backend;
+  }
+  vtkSMPTools::SetBackend(active.c_str());
 }
 
 TEST_F(FieldPipeline, ErrorLeavesTheFilterUsable)

@@ -3,12 +3,17 @@
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
@@ -20,6 +25,37 @@
 
 namespace
 {
+
+/// A sphere that is elsewhere at every time.
+class MovingSphere : public vtkPolyDataAlgorithm
+{
+public:
+  static MovingSphere* New() { VTK_STANDARD_NEW_BODY(MovingSphere); }
+  vtkTypeMacro(MovingSphere, vtkPolyDataAlgorithm);
+
+protected:
+  MovingSphere() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[3] = {0, 1, 2}, range[2] = {0, 2};
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(10 * info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()), 0, 0);
+    sphere->Update();
+    vtkPolyData::GetData(info)->ShallowCopy(sphere->GetOutput());
+    return 1;
+  }
+};
 
 class Probe : public testing::Test
 {
@@ -131,6 +167,25 @@ TEST_F(Probe, NoQueriesGiveNoValues)
   probe->Update();
   EXPECT_EQ(log.errors(), "");
   EXPECT_EQ(probe->GetOutput()->GetPointData()->GetArray("WindingNumber")->GetNumberOfTuples(), 0);
+}
+
+TEST_F(Probe, SourceThatMovesInTimeIsFollowed)
+{
+  vtkNew<MovingSphere> moving;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(10, 0, 0);
+  vtkNew<vtkPolyData> queries;
+  queries->SetPoints(points);
+  probe->SetInputData(queries);
+  probe->SetSourceConnection(moving->GetOutputPort());
+  for (int time : {0, 1, 0})
+  {
+    probe->UpdateTimeStep(time);
+    vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    EXPECT_NEAR(values->GetTuple1(0), time == 0, 1e-13);
+    EXPECT_NEAR(values->GetTuple1(1), time == 1, 1e-13);
+  }
 }
 
 TEST_F(Probe, CompositeQueriesAreProbedLeafByLeaf)

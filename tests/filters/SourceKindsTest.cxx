@@ -1,7 +1,11 @@
 #include "filters/ErrorLog.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCubeSource.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -14,6 +18,7 @@
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
@@ -247,6 +252,75 @@ TEST_F(SourceKinds, MeshAsPointsIsItsCloud)
   // Without normals of its own the mesh's triangles give them.
   EXPECT_NEAR(
     this->windingNumber(sphere(0.5, false), 0, 0, 0), this->windingNumber(sphere(), 0, 0, 0), 1e-3);
+}
+
+TEST_F(SourceKinds, VolumeMeshAsPointsIsTheCloudOfItsSurface)
+{
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(9, 9, 9);
+  vtkNew<vtkAppendFilter> hexahedra; // makes an unstructured grid
+  hexahedra->SetInputData(box);
+  hexahedra->Update();
+  vtkNew<vtkDataSetSurfaceFilter> skin;
+  skin->SetInputConnection(hexahedra->GetOutputPort());
+  skin->Update();
+  probe->SetSourceAsPoints(1);
+  const double w = this->windingNumber(hexahedra->GetOutput(), 4, 4, 4);
+  EXPECT_NEAR(w, 1, 0.1); // measured 1.04
+  EXPECT_EQ(w, this->windingNumber(skin->GetOutput(), 4, 4, 4));
+}
+
+TEST_F(SourceKinds, GhostsAreLeftOut)
+{
+  auto own = sphere(), ghost = sphere();
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfTuples(ghost->GetNumberOfCells());
+  flags->Fill(vtkDataSetAttributes::DUPLICATECELL);
+  ghost->GetCellData()->AddArray(flags);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, own);
+  blocks->SetBlock(1, ghost);
+  EXPECT_NEAR(this->windingNumber(blocks, 0, 0, 0), 1, 1e-12);
+
+  auto points = cloud();
+  probe->SetPointArea(1e-3);
+  const double w = this->windingNumber(points, 0, 0, 0);
+  auto ghostPoints = cloud();
+  vtkNew<vtkUnsignedCharArray> pointFlags;
+  pointFlags->SetName(vtkDataSetAttributes::GhostArrayName());
+  pointFlags->SetNumberOfTuples(ghostPoints->GetNumberOfPoints());
+  pointFlags->Fill(vtkDataSetAttributes::DUPLICATEPOINT);
+  ghostPoints->GetPointData()->AddArray(pointFlags);
+  blocks->SetBlock(0, points);
+  blocks->SetBlock(1, ghostPoints);
+  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
+}
+
+TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)
+{
+  // Two clouds that differ in the array that is used second only.
+  const auto withNormals = [](const char* name, double sign, vtkPolyData* points)
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->DeepCopy(points->GetPointData()->GetNormals());
+    for (vtkIdType i = 0; i < normals->GetNumberOfValues(); ++i)
+    {
+      normals->SetValue(i, sign * normals->GetValue(i));
+    }
+    normals->SetName(name);
+    points->GetPointData()->AddArray(normals);
+  };
+  auto first = cloud(), second = cloud();
+  withNormals("A", 1, first);
+  withNormals("B", -1, first);
+  withNormals("A", 1, second);
+  withNormals("B", 1, second);
+  probe->SetNormalsArray("A");
+  const double w = this->windingNumber(first, 0, 0, 0);
+  probe->SetNormalsArray("B");
+  EXPECT_EQ(this->windingNumber(first, 0, 0, 0), -w);
+  EXPECT_EQ(this->windingNumber(second, 0, 0, 0), w);
 }
 
 TEST_F(SourceKinds, ParityNeedsTriangles)

@@ -1,7 +1,9 @@
 #include "filters/ErrorLog.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFeatureEdges.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -209,6 +211,56 @@ TEST(Voxels, UnknownArrayMeansTheActiveScalars)
   voxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "");
   voxels->Update();
   EXPECT_EQ(voxels->GetOutput()->GetNumberOfPolys(), 6);
+}
+
+TEST(Voxels, DirectionsOfTheImageAreFollowed)
+{
+  // Turned by a quarter about z, and then also mirrored.
+  for (const double mirror : {1.0, -1.0})
+  {
+    auto turned = image(1, 1, 1, {1});
+    turned->SetOrigin(0, 0, 0);
+    turned->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, mirror);
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputData(turned);
+    voxels->Update();
+    const double expected[6] = {-0.5, 0.5, -1, 1, -0.25, 0.25};
+    for (int i = 0; i < 6; ++i)
+    {
+      EXPECT_NEAR(voxels->GetOutput()->GetBounds()[i], expected[i], 1e-15);
+    }
+    EXPECT_NEAR(signedVolume(voxels->GetOutput()), 1, 1e-12) << "faces outwards";
+  }
+}
+
+TEST(Voxels, FlatImageOfCellsIsALayer)
+{
+  vtkNew<vtkImageData> flat;
+  flat->SetDimensions(3, 3, 1);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("w");
+  values->SetNumberOfTuples(4);
+  values->Fill(1);
+  flat->GetCellData()->SetScalars(values);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputData(flat);
+  voxels->Update();
+  EXPECT_EQ(voxels->GetOutput()->GetNumberOfPolys(), 16);
+}
+
+TEST(Voxels, ArrayThatIsNotOfTheVoxelsIsAnError)
+{
+  auto source = image(3, 3, 3, std::vector<float>(27, 1));
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  other->InsertNextValue(1);
+  source->GetFieldData()->AddArray(other);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  ErrorLog log(voxels);
+  voxels->SetInputData(source);
+  voxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "other");
+  voxels->Update();
+  EXPECT_NE(log.errors().find("has 1 values for 27 voxels"), std::string::npos) << log.errors();
 }
 
 TEST(Voxels, ImageWithoutScalarsIsAnError)
