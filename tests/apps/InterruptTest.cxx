@@ -19,12 +19,11 @@ void interruptRun(int signal, const std::vector<std::string>& more)
 {
   const TemporaryFolder folder;
   const std::string in = folder.write("in.off", asOff(sphere(5)));
-  std::vector<std::string> arguments = {
-    "field", in, "-o", folder.path("out.vti"), "--threads", "1", "--resolution", "500",
-    "--method", "direct"};
+  std::vector<std::string> arguments = {"field", in, "-o", folder.path("out.vti"), "--threads", "1",
+    "--resolution", "500", "--method", "direct"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const int process = startProgram(arguments);
-  for (int i = 0; i < 500 && folder.names().size() < 2; ++i)
+  for (int i = 0; i < 2000 && folder.names().size() < 2; ++i)
   {
     std::this_thread::sleep_for(10ms);
   }
@@ -34,7 +33,8 @@ void interruptRun(int signal, const std::vector<std::string>& more)
   kill(process, signal);
   int status = 0;
   waitpid(process, &status, 0);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
+  EXPECT_LT(
+    std::chrono::steady_clock::now() - start, 5s); // measured 0.1 s; a loaded machine is slower
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
@@ -42,12 +42,12 @@ void interruptRun(int signal, const std::vector<std::string>& more)
 
 TEST(Interrupt, FieldInMemory)
 {
-  interruptRun(SIGINT, {"--method", "direct"});
+  interruptRun(SIGINT, {});
 }
 
 TEST(Interrupt, FieldInPieces)
 {
-  interruptRun(SIGTERM, {"--method", "direct", "--pieces", "40"});
+  interruptRun(SIGTERM, {"--pieces", "40"});
 }
 
 } // namespace
