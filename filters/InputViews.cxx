@@ -1,215 +1,23 @@
 #include "InputViews.h"
 
+#include "ContentHash.h"
+#include "FlatTriangles.h"
 #include "Refusal.h"
+#include "SourceParts.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
-#include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtractCells.h"
-#include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
-#include <cstring>
 
 namespace winding
 {
-
-namespace
-{
-
-/// Whether a data set has cells that bound something: of two dimensions or more.
-bool hasFaces(vtkPointSet* leaf)
-{
-  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
-  {
-    return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
-  }
-  vtkNew<vtkCellTypes> types;
-  leaf->GetCellTypes(types);
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-  {
-    cell->SetCellType(types->GetCellType(static_cast<int>(i)));
-    if (cell->GetCellDimension() >= 2)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// vtkDataSetSurfaceFilter trusts the ids of cells, and crashes on those of points that do not exist.
-void checkCellIds(vtkPointSet* leaf)
-{
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
-  {
-    leaf->GetCellPoints(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
-      {
-        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
-                      std::to_string(ids->GetId(i)) + " of " +
-                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
-      }
-    }
-  }
-}
-
-/// Whether any of a ghost array's flags is set.
-bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
-{
-  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples(); ++i)
-  {
-    if (ghosts->GetValue(i) & flags)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/**
- * What a data set has in its own right: cells and points that another piece of the data has too, or
- * that are hidden, would be counted twice or against the user's will.
- */
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
-{
-  constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  constexpr int ghostPoint =
-    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  const bool strip = isMesh ? hasFlags(leaf->GetCellGhostArray(), ghostCell)
-                            : hasFlags(leaf->GetPointGhostArray(), ghostPoint);
-  if (!strip)
-  {
-    return leaf;
-  }
-  vtkNew<vtkIdList> own;
-  auto clean = vtkSmartPointer<vtkPolyData>::New();
-  if (isMesh)
-  {
-    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
-    {
-      if (!(leaf->GetCellGhostArray()->GetValue(i) & ghostCell))
-      {
-        own->InsertNextId(i);
-      }
-    }
-    vtkNew<vtkExtractCells> extract;
-    extract->SetInputData(leaf);
-    extract->SetCellList(own);
-    vtkNew<vtkDataSetSurfaceFilter> skin;
-    skin->SetInputConnection(extract->GetOutputPort());
-    skin->Update();
-    clean->ShallowCopy(skin->GetOutput());
-    return clean;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  clean->GetPointData()->CopyAllocate(leaf->GetPointData());
-  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
-  {
-    if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
-    {
-      clean->GetPointData()->CopyData(
-        leaf->GetPointData(), i, points->InsertNextPoint(leaf->GetPoint(i)));
-    }
-  }
-  clean->SetPoints(points);
-  return clean;
-}
-
-/// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
-class Hash
-{
-public:
-  template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
-
-  void addArray(vtkDataArray* array)
-  {
-    if (!array)
-    {
-      this->addValue(-1);
-      return;
-    }
-    this->addValue(array->GetDataType());
-    this->addValue(array->GetNumberOfValues());
-    this->addBytes(array->GetVoidPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) *
-                                               static_cast<std::size_t>(array->GetDataTypeSize()));
-  }
-
-  void addCells(vtkCellArray* cells)
-  {
-    this->addArray(cells->GetOffsetsArray());
-    this->addArray(cells->GetConnectivityArray());
-  }
-
-  std::uint64_t value() const { return hash_; }
-
-private:
-  void addBytes(const void* data, std::size_t size)
-  {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t))
-    {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes + i, std::min(sizeof word, size - i));
-      hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
-      hash_ ^= hash_ >> 29;
-    }
-  }
-
-  std::uint64_t hash_ = 0x2545F4914F6CDD1Du;
-};
-
-/// A polygon as the fan from its first vertex: for planar polygons the right chain, convex or not.
-void appendFan(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
-{
-  for (vtkIdType i = 2; i < size; ++i)
-  {
-    triangles.insert(triangles.end(), {ids[0], ids[i - 1], ids[i]});
-  }
-}
-
-/// A strip: every other triangle is turned round.
-void appendStrip(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
-{
-  for (vtkIdType i = 2; i < size; ++i)
-  {
-    const bool turned = i % 2 == 1;
-    triangles.insert(
-      triangles.end(), {ids[i - 2], ids[turned ? i : i - 1], ids[turned ? i - 1 : i]});
-  }
-}
-
-template <class Append> std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
-{
-  std::vector<std::int64_t> triangles;
-  triangles.reserve(3 * static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
-  vtkIdType size;
-  const vtkIdType* ids;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, size, ids);
-    append(size, ids, triangles);
-  }
-  return triangles;
-}
-
-} // namespace
 
 InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
   : options_(options)
@@ -261,7 +69,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
 
 std::uint64_t InputViews::fingerprint() const
 {
-  Hash hash;
+  ContentHash hash;
   hash.addValue(isSurface_);
   for (vtkPointSet* leaf : leaves_)
   {
@@ -371,7 +179,7 @@ TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
     }
     return {polygons->GetConnectivityArray32()->GetPointer(0), count};
   }
-  ids_.push_back(flatten(polygons, appendFan));
+  ids_.push_back(trianglesOfPolygons(polygons));
   return {ids_.back().data(), ids_.back().size() / 3};
 }
 
@@ -404,7 +212,7 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
   }
   if (polyData->GetNumberOfStrips() > 0)
   {
-    ids_.push_back(flatten(polyData->GetStrips(), appendStrip));
+    ids_.push_back(trianglesOfStrips(polyData->GetStrips()));
     views.push_back({points, {ids_.back().data(), ids_.back().size() / 3}});
   }
 }

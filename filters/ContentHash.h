@@ -1,0 +1,56 @@
+#pragma once
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace winding
+{
+
+/// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
+class ContentHash
+{
+public:
+  template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
+
+  void addArray(vtkDataArray* array)
+  {
+    if (!array)
+    {
+      this->addValue(-1);
+      return;
+    }
+    this->addValue(array->GetDataType());
+    this->addValue(array->GetNumberOfValues());
+    this->addBytes(array->GetVoidPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) *
+                                               static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+
+  void addCells(vtkCellArray* cells)
+  {
+    this->addArray(cells->GetOffsetsArray());
+    this->addArray(cells->GetConnectivityArray());
+  }
+
+  std::uint64_t value() const { return hash_; }
+
+private:
+  void addBytes(const void* data, std::size_t size)
+  {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t))
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes + i, std::min(sizeof word, size - i));
+      hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
+      hash_ ^= hash_ >> 29;
+    }
+  }
+
+  std::uint64_t hash_ = 0x2545F4914F6CDD1Du;
+};
+
+} // namespace winding

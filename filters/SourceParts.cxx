@@ -1,0 +1,124 @@
+#include "SourceParts.h"
+
+#include "Refusal.h"
+
+#include "vtkCellTypes.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkExtractCells.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Whether any of a ghost array's flags is set.
+bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
+{
+  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    if (ghosts->GetValue(i) & flags)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool hasFaces(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
+  }
+  vtkNew<vtkCellTypes> types;
+  leaf->GetCellTypes(types);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(static_cast<int>(i)));
+    if (cell->GetCellDimension() >= 2)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void checkCellIds(vtkPointSet* leaf)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
+  {
+    leaf->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
+      {
+        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
+                      std::to_string(ids->GetId(i)) + " of " +
+                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
+      }
+    }
+  }
+}
+
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
+{
+  constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  constexpr int ghostPoint =
+    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  const bool strip = isMesh ? hasFlags(leaf->GetCellGhostArray(), ghostCell)
+                            : hasFlags(leaf->GetPointGhostArray(), ghostPoint);
+  if (!strip)
+  {
+    return leaf;
+  }
+  vtkNew<vtkIdList> own;
+  auto clean = vtkSmartPointer<vtkPolyData>::New();
+  if (isMesh)
+  {
+    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+    {
+      if (!(leaf->GetCellGhostArray()->GetValue(i) & ghostCell))
+      {
+        own->InsertNextId(i);
+      }
+    }
+    vtkNew<vtkExtractCells> extract;
+    extract->SetInputData(leaf);
+    extract->SetCellList(own);
+    vtkNew<vtkDataSetSurfaceFilter> skin;
+    skin->SetInputConnection(extract->GetOutputPort());
+    skin->Update();
+    clean->ShallowCopy(skin->GetOutput());
+    return clean;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  clean->GetPointData()->CopyAllocate(leaf->GetPointData());
+  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
+  {
+    if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
+    {
+      clean->GetPointData()->CopyData(
+        leaf->GetPointData(), i, points->InsertNextPoint(leaf->GetPoint(i)));
+    }
+  }
+  clean->SetPoints(points);
+  return clean;
+}
+
+} // namespace winding

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+class vtkPointSet;
+
+namespace winding
+{
+
+/// Whether a data set has cells that bound something: of two dimensions or more.
+bool hasFaces(vtkPointSet* leaf);
+
+/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts the
+/// ids of cells, and crashes on such.
+void checkCellIds(vtkPointSet* leaf);
+
+/**
+ * What a data set has in its own right: cells and points that another piece of the data has too, or
+ * that are hidden, would be counted twice or against the user's will. The data set itself if there
+ * are none.
+ */
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh);
+
+} // namespace winding
