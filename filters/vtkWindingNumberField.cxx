@@ -111,6 +111,9 @@ void vtkWindingNumberField::GiveInformation(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
+  // What was said of the last grid must not be taken for this one's, should there be none.
+  outInfo->Remove(vtkDataObject::ORIGIN());
+  outInfo->Remove(vtkDataObject::SPACING());
   if (this->UseInputBounds)
   {
     this->UpdateSource(outInfo);
@@ -145,6 +148,11 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   vtkImageData* output = vtkImageData::GetData(outInfo);
   // The pipeline keeps an image's old arrays to be used again, which these are not.
   output->Initialize();
+  if (!outInfo->Has(vtkDataObject::ORIGIN()) || !outInfo->Has(Pipeline::UPDATE_EXTENT()))
+  {
+    // Some pipelines, ParaView's among them, ask for data even where the information failed.
+    throw winding::Refusal("there is no grid; mend what the error before this one says");
+  }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   if (this->VerifySamples > 0 && this->Method == PARITY)

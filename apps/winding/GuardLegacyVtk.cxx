@@ -97,9 +97,12 @@ private:
   void readHeader()
   {
     std::string_view version = takeLine(text_, next_);
+    const bool isMarked = version.substr(0, versionStart.size()) == versionStart;
     version.remove_prefix(std::min(version.size(), versionStart.size()));
-    long long major = 0;
-    if (!parseInteger(version.substr(0, version.find('.')), major))
+    const std::size_t dot = std::min(version.find('.'), version.size());
+    long long major = 0, minor = 0;
+    if (!isMarked || !parseInteger(version.substr(0, dot), major) ||
+        !parseInteger(version.substr(std::min(dot + 1, version.size())), minor))
     {
       this->refuse("the version of the format is missing");
     }

@@ -4,6 +4,7 @@
 #include "FileAccess.h"
 
 #include <array>
+#include <cmath>
 
 namespace
 {
@@ -62,6 +63,11 @@ private:
       {
         this->refuse(
           std::string("a ") + names[kind] + " without its numbers; it is truncated or damaged");
+      }
+      // VTK's reader would take it for 0.
+      if (kind == 0 && !std::isfinite(value))
+      {
+        this->refuse("a vertex that is not a number; remove it and its faces");
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -128,6 +129,10 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     checkFieldLike(options, wasGiven);
   }
   require(!options.array.empty(), "--array is empty; give the array a name");
+  // VTK writes names into XML as they are, and could not read the file again.
+  require(std::all_of(options.array.begin(), options.array.end(),
+            [](char c) { return c >= ' ' && c <= '~' && !std::strchr("<>&\"'", c); }),
+    "--array has characters that a file cannot hold; use letters, digits and blanks");
   require(options.command != "surface" || options.rule != Filter::ODD,
     "--rule odd has no level to draw a surface at; use voxels, or another rule");
 }

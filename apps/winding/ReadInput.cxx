@@ -28,6 +28,7 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <new>
@@ -216,6 +217,32 @@ vtkSmartPointer<vtkPointSet> readWith(
   return data;
 }
 
+/// VTK's readers of OBJ, PLY and STL keep single precision: far from the origin, that moves vertices.
+void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
+{
+  if (data->GetNumberOfPoints() == 0 || data->GetPoints()->GetDataType() != VTK_FLOAT)
+  {
+    return;
+  }
+  double bounds[6];
+  data->GetPoints()->GetBounds(bounds);
+  double largest = 0, longest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({largest, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1])});
+    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  constexpr double floatStep = 1.0 / (1 << 23);
+  constexpr double acceptable = 1e-4; // of the longest side
+  if (largest * floatStep > acceptable * longest && longest > 0)
+  {
+    messages.warn(
+      fileName + ": its coordinates are kept in single precision, and so far from the " +
+      "origin that vertices move by more than a ten-thousandth of its size; move it to " +
+      "the origin, or use .vtp or .off with double precision");
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPointSet> readInput(
@@ -235,7 +262,9 @@ vtkSmartPointer<vtkPointSet> readInput(
     }
     const MakeReader makeReader = readerFor(fileName);
     checkContentFits(fileName);
-    return readWith(makeReader(fileName), fileName, options, messages);
+    const auto data = readWith(makeReader(fileName), fileName, options, messages);
+    warnOfLostDigits(data, fileName, messages);
+    return data;
   }
   catch (const std::length_error&)
   {

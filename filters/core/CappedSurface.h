@@ -21,7 +21,8 @@ namespace winding
  * Guaranteed: (1) for a closed surface, integers, exact off the surface; (2) for an open one, equal to
  * the direct sum up to its rounding, next to the cap too: there χ and w_C jump by the same 1, and
  * where rounding could make them disagree about the side, another cap that is elsewhere decides;
- * (3) values have the same bits for any extent, executor and number of threads.
+ * (3) values have the same bits for any extent, executor and number of threads. On the surface: one of
+ * the sides for a closed one; for an open one finite, and mostly one of the sides.
  */
 class CappedSurface
 {

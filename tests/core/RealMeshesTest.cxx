@@ -120,7 +120,7 @@ TEST_P(RealMeshes, EqualTheDirectSumAndHaveTheSameBitsInSevenPieces)
     }
   }
   record("largestError", largest);
-  EXPECT_LT(largest, 2e-6); // measured: REAL, the rounding to float
+  EXPECT_LT(largest, 2e-6); // measured: 5.6e-8, the rounding to float
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, RealMeshes,

@@ -79,7 +79,7 @@ TEST(RowTriangle, FindsEveryRowThatCrossesInItsRange)
   }
   shapes::record("crossings", static_cast<double>(crossings));
   shapes::record("asked", static_cast<double>(asked));
-  // A row or two at the ends of a range do not cross, and rows along edges. Measured: ASKED.
+  // A row or two at the ends of a range do not cross, and rows along edges. Measured: 1.08 times.
   EXPECT_LT(static_cast<double>(asked), 1.3 * static_cast<double>(crossings));
 }
 
@@ -128,7 +128,8 @@ TEST(RowTriangle, PutsTheFirstSampleBehindWhereThePlaneTurnsItsSide)
       ASSERT_EQ(triangle.firstBehind(j, k, sign, 5, 5), std::clamp(expected, 5, 6)) << n;
     }
   }
-  EXPECT_GT(crossings, 10000u); // measured: BEHIND
+  shapes::record("crossings", static_cast<double>(crossings));
+  EXPECT_GT(crossings, 10000u); // measured: 25636
 }
 
 TEST(RowTriangle, IsCrossedByAsManyRowsEachWayAsItsReverse)

@@ -4,6 +4,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkGeomviewOFFReader.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -293,6 +294,31 @@ TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   EXPECT_NE(log.errors().find("failed"), std::string::npos) << log.errors();
+}
+
+TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
+{
+  // ParaView asks for data even where the information failed, after a good run and before any.
+  for (const bool ranBefore : {false, true})
+  {
+    vtkNew<vtkWindingNumberField> fresh;
+    fresh->SetInputConnection(sphere->GetOutputPort());
+    fresh->SetResolution(6);
+    if (ranBefore)
+    {
+      fresh->Update();
+    }
+    fresh->SetResolution(0);
+    ErrorLog log(fresh);
+    fresh->UpdateInformation();
+    vtkNew<vtkInformation> request;
+    request->Set(vtkDemandDrivenPipeline::REQUEST_DATA());
+    vtkExecutive* executive = fresh->GetExecutive();
+    EXPECT_EQ(fresh->ProcessRequest(
+                request, executive->GetInputInformation(), executive->GetOutputInformation()),
+      0);
+    EXPECT_NE(log.errors().find("there is no grid"), std::string::npos) << log.errors();
+  }
 }
 
 TEST_F(FieldPipeline, ThreadLimitEndsWithTheFilter)
