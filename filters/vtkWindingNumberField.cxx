@@ -150,7 +150,9 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   output->Initialize();
   if (!outInfo->Has(vtkDataObject::ORIGIN()) || !outInfo->Has(Pipeline::UPDATE_EXTENT()))
   {
-    // Some pipelines, ParaView's among them, ask for data even where the information failed.
+    // Some pipelines, ParaView's among them, ask for data even where the information failed. Trying
+    // again says why it did.
+    this->LayOutGrid(vtkDataObject::GetData(inputs[0]));
     throw winding::Refusal("there is no grid; mend what the error before this one says");
   }
   int extent[6];
