@@ -59,10 +59,7 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
       block.count = std::min(SampleBlock::capacity, count - done);
       for (std::size_t n = 0; n < block.count; ++n)
       {
-        const Eigen::Vector3d position = grid.sample(run.begin + static_cast<int>(done + n), j, k);
-        block.x[n] = position[0];
-        block.y[n] = position[1];
-        block.z[n] = position[2];
+        block.set(n, grid.sample(run.begin + static_cast<int>(done + n), j, k));
       }
       double values[SampleBlock::capacity];
       bool isSuspect[SampleBlock::capacity];
@@ -86,10 +83,7 @@ double CappedSurface::resolveOnCap(const Grid& grid, int i, int j, int k, int ro
 {
   SampleBlock block;
   block.count = 1;
-  const Eigen::Vector3d position = grid.sample(i, j, k);
-  block.x[0] = position[0];
-  block.y[0] = position[1];
-  block.z[0] = position[2];
+  block.set(0, grid.sample(i, j, k));
   double value;
   bool isSuspect;
   if (fanSum_.evaluateWatching(block, &value, &isSuspect))

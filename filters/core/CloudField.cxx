@@ -67,10 +67,13 @@ double CloudField::reference(const Eigen::Vector3d& sample) const
   return referenceSum<double>(cloud_, cloud_.areas, sample);
 }
 
-Eigen::Vector3d CloudField::pointOnSource(double, double, double t) const
+Field::PointOnSource CloudField::pointOnSource() const
 {
-  const auto i = static_cast<std::size_t>(t * static_cast<double>(cloud_.positions.size()));
-  return cloud_.positions[std::min(i, cloud_.positions.size() - 1)];
+  return [this](double, double, double t)
+  {
+    const auto i = static_cast<std::size_t>(t * static_cast<double>(cloud_.positions.size()));
+    return cloud_.positions[std::min(i, cloud_.positions.size() - 1)];
+  };
 }
 
 } // namespace winding

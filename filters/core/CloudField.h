@@ -15,7 +15,7 @@ public:
 
   const FieldInfo& info() const override { return info_; }
   double reference(const Eigen::Vector3d& sample) const override;
-  Eigen::Vector3d pointOnSource(double u, double v, double t) const override;
+  PointOnSource pointOnSource() const override;
 
 protected:
   const Evaluator& evaluator() const override { return *evaluator_; }

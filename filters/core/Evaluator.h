@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstddef>
 
 namespace winding
@@ -17,6 +19,13 @@ struct SampleBlock
   alignas(64) double y[capacity] = {};
   alignas(64) double z[capacity] = {};
   std::size_t count = 0;
+
+  void set(std::size_t i, const Eigen::Vector3d& position)
+  {
+    x[i] = position[0];
+    y[i] = position[1];
+    z[i] = position[2];
+  }
 };
 
 /**

@@ -83,10 +83,7 @@ bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
       block.count = std::min(blockSize, samples - first);
       for (std::size_t i = 0; i < block.count; ++i)
       {
-        const Eigen::Vector3d position = positionOf(first + i);
-        block.x[i] = position[0];
-        block.y[i] = position[1];
-        block.z[i] = position[2];
+        block.set(i, positionOf(first + i));
       }
       double values[SampleBlock::capacity];
       method.evaluate(block, values);

@@ -5,6 +5,7 @@
 #include "Grid.h"
 #include "Views.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -90,8 +91,11 @@ public:
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
 
-  /// A point of the source, evenly distributed for u, v, t evenly distributed over [0, 1).
-  virtual Eigen::Vector3d pointOnSource(double u, double v, double t) const = 0;
+  /// Points of the source, evenly distributed for u, v, t evenly distributed over [0, 1).
+  using PointOnSource = std::function<Eigen::Vector3d(double u, double v, double t)>;
+
+  /// Made on request, in linear time, and valid as long as the field; not for one without primitives.
+  virtual PointOnSource pointOnSource() const = 0;
 
 protected:
   virtual const Evaluator& evaluator() const = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace winding
 {
@@ -28,15 +29,6 @@ SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldO
       " with ids of points that do not exist)";
   }
   this->chooseMethod(options);
-
-  cumulativeAreas_.reserve(surface_.triangles.size());
-  double area = 0;
-  for (const Triangle& t : surface_.triangles)
-  {
-    const Eigen::Vector3d& a = surface_.vertices[t[0]];
-    area += (surface_.vertices[t[1]] - a).cross(surface_.vertices[t[2]] - a).stableNorm();
-    cumulativeAreas_.push_back(area);
-  }
 }
 
 SurfaceField::~SurfaceField() = default;
@@ -95,17 +87,28 @@ double SurfaceField::reference(const Eigen::Vector3d& sample) const
   return referenceSum<double>(surface_, sample);
 }
 
-Eigen::Vector3d SurfaceField::pointOnSource(double u, double v, double t) const
+Field::PointOnSource SurfaceField::pointOnSource() const
 {
-  const auto found =
-    std::upper_bound(cumulativeAreas_.begin(), cumulativeAreas_.end(), t * cumulativeAreas_.back());
-  const std::size_t i = std::min<std::size_t>(
-    static_cast<std::size_t>(found - cumulativeAreas_.begin()), surface_.triangles.size() - 1);
-  const Triangle& triangle = surface_.triangles[i];
-  const double root = std::sqrt(u);
-  return (1 - root) * surface_.vertices[triangle[0]] +
-         root * (1 - v) * surface_.vertices[triangle[1]] +
-         root * v * surface_.vertices[triangle[2]];
+  std::vector<double> cumulativeAreas;
+  cumulativeAreas.reserve(surface_.triangles.size());
+  double area = 0;
+  for (const Triangle& t : surface_.triangles)
+  {
+    const Eigen::Vector3d& a = surface_.vertices[t[0]];
+    area += (surface_.vertices[t[1]] - a).cross(surface_.vertices[t[2]] - a).stableNorm();
+    cumulativeAreas.push_back(area);
+  }
+  return [this, areas = std::move(cumulativeAreas)](double u, double v, double t)
+  {
+    const auto found = std::upper_bound(areas.begin(), areas.end(), t * areas.back());
+    const std::size_t i = std::min<std::size_t>(
+      static_cast<std::size_t>(found - areas.begin()), surface_.triangles.size() - 1);
+    const Triangle& triangle = surface_.triangles[i];
+    const double root = std::sqrt(u);
+    return Eigen::Vector3d((1 - root) * surface_.vertices[triangle[0]] +
+                           root * (1 - v) * surface_.vertices[triangle[1]] +
+                           root * v * surface_.vertices[triangle[2]]);
+  };
 }
 
 } // namespace winding

@@ -21,7 +21,7 @@ public:
     Executor& executor) const override;
 
   double reference(const Eigen::Vector3d& sample) const override;
-  Eigen::Vector3d pointOnSource(double u, double v, double t) const override;
+  PointOnSource pointOnSource() const override;
 
 protected:
   const Evaluator& evaluator() const override { return *evaluator_; }
@@ -33,7 +33,6 @@ private:
   FieldInfo info_;
   std::unique_ptr<const CappedSurface> capped_; ///< method rows: for grids
   std::unique_ptr<const Evaluator> evaluator_;  ///< for scattered samples, and for other methods
-  std::vector<double> cumulativeAreas_;
 };
 
 } // namespace winding

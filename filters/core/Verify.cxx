@@ -60,13 +60,14 @@ std::vector<Eigen::Vector3i> drawNear(
   {
     return drawn;
   }
+  const Field::PointOnSource pointOnSource = field.pointOnSource();
   constexpr double farthest = 2; // voxels
   // A grid may miss the source altogether, so there is an end to the tries.
   for (std::size_t tries = 0; tries < 20 * samples && drawn.size() < samples; ++tries)
   {
     const double u = random(), v = random(), t = random();
     const Eigen::Array3d position =
-      (field.pointOnSource(u, v, t) - grid.firstSample).cwiseQuotient(grid.spacing).array();
+      (pointOnSource(u, v, t) - grid.firstSample).cwiseQuotient(grid.spacing).array();
     Eigen::Array3d jittered = position;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -205,7 +205,7 @@ TEST(FieldPointOnSource, IsEvenlySpreadOverTheSurface)
   for (int i = 0; i < count; ++i)
   {
     const double u = random(0, 1), v = random(0, 1), t = random(0, 1);
-    const Point p = field->pointOnSource(u, v, t);
+    const Point p = field->pointOnSource()(u, v, t);
     // Weighted means of three corners: a few roundings, none of them above 4e-16.
     constexpr double rounding = 1e-15;
     const Eigen::Array3d unit = p.array() / Eigen::Array3d(1, 2, 4);
@@ -226,6 +226,7 @@ TEST(FieldPointOnSource, OfACloudIsEachOfItsPoints)
   const auto field = fieldOf(cloud);
   for (std::size_t i = 0; i < 50; ++i)
   {
-    EXPECT_EQ(field->pointOnSource(0, 0, (static_cast<double>(i) + 0.5) / 50), cloud.positions[i]);
+    EXPECT_EQ(
+      field->pointOnSource()(0, 0, (static_cast<double>(i) + 0.5) / 50), cloud.positions[i]);
   }
 }
