@@ -19,14 +19,6 @@ void store(const Eigen::Vector3d& from, double (&to)[3])
   std::copy_n(from.data(), 3, to);
 }
 
-void sumAngles(const AngleProducts& products, std::size_t count, double* values)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    values[i] = products.turns[i] + std::atan2(products.im[i], products.re[i]) / (2 * pi);
-  }
-}
-
 } // namespace
 
 TriangleSum::TriangleSum(const std::vector<Eigen::Vector3d>& vertices,

@@ -5,6 +5,8 @@
 #define HWY_TARGET_INCLUDE "DirectSumKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+// After highway.h, of which it wants to know the instruction set.
+#include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace winding
@@ -109,6 +111,25 @@ void multiplyAnglesWatchingLoop(const KernelTriangle* triangles, std::size_t cou
   multiply<true>(triangles, count, samples, products);
 }
 
+void sumAnglesLoop(const AngleProducts& products, std::size_t count, double* HWY_RESTRICT values)
+{
+  const Tag d;
+  const Vec half = hn::Set(d, 0.5), quarter = hn::Set(d, 0.25);
+  const Vec perTurn = hn::Set(d, 0.15915494309189533577); // 1 / 2π
+  alignas(64) double room[hn::MaxLanes(Tag())];
+  for (std::size_t s = 0; s < count; s += hn::Lanes(d))
+  {
+    // atan2 by the angle to the nearer axis.
+    const Vec re = hn::Load(d, products.re + s), im = hn::Load(d, products.im + s);
+    const Vec x = hn::Abs(re), y = hn::Abs(im);
+    const Vec angle = hn::Mul(perTurn, hn::Atan(d, hn::Div(hn::Min(x, y), hn::Max(x, y))));
+    const Vec first = hn::IfThenElse(hn::Gt(y, x), hn::Sub(quarter, angle), angle);
+    const Vec upper = hn::IfThenElse(hn::Lt(re, hn::Zero(d)), hn::Sub(half, first), first);
+    hn::Store(hn::Add(hn::Load(d, products.turns + s), hn::CopySign(upper, im)), d, room);
+    std::copy_n(room, std::min(hn::Lanes(d), count - s), values + s);
+  }
+}
+
 void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
   const SampleBlock& samples, KernelSums& sums)
 {
@@ -151,6 +172,7 @@ namespace winding
 
 HWY_EXPORT(multiplyAnglesLoop);
 HWY_EXPORT(multiplyAnglesWatchingLoop);
+HWY_EXPORT(sumAnglesLoop);
 HWY_EXPORT(addDipolesLoop);
 HWY_EXPORT(instructionSetName);
 
@@ -164,6 +186,11 @@ void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products)
 {
   HWY_DYNAMIC_DISPATCH(multiplyAnglesWatchingLoop)(triangles, count, samples, products);
+}
+
+void sumAngles(const AngleProducts& products, std::size_t count, double* values)
+{
+  HWY_DYNAMIC_DISPATCH(sumAnglesLoop)(products, count, values);
 }
 
 void addDipoles(

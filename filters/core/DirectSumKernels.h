@@ -40,6 +40,9 @@ struct AngleProducts
   alignas(64) double suspect[SampleBlock::capacity] = {};
 };
 
+/// values[i] = argument of product i / 2π + its turns: the sum of all Ω / 4π.
+void sumAngles(const AngleProducts& products, std::size_t count, double* values);
+
 struct KernelSums
 {
   alignas(64) double sum[SampleBlock::capacity] = {};

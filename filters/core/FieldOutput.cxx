@@ -5,12 +5,13 @@
 namespace winding
 {
 
-void FieldOutput::write(const double* from, std::size_t first, std::size_t count) const
+template <class Real>
+void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
 {
   if (this->values)
   {
     std::transform(from, from + count, this->values + first,
-      [](double value) { return static_cast<float>(value); });
+      [](Real value) { return static_cast<float>(value); });
   }
   if (this->doubleValues)
   {
@@ -19,13 +20,16 @@ void FieldOutput::write(const double* from, std::size_t first, std::size_t count
   if (this->inside)
   {
     std::transform(from, from + count, this->inside + first,
-      [this](double value)
+      [this](Real value)
       {
         const double stored = this->doubleValues ? value : static_cast<float>(value);
         return static_cast<unsigned char>(isInside(stored, this->rule, this->threshold));
       });
   }
 }
+
+template void FieldOutput::write(const float*, std::size_t, std::size_t) const;
+template void FieldOutput::write(const double*, std::size_t, std::size_t) const;
 
 void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
 {

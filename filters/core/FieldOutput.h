@@ -19,7 +19,7 @@ struct FieldOutput
   double threshold = 0.5;
 
   /// Writes the values of samples first … first + count − 1.
-  void write(const double* from, std::size_t first, std::size_t count) const;
+  template <class Real> void write(const Real* from, std::size_t first, std::size_t count) const;
 
   /// Writes one value to all of samples first … first + count − 1.
   void fill(double value, std::size_t first, std::size_t count) const;

@@ -67,6 +67,15 @@ std::size_t sampleCount(const Extent& extent)
   return count;
 }
 
+std::size_t sampleNumber(const Extent& extent, int i, int j, int k)
+{
+  const auto nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const auto ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  return (static_cast<std::size_t>(k - extent[4]) * ny + static_cast<std::size_t>(j - extent[2])) *
+           nx +
+         static_cast<std::size_t>(i - extent[0]);
+}
+
 Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n)
 {
   const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);

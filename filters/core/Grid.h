@@ -39,6 +39,9 @@ struct Grid
 /// Samples in an extent; 0 if any range is empty.
 std::size_t sampleCount(const Extent& extent);
 
+/// The number of a sample of an extent, x fastest.
+std::size_t sampleNumber(const Extent& extent, int i, int j, int k);
+
 /// Indices of the n-th sample of an extent, x fastest.
 Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 

@@ -24,17 +24,22 @@ inline double unitScale(const Bounds& bounds)
 }
 
 /**
- * Multiplies the samples by a scale. Farther than 1e90 unit sizes the position is cut off at that
- * distance, where every winding number has long been 0, so that cubes of distances stay finite.
+ * A coordinate of a sample times a scale. Farther than 1e90 unit sizes it is cut off at that distance,
+ * where every winding number has long been 0, so that cubes of distances stay finite.
  */
-inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& scaled)
+inline double scaledCoordinate(double coordinate, double scale)
 {
   constexpr double farthest = 1e90;
+  return std::clamp(coordinate * scale, -farthest, farthest);
+}
+
+inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& scaled)
+{
   const auto apply = [&](const double(&from)[SampleBlock::capacity], double* to)
   {
     for (std::size_t i = 0; i < block.count; ++i)
     {
-      to[i] = std::clamp(from[i] * scale, -farthest, farthest);
+      to[i] = scaledCoordinate(from[i], scale);
     }
   };
   apply(block.x, scaled.x);

@@ -121,6 +121,6 @@ TEST(FieldOutput, WritesNothingForNoSamples)
   Arrays arrays(3);
   const Arrays before = arrays;
   arrays.output(7).fill(1, 1, 0);
-  arrays.output(7).write(nullptr, 1, 0);
+  arrays.output(7).write(static_cast<const double*>(nullptr), 1, 0);
   EXPECT_TRUE(arrays == before);
 }

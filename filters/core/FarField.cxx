@@ -1,0 +1,146 @@
+#include "FarField.h"
+
+#include "Expansions.h"
+#include "FarFieldTraversal.h"
+#include "FieldOutput.h"
+#include "FlushToZero.h"
+#include "PointCells.h"
+#include "UnitScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Brings the sources into the tree's order before their moments are made.
+const FarFieldSources& arranged(FarFieldSources& sources, const SourceTree& tree)
+{
+  sources.arrange(tree.order());
+  return sources;
+}
+
+std::vector<float> polynomialColumns(int order)
+{
+  const Eigen::MatrixXd matrix = polynomialMatrix(order);
+  const Eigen::Index rows = (matrix.rows() + 15) / 16 * 16;
+  std::vector<float> columns(static_cast<std::size_t>(rows * matrix.cols()));
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+  {
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    {
+      columns[static_cast<std::size_t>(column * rows + row)] =
+        static_cast<float>(matrix(row, column));
+    }
+  }
+  return columns;
+}
+
+/// Puts values where they belong in the arrays of an extent.
+class ArraySink final : public RowSink
+{
+public:
+  ArraySink(const Extent& extent, const FieldOutput& output)
+    : extent_(extent)
+    , output_(output)
+  {
+  }
+
+  void row(int i, int j, int k, std::size_t count, const float* values, const bool*) const override
+  {
+    output_.write(values, sampleNumber(extent_, i, j, k), count);
+  }
+
+private:
+  Extent extent_;
+  FieldOutput output_;
+};
+
+} // namespace
+
+FarField::FarField(
+  std::unique_ptr<FarFieldSources> sources, const FarFieldAccuracy& accuracy, Executor& executor)
+  : sources_(std::move(sources))
+  , accuracy_(accuracy)
+  , tree_(sources_->centers(), sources_->leafSize(), executor)
+  , moments_(tree_, arranged(*sources_, tree_), accuracy, executor)
+  , toPolynomial_(polynomialColumns(accuracy.order))
+{
+}
+
+std::vector<FarField::Task> FarField::tasks(const TargetCells& cells, int level) const
+{
+  const FlushToZero flush;
+  std::vector<Task> tasks;
+  FarFieldTraversal(*this, cells).collect(level, tasks);
+  return tasks;
+}
+
+void FarField::evaluate(const TargetCells& cells, const Task& task, bool watching) const
+{
+  const FlushToZero flush;
+  FarFieldTraversal(*this, cells).evaluate(task, watching);
+}
+
+bool FarField::evaluate(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  if (sampleCount(extent) == 0)
+  {
+    return true;
+  }
+  GridCells cells(grid, extent, this->scale(), this->order());
+  const ArraySink sink(extent, output);
+  cells.setSink(sink);
+  const std::vector<Task> all = this->tasks(cells, cells.taskLevel());
+  return executor.run(
+    all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+}
+
+bool FarField::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
+  constexpr double farthest = 64;
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
+  const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
+  const PointCells cells(samples, region, this->scale(), this->order(), output);
+  const std::vector<Task> all =
+    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
+  const bool complete =
+    executor.run(all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+  for (const std::uint32_t number : cells.others())
+  {
+    const double value = this->valueFarAway(samples[number]);
+    output.write(&value, number, 1);
+  }
+  return complete;
+}
+
+/// All sources are one dipole distribution there.
+double FarField::valueFarAway(const Eigen::Vector3d& sample) const
+{
+  if (!sample.allFinite())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (tree_.nodes().empty())
+  {
+    return 0;
+  }
+  Eigen::Vector3d offset;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    offset[axis] = scaledCoordinate(sample[axis], this->scale()) - moments_.origin[axis];
+  }
+  const double inverse = 1.0 / moments_.criteria.radius[0];
+  const float* const root = moments_.of(0);
+  return inverse *
+         momentsAt(this->order(), {root, root + coefficientCount(this->order())}, inverse * offset);
+}
+
+} // namespace winding

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "Executor.h"
+#include "FarFieldAccuracy.h"
+#include "FarFieldSources.h"
+#include "GridCells.h"
+#include "SourceMoments.h"
+#include "SourceTree.h"
+
+#include <memory>
+
+namespace winding
+{
+
+struct FieldOutput;
+
+/**
+ * Winding numbers of many sources at many samples within a tolerance, by a fast multipole method
+ * (Greengard and Rokhlin 1987; Dehnen 2014 for its form), at a cost per sample that hardly depends on
+ * the number of sources.
+ *
+ * From the whole grid down to small cells of samples: each cell looks at those nodes of the source
+ * tree that its parent could not deal with. Nodes far enough away (NodeAcceptance.h) act through a
+ * local expansion, which its children take over; large ones are replaced by their children; the rest
+ * is left to smaller cells. When nothing is left, a polynomial gives the values; where sources are
+ * near, they are summed exactly, in double.
+ *
+ * Guaranteed: (1) all values are within the accuracy's tolerance of the direct sum, those next to
+ * sources included; (2) the bits of a sample's value depend on the sources and the grid as a whole,
+ * not on extents, executor or threads; (3) finite values for finite samples. Nothing is locked, and
+ * nothing stored per sample.
+ *
+ * Not guaranteed: the same bits with other instruction sets; they differ by rounding, and by where
+ * that puts the border between near and far, within the tolerance.
+ */
+class FarField
+{
+public:
+  FarField(
+    std::unique_ptr<FarFieldSources> sources, const FarFieldAccuracy& accuracy, Executor& executor);
+
+  double scale() const { return sources_->scale(); }
+  int order() const { return accuracy_.order; }
+
+  /// A cell to evaluate, with what is known of it from larger cells.
+  struct Task
+  {
+    TargetCell cell;
+    std::vector<float> local;
+    std::vector<std::int32_t> nodes;
+  };
+
+  /// The cells of a level, in the order of the hierarchy; takes a moment, as larger cells are few.
+  std::vector<Task> tasks(const TargetCells& cells, int level) const;
+
+  /// Evaluates the samples of a task. watching: tell which samples lie on a source.
+  void evaluate(const TargetCells& cells, const Task& task, bool watching) const;
+
+  /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
+  bool evaluate(
+    const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+
+  /// Evaluates scattered samples; NaN at samples that are not finite. False when interrupted.
+  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+
+private:
+  friend class FarFieldTraversal;
+
+  double valueFarAway(const Eigen::Vector3d& sample) const;
+
+  std::unique_ptr<FarFieldSources> sources_;
+  FarFieldAccuracy accuracy_;
+  SourceTree tree_;
+  SourceMoments moments_;
+  std::vector<float> toPolynomial_; ///< matrix from local expansions to polynomials, by columns
+};
+
+} // namespace winding

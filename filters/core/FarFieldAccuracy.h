@@ -1,0 +1,43 @@
+#pragma once
+
+namespace winding
+{
+
+/// What the far field does to keep a tolerance.
+struct FarFieldAccuracy
+{
+  int order;     ///< of the expansions
+  float theta;   ///< a node and a cell are apart if their radii are at most theta of their distance
+  float epsilon; ///< estimated error of w that one node may add to a cell
+
+  /// Tolerances below this are for the direct sum: single precision ends here.
+  static constexpr double finest = 1e-6;
+
+  /**
+   * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
+   * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are a third
+   * to a half of the tolerance.
+   */
+  static FarFieldAccuracy of(double tolerance)
+  {
+    if (tolerance >= 1e-2)
+    {
+      return {3, 0.7f, 5e-3f};
+    }
+    if (tolerance >= 1e-3)
+    {
+      return {5, 0.6f, 1e-3f};
+    }
+    if (tolerance >= 1e-4)
+    {
+      return {5, 0.45f, 5e-5f};
+    }
+    if (tolerance >= 1e-5)
+    {
+      return {7, 0.45f, 3e-6f};
+    }
+    return {9, 0.45f, 3e-7f};
+  }
+};
+
+} // namespace winding

@@ -1,0 +1,234 @@
+#include "FarFieldSources.h"
+
+#include "UnitScale.h"
+
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+using Vector = Eigen::Map<const Eigen::Vector3d>;
+
+void store(const Eigen::Vector3d& from, double (&to)[3])
+{
+  std::copy_n(from.data(), 3, to);
+}
+
+template <class Item>
+void rearrange(std::vector<Item>& items, const std::vector<std::uint32_t>& order)
+{
+  std::vector<Item> arranged;
+  arranged.reserve(items.size());
+  for (const std::uint32_t item : order)
+  {
+    arranged.push_back(items[item]);
+  }
+  items = std::move(arranged);
+}
+
+class PointSources final : public FarFieldSources
+{
+public:
+  PointSources(const PointCloud& cloud, const std::vector<double>& areas)
+    : FarFieldSources(unitScale(cloud.bounds))
+    , items_(cloud.positions.size())
+  {
+    for (std::size_t i = 0; i < items_.size(); ++i)
+    {
+      store(cloud.positions[i] * scale(), items_[i].position);
+      // Two factors of scale, one after the other: their product alone may leave the range.
+      store(cloud.normals[i] * (areas[i] * scale() * scale() / (4 * pi)), items_[i].moment);
+    }
+  }
+
+  std::vector<Eigen::Vector3d> centers() const override
+  {
+    std::vector<Eigen::Vector3d> centers;
+    centers.reserve(items_.size());
+    for (const KernelDipole& item : items_)
+    {
+      centers.emplace_back(Vector(item.position));
+    }
+    return centers;
+  }
+
+  void arrange(const std::vector<std::uint32_t>& order) override { rearrange(items_, order); }
+
+  void appendDipoles(ItemRange items, int, std::vector<Dipole>& dipoles) const override
+  {
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      dipoles.push_back({Vector(items_[i].position), Vector(items_[i].moment)});
+    }
+  }
+
+  double reach(ItemRange items, const Eigen::Vector3d& center) const override
+  {
+    double squared = 0;
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      squared = std::max(squared, (Vector(items_[i].position) - center).squaredNorm());
+    }
+    return std::sqrt(squared);
+  }
+
+  bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
+    bool*) const override
+  {
+    KernelSums sums;
+    for (const ItemRange& range : items)
+    {
+      addDipoles(&items_[range.begin], range.end - range.begin, samples, sums);
+    }
+    std::copy_n(sums.sum, samples.count, values);
+    return false;
+  }
+
+  double secondsPerPair() const override { return 0.4e-9; }
+  std::size_t leafSize() const override { return 24; }
+
+private:
+  std::vector<KernelDipole> items_;
+};
+
+/**
+ * Gauss-Legendre points and weights on [0, 1], n of them: exact for polynomials of degree 2n − 1. By
+ * Newton's method from Tricomi's starting values.
+ */
+std::vector<std::pair<double, double>> gaussLegendre(int n)
+{
+  std::vector<std::pair<double, double>> rule;
+  for (int i = 1; i <= n; ++i)
+  {
+    double x = std::cos(pi * (i - 0.25) / (n + 0.5)), slope = 0;
+    for (int step = 0; step < 20; ++step)
+    {
+      double p = 1, before = 0;
+      for (int k = 1; k <= n; ++k)
+      {
+        const double next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
+        before = p;
+        p = next;
+      }
+      slope = n * (x * p - before) / (x * x - 1);
+      x -= p / slope;
+    }
+    rule.emplace_back(0.5 * (1 + x), 1 / ((1 - x * x) * slope * slope));
+  }
+  return rule;
+}
+
+class TriangleSources final : public FarFieldSources
+{
+public:
+  TriangleSources(const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+    : FarFieldSources(unitScale(bounds))
+  {
+    // Enough for a surface across a grid of 512³, and no more than memory for a small source.
+    const std::size_t mostPieces = 2 * triangles.size() + 100'000;
+    items_.reserve(triangles.size());
+    forEachPiece(rule, vertices, triangles, mostPieces,
+      [this](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
+      {
+        const Eigen::Vector3d a = p * scale(), b = q * scale(), c = r * scale();
+        KernelTriangle& item = items_.emplace_back();
+        store(a, item.a);
+        store(b, item.b);
+        store(c, item.c);
+        store((b - a).cross(c - a), item.normal);
+      });
+  }
+
+  std::vector<Eigen::Vector3d> centers() const override
+  {
+    std::vector<Eigen::Vector3d> centers;
+    centers.reserve(items_.size());
+    for (const KernelTriangle& item : items_)
+    {
+      centers.emplace_back((Vector(item.a) + Vector(item.b) + Vector(item.c)) / 3);
+    }
+    return centers;
+  }
+
+  void arrange(const std::vector<std::uint32_t>& order) override { rearrange(items_, order); }
+
+  void appendDipoles(ItemRange items, int order, std::vector<Dipole>& dipoles) const override
+  {
+    // Moments of degree k integrate polynomials of degree k − 1. A product rule on the square,
+    // whose one side is collapsed to a corner, needs one degree more for the Jacobian.
+    const std::vector<std::pair<double, double>> rule = gaussLegendre((order + 2) / 2);
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c), normal(items_[i].normal);
+      for (const auto& [u, weightU] : rule)
+      {
+        for (const auto& [v, weightV] : rule)
+        {
+          // Area element: |normal| u du dv.
+          const double weight = u * weightU * weightV / (4 * pi);
+          dipoles.push_back({(1 - u) * a + u * (1 - v) * b + u * v * c, weight * normal});
+        }
+      }
+    }
+  }
+
+  double reach(ItemRange items, const Eigen::Vector3d& center) const override
+  {
+    double squared = 0;
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      for (const double* corner : {items_[i].a, items_[i].b, items_[i].c})
+      {
+        squared = std::max(squared, (Vector(corner) - center).squaredNorm());
+      }
+    }
+    return std::sqrt(squared);
+  }
+
+  bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
+    bool* isSuspect) const override
+  {
+    AngleProducts products;
+    for (const ItemRange& range : items)
+    {
+      (isSuspect ? multiplyAnglesWatching : multiplyAngles)(
+        &items_[range.begin], range.end - range.begin, samples, products);
+    }
+    sumAngles(products, samples.count, values);
+    bool any = false;
+    for (std::size_t i = 0; isSuspect && i < samples.count; ++i)
+    {
+      isSuspect[i] = products.suspect[i] != 0;
+      any = any || isSuspect[i];
+    }
+    return any;
+  }
+
+  double secondsPerPair() const override { return 1e-9; }
+  std::size_t leafSize() const override { return 12; }
+
+private:
+  std::vector<KernelTriangle> items_;
+};
+
+} // namespace
+
+std::unique_ptr<FarFieldSources> farFieldSources(
+  const PointCloud& cloud, const std::vector<double>& areas)
+{
+  return std::make_unique<PointSources>(cloud, areas);
+}
+
+std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+{
+  return std::make_unique<TriangleSources>(vertices, triangles, bounds, rule);
+}
+
+} // namespace winding

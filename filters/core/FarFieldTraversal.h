@@ -1,0 +1,49 @@
+#pragma once
+
+#include "FarField.h"
+
+namespace winding
+{
+
+/// The way from a cell down to its samples; see FarField.h. One for each task: it keeps its lists.
+class FarFieldTraversal
+{
+public:
+  FarFieldTraversal(const FarField& field, const TargetCells& cells);
+
+  /// Evaluates the samples of a cell.
+  void evaluate(const FarField::Task& task, bool watching);
+
+  /// Goes down to a level only, and appends what is to be done from there.
+  void collect(int level, std::vector<FarField::Task>& tasks);
+
+private:
+  /// A local expansion, with what padding the kernels want.
+  struct Local
+  {
+    alignas(64) float values[paddedCoefficients(largestOrder)];
+  };
+
+  void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
+  void classify(const TargetCell& cell, Local& local, std::size_t firstNode);
+  void translate(
+    const TargetCell& cell, const std::int32_t* nodes, std::size_t count, LocalSums& sums) const;
+  bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
+  void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
+  void collectNear(const TargetCell& cell, std::size_t firstKept);
+  void evaluateNear(const TargetCell& cell, const float* polynomial);
+
+  const FarField& field_;
+  const TargetCells& cells_;
+  bool watching_ = false;
+  int lastLevel_ = 0; ///< cells are collected here rather than evaluated
+  std::vector<FarField::Task>* tasks_ = nullptr;
+
+  /// Nodes of the cell at work and, before them, of those that it lies in.
+  std::vector<std::int32_t> nodes_;
+  std::vector<std::int32_t> candidates_, accepted_, split_; ///< of classify()
+  std::vector<std::int32_t> byMoments_, stack_;             ///< of collectNear()
+  std::vector<ItemRange> exactly_;
+};
+
+} // namespace winding

@@ -1,0 +1,248 @@
+#include "GridCells.h"
+
+#include "UnitScale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int order)
+  : grid_(grid)
+  , extent_(extent)
+  , scale_(scale)
+  , spacing_(grid.spacing * scale)
+{
+  // Exponents that add up to about 9, larger where samples are closer.
+  const Eigen::Array3d fineness = -spacing_.array().log2();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    exponents_[axis] =
+      static_cast<int>(std::clamp(std::round(3 + fineness[axis] - fineness.mean()), 0.0, 9.0));
+  }
+  int top = 0;
+  const auto holdsAll = [&]
+  {
+    return this->sizeOf(top, 0) >= grid.dimensions[0] &&
+           this->sizeOf(top, 1) >= grid.dimensions[1] && this->sizeOf(top, 2) >= grid.dimensions[2];
+  };
+  while (!holdsAll())
+  {
+    ++top;
+  }
+  levels_.resize(static_cast<std::size_t>(top + 1));
+  for (int number = top; number >= 0; --number)
+  {
+    TargetLevel& level = levels_[static_cast<std::size_t>(number)];
+    Eigen::Vector3d size, quarter;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      size[axis] = this->sizeOf(number, axis);
+      const bool isCut = number<top&& this->sizeOf(number + 1, axis)> this->sizeOf(number, axis);
+      quarter[axis] = isCut ? 0.5 * size[axis] * spacing_[axis] : 0;
+    }
+    level.side = size.cwiseProduct(spacing_).maxCoeff();
+    level.radius = 0.5 * (size - Eigen::Vector3d::Ones()).cwiseProduct(spacing_).norm();
+    // Of a single sample any side will do; powers of a huge one would leave the range.
+    level.side = level.radius > 0 ? level.side : std::min(level.side, 1e-3);
+    if (number < top)
+    {
+      this->setShifts(order, number, quarter);
+    }
+  }
+  // As many bars along x as keep some threads busy, of cells as large as can be.
+  const int blockLevel = exponents_.maxCoeff();
+  const auto bars = [&](int level)
+  {
+    const auto along = [&](int axis)
+    {
+      return (grid.dimensions[axis] + this->sizeOf(level, axis) - 1) / this->sizeOf(level, axis);
+    };
+    return static_cast<double>(along(1)) * along(2);
+  };
+  constexpr int enough = 64;
+  taskLevel_ = top;
+  while (taskLevel_ > std::min(blockLevel, top) && bars(taskLevel_) < enough)
+  {
+    --taskLevel_;
+  }
+}
+
+int GridCells::sizeOf(int level, int axis) const
+{
+  return 1 << std::max(0, exponents_[axis] + level - exponents_.maxCoeff());
+}
+
+TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const
+{
+  TargetCell cell;
+  cell.level = level;
+  cell.index = index;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int size = this->sizeOf(level, axis);
+    const double middle = static_cast<double>(index[axis]) * size + 0.5 * (size - 1);
+    cell.center[axis] =
+      scaledCoordinate(grid_.firstSample[axis] + middle * grid_.spacing[axis], scale_);
+  }
+  cell.samples = sampleCount(this->samplesOf(cell));
+  return cell;
+}
+
+Extent GridCells::samplesOf(const TargetCell& cell) const
+{
+  Extent part;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int size = this->sizeOf(cell.level, axis);
+    const long first = static_cast<long>(cell.index[axis]) * size;
+    part[2 * axis] = static_cast<int>(std::max<long>(first, extent_[2 * axis]));
+    part[2 * axis + 1] = static_cast<int>(std::min<long>(first + size - 1, extent_[2 * axis + 1]));
+  }
+  return part;
+}
+
+TargetCell GridCells::root() const
+{
+  return this->cellAt(static_cast<int>(levels_.size()) - 1, Eigen::Vector3i::Zero());
+}
+
+int GridCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
+{
+  if (cell.level == 0)
+  {
+    return 0;
+  }
+  int count = 0;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    Eigen::Vector3i index = cell.index;
+    bool exists = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int half = octant >> axis & 1;
+      if (this->sizeOf(cell.level - 1, axis) < this->sizeOf(cell.level, axis))
+      {
+        index[axis] = 2 * index[axis] + half;
+      }
+      else
+      {
+        exists = exists && half == 0;
+      }
+    }
+    if (exists)
+    {
+      children[count] = {this->cellAt(cell.level - 1, index), octant};
+      count += children[count].cell.samples > 0;
+    }
+  }
+  return count;
+}
+
+float GridCells::offsetIn(const TargetCell& cell, int axis, int sample) const
+{
+  const int size = this->sizeOf(cell.level, axis);
+  const double offset = sample - static_cast<double>(cell.index[axis]) * size - 0.5 * (size - 1);
+  return static_cast<float>(offset * spacing_[axis] / this->level(cell.level).side);
+}
+
+void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const
+{
+  const Extent part = this->samplesOf(cell);
+  block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
+  Eigen::Vector3i at = sampleIndex(part, first);
+  for (std::size_t n = 0; n < block.samples.count; ++n)
+  {
+    const Eigen::Vector3d position = grid_.sample(at[0], at[1], at[2]);
+    block.samples.x[n] = scaledCoordinate(position[0], scale_);
+    block.samples.y[n] = scaledCoordinate(position[1], scale_);
+    block.samples.z[n] = scaledCoordinate(position[2], scale_);
+    block.u[n] = this->offsetIn(cell, 0, at[0]);
+    block.v[n] = this->offsetIn(cell, 1, at[1]);
+    block.w[n] = this->offsetIn(cell, 2, at[2]);
+    if (++at[0] > part[1])
+    {
+      at[0] = part[0];
+      if (++at[1] > part[3])
+      {
+        at[1] = part[2];
+        ++at[2];
+      }
+    }
+  }
+}
+
+void GridCells::store(const TargetCell& cell, std::size_t first, std::size_t count,
+  const float* values, const bool* isSuspect) const
+{
+  const Extent part = this->samplesOf(cell);
+  for (std::size_t done = 0; done < count;)
+  {
+    const Eigen::Vector3i at = sampleIndex(part, first + done);
+    const std::size_t inRow = std::min(count - done, static_cast<std::size_t>(part[1] - at[0] + 1));
+    sink_->row(at[0], at[1], at[2], inRow, values + done, isSuspect ? isSuspect + done : nullptr);
+    done += inRow;
+  }
+}
+
+void GridCells::storePolynomial(const TargetCell& cell, int order, const float* coefficients) const
+{
+  constexpr std::size_t small = 512;
+  if (cell.samples <= small)
+  {
+    TargetCells::storePolynomial(cell, order, coefficients);
+    return;
+  }
+  // Plane by plane and row by row the polynomial loses a variable each, so that in a row one
+  // multiplication and addition per degree is left.
+  const Extent part = this->samplesOf(cell);
+  alignas(64) float u[SampleBlock::capacity], values[SampleBlock::capacity];
+  for (int begin = part[0]; begin <= part[1]; begin += static_cast<int>(SampleBlock::capacity))
+  {
+    const std::size_t count =
+      std::min(SampleBlock::capacity, static_cast<std::size_t>(part[1] - begin + 1));
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      u[n] = this->offsetIn(cell, 0, begin + static_cast<int>(n));
+    }
+    for (int k = part[4]; k <= part[5]; ++k)
+    {
+      const float w = this->offsetIn(cell, 2, k);
+      float plane[(largestOrder + 1) * (largestOrder + 2) / 2];
+      const float* from = coefficients;
+      float* to = plane;
+      for (int i = order; i >= 0; --i)
+      {
+        for (int j = order - i; j >= 0; --j)
+        {
+          float sum = 0;
+          for (int degree = order - i - j; degree >= 0; --degree)
+          {
+            sum = sum * w + *from++;
+          }
+          *to++ = sum;
+        }
+      }
+      for (int j = part[2]; j <= part[3]; ++j)
+      {
+        const float v = this->offsetIn(cell, 1, j);
+        float row[largestOrder + 1];
+        from = plane;
+        for (int i = 0; i <= order; ++i)
+        {
+          float sum = 0;
+          for (int degree = i; degree >= 0; --degree)
+          {
+            sum = sum * v + *from++;
+          }
+          row[i] = sum;
+        }
+        evaluateRow(order, row, u, count, values);
+        sink_->row(begin, j, k, count, values, nullptr);
+      }
+    }
+  }
+}
+
+} // namespace winding

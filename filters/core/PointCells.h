@@ -1,0 +1,58 @@
+#pragma once
+
+#include "FieldOutput.h"
+#include "TargetCells.h"
+#include "Views.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+
+namespace winding
+{
+
+/**
+ * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not finite,
+ * or lie outside the given region, are left out; `others` lists them.
+ */
+class PointCells final : public TargetCells
+{
+public:
+  /// Positions are those of the samples times scale. Keeps references to samples and output.
+  PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
+    const FieldOutput& output);
+
+  const std::vector<std::uint32_t>& others() const { return others_; }
+  bool empty() const { return samples_.empty(); }
+
+  /// The level of cells that make good tasks.
+  int taskLevel() const;
+
+  TargetCell root() const override;
+  int childrenOf(const TargetCell& cell, Child (&children)[8]) const override;
+  TargetSphere sphereOf(const TargetCell& cell) const override;
+  void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const override;
+  void store(const TargetCell& cell, std::size_t first, std::size_t count, const float* values,
+    const bool* isSuspect) const override;
+
+private:
+  /// A sample's place on the curve and its number.
+  struct Sample
+  {
+    std::uint32_t key, number;
+  };
+
+  /// Levels below the root: as many as 32 bits of a key hold.
+  static constexpr int depth = 10;
+
+  Eigen::Vector3d positionOf(std::uint32_t number) const;
+
+  const VectorsView& view_;
+  double scale_;
+  FieldOutput output_;
+  Eigen::Vector3d low_; ///< corner of the root's cube
+  std::vector<Sample> samples_;
+  std::vector<std::uint32_t> others_;
+};
+
+} // namespace winding
