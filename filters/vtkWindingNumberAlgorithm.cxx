@@ -34,13 +34,16 @@ winding::Method coreMethod(int method)
     return winding::Method::automatic;
   case vtkWindingNumberAlgorithm::ROWS:
     return winding::Method::rows;
+  case vtkWindingNumberAlgorithm::HIERARCHICAL:
+    return winding::Method::hierarchical;
   case vtkWindingNumberAlgorithm::DIRECT:
     return winding::Method::direct;
   case vtkWindingNumberAlgorithm::PARITY:
     return winding::Method::parity;
   }
   throw winding::Refusal("the method is " + std::to_string(method) +
-                         "; it must be AUTOMATIC (0), ROWS (1), DIRECT (3) or PARITY (4)");
+                         "; it must be AUTOMATIC (0), ROWS (1), HIERARCHICAL (2), DIRECT (3) or "
+                         "PARITY (4)");
 }
 
 bool areasComeFromArray(int pointAreaMethod)
@@ -174,6 +177,7 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
   options.input.areasFromArray = areasComeFromArray(this->PointAreaMethod);
   options.input.areaArray = textOf(this->AreaArray);
   options.field.method = coreMethod(this->Method);
+  options.field.tolerance = this->Tolerance;
   options.field.pointArea = this->PointArea;
   options.field.scattered = !this->EvaluatesGrid();
   return options;

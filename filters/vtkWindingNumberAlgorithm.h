@@ -56,13 +56,14 @@ public:
   vtkTypeMacro(vtkWindingNumberAlgorithm, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How w is computed. The numbers are kept for state files; gaps are for methods to come.
+  /// How w is computed. The numbers are kept for state files.
   enum MethodType
   {
-    AUTOMATIC = 0, ///< the fastest that keeps the tolerance
-    ROWS = 1,      ///< grids of surfaces, whole rows at once: exact, and fastest with few holes
-    DIRECT = 3,    ///< sum over all primitives, exact up to rounding
-    PARITY = 4     ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
+    AUTOMATIC = 0,    ///< the fastest that keeps the tolerance
+    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes
+    HIERARCHICAL = 2, ///< near primitives summed, far ones through expansions, within Tolerance
+    DIRECT = 3,       ///< sum over all primitives, exact up to rounding
+    PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
   };
 
   /// When a sample counts as inside; t is WindingThreshold.
@@ -73,7 +74,7 @@ public:
     ODD = 2       ///< the integer nearest to w is odd
   };
 
-  /// Where the areas of the points of a cloud come from. Numbered as MethodType is.
+  /// Where the areas of the points of a cloud come from. Gaps are for methods to come.
   enum PointAreaMethodType
   {
     CONSTANT = 2, ///< PointArea for every point
@@ -99,8 +100,10 @@ public:
   ///@}
 
   ///@{
-  /// Largest absolute error of w that an approximation may make; 0 forbids approximation. All
-  /// methods above are exact and keep any tolerance. 0 or more, default 0.001.
+  /// Largest absolute error of w, at any sample, that an approximation may make: by the method
+  /// HIERARCHICAL, and by ROWS for what it gets from a cap over holes. The presets behind it are 1e-2,
+  /// 1e-3, 1e-4, 1e-5 and 1e-6; what lies between takes the finer one. Below 1e-6, and so with 0,
+  /// nothing is approximated. 0 or more, default 0.001.
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}

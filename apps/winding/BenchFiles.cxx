@@ -86,13 +86,13 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
   const double fill = secondsToFill(winding::sampleCount(grid.wholeExtent()));
   const Json size = std::to_string(grid.dimensions[0]) + " x " +
                     std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]);
-  bool isDirectDone = false;
-  for (const winding::Method method :
-    {winding::Method::automatic, winding::Method::direct, winding::Method::parity})
+  winding::Method chosen = winding::Method::automatic;
+  for (const winding::Method method : {winding::Method::automatic, winding::Method::hierarchical,
+         winding::Method::direct, winding::Method::parity})
   {
-    if (method == winding::Method::direct && isDirectDone)
+    if (method == chosen)
     {
-      continue; // automatic has chosen it
+      continue; // automatic has been it
     }
     winding::FieldOptions options;
     options.method = method;
@@ -105,7 +105,10 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
       row["crossings"] = countCrossings(surface, grid);
       row["cap triangles"] = measured.field->info().capTriangles;
     }
-    isDirectDone = isDirectDone || measured.field->info().method == winding::Method::direct;
+    if (method == winding::Method::automatic)
+    {
+      chosen = measured.field->info().method;
+    }
     table.add(row);
   }
 }

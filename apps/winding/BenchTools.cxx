@@ -123,7 +123,8 @@ Measurement measure(
   interrupt::check();
 
   const std::size_t samples = winding::sampleCount(grid.wholeExtent());
-  if (result.field->info().method != winding::Method::rows)
+  const winding::Method method = result.field->info().method;
+  if (method == winding::Method::direct || method == winding::Method::parity)
   {
     std::size_t few = std::min<std::size_t>(samples, 1024);
     double perSample =

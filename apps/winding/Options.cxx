@@ -72,16 +72,18 @@ void addMethod(CLI::App* command, Options& options)
   command
     ->add_option("--method", options.method,
       command->get_name() == "probe"
-        ? "auto | direct | parity (auto). Parity is ray casting, for closed surfaces"
-        : "auto | rows | direct | parity (auto). Rows is for surfaces; parity is ray casting, for "
-          "closed ones")
-    ->transform(oneOf({{"auto", Filter::AUTOMATIC}, {"rows", Filter::ROWS},
-      {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
+        ? "auto | hierarchical | direct | parity (auto). Parity is ray casting, for closed surfaces"
+        : "auto | rows | hierarchical | direct | parity (auto). Rows is for surfaces; parity is "
+          "ray "
+          "casting, for closed ones")
+    ->transform(oneOf(
+      {{"auto", Filter::AUTOMATIC}, {"rows", Filter::ROWS}, {"hierarchical", Filter::HIERARCHICAL},
+        {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
     ->type_name("NAME")
     ->group(group);
   command
     ->add_option("--tolerance", options.tolerance,
-      "Largest absolute error that an approximation may make (0.001)")
+      "Largest absolute error that an approximation may make (0.001); below 1e-6, none is made")
     ->group(group);
   command
     ->add_option("--areas", options.areas,

@@ -1,13 +1,23 @@
 #include "CappedSurface.h"
 
 #include "Cap.h"
+#include "GridCells.h"
+#include "TriangleFarField.h"
 
 #include <algorithm>
 
 namespace winding
 {
 
-CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain)
+namespace
+{
+
+/// Caps of up to so many triangles are summed directly, for that is what the far field costs.
+constexpr std::size_t fewTriangles = 8;
+
+} // namespace
+
+CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance)
   : rows_(surface.vertices, surface.triangles, cap_)
   , capRows_(surface.vertices, cap_)
   , fanRows_(fanVertices_, fan_)
@@ -22,11 +32,132 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain)
     fanVertices_ = surface.vertices;
     fan_ = fanOf(loops, fanVertices_);
   }
+  if (tolerance >= FarFieldAccuracy::finest && cap_.size() > fewTriangles)
+  {
+    capFarField_ = std::make_unique<const TriangleFarField>(
+      surface.vertices, cap_, surface.bounds, FarFieldAccuracy::of(tolerance));
+  }
+}
+
+CappedSurface::~CappedSurface() = default;
+
+/**
+ * All rows of cells that lie behind each other along x: the runs of equal χ in them, to which the
+ * far field's values of the cap come in pieces.
+ */
+class CappedSurface::Bar final : public RowSink
+{
+public:
+  /// rows: the range of j and k, as in an extent.
+  Bar(const CappedSurface& surface, const RowCrossings::OnGrid& onGrid, const Grid& grid,
+    const Extent& extent, const Extent& rows, const FieldOutput& output)
+    : surface_(surface)
+    , grid_(grid)
+    , extent_(extent)
+    , rows_(rows)
+    , output_(output)
+  {
+    for (int k = rows[4]; k <= rows[5]; ++k)
+    {
+      onGrid.evaluate(k, rows[2], rows[3],
+        [this](int, int, const std::vector<RowRun>& runs)
+        {
+          starts_.push_back(runs_.size());
+          runs_.insert(runs_.end(), runs.begin(), runs.end());
+        });
+    }
+  }
+
+  void row(int i, int j, int k, std::size_t count, const float* capValues,
+    const bool* isSuspect) const override
+  {
+    const RowRun* run = &runs_[starts_[sampleNumber(rows_, rows_[0], j, k)]];
+    while (run->end <= i)
+    {
+      ++run;
+    }
+    float values[SampleBlock::capacity];
+    for (std::size_t n = 0; n < count;)
+    {
+      const auto last = std::min(count, static_cast<std::size_t>(run->end - i));
+      const auto inside = static_cast<float>(run->value);
+      for (std::size_t m = n; m < last; ++m)
+      {
+        values[m] = inside - capValues[m];
+      }
+      for (std::size_t m = n; isSuspect && m < last; ++m)
+      {
+        if (isSuspect[m])
+        {
+          values[m] = static_cast<float>(
+            surface_.resolveOnCap(grid_, i + static_cast<int>(m), j, k, run->value));
+        }
+      }
+      n = last;
+      ++run;
+    }
+    output_.write(values, sampleNumber(extent_, i, j, k), count);
+  }
+
+private:
+  const CappedSurface& surface_;
+  const Grid& grid_;
+  Extent extent_, rows_;
+  const FieldOutput& output_;
+  std::vector<std::size_t> starts_; ///< of the runs of each row
+  std::vector<RowRun> runs_;
+};
+
+bool CappedSurface::evaluateByFarField(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
+  if (!farField)
+  {
+    return false;
+  }
+  GridCells cells(grid, extent, farField->scale(), farField->order());
+  std::vector<FarField::Task> tasks = farField->tasks(cells, cells.taskLevel());
+  // Cells with the same rows together, so that these are found once.
+  const auto rowsOf = [](const FarField::Task& task)
+  {
+    return std::pair(task.cell.index[2], task.cell.index[1]);
+  };
+  std::stable_sort(tasks.begin(), tasks.end(),
+    [&](const FarField::Task& a, const FarField::Task& b) { return rowsOf(a) < rowsOf(b); });
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    if (i == 0 || rowsOf(tasks[i]) != rowsOf(tasks[i - 1]))
+    {
+      starts.push_back(i);
+    }
+  }
+  starts.push_back(tasks.size());
+
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent);
+  return executor.run(starts.size() - 1,
+    [&](std::size_t number)
+    {
+      Extent rows = cells.samplesOf(tasks[starts[number]].cell);
+      rows[0] = rows[1] = 0;
+      const Bar bar(*this, *onGrid, grid, extent, rows, output);
+      GridCells barCells = cells;
+      barCells.setSink(bar);
+      for (std::size_t task = starts[number]; task < starts[number + 1]; ++task)
+      {
+        farField->evaluate(barCells, tasks[task], true);
+      }
+    });
 }
 
 bool CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
+  if (capFarField_ && sampleCount(extent) > 0)
+  {
+    return this->evaluateByFarField(grid, extent, output, executor);
+  }
   // Enough work to be worth a block, and little enough to answer an interrupt within a moment.
   const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
   return rows_.evaluate(

@@ -11,6 +11,14 @@
 namespace winding
 {
 
+namespace
+{
+
+/// What a sample costs in a far field, in points of a direct sum.
+constexpr std::size_t fewPoints = 300;
+
+} // namespace
+
 CloudField::CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options)
   : cloud_(sanitize(views))
 {
@@ -25,8 +33,6 @@ CloudField::CloudField(const std::vector<OrientedPointsView>& views, const Field
   info_.dropped = cloud_.dropped();
   info_.weldedVertices = cloud_.positions.size();
   info_.bounds = cloud_.bounds;
-  info_.why =
-    options.method == Method::direct ? "asked for" : "exact for every cloud with given areas";
   if (cloud_.dropped() > 0)
   {
     info_.warning = std::to_string(cloud_.dropped()) + " of " + std::to_string(cloud_.inputPoints) +
@@ -37,6 +43,8 @@ CloudField::CloudField(const std::vector<OrientedPointsView>& views, const Field
   }
   this->chooseAreas(options.pointArea);
   evaluator_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
+  SerialExecutor executor;
+  this->chooseMethod(options, executor);
 }
 
 CloudField::~CloudField() = default;
@@ -60,6 +68,43 @@ void CloudField::chooseAreas(double constantArea)
                      "the area of the points cannot be estimated, so the field is 0; set a point "
                      "area";
   }
+}
+
+void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
+{
+  const bool isAutomatic = options.method == Method::automatic;
+  info_.why = isAutomatic ? std::to_string(info_.primitives) + " points" : "asked for";
+  if (options.method == Method::direct)
+  {
+    return;
+  }
+  if (options.tolerance < FarFieldAccuracy::finest)
+  {
+    info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
+    return;
+  }
+  if (isAutomatic && info_.primitives <= fewPoints)
+  {
+    info_.why += "; so few are summed directly";
+    return;
+  }
+  info_.method = Method::hierarchical;
+  farField_ = std::make_unique<FarField>(
+    farFieldSources(cloud_, cloud_.areas), FarFieldAccuracy::of(options.tolerance), executor);
+}
+
+bool CloudField::evaluate(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  return farField_ ? farField_->evaluate(grid, extent, output, executor)
+                   : Field::evaluate(grid, extent, output, executor);
+}
+
+bool CloudField::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  return farField_ ? farField_->evaluate(samples, output, executor)
+                   : Field::evaluate(samples, output, executor);
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

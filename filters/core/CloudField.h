@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Evaluator.h"
+#include "FarField.h"
 #include "Field.h"
 
 namespace winding
@@ -14,6 +15,13 @@ public:
   ~CloudField() override;
 
   const FieldInfo& info() const override { return info_; }
+
+  using Field::evaluate;
+  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluate(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
 
@@ -22,9 +30,11 @@ protected:
 
 private:
   void chooseAreas(double constantArea);
+  void chooseMethod(const FieldOptions& options, Executor& executor);
 
   PointCloud cloud_;
   FieldInfo info_;
+  std::unique_ptr<const FarField> farField_; ///< method hierarchical
   std::unique_ptr<const Evaluator> evaluator_;
 };
 

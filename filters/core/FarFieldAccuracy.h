@@ -10,6 +10,9 @@ struct FarFieldAccuracy
   float theta;   ///< a node and a cell are apart if their radii are at most theta of their distance
   float epsilon; ///< estimated error of w that one node may add to a cell
 
+  /// How many radii a node must be away from a single sample.
+  float momentMargin() const { return 2 / theta - 1; }
+
   /// Tolerances below this are for the direct sum: single precision ends here.
   static constexpr double finest = 1e-6;
 
@@ -22,21 +25,21 @@ struct FarFieldAccuracy
   {
     if (tolerance >= 1e-2)
     {
-      return {3, 0.7f, 5e-3f};
+      return {3, 0.7f, 3e-3f};
     }
     if (tolerance >= 1e-3)
     {
-      return {5, 0.6f, 1e-3f};
+      return {5, 0.6f, 7e-4f};
     }
     if (tolerance >= 1e-4)
     {
-      return {5, 0.45f, 5e-5f};
+      return {5, 0.47f, 4e-5f};
     }
     if (tolerance >= 1e-5)
     {
-      return {7, 0.45f, 3e-6f};
+      return {7, 0.5f, 3e-6f};
     }
-    return {9, 0.45f, 3e-7f};
+    return {9, 0.5f, 3e-7f};
   }
 };
 

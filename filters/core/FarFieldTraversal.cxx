@@ -111,6 +111,7 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
   criteria.radius = static_cast<float>(level.radius);
   criteria.reach = CellCriteria::reachOf(accuracy.order, level.radius);
   criteria.inverseTheta = 1 / accuracy.theta;
+  criteria.momentMargin = accuracy.momentMargin();
   criteria.splitRadius = static_cast<float>(splitRatio * std::max(level.radius, 0.25 * level.side));
 
   LocalSums sums;
@@ -175,8 +176,8 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
   {
     items += field_.tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
   }
-  const double seconds = static_cast<double>(items) * static_cast<double>(cell.samples) *
-                         field_.sources_->secondsPerPair();
+  const double seconds =
+    static_cast<double>(items) * static_cast<double>(cell.size) * field_.sources_->secondsPerPair();
   return cell.level > 0 && seconds > secondsPerCut(field_.order());
 }
 
@@ -216,7 +217,7 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
     const float dx = center[0] - nodes.x[number], dy = center[1] - nodes.y[number],
                 dz = center[2] - nodes.z[number];
     const float needed =
-      radius + std::max(nodes.radius[number] / field_.accuracy_.theta, nodes.rho[number]);
+      radius + std::max(field_.accuracy_.momentMargin() * nodes.radius[number], nodes.rho[number]);
     const bool isFar = dx * dx + dy * dy + dz * dz >= needed * needed;
     if (isFar && node.size() * perPair > perValue)
     {

@@ -49,6 +49,8 @@ const char* nameOf(Method method)
     return "automatic";
   case Method::rows:
     return "rows";
+  case Method::hierarchical:
+    return "hierarchical";
   case Method::direct:
     return "direct";
   case Method::parity:

@@ -17,10 +17,11 @@ class Evaluator;
 /// How w is found. Every method but parity gives the winding number.
 enum class Method
 {
-  automatic, ///< the fastest that keeps the tolerance
-  rows,      ///< whole grid rows at once, exact (CappedSurface.h); triangles only
-  direct,    ///< the sum over all primitives, exact up to rounding
-  parity     ///< ray casting, the baseline; triangles only
+  automatic,    ///< the fastest that keeps the tolerance
+  rows,         ///< whole grid rows at once, a cap over holes (CappedSurface.h); triangles only
+  hierarchical, ///< a far field of all primitives (FarField.h)
+  direct,       ///< the sum over all primitives, exact up to rounding
+  parity        ///< ray casting, the baseline; triangles only
 };
 
 const char* nameOf(Method method);
@@ -28,6 +29,9 @@ const char* nameOf(Method method);
 struct FieldOptions
 {
   Method method = Method::automatic;
+  /// Largest absolute error of w at any sample that an approximation may make. Below
+  /// FarFieldAccuracy::finest (1e-6), and so with 0, there is none.
+  double tolerance = 1e-3;
   /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
   double pointArea = 0;
   /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
@@ -36,7 +40,8 @@ struct FieldOptions
 
   bool operator==(const FieldOptions& other) const
   {
-    return method == other.method && pointArea == other.pointArea && scattered == other.scattered;
+    return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
+           scattered == other.scattered;
   }
 };
 
@@ -65,7 +70,8 @@ struct FieldInfo
  * Guaranteed: the bits of a sample's value depend on the source and on its grid as a whole, or for
  * scattered samples on its position, only: not on the extent, the pieces that a grid is cut into, the
  * samples beside it, the executor or its threads. On a grid and scattered, a sample has the same
- * value up to rounding, and the same bits with method direct or parity.
+ * value up to rounding, and the same bits with method direct or parity. Where a far field is used, all
+ * this holds for grids, and scattered samples depend on each other within the tolerance.
  * A field without primitives is 0 everywhere.
  */
 class Field
@@ -85,8 +91,10 @@ public:
   virtual bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples; where the method needs a grid, by the direct sum. False when the executor was interrupted.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  /// Evaluates scattered samples; where the method needs a grid, by the direct sum. False when the
+  /// executor was interrupted.
+  virtual bool evaluate(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;

@@ -48,6 +48,7 @@ public:
 
 private:
   TargetCell cellAt(int level, const Eigen::Vector3i& index) const;
+  Extent samplesOf(const TargetCell& cell, const Extent& extent) const;
   float offsetIn(const TargetCell& cell, int axis, int sample) const;
 
   const Grid& grid_;

@@ -48,7 +48,8 @@ void classifyNodesLoop(const NodeCriteria& nodes, const CellCriteria& cell,
     const auto apart = hn::Mul(hn::Add(radius, set(cell.radius)), set(cell.inverseTheta));
     const auto forMoments = hn::Add(set(cell.radius), gather(nodes.rho));
     const auto forLocal = hn::MulAdd(gather(nodes.tau), set(cell.reach), radius);
-    const auto needed = hn::Max(apart, hn::Max(forMoments, forLocal));
+    const auto inSight = hn::MulAdd(radius, set(cell.momentMargin), set(cell.radius));
+    const auto needed = hn::Max(hn::Max(apart, inSight), hn::Max(forMoments, forLocal));
 
     const auto isInUse = hn::RebindMask(d, inUse);
     const auto isAccepted = hn::And(isInUse, hn::Ge(squared, hn::Mul(needed, needed)));

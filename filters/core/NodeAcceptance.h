@@ -9,9 +9,13 @@
  * Which nodes act on a cell through expansions. A node of radius r at distance d from the centre of a
  * cell of radius R (that of its samples) is accepted when
  *
- *   d ≥ (r + R) / θ    their expansions converge fast,
- *   d ≥ R + ρ          what the moments leave out, degrees above P, stays below ε, and
- *   d ≥ r + τ T(R)     what the local expansion leaves out stays below ε.
+ *   d ≥ (r + R) / θ        their expansions converge fast,
+ *   d ≥ R + (2/θ − 1) r    those of nodes larger than the cell no slower than those of its size,
+ *   d ≥ R + ρ              what the moments leave out, degrees above P, stays below ε, and
+ *   d ≥ r + τ T(R)         what the local expansion leaves out stays below ε.
+ *
+ * The second matters where samples are far apart compared with the sources: there nodes of all sizes
+ * act on single samples, and their errors have a sign in common.
  *
  * Degree k of the moments gives |w_k(x)| ≤ p_k / |x|^{k+1} with p_k² = Σ_m (k+m)! (k−m)! |M_k^m|²
  * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, the missing p_{P+1} being estimated from the last
@@ -43,7 +47,8 @@ struct CellCriteria
   float radius;  ///< R, the largest distance of a sample from the centre
   float reach;   ///< T(R)
   float inverseTheta;
-  float splitRadius; ///< nodes larger than this that are not accepted are split
+  float momentMargin; ///< 2/θ − 1
+  float splitRadius;  ///< nodes larger than this that are not accepted are split
 
   static float reachOf(int order, double radius);
 };

@@ -135,6 +135,58 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
   }
 }
 
+/// A chain's vertices in units of a grid, and its triangles by the layers that they reach.
+class ChainOnGrid final : public RowCrossings::OnGrid
+{
+public:
+  ChainOnGrid(const Grid& grid, const Extent& extent, const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+    : extent_(extent)
+    , vertices_(vertices.size())
+    , triangles_(triangles)
+    , cap_(cap)
+  {
+    std::transform(vertices.begin(), vertices.end(), vertices_.begin(),
+      [&grid](const Eigen::Vector3d& vertex) { return inGridUnits(grid, vertex); });
+    layers_ = std::make_unique<const Layers>(vertices_, triangles_, cap_, extent);
+  }
+
+  void evaluate(int k, int firstRow, int lastRow, const RowCrossings::RowWork& work) const override
+  {
+    std::vector<Crossing> crossings;
+    for (const std::uint32_t* number = layers_->begin(k); number != layers_->end(k); ++number)
+    {
+      const Triangle& ids =
+        *number < triangles_.size() ? triangles_[*number] : cap_[*number - triangles_.size()];
+      const RowTriangle triangle(vertices_[ids[0]], vertices_[ids[1]], vertices_[ids[2]]);
+      const RowTriangle::Range range = triangle.rowsIn(k, firstRow, lastRow);
+      for (int j = range.first; j <= range.last; ++j)
+      {
+        if (const int sign = triangle.crossingSign(j, k))
+        {
+          crossings.push_back({j, triangle.firstBehind(j, k, sign, extent_[0], extent_[1]), sign});
+        }
+      }
+    }
+    RowBuckets buckets;
+    buckets.sort(crossings, firstRow, lastRow - firstRow + 1);
+    std::vector<RowRun> runs;
+    for (int j = firstRow; j <= lastRow; ++j)
+    {
+      makeRuns(
+        buckets.begin(j - firstRow), buckets.end(j - firstRow), extent_[0], extent_[1], runs);
+      work(j, k, runs);
+    }
+  }
+
+private:
+  Extent extent_;
+  std::vector<Eigen::Vector3d> vertices_;
+  const std::vector<Triangle>& triangles_;
+  const std::vector<Triangle>& cap_;
+  std::unique_ptr<const Layers> layers_;
+};
+
 } // namespace
 
 RowCrossings::RowCrossings(const std::vector<Eigen::Vector3d>& vertices,
@@ -151,6 +203,12 @@ const std::vector<Triangle>& RowCrossings::noTriangles()
   return none;
 }
 
+std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
+  const Grid& grid, const Extent& extent) const
+{
+  return std::make_unique<const ChainOnGrid>(grid, extent, vertices_, triangles_, cap_);
+}
+
 bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
   const RowWork& work, Executor& executor) const
 {
@@ -158,11 +216,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
   {
     return true;
   }
-  std::vector<Eigen::Vector3d> vertices(vertices_.size());
-  std::transform(vertices_.begin(), vertices_.end(), vertices.begin(),
-    [&grid](const Eigen::Vector3d& vertex) { return inGridUnits(grid, vertex); });
-  const Layers layers(vertices, triangles_, cap_, extent);
-
+  const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent);
   // A block is a band of rows of a layer.
   const std::size_t width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const std::size_t rows = static_cast<std::size_t>(extent[3] - extent[2] + 1);
@@ -175,30 +229,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
       const int k = extent[4] + static_cast<int>(block / bands);
       const int firstRow = extent[2] + static_cast<int>(block % bands * bandRows);
       const int lastRow = std::min(extent[3], firstRow + static_cast<int>(bandRows) - 1);
-      std::vector<Crossing> crossings;
-      for (const std::uint32_t* number = layers.begin(k); number != layers.end(k); ++number)
-      {
-        const Triangle& ids =
-          *number < triangles_.size() ? triangles_[*number] : cap_[*number - triangles_.size()];
-        const RowTriangle triangle(vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]);
-        const RowTriangle::Range range = triangle.rowsIn(k, firstRow, lastRow);
-        for (int j = range.first; j <= range.last; ++j)
-        {
-          if (const int sign = triangle.crossingSign(j, k))
-          {
-            crossings.push_back({j, triangle.firstBehind(j, k, sign, extent[0], extent[1]), sign});
-          }
-        }
-      }
-      RowBuckets buckets;
-      buckets.sort(crossings, firstRow, lastRow - firstRow + 1);
-      std::vector<RowRun> runs;
-      for (int j = firstRow; j <= lastRow; ++j)
-      {
-        makeRuns(
-          buckets.begin(j - firstRow), buckets.end(j - firstRow), extent[0], extent[1], runs);
-        work(j, k, runs);
-      }
+      onGrid->evaluate(k, firstRow, lastRow, work);
     });
 }
 

@@ -4,6 +4,7 @@
 #include "Grid.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace winding
@@ -44,6 +45,10 @@ public:
   RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
     const std::vector<Triangle>& cap = noTriangles());
 
+  /// What a grid's rows need, made once for all of an extent; linear in vertices and triangles.
+  class OnGrid;
+  std::unique_ptr<const OnGrid> on(const Grid& grid, const Extent& extent) const;
+
   /// samplesPerBlock: about how many make a block of work, at least a row. False when the executor
   /// was interrupted.
   bool evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
@@ -58,6 +63,16 @@ private:
   const std::vector<Eigen::Vector3d>& vertices_;
   const std::vector<Triangle>& triangles_;
   const std::vector<Triangle>& cap_;
+};
+
+/// The rows of an extent, in any order and from any thread.
+class RowCrossings::OnGrid
+{
+public:
+  virtual ~OnGrid() = default;
+
+  /// Calls work for rows firstRow … lastRow of layer k.
+  virtual void evaluate(int k, int firstRow, int lastRow, const RowWork& work) const = 0;
 };
 
 } // namespace winding

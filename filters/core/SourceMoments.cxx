@@ -154,16 +154,17 @@ SourceMoments::SourceMoments(const SourceTree& tree, const FarFieldSources& sour
   , stride(paddedCoefficients(accuracy.order))
   , moments(tree.nodes().size() * stride)
 {
+  isComplete = tree.isComplete();
   const std::size_t nodes = tree.nodes().size();
   criteria.resize(nodes);
   Builder builder(tree, sources, accuracy, *this);
   // Children before parents: depth by depth, from below.
   const std::vector<std::size_t>& starts = tree.depthStarts();
-  for (std::size_t depth = starts.size() - 1; depth-- > 0;)
+  for (std::size_t depth = starts.size() - 1; isComplete && depth-- > 0;)
   {
     constexpr std::size_t nodesPerBlock = 32;
     const std::size_t first = starts[depth], count = starts[depth + 1] - first;
-    executor.run((count + nodesPerBlock - 1) / nodesPerBlock,
+    isComplete &= executor.run((count + nodesPerBlock - 1) / nodesPerBlock,
       [&](std::size_t block)
       {
         const std::size_t last = std::min(count, (block + 1) * nodesPerBlock);

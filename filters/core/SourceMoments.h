@@ -23,6 +23,7 @@ struct SourceMoments
 
   const float* of(std::size_t node) const { return &moments[node * stride]; }
 
+  bool isComplete = true; ///< the executor was not interrupted
   std::vector<Eigen::Vector3d> centers;
   NodeCriteria criteria; ///< centres relative to `origin`
   std::size_t stride;

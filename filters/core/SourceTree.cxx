@@ -76,7 +76,7 @@ SourceTree::SourceTree(
     nodes_.push_back({0, static_cast<std::uint32_t>(items.size()), 0, 0});
   }
   std::vector<std::array<Item*, 5>> limits;
-  while (depthStarts_.back() < nodes_.size())
+  while (isComplete_ && depthStarts_.back() < nodes_.size())
   {
     const std::size_t first = depthStarts_.back();
     const std::size_t count = nodes_.size() - first;
@@ -85,7 +85,7 @@ SourceTree::SourceTree(
     // Blocks of about equal work: deep down there are many small nodes.
     constexpr std::size_t nodesPerBlock = 64;
     const std::size_t perBlock = count < 8 * nodesPerBlock ? 1 : nodesPerBlock;
-    executor.run((count + perBlock - 1) / perBlock,
+    isComplete_ &= executor.run((count + perBlock - 1) / perBlock,
       [&](std::size_t block)
       {
         for (std::size_t i = block * perBlock; i < std::min(count, (block + 1) * perBlock); ++i)

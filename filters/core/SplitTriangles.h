@@ -17,6 +17,12 @@ struct SplitRule
   Bounds region;                                                ///< of the samples
   double longestSide = std::numeric_limits<double>::infinity(); ///< of triangles among the samples
 
+  bool operator==(const SplitRule& other) const
+  {
+    return longestSide == other.longestSide && region.min() == other.region.min() &&
+           region.max() == other.region.max();
+  }
+
   /// Away from the samples sides may be half as long as the distance.
   double allowedFor(
     const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;

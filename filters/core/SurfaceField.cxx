@@ -12,6 +12,17 @@
 namespace winding
 {
 
+namespace
+{
+
+/// What a sample costs in a far field, in triangles of a direct sum.
+constexpr std::size_t fewTriangles = 150;
+
+/// What building a far field costs, in samples of direct sums over the same triangles.
+constexpr std::size_t fewSamples = 400;
+
+} // namespace
+
 SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options)
   : surface_(sanitize(views))
 {
@@ -51,13 +62,24 @@ void SurfaceField::chooseMethod(const FieldOptions& options)
     return;
   }
   evaluator_ = std::make_unique<TriangleSum>(surface_);
-  if (asked == Method::direct || options.scattered)
+  if (asked == Method::direct)
   {
-    info_.why = asked == Method::direct ? "asked for" : "exact for every surface, open or closed";
+    info_.why = "asked for";
+    return;
+  }
+  if (asked == Method::hierarchical)
+  {
+    this->chooseFarField(options, "asked for");
+    return;
+  }
+  const std::string triangles = std::to_string(surface_.triangles.size()) + " triangles";
+  if (options.scattered)
+  {
+    this->chooseFarField(options, "scattered samples of " + triangles);
     return;
   }
 
-  capped_ = std::make_unique<CappedSurface>(surface_, chain);
+  capped_ = std::make_unique<CappedSurface>(surface_, chain, options.tolerance);
   info_.capTriangles = capped_->capTriangles();
   const std::string cap = std::to_string(info_.capTriangles) + " triangles over " +
                           std::to_string(chain.edges.size()) + " boundary edges";
@@ -66,7 +88,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options)
     // What is summed at every sample is the cap or the surface; finding the rows' crossings costs
     // nothing beside either.
     capped_ = nullptr;
-    info_.why = "a cap would have " + cap + ", no fewer than the surface itself";
+    this->chooseFarField(options, "a cap would have " + cap + ", no fewer than the surface itself");
     return;
   }
   info_.method = Method::rows;
@@ -75,11 +97,46 @@ void SurfaceField::chooseMethod(const FieldOptions& options)
                 : "open: rows find the integer part, a cap of " + cap + " gives the rest";
 }
 
+/// The far field where the tolerance admits it and it is faster than the direct sum, else that.
+void SurfaceField::chooseFarField(const FieldOptions& options, const std::string& why)
+{
+  info_.why = why;
+  if (options.tolerance < FarFieldAccuracy::finest)
+  {
+    info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
+    return;
+  }
+  if (options.method == Method::automatic && surface_.triangles.size() <= fewTriangles)
+  {
+    info_.why += "; so few are summed directly";
+    return;
+  }
+  info_.method = Method::hierarchical;
+  farField_ = std::make_unique<TriangleFarField>(surface_.vertices, surface_.triangles,
+    surface_.bounds, FarFieldAccuracy::of(options.tolerance));
+}
+
 bool SurfaceField::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
+  if (farField_)
+  {
+    const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
+    return suiting && suiting->evaluate(grid, extent, output, executor);
+  }
   return capped_ ? capped_->evaluate(grid, extent, output, executor)
                  : Field::evaluate(grid, extent, output, executor);
+}
+
+bool SurfaceField::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  if (!farField_ || samples.size() <= fewSamples)
+  {
+    return Field::evaluate(samples, output, executor);
+  }
+  const std::shared_ptr<const FarField> suiting = farField_->suiting(samples, executor);
+  return suiting && suiting->evaluate(samples, output, executor);
 }
 
 double SurfaceField::reference(const Eigen::Vector3d& sample) const

@@ -3,6 +3,7 @@
 #include "CappedSurface.h"
 #include "Evaluator.h"
 #include "Field.h"
+#include "TriangleFarField.h"
 
 namespace winding
 {
@@ -19,6 +20,8 @@ public:
   using Field::evaluate;
   bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor) const override;
+  bool evaluate(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
@@ -28,11 +31,13 @@ protected:
 
 private:
   void chooseMethod(const FieldOptions& options);
+  void chooseFarField(const FieldOptions& options, const std::string& why);
 
   Surface surface_;
   FieldInfo info_;
-  std::unique_ptr<const CappedSurface> capped_; ///< method rows: for grids
-  std::unique_ptr<const Evaluator> evaluator_;  ///< for scattered samples, and for other methods
+  std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
+  std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical
+  std::unique_ptr<const Evaluator> evaluator_;       ///< for scattered samples, and other methods
 };
 
 } // namespace winding

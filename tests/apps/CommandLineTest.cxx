@@ -53,7 +53,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--bounds", "0", "1", "2", "2", "0", "1"}, "along y are 2 to 2"},
     {{"field", in, "-o", vti, "--padding", "-1"}, "--padding is -1"},
     {{"field", in, "-o", vti, "--resolution", "8", "--voxel-size", "1"}, "excludes"},
-    {{"field", in, "-o", vti, "--method", "hierarchical"}, "auto | rows | direct | parity"},
+    {{"field", in, "-o", vti, "--method", "tree"}, "auto | rows | hierarchical | direct | parity"},
     {{"field", in, "-o", vti, "--areas", "voronoi"}, "constant | array"},
     {{"field", in, "-o", vti, "--areas", "array", "--area", "1"}, "--area"},
     {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},

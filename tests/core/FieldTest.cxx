@@ -138,14 +138,16 @@ TEST(Field, HasTheSameValuesAtScatteredSamples)
   {
     const std::vector<double> scattered = valuesAt(*field, samples);
     const std::vector<double> onGrid = valuesOn(*field, grid, extent, serial);
-    if (field->info().method != Method::rows)
+    if (field->info().method == Method::direct || field->info().method == Method::parity)
     {
       EXPECT_EQ(scattered, onGrid);
       continue;
     }
+    const bool isExact = field->info().netBoundaryEdges == 0 && field->info().isSurface;
     for (std::size_t n = 0; n < samples.size(); ++n)
     {
-      ASSERT_NEAR(scattered[n], onGrid[n], 1e-13); // measured below 1e-15
+      // Measured: below 1e-15, and 5e-5 within the tolerance.
+      ASSERT_NEAR(scattered[n], onGrid[n], isExact ? 1e-13 : 1e-3);
     }
   }
 }

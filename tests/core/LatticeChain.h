@@ -173,7 +173,7 @@ inline ChainComparison compareWithDirectSum(const LatticeChain& chain)
 {
   using namespace winding;
   const BoundaryChain boundary = boundaryChain(chain.surface);
-  const CappedSurface capped(chain.surface, boundary);
+  const CappedSurface capped(chain.surface, boundary, 0);
   const Extent whole = chain.grid.wholeExtent();
   std::vector<double> values(sampleCount(whole), std::nan(""));
   FieldOutput output;

@@ -114,6 +114,7 @@ TEST_F(Probe, CellsAreProbedAtTheirCentres)
 
 TEST_F(Probe, EqualsTheDirectFieldToTheBit)
 {
+  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
   vtkNew<vtkWindingNumberField> field;
   field->SetMethod(vtkWindingNumberField::DIRECT);
   field->SetInputConnection(sphere->GetOutputPort());

@@ -74,11 +74,19 @@ TEST_F(Rows, GiveNothingButIntegersForAClosedSurface)
 TEST_F(Rows, EqualTheDirectSumForAnOpenSurface)
 {
   sphere->SetEndPhi(120);
+  field->SetTolerance(0);
   auto image = this->output(vtkWindingNumberField::ROWS);
   EXPECT_EQ(field->GetNumberOfNetBoundaryEdges(), 30);
   EXPECT_EQ(field->GetNumberOfCapTriangles(), 28);
   // Measured 4e-16.
-  EXPECT_LT(largestDifference(image, this->output(vtkWindingNumberField::DIRECT)), 1e-13);
+  auto direct = this->output(vtkWindingNumberField::DIRECT);
+  EXPECT_LT(largestDifference(image, direct), 1e-13);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+  {
+    field->SetTolerance(tolerance);
+    // Measured: a tenth of it.
+    EXPECT_LT(largestDifference(this->output(vtkWindingNumberField::ROWS), direct), tolerance);
+  }
 }
 
 TEST_F(Rows, AreChosenForSurfacesWithSmallCaps)
@@ -94,7 +102,7 @@ TEST_F(Rows, AreChosenForSurfacesWithSmallCaps)
     << field->GetMethodReason();
   field->SetVerifySamples(10);
   field->Update();
-  EXPECT_LT(field->GetMaxError(), 1e-13);
+  EXPECT_LT(field->GetMaxError(), 1e-3); // measured: 2.4e-5
 }
 
 TEST_F(Rows, AreNotChosenWhereTheCapIsNoSmallerThanTheSurface)

@@ -68,7 +68,7 @@ INPUTS = {
 }
 
 ENUMERATIONS = {
-    "Method": {"Automatic": 0, "Rows": 1, "Direct Sum": 3, "Ray Parity": 4},
+    "Method": {"Automatic": 0, "Rows": 1, "Hierarchical": 2, "Direct Sum": 3, "Ray Parity": 4},
     "InsideRule": {
         "Winding Number at Least Threshold": 0,
         "Absolute Value at Least Threshold": 1,

@@ -1,0 +1,79 @@
+#include "TriangleFarField.h"
+
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Sides of triangles that are not cut, in voxels: those of a cell whose near sources are summed.
+constexpr double voxelsPerSide = 8;
+
+} // namespace
+
+TriangleFarField::TriangleFarField(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy)
+  : vertices_(vertices)
+  , triangles_(triangles)
+  , bounds_(bounds)
+  , accuracy_(accuracy)
+{
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  const Grid& grid, Executor& executor) const
+{
+  const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
+  SplitRule rule;
+  rule.region = Bounds(grid.firstSample, grid.sample(last[0], last[1], last[2]));
+  rule.longestSide = voxelsPerSide * std::cbrt(grid.spacing[0]) * std::cbrt(grid.spacing[1]) *
+                     std::cbrt(grid.spacing[2]);
+  return this->suiting(rule, executor);
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  const VectorsView& samples, Executor& executor) const
+{
+  // Far away samples have no say in what is near, nor has how they are distributed: as if evenly.
+  SplitRule rule;
+  std::size_t count = 0;
+  const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (around.contains(samples[i]))
+    {
+      rule.region.extend(samples[i]);
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    rule.longestSide =
+      voxelsPerSide * rule.region.sizes().maxCoeff() / std::cbrt(static_cast<double>(count));
+  }
+  return this->suiting(rule, executor);
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  const SplitRule& asked, Executor& executor) const
+{
+  const SplitRule rule = leavesWhole(asked, vertices_, triangles_) ? SplitRule() : asked;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_ || !(rule == rule_))
+  {
+    last_ = nullptr; // the old and the new one need not fit into memory together
+    auto field = std::make_shared<const FarField>(
+      farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
+    if (!field->isComplete())
+    {
+      return nullptr;
+    }
+    last_ = field;
+    rule_ = rule;
+  }
+  return last_;
+}
+
+} // namespace winding
