@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace
 {
@@ -86,13 +87,13 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
   const double fill = secondsToFill(winding::sampleCount(grid.wholeExtent()));
   const Json size = std::to_string(grid.dimensions[0]) + " x " +
                     std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]);
-  winding::Method chosen = winding::Method::automatic;
+  std::optional<winding::Method> chosen; // by automatic
   for (const winding::Method method : {winding::Method::automatic, winding::Method::hierarchical,
          winding::Method::direct, winding::Method::parity})
   {
     if (method == chosen)
     {
-      continue; // automatic has been it
+      continue; // measured already
     }
     winding::FieldOptions options;
     options.method = method;

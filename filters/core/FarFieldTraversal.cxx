@@ -33,7 +33,7 @@ double secondsPerValue(int order)
 /// About what eight more cells cost.
 double secondsPerCut(int order)
 {
-  return 0.5e-6 * coefficientCount(order);
+  return 2e-6 * coefficientCount(order);
 }
 
 } // namespace
@@ -114,21 +114,18 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
   criteria.momentMargin = accuracy.momentMargin();
   criteria.splitRadius = static_cast<float>(splitRatio * std::max(level.radius, 0.25 * level.side));
 
-  LocalSums sums;
-  std::fill_n(sums.lanes, coefficientCount(accuracy.order) * 16, 0.0f);
-  bool any = false;
+  accepted_.clear();
   candidates_.assign(nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end());
   while (!candidates_.empty())
   {
-    const std::size_t count = candidates_.size(), kept = nodes_.size();
-    accepted_.resize(count + nodeListSlack);
+    const std::size_t count = candidates_.size(), kept = nodes_.size(), accepted = accepted_.size();
+    accepted_.resize(accepted + count + nodeListSlack);
     split_.resize(count + nodeListSlack);
     nodes_.resize(kept + count + nodeListSlack);
-    NodeLists lists{accepted_.data(), split_.data(), nodes_.data() + kept};
+    NodeLists lists{accepted_.data() + accepted, split_.data(), nodes_.data() + kept};
     classifyNodes(field_.moments_.criteria, criteria, candidates_.data(), count, lists);
+    accepted_.resize(accepted + lists.acceptedCount);
     nodes_.resize(kept + lists.keptCount);
-    this->translate(cell, accepted_.data(), lists.acceptedCount, sums);
-    any = any || lists.acceptedCount > 0;
 
     candidates_.clear();
     for (std::size_t i = 0; i < lists.splitCount; ++i)
@@ -140,25 +137,28 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
       }
     }
   }
-  if (any)
-  {
-    addLanes(accuracy.order, sums, local.values);
-  }
+  this->addAccepted(cell, local);
 }
 
-void FarFieldTraversal::translate(
-  const TargetCell& cell, const std::int32_t* nodes, std::size_t count, LocalSums& sums) const
+/// Adds what the accepted nodes give to a cell's local expansion.
+void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local) const
 {
+  if (accepted_.empty())
+  {
+    return;
+  }
+  LocalSums sums;
+  std::fill_n(sums.lanes, coefficientCount(field_.order()) * 16, 0.0f);
   const SourceMoments& moments = field_.moments_;
-  for (std::size_t first = 0; first < count; first += NodeBatch::capacity)
+  for (std::size_t first = 0; first < accepted_.size(); first += NodeBatch::capacity)
   {
     NodeBatch batch;
-    batch.count = std::min(NodeBatch::capacity, count - first);
+    batch.count = std::min(NodeBatch::capacity, accepted_.size() - first);
     for (std::size_t i = 0; i < batch.count; ++i)
     {
-      const auto node = static_cast<std::size_t>(nodes[first + i]);
+      const auto node = static_cast<std::size_t>(accepted_[first + i]);
       const Eigen::Vector3f offset = offsetBetween(cell.center, moments.centers[node]);
-      batch.node[i] = nodes[first + i];
+      batch.node[i] = accepted_[first + i];
       batch.dx[i] = offset[0];
       batch.dy[i] = offset[1];
       batch.dz[i] = offset[2];
@@ -167,6 +167,7 @@ void FarFieldTraversal::translate(
     translateMoments(field_.order(), moments.moments.data(), batch,
       static_cast<float>(cells_.level(cell.level).side), sums);
   }
+  addLanes(field_.order(), sums, local.values);
 }
 
 bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t firstKept) const

@@ -26,8 +26,7 @@ private:
 
   void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
   void classify(const TargetCell& cell, Local& local, std::size_t firstNode);
-  void translate(
-    const TargetCell& cell, const std::int32_t* nodes, std::size_t count, LocalSums& sums) const;
+  void addAccepted(const TargetCell& cell, Local& local) const;
   bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
   void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
   void collectNear(const TargetCell& cell, std::size_t firstKept);

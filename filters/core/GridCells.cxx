@@ -149,33 +149,44 @@ int GridCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
 float GridCells::offsetIn(const TargetCell& cell, int axis, int sample) const
 {
   const int size = this->sizeOf(cell.level, axis);
-  const double offset = sample - static_cast<double>(cell.index[axis]) * size - 0.5 * (size - 1);
-  return static_cast<float>(offset * spacing_[axis] / this->level(cell.level).side);
+  const double middle = static_cast<double>(cell.index[axis]) * size + 0.5 * (size - 1);
+  return static_cast<float>((sample - middle) * (spacing_[axis] / this->level(cell.level).side));
 }
 
 void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const
 {
   const Extent part = this->samplesOf(cell);
   block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
-  Eigen::Vector3i at = sampleIndex(part, first);
-  for (std::size_t n = 0; n < block.samples.count; ++n)
+  for (std::size_t n = 0; n < block.samples.count;)
   {
+    const Eigen::Vector3i at = sampleIndex(part, first + n);
+    const std::size_t inRow =
+      std::min(block.samples.count - n, static_cast<std::size_t>(part[1] - at[0] + 1));
     const Eigen::Vector3d position = grid_.sample(at[0], at[1], at[2]);
-    block.samples.x[n] = scaledCoordinate(position[0], scale_);
-    block.samples.y[n] = scaledCoordinate(position[1], scale_);
-    block.samples.z[n] = scaledCoordinate(position[2], scale_);
-    block.u[n] = this->offsetIn(cell, 0, at[0]);
-    block.v[n] = this->offsetIn(cell, 1, at[1]);
-    block.w[n] = this->offsetIn(cell, 2, at[2]);
-    if (++at[0] > part[1])
+    std::fill_n(block.samples.y + n, inRow, scaledCoordinate(position[1], scale_));
+    std::fill_n(block.samples.z + n, inRow, scaledCoordinate(position[2], scale_));
+    std::fill_n(block.v + n, inRow, this->offsetIn(cell, 1, at[1]));
+    std::fill_n(block.w + n, inRow, this->offsetIn(cell, 2, at[2]));
+    for (std::size_t m = 0; m < inRow; ++m)
     {
-      at[0] = part[0];
-      if (++at[1] > part[3])
-      {
-        at[1] = part[2];
-        ++at[2];
-      }
+      const int i = at[0] + static_cast<int>(m);
+      block.samples.x[n + m] = scaledCoordinate(grid_.sample(i, at[1], at[2])[0], scale_);
     }
+    this->fillOffsets(cell, at[0], inRow, block.u + n);
+    n += inRow;
+  }
+}
+
+/// offsetIn() of consecutive samples along x.
+void GridCells::fillOffsets(
+  const TargetCell& cell, int first, std::size_t count, float* offsets) const
+{
+  const double middle = static_cast<double>(cell.index[0]) * this->sizeOf(cell.level, 0) +
+                        0.5 * (this->sizeOf(cell.level, 0) - 1);
+  const double factor = spacing_[0] / this->level(cell.level).side;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    offsets[n] = static_cast<float>((first + static_cast<double>(n) - middle) * factor);
   }
 }
 
@@ -208,10 +219,7 @@ void GridCells::storePolynomial(const TargetCell& cell, int order, const float* 
   {
     const std::size_t count =
       std::min(SampleBlock::capacity, static_cast<std::size_t>(part[1] - begin + 1));
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      u[n] = this->offsetIn(cell, 0, begin + static_cast<int>(n));
-    }
+    this->fillOffsets(cell, begin, count, u);
     for (int k = part[4]; k <= part[5]; ++k)
     {
       const float w = this->offsetIn(cell, 2, k);

@@ -49,6 +49,7 @@ public:
 private:
   TargetCell cellAt(int level, const Eigen::Vector3i& index) const;
   Extent samplesOf(const TargetCell& cell, const Extent& extent) const;
+  void fillOffsets(const TargetCell& cell, int first, std::size_t count, float* offsets) const;
   float offsetIn(const TargetCell& cell, int axis, int sample) const;
 
   const Grid& grid_;
