@@ -77,7 +77,8 @@ EdgeCounts countEdges(const Surface& surface)
   UnionFind pieces(surface.triangles.size());
   UnionFind rims(surface.vertices.size());
   std::vector<std::int32_t> rimVertices;
-  EdgeUses(surface).forEachEdge(
+  SerialExecutor executor;
+  EdgeUses(surface, executor).forEachEdge(
     [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
     {
       std::ptrdiff_t net = 0;
@@ -94,7 +95,7 @@ EdgeCounts countEdges(const Surface& surface)
       if (used == 1)
       {
         ++counts.boundary;
-        rims.unite(low, first->high);
+        rims.unite(low, first->high());
         rimVertices.push_back(low);
       }
     });
