@@ -37,6 +37,44 @@ std::uint64_t hashOf(const Eigen::Vector3d& point)
 
 } // namespace
 
+/// Finds equal points among some that are added in their order. Open addressing, linear probing.
+class Weld::Table
+{
+public:
+  Table(Weld& weld, std::size_t points)
+    : weld_(weld)
+  {
+    std::size_t size = 16;
+    while (size < 2 * points)
+    {
+      size *= 2;
+    }
+    slots_.assign(size, {0, 0});
+  }
+
+  /// position() is asked for only where hashes are equal: it may lie far away in memory.
+  template <class Position> void add(const Item& item, const Position& position)
+  {
+    std::size_t i = item.hash & (slots_.size() - 1);
+    while (slots_[i].point != 0)
+    {
+      const std::uint32_t other = slots_[i].point - 1;
+      if (slots_[i].hash == item.hash && weld_.position(other) == position())
+      {
+        weld_.targets_[item.point] = other;
+        weld_.states_[item.point].store(repeated, std::memory_order_relaxed);
+        return;
+      }
+      i = (i + 1) & (slots_.size() - 1);
+    }
+    slots_[i] = {item.point + 1, item.hash};
+  }
+
+private:
+  Weld& weld_;
+  std::vector<Item> slots_; ///< point + 1, or 0 where there is none
+};
+
 Weld::Weld(const std::vector<TrianglesView>& views)
   : views_(views)
   , points_(views, [](const TrianglesView& view) { return view.points.size(); })
@@ -125,19 +163,18 @@ void Weld::makeVertices(Surface& surface, Executor& executor)
 
 void Weld::weldBlocks(Executor& executor)
 {
+  // Large, to find most of the equal points, but tables stay in a core's second cache.
   runBlocks(
-    points_.size(), pointsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    points_.size(), 8 * pointsPerBlock,
+    [this](std::size_t, std::size_t first, std::size_t last)
     {
-      std::vector<Item> items;
-      items.reserve(last - first);
+      Table table(*this, last - first);
       this->forEachUsed(first, last,
-        [&items](std::size_t point, const Eigen::Vector3d& position)
-        {
-          items.push_back(
-            {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(hashOf(position))});
+        [&table](std::size_t point, const Eigen::Vector3d& position) {
+          table.add(
+            {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(hashOf(position))},
+            [&position] { return position; });
         });
-      this->weldItems(items.data(), items.data() + items.size());
     },
     executor);
 }
@@ -164,45 +201,14 @@ void Weld::weldBuckets(Executor& executor)
   runBlocks(
     buckets, 1,
     [&](std::size_t bucket, std::size_t, std::size_t)
-    { this->weldItems(items.begin(bucket), items.end(bucket)); },
+    {
+      Table table(*this, items.size(bucket));
+      for (const Item* item = items.begin(bucket); item != items.end(bucket); ++item)
+      {
+        table.add(*item, [this, item] { return this->position(item->point); });
+      }
+    },
     executor);
-}
-
-/// Finds equal points among items, which stand in the order of the points.
-void Weld::weldItems(const Item* first, const Item* last)
-{
-  // Open addressing, linear probing.
-  constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
-  const auto count = static_cast<std::size_t>(last - first);
-  std::size_t size = 16;
-  while (size < 2 * count)
-  {
-    size *= 2;
-  }
-  std::vector<std::uint32_t> slots(size, empty);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Item& item = first[i];
-    // Coordinates are far away, so they are compared only where hashes are equal.
-    const auto isEqual = [&](const Item& other)
-    {
-      return other.hash == item.hash && this->position(other.point) == this->position(item.point);
-    };
-    std::size_t slot = item.hash & (size - 1);
-    while (slots[slot] != empty && !isEqual(first[slots[slot]]))
-    {
-      slot = (slot + 1) & (size - 1);
-    }
-    if (slots[slot] == empty)
-    {
-      slots[slot] = static_cast<std::uint32_t>(i);
-    }
-    else
-    {
-      targets_[item.point] = first[slots[slot]].point;
-      states_[item.point].store(repeated, std::memory_order_relaxed);
-    }
-  }
 }
 
 } // namespace winding

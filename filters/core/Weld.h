@@ -65,18 +65,18 @@ private:
     repeated ///< equal to a used point before it
   };
 
-  /// A used point.
+  /// A used point in its bucket.
   struct Item
   {
     std::uint32_t point;
     std::uint32_t hash; ///< another part of it than the one that chooses the bucket
   };
+  class Table;
 
   Eigen::Vector3d position(std::size_t point) const;
   template <class Work> void forEachUsed(std::size_t first, std::size_t last, const Work& work) const;
   void weldBlocks(Executor& executor);
   void weldBuckets(Executor& executor);
-  void weldItems(const Item* first, const Item* last);
 
   const std::vector<TrianglesView>& views_;
   Concatenation points_;
