@@ -179,12 +179,21 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
   return options;
 }
 
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source)
+const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source)
 {
   const Clock::time_point start = Clock::now();
-  const winding::Field& field = this->Source->prepare(source, this->GetSourceOptions());
+  // Progress stays at 0 meanwhile: preparing is many short runs, each of which would go from 0 to 1,
+  // and little beside the evaluation, which is what a user waits for.
+  winding::SmpExecutor executor(
+    this, this->NumberOfThreads, winding::SmpExecutor::Progress::staysAtZero);
+  const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   this->PrepareSeconds = this->Source->wasBuilt() ? secondsSince(start) : 0;
-  const winding::FieldInfo& info = field.info();
+  if (!field)
+  {
+    this->Status = ABORTED;
+    return nullptr;
+  }
+  const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);

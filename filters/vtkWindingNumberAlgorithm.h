@@ -240,8 +240,9 @@ protected:
   /// Asks upstream for all of a source, whatever piece of the result was asked for.
   static void AskForWholeSource(vtkInformation* sourceInformation);
 
-  /// The field of a source, built or kept; warns about what is wrong with the source.
-  const winding::Field& PrepareField(vtkDataObject* source);
+  /// The field of a source, built or kept; warns about what is wrong with the source. Null, with
+  /// Status set, if aborted.
+  const winding::Field* PrepareField(vtkDataObject* source);
 
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);

@@ -61,8 +61,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   for (std::size_t range = 0; range < parts.size(); ++range)
   {
     const std::vector<BoundaryEdge> edges = std::move(parts[range].edges); // freed at once
-    std::copy(edges.begin(), edges.end(),
-      chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
+    std::copy(
+      edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
   }
   return chain;
 }

@@ -11,8 +11,9 @@
 namespace winding
 {
 
-CloudField::CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options)
-  : cloud_(sanitize(views))
+CloudField::CloudField(
+  const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
+  : cloud_(sanitize(views, executor))
 {
   if (options.method == Method::parity || options.method == Method::rows)
   {

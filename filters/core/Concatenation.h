@@ -35,7 +35,8 @@ public:
 
   /// Calls work(view, begin, end, number) for what belongs to each view of the items
   /// first … last − 1: they are begin … end − 1 in the view, and `number` is the number of `begin`.
-  template <class Work> void forEachPart(std::size_t first, std::size_t last, const Work& work) const
+  template <class Work>
+  void forEachPart(std::size_t first, std::size_t last, const Work& work) const
   {
     for (std::size_t view = this->viewOf(first); first < last; ++view)
     {

@@ -91,10 +91,10 @@ EdgeUses::SortedRange EdgeUses::sortedRange(std::size_t range) const
     }
   };
   const std::size_t ofLowest = 2 * range, ofMiddle = 2 * range + 1;
-  forEachNumber(ofLowest,
-    [&](std::size_t, const SortedTriangle& triangle) { places[triangle.lowest] += 2; });
-  forEachNumber(ofMiddle,
-    [&](std::size_t, const SortedTriangle& triangle) { places[triangle.middle] += 1; });
+  forEachNumber(
+    ofLowest, [&](std::size_t, const SortedTriangle& triangle) { places[triangle.lowest] += 2; });
+  forEachNumber(
+    ofMiddle, [&](std::size_t, const SortedTriangle& triangle) { places[triangle.middle] += 1; });
 
   // Counts become starts, and by filling ends.
   std::size_t start = 0;
@@ -112,8 +112,9 @@ EdgeUses::SortedRange EdgeUses::sortedRange(std::size_t range) const
       result.uses[places[triangle.lowest]++] = {triangle.highest, number, !triangle.isEven};
     });
   forEachNumber(ofMiddle,
-    [&](std::size_t number, const SortedTriangle& triangle)
-    { result.uses[places[triangle.middle]++] = {triangle.highest, number, triangle.isEven}; });
+    [&](std::size_t number, const SortedTriangle& triangle) {
+      result.uses[places[triangle.middle]++] = {triangle.highest, number, triangle.isEven};
+    });
 
   EdgeUse* first = result.uses.data();
   for (const std::size_t end : result.ends)

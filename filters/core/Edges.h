@@ -83,7 +83,8 @@ private:
   struct SortedRange
   {
     std::int32_t firstLow;
-    std::vector<std::size_t> ends; ///< by low vertex: where its uses end, and those of the next begin
+    std::vector<std::size_t>
+      ends; ///< by low vertex: where its uses end, and those of the next begin
     std::vector<EdgeUse> uses;
   };
 

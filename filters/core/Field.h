@@ -71,11 +71,12 @@ struct FieldInfo
 class Field
 {
 public:
-  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it.
+  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it. Null when
+  /// the executor was interrupted; never otherwise.
   static std::shared_ptr<const Field> build(
-    const std::vector<TrianglesView>& views, const FieldOptions& options);
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   static std::shared_ptr<const Field> build(
-    const std::vector<OrientedPointsView>& views, const FieldOptions& options);
+    const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
 
   virtual ~Field() = default;
 

@@ -98,8 +98,7 @@ std::size_t blocksOf(std::size_t primitives)
 /// How many primitives of a block have each fault, or none.
 using FaultCounts = std::array<std::size_t, 4>;
 
-template <class Fault>
-std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
+template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
 {
   std::size_t sum = 0;
   for (const FaultCounts& block : blocks)

@@ -12,8 +12,9 @@
 namespace winding
 {
 
-SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options)
-  : surface_(sanitize(views))
+SurfaceField::SurfaceField(
+  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
+  : surface_(sanitize(views, executor))
 {
   info_.inputPrimitives = surface_.inputTriangles;
   info_.primitives = surface_.triangles.size();
@@ -28,19 +29,19 @@ SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldO
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
       " with ids of points that do not exist)";
   }
-  this->chooseMethod(options);
+  this->chooseMethod(options, executor);
 }
 
 SurfaceField::~SurfaceField() = default;
 
-void SurfaceField::chooseMethod(const FieldOptions& options)
+void SurfaceField::chooseMethod(const FieldOptions& options, Executor& executor)
 {
   const Method asked = options.method;
   if (asked == Method::rows && options.scattered)
   {
     throw Refusal("rows needs a grid and these are scattered samples; choose another method");
   }
-  const BoundaryChain chain = boundaryChain(surface_);
+  const BoundaryChain chain = boundaryChain(surface_, executor);
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
   if (asked == Method::parity)

@@ -11,7 +11,9 @@ namespace winding
 class SurfaceField final : public Field
 {
 public:
-  SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options);
+  /// Throws Interrupted.
+  SurfaceField(
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   ~SurfaceField() override;
 
   const FieldInfo& info() const override { return info_; }
@@ -27,7 +29,7 @@ protected:
   const Evaluator& evaluator() const override { return *evaluator_; }
 
 private:
-  void chooseMethod(const FieldOptions& options);
+  void chooseMethod(const FieldOptions& options, Executor& executor);
 
   Surface surface_;
   FieldInfo info_;

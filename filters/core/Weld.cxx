@@ -170,7 +170,8 @@ void Weld::weldBlocks(Executor& executor)
     {
       Table table(*this, last - first);
       this->forEachUsed(first, last,
-        [&table](std::size_t point, const Eigen::Vector3d& position) {
+        [&table](std::size_t point, const Eigen::Vector3d& position)
+        {
           table.add(
             {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(hashOf(position))},
             [&position] { return position; });
@@ -183,8 +184,7 @@ void Weld::weldBuckets(Executor& executor)
 {
   // The items of a bucket and their table stay in a core's first cache.
   constexpr std::size_t wantedPoints = 2048;
-  const std::size_t buckets =
-    bucketsFor(points_.size(), bucketShift(points_.size(), wantedPoints));
+  const std::size_t buckets = bucketsFor(points_.size(), bucketShift(points_.size(), wantedPoints));
   const Buckets<Item> items = distribute<Item>(
     points_.size(), buckets,
     [&](std::size_t first, std::size_t last, const auto& put)

@@ -74,7 +74,8 @@ private:
   class Table;
 
   Eigen::Vector3d position(std::size_t point) const;
-  template <class Work> void forEachUsed(std::size_t first, std::size_t last, const Work& work) const;
+  template <class Work>
+  void forEachUsed(std::size_t first, std::size_t last, const Work& work) const;
   void weldBlocks(Executor& executor);
   void weldBuckets(Executor& executor);
 

@@ -64,7 +64,7 @@ TEST_P(RealMeshes, EqualTheDirectSumAndHaveTheSameBitsInSevenPieces)
   }
   SCOPED_TRACE("seed 151");
   const winding::Surface surface = clean(mesh);
-  const CappedSurface capped(surface, winding::boundaryChain(surface));
+  const CappedSurface capped(surface, boundaryOf(surface));
   const winding::TriangleSum sum(surface);
   record("capTriangles", static_cast<double>(capped.capTriangles()));
   double largest = 0;

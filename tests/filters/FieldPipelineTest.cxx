@@ -284,6 +284,32 @@ TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 40);
 }
 
+TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
+{
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  vtkNew<vtkCallbackCommand> stopper;
+  stopper->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  // The first event is the filter's that nothing is done yet, the next are from preparing.
+  const unsigned long tag = field->AddObserver(vtkCommand::ProgressEvent, stopper);
+  ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
+  EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(field->GetNumberOfPrimitives(), 0) << "there is no field";
+  EXPECT_EQ(field->GetEvaluateSeconds(), 0) << "nothing was evaluated";
+  EXPECT_EQ(log.errors(), "");
+
+  field->RemoveObserver(tag);
+  field->SetAbortExecute(0);
+  field->Modified();
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+  EXPECT_GT(field->GetNumberOfPrimitives(), 0);
+  EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
 {
   vtkNew<vtkGeomviewOFFReader> reader;
