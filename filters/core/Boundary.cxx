@@ -33,18 +33,26 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
     [&](std::size_t range, std::size_t, std::size_t)
     {
       BoundaryChain& part = parts[range];
-      uses.forEachEdge(range,
-        [&part](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
+      const auto addEdge = [&part](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
+      {
+        const std::int32_t high = first->high(), net = netOf(first, last);
+        part.edgesOfOneTriangle += last - first == 1;
+        if (net > 0)
         {
-          const std::int32_t high = first->high(), net = netOf(first, last);
-          part.edgesOfOneTriangle += last - first == 1;
-          if (net > 0)
+          part.edges.push_back({low, high, net});
+        }
+        else if (net < 0)
+        {
+          part.edges.push_back({high, low, -net});
+        }
+      };
+      uses.forEachVertex(range,
+        [&addEdge](std::int32_t low, EdgeUse* first, EdgeUse* last)
+        {
+          // Nearly everywhere, and found out faster than the uses are sorted.
+          if (!pairUp(first, last))
           {
-            part.edges.push_back({low, high, net});
-          }
-          else if (net < 0)
-          {
-            part.edges.push_back({high, low, -net});
+            EdgeUses::forEachEdge(low, first, last, addEdge);
           }
         });
     },

@@ -25,7 +25,35 @@ SortedTriangle sorted(const Triangle& triangle)
     ((a < b) ^ (b < c) ^ (c < a)) == 0};
 }
 
-/// Sorts uses of edges with the same low vertex; no two are equal.
+/// Whether of `most` or fewer uses no two are equal and each has one in the other direction. All are
+/// compared with all, and the number of comparisons is fixed: they run several at a time, and no
+/// branch depends on anything.
+template <std::size_t most> bool haveOpposites(const EdgeUse* uses, std::size_t count)
+{
+  // Nothing runs to vertex 0, the lowest of all: its number fills the room that is left.
+  std::uint32_t codes[most];
+  for (std::size_t i = 0; i < most; ++i)
+  {
+    codes[i] = i < count
+                 ? static_cast<std::uint32_t>(uses[i].high()) << 1 | (uses[i].sense() > 0 ? 1u : 0u)
+                 : 0;
+  }
+  std::uint32_t wrong = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::uint32_t equal = 0, opposite = 0;
+    for (std::size_t j = 0; j < most; ++j)
+    {
+      equal += codes[j] == codes[i] ? 1 : 0;
+      opposite += codes[j] == (codes[i] ^ 1u) ? 1 : 0;
+    }
+    wrong |= (equal ^ 1u) | (opposite ^ 1u);
+  }
+  return wrong == 0;
+}
+
+} // namespace
+
 void sortUses(EdgeUse* first, EdgeUse* last)
 {
   constexpr std::size_t few = 16;
@@ -50,14 +78,20 @@ void sortUses(EdgeUse* first, EdgeUse* last)
   std::copy_n(byRank, count, first);
 }
 
-} // namespace
+bool pairUp(const EdgeUse* first, const EdgeUse* last)
+{
+  const auto count = static_cast<std::size_t>(last - first);
+  return count <= 8 ? haveOpposites<8>(first, count)
+                    : count <= 16 && haveOpposites<16>(first, count);
+}
 
 EdgeUses::EdgeUses(const Surface& surface, Executor& executor)
   : triangles_(surface.triangles)
   , vertices_(surface.vertices.size())
 {
-  // About 6 uses per vertex: those of a range stay in a core's cache while they are sorted.
-  constexpr std::size_t wantedVertices = 2048;
+  // About 6 uses per vertex: those of a range stay in a core's cache, and in memory that the next
+  // range gets again, while larger pieces would come fresh from the system each time.
+  constexpr std::size_t wantedVertices = 1024;
   shift_ = bucketShift(vertices_, wantedVertices, mostBuckets / 2);
   numbers_ = distribute<std::uint32_t>(
     triangles_.size(), 2 * bucketsFor(vertices_, shift_),
@@ -74,15 +108,17 @@ EdgeUses::EdgeUses(const Surface& surface, Executor& executor)
     executor);
 }
 
-EdgeUses::SortedRange EdgeUses::sortedRange(std::size_t range) const
+EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
 {
   const std::size_t firstLow = range << shift_;
-  SortedRange result;
+  const std::size_t vertices = std::min(vertices_ - firstLow, std::size_t(1) << shift_);
+  const std::size_t ofLowest = 2 * range, ofMiddle = 2 * range + 1;
+  UsesOfRange result;
   result.firstLow = static_cast<std::int32_t>(firstLow);
-  result.ends.assign(std::min(vertices_ - firstLow, std::size_t(1) << shift_), 0);
-  std::size_t* const places = result.ends.data() - firstLow;
+  result.ends.assign(vertices, 0);
+  result.uses.reset(new EdgeUse[2 * numbers_.size(ofLowest) + numbers_.size(ofMiddle)]);
 
-  const auto forEachNumber = [this](std::size_t bucket, const auto& work)
+  const auto forEachTriangle = [this](std::size_t bucket, const auto& work)
   {
     for (const std::uint32_t* number = numbers_.begin(bucket); number != numbers_.end(bucket);
          ++number)
@@ -90,39 +126,33 @@ EdgeUses::SortedRange EdgeUses::sortedRange(std::size_t range) const
       work(*number, sorted(triangles_[*number]));
     }
   };
-  const std::size_t ofLowest = 2 * range, ofMiddle = 2 * range + 1;
-  forEachNumber(
-    ofLowest, [&](std::size_t, const SortedTriangle& triangle) { places[triangle.lowest] += 2; });
-  forEachNumber(
-    ofMiddle, [&](std::size_t, const SortedTriangle& triangle) { places[triangle.middle] += 1; });
-
+  const auto placeOf = [&](std::int32_t low) -> std::size_t&
+  {
+    return result.ends[static_cast<std::size_t>(low) - firstLow];
+  };
+  forEachTriangle(ofLowest, [&](std::size_t, const SortedTriangle& t) { placeOf(t.lowest) += 2; });
+  forEachTriangle(ofMiddle, [&](std::size_t, const SortedTriangle& t) { placeOf(t.middle) += 1; });
   // Counts become starts, and by filling ends.
   std::size_t start = 0;
   for (std::size_t& place : result.ends)
   {
-    const std::size_t uses = place;
+    const std::size_t count = place;
     place = start;
-    start += uses;
+    start += count;
   }
-  result.uses.resize(start);
-  forEachNumber(ofLowest,
-    [&](std::size_t number, const SortedTriangle& triangle)
+  EdgeUse* const uses = result.uses.get();
+  forEachTriangle(ofLowest,
+    [&](std::size_t number, const SortedTriangle& t)
     {
-      result.uses[places[triangle.lowest]++] = {triangle.middle, number, triangle.isEven};
-      result.uses[places[triangle.lowest]++] = {triangle.highest, number, !triangle.isEven};
+      std::size_t& place = placeOf(t.lowest);
+      uses[place] = {t.middle, number, t.isEven};
+      uses[place + 1] = {t.highest, number, !t.isEven};
+      place += 2;
     });
-  forEachNumber(ofMiddle,
-    [&](std::size_t number, const SortedTriangle& triangle) {
-      result.uses[places[triangle.middle]++] = {triangle.highest, number, triangle.isEven};
+  forEachTriangle(ofMiddle,
+    [&](std::size_t number, const SortedTriangle& t) {
+      uses[placeOf(t.middle)++] = {t.highest, number, t.isEven};
     });
-
-  EdgeUse* first = result.uses.data();
-  for (const std::size_t end : result.ends)
-  {
-    EdgeUse* const last = result.uses.data() + end;
-    sortUses(first, last);
-    first = last;
-  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace winding
@@ -32,11 +33,18 @@ private:
   std::uint64_t key_; ///< all three in one number, so that one comparison sorts by them
 };
 
+/// Sorts uses of edges with the same low vertex. No two uses are equal.
+void sortUses(EdgeUse* first, EdgeUse* last);
+
+/// Whether uses of edges with the same low vertex pair up, one along each edge and one against it.
+/// Where edges are used more often it may say no though all of them cancel.
+bool pairUp(const EdgeUse* first, const EdgeUse* last);
+
 /**
- * All uses of all edges of triangles over welded vertices, sorted by edge. Triangles are distributed
- * to ranges of vertices by the lower ones of their sides; the uses of a range are made and sorted
- * when they are visited, by counting and then in small sorts by the high vertex. Linear time for
- * bounded vertex degrees; 8 bytes per triangle, and 32 per vertex of a range while it is visited.
+ * All uses of all edges of triangles over welded vertices, edge by edge. Triangles are distributed
+ * to ranges of vertices by the lower ones of their sides; the uses of a range are made when it is
+ * visited, and sorted by counting, then by the high vertex in small sorts. Linear time for bounded
+ * vertex degrees; 8 bytes per triangle, and about 60 per vertex of a range while it is visited.
  */
 class EdgeUses
 {
@@ -50,45 +58,57 @@ public:
   {
     for (std::size_t range = 0; range < this->ranges(); ++range)
     {
-      this->forEachEdge(range, visit);
+      this->forEachVertex(range, [&visit](std::int32_t low, EdgeUse* first, EdgeUse* last)
+        { forEachEdge(low, first, last, visit); });
     }
   }
 
-  /// To do the same in parallel: the edges of range 0, then those of range 1 and so on, are all
-  /// edges in their order.
+  /// To do it in parallel: the vertices of range 0, then those of range 1 and so on, are all vertices
+  /// in their order.
   std::size_t ranges() const { return numbers_.count() / 2; }
-  template <class Visit> void forEachEdge(std::size_t range, const Visit& visit) const
+
+  /// Calls visit(low, first, last) for every vertex of a range, with the uses of all edges whose low
+  /// vertex it is in [first, last): unsorted, and the visitor's to sort.
+  template <class Visit> void forEachVertex(std::size_t range, const Visit& visit) const
   {
-    const SortedRange sorted = this->sortedRange(range);
-    const EdgeUse* first = sorted.uses.data();
-    std::int32_t low = sorted.firstLow;
-    for (const std::size_t lastUse : sorted.ends)
+    const UsesOfRange uses = this->usesOf(range);
+    EdgeUse* first = uses.uses.get();
+    std::int32_t low = uses.firstLow;
+    for (const std::size_t end : uses.ends)
     {
-      const EdgeUse* const end = sorted.uses.data() + lastUse;
-      while (first != end)
-      {
-        const EdgeUse* last = first + 1;
-        while (last != end && last->high() == first->high())
-        {
-          ++last;
-        }
-        visit(low, first, last);
-        first = last;
-      }
+      EdgeUse* const last = uses.uses.get() + end;
+      visit(low, first, last);
+      first = last;
       ++low;
     }
   }
 
+  /// Sorts a vertex' uses and calls visit(low, first, last) for each of its edges in their order.
+  template <class Visit>
+  static void forEachEdge(std::int32_t low, EdgeUse* first, EdgeUse* end, const Visit& visit)
+  {
+    sortUses(first, end);
+    while (first != end)
+    {
+      const EdgeUse* const edge = first;
+      while (first != end && first->high() == edge->high())
+      {
+        ++first;
+      }
+      visit(low, edge, const_cast<const EdgeUse*>(first));
+    }
+  }
+
 private:
-  struct SortedRange
+  struct UsesOfRange
   {
     std::int32_t firstLow;
     std::vector<std::size_t>
-      ends; ///< by low vertex: where its uses end, and those of the next begin
-    std::vector<EdgeUse> uses;
+      ends; ///< by low vertex: where its uses end and those of the next begin
+    std::unique_ptr<EdgeUse[]> uses;
   };
 
-  SortedRange sortedRange(std::size_t range) const;
+  UsesOfRange usesOf(std::size_t range) const;
 
   const std::vector<Triangle>& triangles_;
   std::size_t vertices_;
