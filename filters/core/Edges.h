@@ -103,8 +103,7 @@ private:
   struct UsesOfRange
   {
     std::int32_t firstLow;
-    std::vector<std::size_t>
-      ends; ///< by low vertex: where its uses end and those of the next begin
+    std::vector<std::size_t> ends; ///< by low vertex: where its uses end and the next one's begin
     std::unique_ptr<EdgeUse[]> uses;
   };
 
