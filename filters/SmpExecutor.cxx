@@ -36,9 +36,10 @@ constexpr double secondsPerBatch = 0.1;
 
 } // namespace
 
-SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
+SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads, Progress progress)
   : filter_(filter)
   , threads_(std::min(threads, static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))))
+  , progress_(progress)
 {
 }
 
@@ -65,6 +66,10 @@ bool SmpExecutor::runBatches(std::size_t count, const std::function<void(std::si
     static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t done = 0; done < count;)
   {
+    if (isAborted(filter_))
+    {
+      return false;
+    }
     const std::size_t last = std::min(count, done + batch);
     const Clock::time_point start = Clock::now();
     this->runBatch(done, last, work);
@@ -72,17 +77,15 @@ bool SmpExecutor::runBatches(std::size_t count, const std::function<void(std::si
     done = last;
     const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
-    filter_->UpdateProgress(static_cast<double>(done) / static_cast<double>(count));
-    if (done < count && isAborted(filter_))
-    {
-      return false;
-    }
+    const double share = static_cast<double>(done) / static_cast<double>(count);
+    filter_->UpdateProgress(progress_ == Progress::goesToOne ? share : 0);
   }
   return true;
 }
 
 bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
+  hasRun_ = true;
   const std::string backend = backendToUse();
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
   {

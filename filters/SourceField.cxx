@@ -18,7 +18,8 @@ bool SourceField::Memory::isSame(const InputViews& views, const InputOptions& op
   return same;
 }
 
-const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& options)
+const Field* SourceField::prepare(
+  vtkDataObject* source, const SourceOptions& options, Executor& executor)
 {
   InputViews views(source, options.input);
   const bool isSameSource = source_.isSame(views, options.input);
@@ -27,11 +28,11 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
     field_ = views.isSurface() || views.identity().empty()
-               ? Field::build(views.triangles(), options.field)
-               : Field::build(views.orientedPoints(), options.field);
+               ? Field::build(views.triangles(), options.field, executor)
+               : Field::build(views.orientedPoints(), options.field, executor);
     options_ = options.field;
   }
-  return *field_;
+  return field_.get();
 }
 
 const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& options)

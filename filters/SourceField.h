@@ -22,8 +22,9 @@ struct SourceOptions
 class SourceField
 {
 public:
-  /// Builds the field, or keeps the last one. Throws Refusal.
-  const Field& prepare(vtkDataObject* source, const SourceOptions& options);
+  /// Builds the field, or keeps the last one. Null when the executor was interrupted: then there is
+  /// none to keep either, and the next call builds. Throws Refusal.
+  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor);
 
   /// Bounds of the source's usable primitives, without building; kept likewise. Throws Refusal.
   const Bounds& bounds(vtkDataObject* source, const InputOptions& options);

@@ -183,12 +183,25 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
   return options;
 }
 
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source)
+const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source,
+  const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
-  const Clock::time_point start = Clock::now();
-  const winding::Field& field = this->Source->prepare(source, this->GetSourceOptions());
-  this->PrepareSeconds = this->Source->wasBuilt() ? secondsSince(start) : 0;
-  const winding::FieldInfo& info = field.info();
+  Clock::time_point start = Clock::now();
+  // Progress stays at 0 meanwhile: preparing is many short runs, each of which would go from 0 to 1,
+  // and little beside the evaluation, which is what a user waits for.
+  winding::SmpExecutor executor(
+    this, this->NumberOfThreads, winding::SmpExecutor::Progress::staysAtZero);
+  const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
+  // Looking whether the source is the last one is not preparing.
+  start = this->Source->wasBuilt() ? start : Clock::now();
+  const bool isPrepared = field && prepareSamples(*field, executor);
+  this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
+  if (!isPrepared)
+  {
+    this->Status = ABORTED;
+    return nullptr;
+  }
+  const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);

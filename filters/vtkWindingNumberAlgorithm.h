@@ -21,7 +21,8 @@
  *
  * What is built from a source (welded vertices, areas) is kept until a source with other points,
  * cells, normals or areas comes in: threshold, grid, time steps or other attributes never rebuild
- * it (for polydata; any change of another data set counts as a change of its cells).
+ * it (for polydata; any change of another data set counts as a change of its cells). Only where
+ * triangles are large beside the voxels, those of a cap most often, another grid has them cut anew.
  *
  * Threads are those of vtkSMPTools. Where its backend is Sequential only because VTK was built so
  * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads
@@ -192,7 +193,7 @@ public:
 
   ///@{
   /// About the last execution: how it ended, the method used and why it was chosen, the seconds
-  /// spent on building from the source (0 when it was kept) and on evaluating.
+  /// spent on building from the source (what was kept takes none) and on evaluating.
   vtkGetMacro(Status, int);
   const char* GetMethodUsed() const;
   const char* GetMethodReason() const;
@@ -243,8 +244,10 @@ protected:
   /// Asks upstream for all of a source, whatever piece of the result was asked for.
   static void AskForWholeSource(vtkInformation* sourceInformation);
 
-  /// The field of a source, built or kept; warns about what is wrong with the source.
-  const winding::Field& PrepareField(vtkDataObject* source);
+  /// The field of a source, built or kept, and prepared for samples; warns about what is wrong with
+  /// the source. Null, with Status set, if aborted.
+  const winding::Field* PrepareField(vtkDataObject* source,
+    const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
 
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);

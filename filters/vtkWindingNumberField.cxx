@@ -177,10 +177,14 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
 
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
-  const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[0]));
-  const bool complete = this->Evaluate([&](winding::Executor& executor)
-    { return field.evaluate(*this->Sampling, samples, this->OutputTo(results), executor); });
-  if (!complete)
+  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[0]),
+    [this](const winding::Field& built, winding::Executor& executor)
+    { return built.prepare(*this->Sampling, executor); });
+  const auto evaluate = [&](winding::Executor& executor)
+  {
+    return field->evaluate(*this->Sampling, samples, this->OutputTo(results), executor);
+  };
+  if (!field || !this->Evaluate(evaluate))
   {
     return;
   }
@@ -193,7 +197,7 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
     attributes = output->GetCellData();
   }
   this->AddResults(results, output, attributes);
-  this->Verify(field, samples.data(), results.values());
+  this->Verify(*field, samples.data(), results.values());
 }
 
 void vtkWindingNumberField::Verify(

@@ -140,12 +140,16 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
 
   const vtkIdType count = atCells ? queries->GetNumberOfCells() : queries->GetNumberOfPoints();
   const winding::ResultArrays results = this->MakeResults(count);
-  const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[1]));
   const std::vector<double> positions = atCells ? cellCentersOf(queries) : pointsOf(queries);
   const winding::VectorsView samples(positions.data(), static_cast<std::size_t>(count));
-  const bool complete = this->Evaluate([&](winding::Executor& executor)
-    { return field.evaluate(samples, this->OutputTo(results), executor); });
-  if (!complete)
+  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[1]),
+    [&samples](const winding::Field& built, winding::Executor& executor)
+    { return built.prepare(samples, executor); });
+  const auto evaluate = [&](winding::Executor& executor)
+  {
+    return field->evaluate(samples, this->OutputTo(results), executor);
+  };
+  if (!field || !this->Evaluate(evaluate))
   {
     output->Initialize();
     return;

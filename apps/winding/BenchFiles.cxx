@@ -22,8 +22,9 @@ namespace
 /// How often the rows of a grid cross a surface and its cap.
 std::size_t countCrossings(const winding::Surface& surface, const winding::Grid& grid)
 {
+  winding::SerialExecutor executor;
   const std::vector<winding::Triangle> cap =
-    winding::capOf(boundaryLoops(boundaryChain(surface), surface.vertices.size()));
+    winding::capOf(boundaryLoops(boundaryChain(surface, executor), surface.vertices.size()));
   std::vector<winding::Triangle> chain = surface.triangles;
   chain.insert(chain.end(), cap.begin(), cap.end());
   const auto inGrid = [&](std::int32_t id) -> Eigen::Vector3d
@@ -97,8 +98,9 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
     }
     winding::FieldOptions options;
     options.method = method;
-    const Measurement measured =
-      measure([&] { return winding::Field::build({view}, options); }, grid);
+    const Measurement measured = measure([&](winding::Executor& executor)
+      { return winding::Field::build({view}, options, executor); },
+      grid);
     Json row = {{"voxels", size}};
     row.update(rowOf(measured, grid, fill));
     if (measured.field->info().method == winding::Method::rows)
@@ -129,7 +131,8 @@ std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
     }
     try
     {
-      const winding::Surface surface = winding::sanitize({triangles.view()});
+      winding::SerialExecutor executor;
+      const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
       BenchTable table(file + ": " + std::to_string(surface.triangles.size()) + " triangles, " +
                          std::to_string(threadsOf(options)) + " threads",
         {"the first method of each size is the one that automatic chooses",

@@ -95,14 +95,15 @@ void addSums(BenchTable& table, const winding::Surface& surface, const winding::
     "ns per primitive and sample"));
 }
 
-void addPreparation(
-  BenchTable& table, const winding::TrianglesView& view, const winding::Surface& surface)
+void addPreparation(BenchTable& table, const winding::TrianglesView& view,
+  const winding::Surface& surface, winding::Executor& executor, std::size_t threads)
 {
   const std::size_t triangles = surface.triangles.size();
-  table.add(
-    line("welding", nanoseconds([&] { winding::sanitize({view}); }, triangles), "ns per triangle"));
+  table.add(line("welding", nanoseconds([&] { winding::sanitize({view}, executor); }, triangles),
+    "ns per triangle", threads));
   table.add(line("boundary, closed surface",
-    nanoseconds([&] { winding::boundaryChain(surface); }, triangles), "ns per triangle"));
+    nanoseconds([&] { winding::boundaryChain(surface, executor); }, triangles), "ns per triangle",
+    threads));
 }
 
 /// What a surface with holes takes in addition: here every 50th triangle is missing.
@@ -117,7 +118,8 @@ void addCap(BenchTable& table, const winding::Surface& closed, const winding::Gr
       surface.triangles.push_back(closed.triangles[i]);
     }
   }
-  const winding::BoundaryChain chain = winding::boundaryChain(surface);
+  winding::SerialExecutor executor;
+  const winding::BoundaryChain chain = winding::boundaryChain(surface, executor);
   const auto makeCap = [&]
   {
     return winding::capOf(winding::boundaryLoops(chain, surface.vertices.size()));
@@ -180,7 +182,8 @@ std::vector<BenchTable> benchKernels(const Options& options)
   }
   const winding::TrianglesView view = {
     {corners.data(), corners.size() / 3}, {ids.data(), ids.size() / 3}};
-  const winding::Surface surface = winding::sanitize({view});
+  winding::SerialExecutor serial;
+  const winding::Surface surface = winding::sanitize({view}, serial);
   winding::GridRequest request;
   request.bounds = surface.bounds;
   request.padding = 0.05;
@@ -191,12 +194,13 @@ std::vector<BenchTable> benchKernels(const Options& options)
                      std::to_string(surface.triangles.size()) + " triangles and a grid of 256",
     {std::string("instructions: ") + winding::kernelInstructionSet()});
   addSums(table, surface, grid);
-  addPreparation(table, view, surface);
-  addCap(table, surface, grid);
-  winding::SerialExecutor serial;
-  addCrossings(table, surface, grid, serial, 1);
   ThreadExecutor threads;
-  addCrossings(table, surface, grid, threads, static_cast<std::size_t>(threadsOf(options)));
+  const auto threadCount = static_cast<std::size_t>(threadsOf(options));
+  addPreparation(table, view, surface, serial, 1);
+  addPreparation(table, view, surface, threads, threadCount);
+  addCap(table, surface, grid);
+  addCrossings(table, surface, grid, serial, 1);
+  addCrossings(table, surface, grid, threads, threadCount);
   addFill(table, grid);
   return {table};
 }

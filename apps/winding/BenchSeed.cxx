@@ -88,8 +88,9 @@ Json measureMesh(
     });
   volatile double used = sum;
   (void)used;
-  const Measurement measured =
-    measure([&] { return winding::Field::build({triangles.view()}, {}); }, grid);
+  const Measurement measured = measure([&](winding::Executor& executor)
+    { return winding::Field::build({triangles.view()}, {}, executor); },
+    grid);
   Json row = {{"primitives here", surface.triangles.size()}};
   row.update(compare(naive, measured, grid, published.milliseconds));
   return row;
@@ -107,7 +108,8 @@ Json measureCloud(const Published& published, const winding::Surface& surface)
   (void)used;
   const winding::OrientedPointsView view = {{cloud.positions[0].data(), cloud.positions.size()},
     {cloud.normals[0].data(), cloud.normals.size()}, {}};
-  const Measurement measured = measure([&] { return winding::Field::build({view}, {}); }, grid);
+  const Measurement measured = measure(
+    [&](winding::Executor& executor) { return winding::Field::build({view}, {}, executor); }, grid);
   Json row = {{"primitives here", cloud.positions.size()}};
   row.update(compare(naive, measured, grid, published.milliseconds));
   return row;
@@ -124,7 +126,8 @@ Json measureLine(const Published& published, const Options& options, Messages& m
     return row;
   }
   const Triangles triangles = trianglesOf(readInput(file, options, messages));
-  const winding::Surface surface = winding::sanitize({triangles.view()});
+  winding::SerialExecutor executor;
+  const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
   row.update(published.kind == Kind::cloud ? measureCloud(published, surface)
                                            : measureMesh(published, surface, triangles));
   return row;

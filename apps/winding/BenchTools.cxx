@@ -115,11 +115,17 @@ double scaledSeconds(
 }
 
 Measurement measure(
-  const std::function<std::shared_ptr<const winding::Field>()>& build, const winding::Grid& grid)
+  const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
+  const winding::Grid& grid)
 {
   Measurement result;
   ThreadExecutor executor;
-  result.prepare = secondsOf([&] { result.field = build(); });
+  result.prepare = secondsOf(
+    [&]
+    {
+      result.field = build(executor);
+      result.field->prepare(grid, executor);
+    });
   interrupt::check();
 
   const std::size_t samples = winding::sampleCount(grid.wholeExtent());

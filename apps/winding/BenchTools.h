@@ -65,7 +65,8 @@ struct Measurement
 
 /// Throws Refusal as Field::build() does.
 Measurement measure(
-  const std::function<std::shared_ptr<const winding::Field>()>& build, const winding::Grid& grid);
+  const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
+  const winding::Grid& grid);
 
 /// Errors at so many random samples, and as many near the surface.
 winding::Verification verified(

@@ -56,7 +56,8 @@ std::pair<std::size_t, std::size_t> countPoints(const Triangles& triangles, std:
 
 Json describeSurface(const std::string& fileName, const Triangles& triangles)
 {
-  const winding::Surface surface = winding::sanitize({triangles.view()});
+  winding::SerialExecutor executor;
+  const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
   const winding::SurfaceReport report = winding::reportOn(surface);
   const winding::EdgeCounts& edges = report.edges;
   const auto [merged, unreferenced] = countPoints(triangles, surface.vertices.size());

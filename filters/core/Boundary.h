@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Executor.h"
 #include "Sanitize.h"
 
 #include <vector>
@@ -31,7 +32,8 @@ struct BoundaryChain
   std::size_t edgesOfOneTriangle = 0;
 };
 
-BoundaryChain boundaryChain(const Surface& surface);
+/// The same for every executor. Throws Interrupted.
+BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
 
 /// A closed walk v₀ → v₁ → … → v₀ along boundary edges that visits no vertex twice; at least three.
 using BoundaryLoop = std::vector<std::int32_t>;

@@ -151,6 +151,11 @@ bool CappedSurface::evaluateByFarField(
     });
 }
 
+bool CappedSurface::prepare(const Grid& grid, Executor& executor) const
+{
+  return !capFarField_ || capFarField_->suiting(grid, executor) != nullptr;
+}
+
 bool CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {

@@ -41,6 +41,9 @@ public:
   /// 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
+  /// Builds what a grid needs beforehand, as Field::prepare() does.
+  bool prepare(const Grid& grid, Executor& executor) const;
+
   /// False when the executor was interrupted.
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;

@@ -19,8 +19,9 @@ constexpr std::size_t fewPoints = 300;
 
 } // namespace
 
-CloudField::CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options)
-  : cloud_(sanitize(views))
+CloudField::CloudField(
+  const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
+  : cloud_(sanitize(views, executor))
 {
   if (options.method == Method::parity || options.method == Method::rows)
   {
@@ -43,7 +44,6 @@ CloudField::CloudField(const std::vector<OrientedPointsView>& views, const Field
   }
   this->chooseAreas(options.pointArea);
   evaluator_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
-  SerialExecutor executor;
   this->chooseMethod(options, executor);
 }
 

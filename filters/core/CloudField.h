@@ -11,7 +11,9 @@ namespace winding
 class CloudField final : public Field
 {
 public:
-  CloudField(const std::vector<OrientedPointsView>& views, const FieldOptions& options);
+  /// Throws Interrupted.
+  CloudField(
+    const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
   ~CloudField() override;
 
   const FieldInfo& info() const override { return info_; }

@@ -1,88 +1,121 @@
 #pragma once
 
+#include "BucketSort.h"
 #include "Sanitize.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace winding
 {
 
-/// One side of one triangle, as a use of the edge from its lower to its higher vertex.
-struct EdgeUse
+/// One side of one triangle, as a use of the edge from its lower to its higher vertex. The lower one
+/// is known from the place where the use stands.
+class EdgeUse
 {
-  std::int32_t high; ///< the higher vertex; the lower one is the use's place in EdgeUses
-  std::uint32_t triangleAndSense; ///< triangle · 2 + 1 if it runs from low to high
+public:
+  EdgeUse() = default;
+  EdgeUse(std::int32_t high, std::size_t triangle, bool runsFromLowToHigh)
+    : key_(static_cast<std::uint64_t>(high) << 32 | triangle << 1 | (runsFromLowToHigh ? 1 : 0))
+  {
+  }
 
-  std::int32_t triangle() const { return static_cast<std::int32_t>(triangleAndSense >> 1); }
-  int sense() const { return triangleAndSense & 1 ? 1 : -1; }
+  std::int32_t high() const { return static_cast<std::int32_t>(key_ >> 32); }
+  std::int32_t triangle() const { return static_cast<std::int32_t>(key_ >> 1 & 0x7fffffff); }
+  int sense() const { return key_ & 1 ? 1 : -1; } ///< +1 if it runs from low to high
+
+  /// By high vertex, then by triangle.
+  bool operator<(const EdgeUse& other) const { return key_ < other.key_; }
+
+private:
+  std::uint64_t key_; ///< all three in one number, so that one comparison sorts by them
 };
 
+/// Sorts uses of edges with the same low vertex. No two uses are equal.
+void sortUses(EdgeUse* first, EdgeUse* last);
+
+/// Whether uses of edges with the same low vertex pair up, one along each edge and one against it.
+/// Where edges are used more often it may say no though all of them cancel.
+bool pairUp(const EdgeUse* first, const EdgeUse* last);
+
 /**
- * All uses of all edges of triangles over welded vertices, sorted by edge: a counting sort by the
- * lower vertex, then small sorts by the higher one. Linear time for bounded vertex degrees, 24 bytes
- * per triangle and 8 per vertex.
+ * All uses of all edges of triangles over welded vertices, edge by edge. Triangles are distributed
+ * to ranges of vertices by the lower ones of their sides; the uses of a range are made when it is
+ * visited, and sorted by counting, then by the high vertex in small sorts. Linear time for bounded
+ * vertex degrees; 8 bytes per triangle, and about 60 per vertex of a range while it is visited.
  */
 class EdgeUses
 {
 public:
-  explicit EdgeUses(const Surface& surface)
-    : starts_(surface.vertices.size() + 2, 0)
-    , uses_(3 * surface.triangles.size())
-  {
-    // Counted two places up, so that filling leaves each start where it belongs.
-    for (const Triangle& triangle : surface.triangles)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        ++starts_[static_cast<std::size_t>(std::min(triangle[i], triangle[(i + 1) % 3])) + 2];
-      }
-    }
-    for (std::size_t v = 2; v < starts_.size(); ++v)
-    {
-      starts_[v] += starts_[v - 1];
-    }
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    {
-      const Triangle& triangle = surface.triangles[t];
-      for (int i = 0; i < 3; ++i)
-      {
-        const std::int32_t from = triangle[i], to = triangle[(i + 1) % 3];
-        const std::size_t low = static_cast<std::size_t>(std::min(from, to));
-        uses_[starts_[low + 1]++] = {
-          std::max(from, to), static_cast<std::uint32_t>(2 * t + (from < to ? 1 : 0))};
-      }
-    }
-  }
+  /// Keeps a reference to the surface, which must outlive this. Throws Interrupted.
+  EdgeUses(const Surface& surface, Executor& executor);
 
   /// Calls visit(low, first, last) for every edge, with its uses in [first, last), in the order of
   /// (low, high); the uses of an edge are in the order of the triangles.
-  template <class Visit> void forEachEdge(const Visit& visit)
+  template <class Visit> void forEachEdge(const Visit& visit) const
   {
-    for (std::size_t low = 0; low + 2 < starts_.size(); ++low)
+    for (std::size_t range = 0; range < this->ranges(); ++range)
     {
-      EdgeUse* first = uses_.data() + starts_[low];
-      EdgeUse* const end = uses_.data() + starts_[low + 1];
-      std::sort(first, end,
-        [](const EdgeUse& a, const EdgeUse& b)
-        { return a.high != b.high ? a.high < b.high : a.triangleAndSense < b.triangleAndSense; });
-      while (first != end)
+      this->forEachVertex(range, [&visit](std::int32_t low, EdgeUse* first, EdgeUse* last)
+        { forEachEdge(low, first, last, visit); });
+    }
+  }
+
+  /// To do it in parallel: the vertices of range 0, then those of range 1 and so on, are all vertices
+  /// in their order.
+  std::size_t ranges() const { return numbers_.count() / 2; }
+
+  /// Calls visit(low, first, last) for every vertex of a range, with the uses of all edges whose low
+  /// vertex it is in [first, last): unsorted, and the visitor's to sort.
+  template <class Visit> void forEachVertex(std::size_t range, const Visit& visit) const
+  {
+    const UsesOfRange uses = this->usesOf(range);
+    EdgeUse* first = uses.uses.get();
+    std::int32_t low = uses.firstLow;
+    for (const std::size_t end : uses.ends)
+    {
+      EdgeUse* const last = uses.uses.get() + end;
+      visit(low, first, last);
+      first = last;
+      ++low;
+    }
+  }
+
+  /// Sorts a vertex' uses and calls visit(low, first, last) for each of its edges in their order.
+  template <class Visit>
+  static void forEachEdge(std::int32_t low, EdgeUse* first, EdgeUse* end, const Visit& visit)
+  {
+    sortUses(first, end);
+    while (first != end)
+    {
+      const EdgeUse* const edge = first;
+      while (first != end && first->high() == edge->high())
       {
-        const EdgeUse* last = first;
-        while (last != end && last->high == first->high)
-        {
-          ++last;
-        }
-        visit(static_cast<std::int32_t>(low), const_cast<const EdgeUse*>(first), last);
-        first += last - first;
+        ++first;
       }
+      visit(low, edge, const_cast<const EdgeUse*>(first));
     }
   }
 
 private:
-  std::vector<std::size_t> starts_;
-  std::vector<EdgeUse> uses_;
+  struct UsesOfRange
+  {
+    std::int32_t firstLow;
+    std::vector<std::size_t> ends; ///< by low vertex: where its uses end and the next one's begin
+    std::unique_ptr<EdgeUse[]> uses;
+  };
+
+  UsesOfRange usesOf(std::size_t range) const;
+
+  const std::vector<Triangle>& triangles_;
+  std::size_t vertices_;
+  int shift_; ///< range = vertex >> shift
+  /// Numbers of triangles: bucket 2 · range has those whose lowest vertex is in the range, which is
+  /// the low vertex of two sides, and the next bucket those whose middle vertex is in it, the low
+  /// vertex of the third side. Apart, so that no branch depends on which it is.
+  Buckets<std::uint32_t> numbers_;
 };
 
 } // namespace winding

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <functional>
 
 namespace winding
@@ -36,5 +38,32 @@ public:
     return true;
   }
 };
+
+/// Thrown by what makes something in one go when the executor was interrupted: nothing was made.
+class Interrupted final : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/**
+ * Cuts 0 … count − 1 into blocks of the same size, the last one excepted, and calls
+ * work(block, first, last) for each: the items of a block are first … last − 1. The blocks depend on
+ * the two numbers only. Throws Interrupted.
+ */
+template <class Work>
+void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, Executor& executor)
+{
+  const bool complete = executor.run((count + itemsPerBlock - 1) / itemsPerBlock,
+    [&](std::size_t block)
+    {
+      const std::size_t first = block * itemsPerBlock;
+      work(block, first, std::min(count, first + itemsPerBlock));
+    });
+  if (!complete)
+  {
+    throw Interrupted();
+  }
+}
 
 } // namespace winding

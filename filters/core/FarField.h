@@ -36,11 +36,9 @@ struct FieldOutput;
 class FarField
 {
 public:
+  /// Throws Interrupted when the executor is.
   FarField(
     std::unique_ptr<FarFieldSources> sources, const FarFieldAccuracy& accuracy, Executor& executor);
-
-  /// Whether the executor was not interrupted; if it was, there is nothing to evaluate.
-  bool isComplete() const { return moments_.isComplete; }
 
   double scale() const { return sources_->scale(); }
   int order() const { return accuracy_.order; }

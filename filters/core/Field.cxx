@@ -39,6 +39,20 @@ void markNonFinite(const SampleBlock& block, double* values)
   }
 }
 
+template <class FieldType, class Views>
+std::shared_ptr<const Field> buildUnlessInterrupted(
+  const Views& views, const FieldOptions& options, Executor& executor)
+{
+  try
+  {
+    return std::make_shared<FieldType>(views, options, executor);
+  }
+  catch (const Interrupted&)
+  {
+    return nullptr;
+  }
+}
+
 } // namespace
 
 const char* nameOf(Method method)
@@ -60,15 +74,25 @@ const char* nameOf(Method method)
 }
 
 std::shared_ptr<const Field> Field::build(
-  const std::vector<TrianglesView>& views, const FieldOptions& options)
+  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
 {
-  return std::make_shared<SurfaceField>(views, options);
+  return buildUnlessInterrupted<SurfaceField>(views, options, executor);
 }
 
 std::shared_ptr<const Field> Field::build(
-  const std::vector<OrientedPointsView>& views, const FieldOptions& options)
+  const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
 {
-  return std::make_shared<CloudField>(views, options);
+  return buildUnlessInterrupted<CloudField>(views, options, executor);
+}
+
+bool Field::prepare(const Grid&, Executor&) const
+{
+  return true;
+}
+
+bool Field::prepare(const VectorsView&, Executor&) const
+{
+  return true;
 }
 
 template <class PositionOf>

@@ -77,15 +77,26 @@ struct FieldInfo
 class Field
 {
 public:
-  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it.
+  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it. Null when
+  /// the executor was interrupted; never otherwise.
   static std::shared_ptr<const Field> build(
-    const std::vector<TrianglesView>& views, const FieldOptions& options);
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   static std::shared_ptr<const Field> build(
-    const std::vector<OrientedPointsView>& views, const FieldOptions& options);
+    const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
 
   virtual ~Field() = default;
 
   virtual const FieldInfo& info() const = 0;
+
+  ///@{
+  /**
+   * Builds what an evaluation of these samples needs beyond what build() has made (FarField.h), and
+   * keeps it for the next. An evaluation does so itself where it has to; this is for who wants to
+   * tell the time that it takes apart. False when the executor was interrupted.
+   */
+  virtual bool prepare(const Grid& grid, Executor& executor) const;
+  virtual bool prepare(const VectorsView& samples, Executor& executor) const;
+  ///@}
 
   /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
   virtual bool evaluate(

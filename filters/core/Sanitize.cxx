@@ -1,9 +1,10 @@
 #include "Sanitize.h"
 
+#include "Concatenation.h"
 #include "Refusal.h"
+#include "Weld.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -12,77 +13,6 @@ namespace winding
 
 namespace
 {
-
-/// Gives equal coordinates equal ids, in order of first appearance. Open addressing, linear
-/// probing.
-class Welder
-{
-public:
-  explicit Welder(std::vector<Eigen::Vector3d>& vertices)
-    : vertices_(vertices)
-    , slots_(64, empty)
-  {
-  }
-
-  std::int32_t weld(const Eigen::Vector3d& point)
-  {
-    if (vertices_.size() * 2 >= slots_.size())
-    {
-      grow();
-    }
-    std::int32_t& slot = find(point);
-    if (slot == empty)
-    {
-      if (vertices_.size() == static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-      {
-        throw Refusal("the surface has more than 2147483647 vertices; split it");
-      }
-      slot = static_cast<std::int32_t>(vertices_.size());
-      vertices_.push_back(point);
-    }
-    return slot;
-  }
-
-private:
-  static constexpr std::int32_t empty = -1;
-
-  static std::uint64_t hash(const Eigen::Vector3d& point)
-  {
-    std::uint64_t h = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      std::uint64_t bits;
-      std::memcpy(&bits, &point[axis], sizeof bits);
-      // Multiply and fold: coordinates that share most bits must still spread over the table.
-      h = (h ^ bits) * 0x9E3779B97F4A7C15u;
-      h ^= h >> 32;
-    }
-    return h;
-  }
-
-  std::int32_t& find(const Eigen::Vector3d& point)
-  {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t i = hash(point) & mask;
-    while (slots_[i] != empty && vertices_[slots_[i]] != point)
-    {
-      i = (i + 1) & mask;
-    }
-    return slots_[i];
-  }
-
-  void grow()
-  {
-    slots_.assign(slots_.size() * 2, empty);
-    for (std::size_t id = 0; id < vertices_.size(); ++id)
-    {
-      find(vertices_[id]) = static_cast<std::int32_t>(id);
-    }
-  }
-
-  std::vector<Eigen::Vector3d>& vertices_;
-  std::vector<std::int32_t> slots_;
-};
 
 bool hasValidIds(const TrianglesView& view, std::size_t triangle)
 {
@@ -100,6 +30,28 @@ bool hasValidIds(const TrianglesView& view, std::size_t triangle)
 Eigen::Vector3d corner(const TrianglesView& view, std::size_t triangle, std::size_t index)
 {
   return view.points[static_cast<std::size_t>(view.triangles(triangle, index))];
+}
+
+enum class TriangleFault
+{
+  none,
+  invalidId,
+  nonFinite,
+  collapsed
+};
+
+TriangleFault faultOf(const TrianglesView& view, std::size_t i)
+{
+  if (!hasValidIds(view, i))
+  {
+    return TriangleFault::invalidId;
+  }
+  const Eigen::Vector3d a = corner(view, i, 0), b = corner(view, i, 1), c = corner(view, i, 2);
+  if (!a.allFinite() || !b.allFinite() || !c.allFinite())
+  {
+    return TriangleFault::nonFinite;
+  }
+  return a == b || b == c || c == a ? TriangleFault::collapsed : TriangleFault::none;
 }
 
 enum class PointFault
@@ -136,55 +88,80 @@ void checkLengths(const OrientedPointsView& view)
   }
 }
 
+constexpr std::size_t primitivesPerBlock = 16384;
+
+std::size_t blocksOf(std::size_t primitives)
+{
+  return (primitives + primitivesPerBlock - 1) / primitivesPerBlock;
+}
+
+/// How many primitives of a block have each fault, or none.
+using FaultCounts = std::array<std::size_t, 4>;
+
+template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
+{
+  std::size_t sum = 0;
+  for (const FaultCounts& block : blocks)
+  {
+    sum += block[static_cast<std::size_t>(fault)];
+  }
+  return sum;
+}
+
+/// Where each block's primitives without a fault go, and how many there are in all.
+std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
+{
+  std::vector<std::size_t> starts(1, 0);
+  for (const FaultCounts& block : blocks)
+  {
+    starts.push_back(starts.back() + block[0]);
+  }
+  return starts;
+}
+
 } // namespace
 
-Surface sanitize(const std::vector<TrianglesView>& views)
+Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
 {
+  const Concatenation triangles(
+    views, [](const TrianglesView& view) { return view.triangles.size(); });
   Surface surface;
-  for (const TrianglesView& view : views)
-  {
-    surface.inputTriangles += view.triangles.size();
-  }
-  if (surface.inputTriangles > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  surface.inputTriangles = triangles.size();
+  if (triangles.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
     throw Refusal("the surface has more than 2147483647 triangles; split it");
   }
-  surface.triangles.reserve(surface.inputTriangles);
-  surface.vertices.reserve(surface.inputTriangles / 2 + 3);
-
-  Welder welder(surface.vertices);
-  for (const TrianglesView& view : views)
-  {
-    for (std::size_t i = 0; i < view.triangles.size(); ++i)
+  Weld weld(views);
+  std::vector<FaultCounts> faults(blocksOf(triangles.size()));
+  runBlocks(
+    triangles.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
-      if (!hasValidIds(view, i))
-      {
-        ++surface.invalidIdTriangles;
-        continue;
-      }
-      // Adding +0 turns −0 into +0, which compares equal but has other bits to hash.
-      const Eigen::Array3d plusZero = Eigen::Array3d::Zero();
-      const Eigen::Vector3d a = corner(view, i, 0).array() + plusZero;
-      const Eigen::Vector3d b = corner(view, i, 1).array() + plusZero;
-      const Eigen::Vector3d c = corner(view, i, 2).array() + plusZero;
-      if (!a.allFinite() || !b.allFinite() || !c.allFinite())
-      {
-        ++surface.nonFiniteTriangles;
-      }
-      else if (a == b || b == c || c == a)
-      {
-        ++surface.collapsedTriangles;
-      }
-      else
-      {
-        surface.triangles.push_back({welder.weld(a), welder.weld(b), welder.weld(c)});
-      }
-    }
-  }
-  for (const Eigen::Vector3d& vertex : surface.vertices)
-  {
-    surface.bounds.extend(vertex);
-  }
+      FaultCounts counts{};
+      triangles.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const TrianglesView& view = views[number];
+          const std::size_t firstPoint = weld.firstPoint(number);
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const TriangleFault fault = faultOf(view, i);
+            ++counts[static_cast<std::size_t>(fault)];
+            if (fault == TriangleFault::none)
+            {
+              for (std::size_t corner = 0; corner < 3; ++corner)
+              {
+                weld.use(firstPoint + static_cast<std::size_t>(view.triangles(i, corner)));
+              }
+            }
+          }
+        });
+      faults[block] = counts;
+    },
+    executor);
+  surface.nonFiniteTriangles = sumOf(faults, TriangleFault::nonFinite);
+  surface.invalidIdTriangles = sumOf(faults, TriangleFault::invalidId);
+  surface.collapsedTriangles = sumOf(faults, TriangleFault::collapsed);
   if (surface.inputTriangles > 0 && surface.dropped() == surface.inputTriangles)
   {
     throw Refusal(
@@ -192,62 +169,123 @@ Surface sanitize(const std::vector<TrianglesView>& views)
       std::to_string(surface.nonFiniteTriangles) + " with NaN or infinite coordinates, " +
       std::to_string(surface.invalidIdTriangles) + " with ids of points that do not exist");
   }
+
+  weld.makeVertices(surface, executor);
+  const std::vector<std::size_t> starts = startsOfKept(faults);
+  surface.triangles.resize(starts.back());
+  runBlocks(
+    triangles.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      const bool keepsAll = starts[block + 1] - starts[block] == last - first;
+      Triangle* kept = surface.triangles.data() + starts[block];
+      triangles.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const TrianglesView& view = views[number];
+          const std::size_t firstPoint = weld.firstPoint(number);
+          const auto vertexOf = [&](std::size_t i, std::size_t corner)
+          {
+            return weld.vertexOf(firstPoint + static_cast<std::size_t>(view.triangles(i, corner)));
+          };
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            if (keepsAll || faultOf(view, i) == TriangleFault::none)
+            {
+              *kept++ = {vertexOf(i, 0), vertexOf(i, 1), vertexOf(i, 2)};
+            }
+          }
+        });
+    },
+    executor);
   return surface;
 }
 
-PointCloud sanitize(const std::vector<OrientedPointsView>& views)
+PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor)
 {
-  PointCloud cloud;
   bool withAreas = false, withoutAreas = false;
   for (const OrientedPointsView& view : views)
   {
     checkLengths(view);
     withAreas = withAreas || !view.areas.empty();
     withoutAreas = withoutAreas || (view.areas.empty() && !view.positions.empty());
-    cloud.inputPoints += view.positions.size();
   }
   if (withAreas && withoutAreas)
   {
     throw Refusal("some parts of the cloud have areas and others have none; give areas to all");
   }
-  cloud.positions.reserve(cloud.inputPoints);
-  cloud.normals.reserve(cloud.inputPoints);
-
-  for (const OrientedPointsView& view : views)
-  {
-    for (std::size_t i = 0; i < view.positions.size(); ++i)
+  const Concatenation points(
+    views, [](const OrientedPointsView& view) { return view.positions.size(); });
+  std::vector<FaultCounts> faults(blocksOf(points.size()));
+  runBlocks(
+    points.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
-      switch (faultOf(view, i))
-      {
-      case PointFault::nonFinite:
-        ++cloud.nonFinitePoints;
-        continue;
-      case PointFault::zeroNormal:
-        ++cloud.zeroNormalPoints;
-        continue;
-      case PointFault::badArea:
-        ++cloud.badAreaPoints;
-        continue;
-      case PointFault::none:
-        break;
-      }
-      cloud.positions.push_back(view.positions[i]);
-      // By the largest component first: the square of a very long or short normal leaves the range.
-      const Eigen::Vector3d normal = view.normals[i];
-      cloud.normals.push_back((normal / normal.cwiseAbs().maxCoeff()).normalized());
-      if (withAreas)
-      {
-        cloud.areas.push_back(view.areas[i]);
-      }
-      cloud.bounds.extend(cloud.positions.back());
-    }
-  }
-  if (cloud.inputPoints > 0 && cloud.positions.empty())
+      FaultCounts counts{};
+      points.forEachPart(first, last,
+        [&](std::size_t view, std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            ++counts[static_cast<std::size_t>(faultOf(views[view], i))];
+          }
+        });
+      faults[block] = counts;
+    },
+    executor);
+  PointCloud cloud;
+  cloud.inputPoints = points.size();
+  cloud.nonFinitePoints = sumOf(faults, PointFault::nonFinite);
+  cloud.zeroNormalPoints = sumOf(faults, PointFault::zeroNormal);
+  cloud.badAreaPoints = sumOf(faults, PointFault::badArea);
+  if (cloud.inputPoints > 0 && cloud.dropped() == cloud.inputPoints)
   {
     throw Refusal("all " + std::to_string(cloud.inputPoints) + " points are unusable: " +
                   std::to_string(cloud.nonFinitePoints) + " with NaN or infinite values, " +
                   std::to_string(cloud.zeroNormalPoints) + " with normals of length 0, " +
                   std::to_string(cloud.badAreaPoints) + " with negative areas");
+  }
+
+  const std::vector<std::size_t> starts = startsOfKept(faults);
+  cloud.positions.resize(starts.back());
+  cloud.normals.resize(starts.back());
+  cloud.areas.resize(withAreas ? starts.back() : 0);
+  std::vector<Bounds> bounds(faults.size());
+  runBlocks(
+    points.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      std::size_t kept = starts[block];
+      Bounds ofBlock;
+      points.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const OrientedPointsView& view = views[number];
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            if (faultOf(view, i) != PointFault::none)
+            {
+              continue;
+            }
+            cloud.positions[kept] = view.positions[i];
+            // By the largest component first: the square of a very long or short normal leaves the
+            // range.
+            const Eigen::Vector3d normal = view.normals[i];
+            cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
+            if (withAreas)
+            {
+              cloud.areas[kept] = view.areas[i];
+            }
+            ofBlock.extend(cloud.positions[kept]);
+            ++kept;
+          }
+        });
+      bounds[block] = ofBlock;
+    },
+    executor);
+  for (const Bounds& ofBlock : bounds)
+  {
+    cloud.bounds.extend(ofBlock);
   }
   return cloud;
 }
@@ -259,14 +297,9 @@ Bounds boundsOf(const std::vector<TrianglesView>& views)
   {
     for (std::size_t i = 0; i < view.triangles.size(); ++i)
     {
-      if (!hasValidIds(view, i))
+      if (faultOf(view, i) == TriangleFault::none)
       {
-        continue;
-      }
-      const Eigen::Vector3d a = corner(view, i, 0), b = corner(view, i, 1), c = corner(view, i, 2);
-      if (a.allFinite() && b.allFinite() && c.allFinite() && a != b && b != c && c != a)
-      {
-        bounds.extend(a).extend(b).extend(c);
+        bounds.extend(corner(view, i, 0)).extend(corner(view, i, 1)).extend(corner(view, i, 2));
       }
     }
   }

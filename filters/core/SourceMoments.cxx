@@ -154,25 +154,24 @@ SourceMoments::SourceMoments(const SourceTree& tree, const FarFieldSources& sour
   , stride(paddedCoefficients(accuracy.order))
   , moments(tree.nodes().size() * stride)
 {
-  isComplete = tree.isComplete();
   const std::size_t nodes = tree.nodes().size();
   criteria.resize(nodes);
   Builder builder(tree, sources, accuracy, *this);
   // Children before parents: depth by depth, from below.
   const std::vector<std::size_t>& starts = tree.depthStarts();
-  for (std::size_t depth = starts.size() - 1; isComplete && depth-- > 0;)
+  for (std::size_t depth = starts.size() - 1; depth-- > 0;)
   {
     constexpr std::size_t nodesPerBlock = 32;
-    const std::size_t first = starts[depth], count = starts[depth + 1] - first;
-    isComplete &= executor.run((count + nodesPerBlock - 1) / nodesPerBlock,
-      [&](std::size_t block)
+    runBlocks(
+      starts[depth + 1] - starts[depth], nodesPerBlock,
+      [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        const std::size_t last = std::min(count, (block + 1) * nodesPerBlock);
-        for (std::size_t i = block * nodesPerBlock; i < last; ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
-          builder.build(first + i);
+          builder.build(starts[depth] + i);
         }
-      });
+      },
+      executor);
   }
   origin = nodes > 0 ? centers[0] : Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < nodes; ++i)

@@ -17,13 +17,12 @@ namespace winding
  */
 struct SourceMoments
 {
-  /// The sources must stand in the tree's order.
+  /// The sources must stand in the tree's order. Throws Interrupted when the executor is.
   SourceMoments(const SourceTree& tree, const FarFieldSources& sources,
     const FarFieldAccuracy& accuracy, Executor& executor);
 
   const float* of(std::size_t node) const { return &moments[node * stride]; }
 
-  bool isComplete = true; ///< the executor was not interrupted
   std::vector<Eigen::Vector3d> centers;
   NodeCriteria criteria; ///< centres relative to `origin`
   std::size_t stride;

@@ -76,7 +76,7 @@ SourceTree::SourceTree(
     nodes_.push_back({0, static_cast<std::uint32_t>(items.size()), 0, 0});
   }
   std::vector<std::array<Item*, 5>> limits;
-  while (isComplete_ && depthStarts_.back() < nodes_.size())
+  while (depthStarts_.back() < nodes_.size())
   {
     const std::size_t first = depthStarts_.back();
     const std::size_t count = nodes_.size() - first;
@@ -85,10 +85,11 @@ SourceTree::SourceTree(
     // Blocks of about equal work: deep down there are many small nodes.
     constexpr std::size_t nodesPerBlock = 64;
     const std::size_t perBlock = count < 8 * nodesPerBlock ? 1 : nodesPerBlock;
-    isComplete_ &= executor.run((count + perBlock - 1) / perBlock,
-      [&](std::size_t block)
+    runBlocks(
+      count, perBlock,
+      [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = block * perBlock; i < std::min(count, (block + 1) * perBlock); ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           SourceNode& node = nodes_[first + i];
           if (node.size() > leafSize)
@@ -97,7 +98,8 @@ SourceTree::SourceTree(
               cutInFour(items.data() + node.begin, items.data() + node.end, leafSize, limits[i]));
           }
         }
-      });
+      },
+      executor);
     for (std::size_t i = 0; i < count; ++i)
     {
       nodes_[first + i].firstChild = static_cast<std::uint32_t>(nodes_.size());

@@ -36,11 +36,8 @@ struct SourceNode
 class SourceTree
 {
 public:
-  /// Up to 2³² − 1 centres, all finite.
+  /// Up to 2³² − 1 centres, all finite. Throws Interrupted when the executor is.
   SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor);
-
-  /// Whether the executor was not interrupted; if it was, the tree is of no use.
-  bool isComplete() const { return isComplete_; }
 
   /// Node 0 is the root; none without items.
   const std::vector<SourceNode>& nodes() const { return nodes_; }
@@ -52,7 +49,6 @@ public:
   const std::vector<std::uint32_t>& order() const { return order_; }
 
 private:
-  bool isComplete_ = true;
   std::vector<SourceNode> nodes_;
   std::vector<std::size_t> depthStarts_;
   std::vector<std::uint32_t> order_;

@@ -23,8 +23,9 @@ constexpr std::size_t fewSamples = 400;
 
 } // namespace
 
-SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options)
-  : surface_(sanitize(views))
+SurfaceField::SurfaceField(
+  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
+  : surface_(sanitize(views, executor))
 {
   info_.inputPrimitives = surface_.inputTriangles;
   info_.primitives = surface_.triangles.size();
@@ -39,19 +40,19 @@ SurfaceField::SurfaceField(const std::vector<TrianglesView>& views, const FieldO
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
       " with ids of points that do not exist)";
   }
-  this->chooseMethod(options);
+  this->chooseMethod(options, executor);
 }
 
 SurfaceField::~SurfaceField() = default;
 
-void SurfaceField::chooseMethod(const FieldOptions& options)
+void SurfaceField::chooseMethod(const FieldOptions& options, Executor& executor)
 {
   const Method asked = options.method;
   if (asked == Method::rows && options.scattered)
   {
     throw Refusal("rows needs a grid and these are scattered samples; choose another method");
   }
-  const BoundaryChain chain = boundaryChain(surface_);
+  const BoundaryChain chain = boundaryChain(surface_, executor);
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
   if (asked == Method::parity)
@@ -114,6 +115,18 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
   info_.method = Method::hierarchical;
   farField_ = std::make_unique<TriangleFarField>(surface_.vertices, surface_.triangles,
     surface_.bounds, FarFieldAccuracy::of(options.tolerance));
+}
+
+bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
+{
+  return capped_ ? capped_->prepare(grid, executor)
+                 : !farField_ || farField_->suiting(grid, executor) != nullptr;
+}
+
+bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
+{
+  return !farField_ || samples.size() <= fewSamples ||
+         farField_->suiting(samples, executor) != nullptr;
 }
 
 bool SurfaceField::evaluate(

@@ -12,12 +12,16 @@ namespace winding
 class SurfaceField final : public Field
 {
 public:
-  SurfaceField(const std::vector<TrianglesView>& views, const FieldOptions& options);
+  /// Throws Interrupted.
+  SurfaceField(
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   ~SurfaceField() override;
 
   const FieldInfo& info() const override { return info_; }
 
   using Field::evaluate;
+  bool prepare(const Grid& grid, Executor& executor) const override;
+  bool prepare(const VectorsView& samples, Executor& executor) const override;
   bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor) const override;
   bool evaluate(
@@ -30,7 +34,7 @@ protected:
   const Evaluator& evaluator() const override { return *evaluator_; }
 
 private:
-  void chooseMethod(const FieldOptions& options);
+  void chooseMethod(const FieldOptions& options, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
 
   Surface surface_;

@@ -77,27 +77,29 @@ EdgeCounts countEdges(const Surface& surface)
   UnionFind pieces(surface.triangles.size());
   UnionFind rims(surface.vertices.size());
   std::vector<std::int32_t> rimVertices;
-  EdgeUses(surface).forEachEdge(
-    [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
-    {
-      std::ptrdiff_t net = 0;
-      for (const EdgeUse* use = first; use != last; ++use)
+  SerialExecutor executor;
+  EdgeUses(surface, executor)
+    .forEachEdge(
+      [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
       {
-        net += use->sense();
-        counts.components -= pieces.unite(first->triangle(), use->triangle());
-      }
-      const std::ptrdiff_t used = last - first;
-      ++counts.edges;
-      counts.netBoundary += net != 0;
-      counts.nonManifold += used > 2;
-      counts.inconsistent += used == 2 && net != 0;
-      if (used == 1)
-      {
-        ++counts.boundary;
-        rims.unite(low, first->high);
-        rimVertices.push_back(low);
-      }
-    });
+        std::ptrdiff_t net = 0;
+        for (const EdgeUse* use = first; use != last; ++use)
+        {
+          net += use->sense();
+          counts.components -= pieces.unite(first->triangle(), use->triangle());
+        }
+        const std::ptrdiff_t used = last - first;
+        ++counts.edges;
+        counts.netBoundary += net != 0;
+        counts.nonManifold += used > 2;
+        counts.inconsistent += used == 2 && net != 0;
+        if (used == 1)
+        {
+          ++counts.boundary;
+          rims.unite(low, first->high());
+          rimVertices.push_back(low);
+        }
+      });
   for (std::int32_t& vertex : rimVertices)
   {
     vertex = rims.find(vertex);

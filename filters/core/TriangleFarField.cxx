@@ -64,14 +64,16 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   if (!last_ || !(rule == rule_))
   {
     last_ = nullptr; // the old and the new one need not fit into memory together
-    auto field = std::make_shared<const FarField>(
-      farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
-    if (!field->isComplete())
+    try
+    {
+      last_ = std::make_shared<const FarField>(
+        farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
+      rule_ = rule;
+    }
+    catch (const Interrupted&)
     {
       return nullptr;
     }
-    last_ = field;
-    rule_ = rule;
   }
   return last_;
 }

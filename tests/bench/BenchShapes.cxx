@@ -1,12 +1,38 @@
 #include "BenchShapes.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <thread>
 
 namespace shapes
 {
 
 using namespace winding;
+
+bool Threads::run(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  std::atomic<std::size_t> next = 0;
+  const auto takeBlocks = [&]
+  {
+    for (std::size_t block = next++; block < count; block = next++)
+    {
+      work(block);
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < std::min<std::size_t>(count, static_cast<std::size_t>(threads_)); ++i)
+  {
+    others.emplace_back(takeBlocks);
+  }
+  takeBlocks();
+  for (std::thread& thread : others)
+  {
+    thread.join();
+  }
+  return true;
+}
 
 Soup lumpySphereSoup(int n)
 {
@@ -38,7 +64,8 @@ Soup lumpySphereSoup(int n)
 Surface lumpySphere(int n)
 {
   const Soup soup = lumpySphereSoup(n);
-  return sanitize(std::vector<TrianglesView>{soup.view()});
+  SerialExecutor serial;
+  return sanitize(std::vector<TrianglesView>{soup.view()}, serial);
 }
 
 Surface withHoles(const Surface& surface, std::size_t period)

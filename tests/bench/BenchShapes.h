@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Evaluator.h"
+#include "Executor.h"
 #include "Grid.h"
 #include "Sanitize.h"
 
@@ -10,6 +11,20 @@
  */
 namespace shapes
 {
+
+/// Runs blocks on a number of threads.
+class Threads final : public winding::Executor
+{
+public:
+  explicit Threads(int threads)
+    : threads_(threads)
+  {
+  }
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+
+private:
+  int threads_;
+};
 
 /// A soup of triangles without common points, as in a .stl file.
 struct Soup

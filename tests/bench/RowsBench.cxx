@@ -1,5 +1,6 @@
-// Time of the parts of method rows, on one thread: per triangle of welding and boundary, per
-// boundary edge of the cap, crossings and bytes per second on a grid, per cap triangle and sample.
+// Time of the parts of method rows: per triangle of welding and boundary, on one thread and on two,
+// and on one thread per boundary edge of the cap, crossings and bytes per second on a grid, per cap
+// triangle and sample.
 
 #include "BenchShapes.h"
 
@@ -26,40 +27,56 @@ void reportTimePer(benchmark::State& state, const char* what, std::size_t count)
     benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void welding(benchmark::State& state)
+/// Arguments of these: n of the sphere, threads.
+void weldingOfSoup(benchmark::State& state)
 {
   const Soup soup = lumpySphereSoup(static_cast<int>(state.range(0)));
+  Threads threads(static_cast<int>(state.range(1)));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(sanitize(std::vector<TrianglesView>{soup.view()}));
+    benchmark::DoNotOptimize(sanitize(std::vector<TrianglesView>{soup.view()}, threads));
   }
   reportTimePer(state, "time per triangle", soup.ids.size() / 3);
 }
 
-void boundaryOfClosed(benchmark::State& state)
+void weldingOfMesh(benchmark::State& state)
 {
   const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const TrianglesView view = {{surface.vertices[0].data(), surface.vertices.size()},
+    {surface.triangles[0].data(), surface.triangles.size()}};
+  Threads threads(static_cast<int>(state.range(1)));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(boundaryChain(surface));
+    benchmark::DoNotOptimize(sanitize(std::vector<TrianglesView>{view}, threads));
   }
   reportTimePer(state, "time per triangle", surface.triangles.size());
 }
 
-void boundaryOfOpen(benchmark::State& state)
+void boundaryOf(benchmark::State& state, const Surface& surface)
 {
-  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  Threads threads(static_cast<int>(state.range(1)));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(boundaryChain(surface));
+    benchmark::DoNotOptimize(boundaryChain(surface, threads));
   }
   reportTimePer(state, "time per triangle", surface.triangles.size());
+}
+
+void boundaryOfClosed(benchmark::State& state)
+{
+  boundaryOf(state, lumpySphere(static_cast<int>(state.range(0))));
+}
+
+void boundaryOfOpen(benchmark::State& state)
+{
+  boundaryOf(state, withHoles(lumpySphere(static_cast<int>(state.range(0))), 10));
 }
 
 void loopsAndCap(benchmark::State& state)
 {
   const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
-  const BoundaryChain chain = boundaryChain(surface);
+  SerialExecutor serial;
+  const BoundaryChain chain = boundaryChain(surface, serial);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(capOf(boundaryLoops(chain, surface.vertices.size())));
@@ -123,8 +140,9 @@ void fillUsed(benchmark::State& state)
 void capSum(benchmark::State& state)
 {
   const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  SerialExecutor serial;
   const std::vector<Triangle> cap =
-    capOf(boundaryLoops(boundaryChain(surface), surface.vertices.size()));
+    capOf(boundaryLoops(boundaryChain(surface, serial), surface.vertices.size()));
   const TriangleSum sum(surface.vertices, cap, surface.bounds);
   const SampleBlock block = someSamples();
   double values[SampleBlock::capacity];
@@ -139,9 +157,10 @@ void capSum(benchmark::State& state)
 
 constexpr int megabyteOfFloats = 1 << 18;
 
-BENCHMARK(welding)->Arg(20)->Arg(224);
-BENCHMARK(boundaryOfClosed)->Arg(20)->Arg(224);
-BENCHMARK(boundaryOfOpen)->Arg(20)->Arg(224);
+BENCHMARK(weldingOfSoup)->ArgsProduct({{20, 224, 707}, {1, 2}})->UseRealTime();
+BENCHMARK(weldingOfMesh)->ArgsProduct({{20, 224, 707}, {1, 2}})->UseRealTime();
+BENCHMARK(boundaryOfClosed)->ArgsProduct({{20, 224, 707}, {1, 2}})->UseRealTime();
+BENCHMARK(boundaryOfOpen)->ArgsProduct({{20, 224, 707}, {1, 2}})->UseRealTime();
 BENCHMARK(loopsAndCap)->Arg(224);
 BENCHMARK(crossings)->Args({20, 256})->Args({224, 128})->Args({224, 256});
 BENCHMARK(fillFresh)->Arg(64 * megabyteOfFloats);

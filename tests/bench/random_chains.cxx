@@ -11,13 +11,14 @@ int main(int argc, char** argv)
   const long cases = argc > 1 ? std::atol(argv[1]) : 10000;
   const long firstSeed = argc > 2 ? std::atol(argv[2]) : 1;
   shapes::ChainComparison total;
+  winding::SerialExecutor serial;
   long failures = 0, closed = 0;
   for (long i = 0; i < cases; ++i)
   {
     const auto seed = static_cast<unsigned>(firstSeed + i);
     const shapes::LatticeChain chain = shapes::randomLatticeChain(seed, 12, 4);
     const shapes::ChainComparison found = shapes::compareWithDirectSum(chain);
-    closed += winding::boundaryChain(chain.surface).edges.empty();
+    closed += winding::boundaryChain(chain.surface, serial).edges.empty();
     total.offSurface += found.offSurface;
     total.onSurface += found.onSurface;
     total.onRim += found.onRim;

@@ -69,7 +69,7 @@ Counts countsOf(const std::vector<BoundaryLoop>& loops)
 /// What Boundary.h promises of every chain and its loops.
 void expectSound(const winding::Surface& surface)
 {
-  const BoundaryChain chain = winding::boundaryChain(surface);
+  const BoundaryChain chain = boundaryOf(surface);
   ASSERT_EQ(countsOf(chain), countsByDefinition(surface));
   std::vector<int> leavingMinusArriving(surface.vertices.size());
   std::size_t length = 0;
@@ -106,7 +106,7 @@ std::vector<std::size_t> loopSizes(const Mesh& mesh)
   const winding::Surface surface = clean(mesh);
   std::vector<std::size_t> sizes;
   for (const BoundaryLoop& loop :
-    winding::boundaryLoops(winding::boundaryChain(surface), surface.vertices.size()))
+    winding::boundaryLoops(boundaryOf(surface), surface.vertices.size()))
   {
     sizes.push_back(loop.size());
   }
@@ -136,7 +136,7 @@ TEST(BoundaryChain, OfClosedChainsIsEmpty)
          cube().with(cube()), openCube().with(openCube().reversed())})
   {
     const winding::Surface surface = clean(mesh);
-    const BoundaryChain chain = winding::boundaryChain(surface);
+    const BoundaryChain chain = boundaryOf(surface);
     EXPECT_TRUE(chain.edges.empty());
     EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
     EXPECT_TRUE(winding::boundaryLoops(chain, surface.vertices.size()).empty());
@@ -146,22 +146,21 @@ TEST(BoundaryChain, OfClosedChainsIsEmpty)
 TEST(BoundaryChain, OfOneTriangleIsItsSidesAsTheyRun)
 {
   const BoundaryChain chain =
-    winding::boundaryChain(clean(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{2, 0, 1}}}));
+    boundaryOf(clean(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{2, 0, 1}}}));
   ASSERT_EQ(chain.edges.size(), 3u);
   EXPECT_EQ(chain.edgesOfOneTriangle, 3u);
-  // Welded vertices stand in order of first use, so the triangle is 0 1 2 again.
   EXPECT_EQ(countsOf(chain), (Counts{{{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, -1}}));
 }
 
 TEST(BoundaryChain, OfAnOpenCubeIsItsRim)
 {
-  EXPECT_EQ(winding::boundaryChain(clean(openCube())).edges.size(), 4u);
+  EXPECT_EQ(boundaryOf(clean(openCube())).edges.size(), 4u);
   EXPECT_EQ(loopSizes(openCube()), Sizes{4});
 }
 
 TEST(BoundaryChain, OfAMoebiusStripIsTheRimAndTwiceTheSeamWhereOrientationsDisagree)
 {
-  const BoundaryChain chain = winding::boundaryChain(clean(moebiusStrip(12)));
+  const BoundaryChain chain = boundaryOf(clean(moebiusStrip(12)));
   EXPECT_EQ(chain.edgesOfOneTriangle, 24u);
   ASSERT_EQ(chain.edges.size(), 25u);
   std::size_t twice = 0;
@@ -178,7 +177,7 @@ TEST(BoundaryChain, OfABookHasItsSpineOnceForEveryPage)
   for (const std::int32_t pages : {1, 2, 3, 7})
   {
     const winding::Surface surface = clean(book(pages));
-    EXPECT_EQ(countsOf(winding::boundaryChain(surface))[Edge(0, 1)], pages);
+    EXPECT_EQ(countsOf(boundaryOf(surface))[Edge(0, 1)], pages);
     EXPECT_EQ(loopSizes(book(pages)), Sizes(static_cast<std::size_t>(pages), 3));
     expectSound(surface);
   }
@@ -188,7 +187,7 @@ TEST(BoundaryChain, OfAFlippedTriangleIsTwiceItsSides)
 {
   Mesh mesh = icosphere(1);
   std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
-  const BoundaryChain chain = winding::boundaryChain(clean(mesh));
+  const BoundaryChain chain = boundaryOf(clean(mesh));
   EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
   ASSERT_EQ(chain.edges.size(), 3u);
   for (const BoundaryEdge& edge : chain.edges)
@@ -202,7 +201,7 @@ TEST(BoundaryChain, OfARepeatedTriangleIsItsSides)
 {
   Mesh mesh = icosphere(1);
   mesh.triangles.insert(mesh.triangles.end(), 5, mesh.triangles[7]);
-  const BoundaryChain chain = winding::boundaryChain(clean(mesh));
+  const BoundaryChain chain = boundaryOf(clean(mesh));
   EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
   ASSERT_EQ(chain.edges.size(), 3u);
   EXPECT_EQ(chain.edges[0].multiplicity, 5);

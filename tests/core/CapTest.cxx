@@ -17,13 +17,13 @@ using winding::Triangle;
 
 std::vector<BoundaryLoop> loopsOf(const winding::Surface& surface)
 {
-  return winding::boundaryLoops(winding::boundaryChain(surface), surface.vertices.size());
+  return winding::boundaryLoops(boundaryOf(surface), surface.vertices.size());
 }
 
 bool isClosedBy(winding::Surface surface, const std::vector<Triangle>& cap)
 {
   surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
-  return winding::boundaryChain(surface).edges.empty();
+  return boundaryOf(surface).edges.empty();
 }
 
 BoundaryLoop polygon(std::int32_t corners)

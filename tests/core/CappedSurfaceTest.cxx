@@ -29,7 +29,7 @@ std::vector<double> valuesOn(const CappedSurface& capped, const Grid& grid, cons
 std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
-  return valuesOn({surface, winding::boundaryChain(surface), 0}, grid, grid.wholeExtent());
+  return valuesOn({surface, boundaryOf(surface), 0}, grid, grid.wholeExtent());
 }
 
 /// The largest difference to the direct sum, of the samples that are not on the surface.
@@ -181,7 +181,7 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const Point away = random.point(-1, 1) * (i % 3 == 0 ? 1e3 : 1);
     const Mesh mesh = openCube().mapped([&](const Point& p) -> Point { return turn * p + away; });
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, winding::boundaryChain(surface), 0);
+    const CappedSurface capped(surface, boundaryOf(surface), 0);
     // Rows through a point of the missing face, a sample on it.
     const Point on = turn * Point(random(0.1, 0.9), random(0.1, 0.9), 1) + away;
     const Grid grid = gridOf(on - Point::Constant(0.0625), Point::Constant(0.0625), {3, 3, 3});
@@ -203,7 +203,7 @@ TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)
   for (const Mesh& mesh : {cube(), icosphere(2), torus(12, 8), icosphere(1).with(icosphere(1))})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, winding::boundaryChain(surface), 0);
+    const CappedSurface capped(surface, boundaryOf(surface), 0);
     EXPECT_EQ(capped.capTriangles(), 0u);
     const Grid grid = gridAround(mesh, 16);
     for (const double value : valuesOn(capped, grid, grid.wholeExtent()))
@@ -225,7 +225,7 @@ TEST(CappedSurface, ClassifiesWithoutTheValuesAsWithThem)
   for (const Mesh& mesh : {icosphere(2), damaged(icosphere(2), 0.1, 144), openCube().reversed()})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, winding::boundaryChain(surface), 0);
+    const CappedSurface capped(surface, boundaryOf(surface), 0);
     const Grid grid = gridAround(mesh, 12);
     const std::size_t count = winding::sampleCount(grid.wholeExtent());
     std::vector<float> values(count);
@@ -254,7 +254,7 @@ TEST(CappedSurface, HasTheSameBitsInAnyPiecesAndOnAnyThreads)
   SCOPED_TRACE("seed 145");
   const Mesh mesh = damaged(torus(24, 12), 0.1, 145).with(openCube());
   const winding::Surface surface = clean(mesh);
-  const CappedSurface capped(surface, winding::boundaryChain(surface), 0);
+  const CappedSurface capped(surface, boundaryOf(surface), 0);
   const Grid grid = gridOf({-1.5, -1.5, -0.5}, {0.125, 0.125, 0.125}, {26, 25, 14});
   const Extent whole = grid.wholeExtent();
   const std::vector<double> expected = valuesOn(capped, grid, whole);

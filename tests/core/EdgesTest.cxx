@@ -31,15 +31,17 @@ std::map<Edge, std::vector<Use>> usesByDefinition(const winding::Surface& surfac
 std::vector<std::pair<Edge, std::vector<Use>>> usesFound(const winding::Surface& surface)
 {
   std::vector<std::pair<Edge, std::vector<Use>>> found;
-  winding::EdgeUses(surface).forEachEdge(
-    [&](std::int32_t low, const winding::EdgeUse* first, const winding::EdgeUse* last)
-    {
-      found.push_back({{low, first->high}, {}});
-      for (; first != last; ++first)
+  winding::SerialExecutor serial;
+  winding::EdgeUses(surface, serial)
+    .forEachEdge(
+      [&](std::int32_t low, const winding::EdgeUse* first, const winding::EdgeUse* last)
       {
-        found.back().second.emplace_back(first->triangle(), first->sense());
-      }
-    });
+        found.push_back({{low, first->high()}, {}});
+        for (; first != last; ++first)
+        {
+          found.back().second.emplace_back(first->triangle(), first->sense());
+        }
+      });
   return found;
 }
 

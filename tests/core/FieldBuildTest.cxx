@@ -28,12 +28,14 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::a
 {
   FieldOptions options;
   options.method = method;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options);
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
 }
 
 std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options = {})
 {
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options);
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
 }
 
 double valueAt(const Field& field, const Point& sample)
@@ -51,7 +53,8 @@ void expectRefused(const Source& source, const FieldOptions& options, const std:
 {
   try
   {
-    Field::build(std::vector<decltype(source.view())>{source.view()}, options);
+    winding::SerialExecutor serial;
+    Field::build(std::vector<decltype(source.view())>{source.view()}, options, serial);
     FAIL() << "not refused";
   }
   catch (const winding::Refusal& refusal)
@@ -124,7 +127,8 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
   const std::vector<double> areas(1000, 3 * area);
   winding::OrientedPointsView view = cloud.view();
   view.areas = {areas.data(), areas.size()};
-  const auto own = Field::build(std::vector<winding::OrientedPointsView>{view}, options);
+  winding::SerialExecutor serial;
+  const auto own = Field::build(std::vector<winding::OrientedPointsView>{view}, options, serial);
   EXPECT_EQ(own->info().pointArea, 0);
   EXPECT_NEAR(valueAt(*own, center), 3, 1e-12);
 }

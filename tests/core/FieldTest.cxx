@@ -41,12 +41,14 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::a
 {
   FieldOptions options;
   options.method = method;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options);
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
 }
 
 std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options = {})
 {
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options);
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
 }
 
 Grid someGrid()

@@ -153,7 +153,8 @@ inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int lar
   }
   const winding::TrianglesView view{
     {points[0].data(), points.size()}, {ids.data(), ids.size() / 3}};
-  chain.surface = winding::sanitize(std::vector<winding::TrianglesView>{view});
+  winding::SerialExecutor serial;
+  chain.surface = winding::sanitize(std::vector<winding::TrianglesView>{view}, serial);
   return chain;
 }
 
@@ -172,7 +173,8 @@ struct ChainComparison
 inline ChainComparison compareWithDirectSum(const LatticeChain& chain)
 {
   using namespace winding;
-  const BoundaryChain boundary = boundaryChain(chain.surface);
+  winding::SerialExecutor serial;
+  const BoundaryChain boundary = boundaryChain(chain.surface, serial);
   const CappedSurface capped(chain.surface, boundary, 0);
   const Extent whole = chain.grid.wholeExtent();
   std::vector<double> values(sampleCount(whole), std::nan(""));

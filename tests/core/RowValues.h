@@ -66,8 +66,8 @@ class ClosedLatticeChain
 public:
   explicit ClosedLatticeChain(unsigned seed)
     : chain_(randomLatticeChain(seed, 12, 4))
-    , cap_(winding::capOf(winding::boundaryLoops(
-        winding::boundaryChain(chain_.surface), chain_.surface.vertices.size())))
+    , cap_(winding::capOf(
+        winding::boundaryLoops(boundaryOf(chain_.surface), chain_.surface.vertices.size())))
   {
   }
   const winding::Grid& grid() const { return chain_.grid; }

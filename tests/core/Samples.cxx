@@ -70,7 +70,8 @@ Cloud randomCloud(std::size_t count, unsigned seed)
 
 winding::PointCloud clean(const Cloud& cloud)
 {
-  return winding::sanitize(std::vector<winding::OrientedPointsView>{cloud.view()});
+  winding::SerialExecutor serial;
+  return winding::sanitize(std::vector<winding::OrientedPointsView>{cloud.view()}, serial);
 }
 
 std::vector<double> valuesOf(const winding::Evaluator& evaluator, const std::vector<Point>& samples)

@@ -88,7 +88,14 @@ Mesh Mesh::part(std::size_t first, std::size_t last) const
 
 winding::Surface clean(const Mesh& mesh)
 {
-  return winding::sanitize(std::vector<winding::TrianglesView>{mesh.view()});
+  winding::SerialExecutor serial;
+  return winding::sanitize(std::vector<winding::TrianglesView>{mesh.view()}, serial);
+}
+
+winding::BoundaryChain boundaryOf(const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return winding::boundaryChain(surface, serial);
 }
 
 Mesh tetrahedron()

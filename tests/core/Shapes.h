@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Boundary.h"
 #include "Samples.h"
 
 #include <array>
@@ -32,6 +33,8 @@ struct Mesh
 
 /// Of a mesh without bad primitives.
 winding::Surface clean(const Mesh& mesh);
+
+winding::BoundaryChain boundaryOf(const winding::Surface& surface);
 
 Mesh tetrahedron();
 Mesh cube(const Point& low = {0, 0, 0}, const Point& high = {1, 1, 1});

@@ -25,7 +25,8 @@ constexpr unsigned seed = 121;
 std::shared_ptr<const Field> sphereField()
 {
   const Mesh mesh = icosphere(2);
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {});
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
 }
 
 Grid gridOver(const Point& low, const Point& high, int resolution = 16)
@@ -156,7 +157,8 @@ TEST(Verify, HasNoNearSamplesWhereTheGridMissesTheSourceOrThereIsNone)
   const Verification found = verifyWith(*sphereField(), away, away.wholeExtent(), unchanged);
   EXPECT_EQ(found.everywhere.samples, drawn);
   EXPECT_EQ(found.nearSurface.samples, 0u);
-  const auto empty = Field::build(std::vector<winding::TrianglesView>(), {});
+  winding::SerialExecutor serial;
+  const auto empty = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
   const Grid grid = sphereGrid();
   const Verification none = verifyWith(*empty, grid, grid.wholeExtent(), unchanged);
   EXPECT_EQ(none.everywhere.max, 0);

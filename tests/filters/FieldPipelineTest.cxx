@@ -180,11 +180,16 @@ TEST_F(FieldPipeline, GridAndThresholdKeepWhatWasBuilt)
 {
   field->Update();
   EXPECT_GT(field->GetPrepareSeconds(), 0);
-  field->SetResolution(10);
   field->SetWindingThreshold(0.3);
   field->GenerateInsideOn();
   field->Update();
   EXPECT_EQ(field->GetPrepareSeconds(), 0) << "nothing was built";
+  field->SetTolerance(0);
+  field->Update();
+  EXPECT_GT(field->GetPrepareSeconds(), 0) << "another tolerance";
+  field->SetResolution(10);
+  field->Update();
+  EXPECT_EQ(field->GetPrepareSeconds(), 0) << "the cap suits every grid where it is not cut";
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 10);
 
   sphere->SetRadius(2);
@@ -282,6 +287,32 @@ TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 40);
+}
+
+TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
+{
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  vtkNew<vtkCallbackCommand> stopper;
+  stopper->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  // The first event is the filter's that nothing is done yet, the next are from preparing.
+  const unsigned long tag = field->AddObserver(vtkCommand::ProgressEvent, stopper);
+  ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
+  EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(field->GetNumberOfPrimitives(), 0) << "there is no field";
+  EXPECT_EQ(field->GetEvaluateSeconds(), 0) << "nothing was evaluated";
+  EXPECT_EQ(log.errors(), "");
+
+  field->RemoveObserver(tag);
+  field->SetAbortExecute(0);
+  field->Modified();
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+  EXPECT_GT(field->GetNumberOfPrimitives(), 0);
+  EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
