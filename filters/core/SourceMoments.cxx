@@ -94,7 +94,7 @@ private:
       std::transform(sums.begin(), sums.end(), moments, sums.begin(), std::plus<>());
     }
     std::transform(sums.begin(), sums.end(), this->momentsOf(number),
-      [](double sum) { return static_cast<float>(sum); });
+      [](double moment) { return static_cast<float>(moment); });
   }
 
   void buildInner(std::size_t number, const SourceNode& node)
