@@ -22,21 +22,21 @@ struct FarFieldAccuracy
   {
     if (tolerance >= 1e-2)
     {
-      return {3, 0.7f, 5e-3f};
+      return {3, 0.7f, 3e-3f};
     }
     if (tolerance >= 1e-3)
     {
-      return {5, 0.6f, 1e-3f};
+      return {5, 0.6f, 5e-4f};
     }
     if (tolerance >= 1e-4)
     {
-      return {5, 0.45f, 5e-5f};
+      return {5, 0.45f, 1.5e-5f};
     }
     if (tolerance >= 1e-5)
     {
-      return {7, 0.45f, 3e-6f};
+      return {7, 0.45f, 1.2e-6f};
     }
-    return {9, 0.45f, 3e-7f};
+    return {9, 0.45f, 1.5e-7f};
   }
 };
 
