@@ -175,7 +175,7 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
   {
     items += field_.tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
   }
-  const double seconds = static_cast<double>(items) * static_cast<double>(cell.samples) *
+  const double seconds = static_cast<double>(items) * static_cast<double>(cell.allSamples) *
                          field_.sources_->secondsPerPair();
   return cell.level > 0 && seconds > secondsPerCut(field_.order());
 }

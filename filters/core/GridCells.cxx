@@ -86,19 +86,25 @@ TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const
     cell.center[axis] =
       scaledCoordinate(grid_.firstSample[axis] + middle * grid_.spacing[axis], scale_);
   }
-  cell.samples = sampleCount(this->samplesOf(cell));
+  cell.samples = sampleCount(this->samplesOf(cell, extent_));
+  cell.allSamples = sampleCount(this->samplesOf(cell, grid_.wholeExtent()));
   return cell;
 }
 
 Extent GridCells::samplesOf(const TargetCell& cell) const
+{
+  return this->samplesOf(cell, extent_);
+}
+
+Extent GridCells::samplesOf(const TargetCell& cell, const Extent& extent) const
 {
   Extent part;
   for (int axis = 0; axis < 3; ++axis)
   {
     const int size = this->sizeOf(cell.level, axis);
     const long first = static_cast<long>(cell.index[axis]) * size;
-    part[2 * axis] = static_cast<int>(std::max<long>(first, extent_[2 * axis]));
-    part[2 * axis + 1] = static_cast<int>(std::min<long>(first + size - 1, extent_[2 * axis + 1]));
+    part[2 * axis] = static_cast<int>(std::max<long>(first, extent[2 * axis]));
+    part[2 * axis + 1] = static_cast<int>(std::min<long>(first + size - 1, extent[2 * axis + 1]));
   }
   return part;
 }
@@ -189,7 +195,7 @@ void GridCells::store(const TargetCell& cell, std::size_t first, std::size_t cou
 void GridCells::storePolynomial(const TargetCell& cell, int order, const float* coefficients) const
 {
   constexpr std::size_t small = 512;
-  if (cell.samples <= small)
+  if (cell.allSamples <= small)
   {
     TargetCells::storePolynomial(cell, order, coefficients);
     return;

@@ -47,6 +47,7 @@ public:
   void storePolynomial(const TargetCell& cell, int order, const float* coefficients) const override;
 
 private:
+  Extent samplesOf(const TargetCell& cell, const Extent& extent) const;
   TargetCell cellAt(int level, const Eigen::Vector3i& index) const;
   float offsetIn(const TargetCell& cell, int axis, int sample) const;
 
