@@ -29,17 +29,17 @@ struct FarFieldAccuracy
     }
     if (tolerance >= 1e-3)
     {
-      return {5, 0.6f, 7e-4f};
+      return {5, 0.6f, 6e-4f};
     }
     if (tolerance >= 1e-4)
     {
-      return {5, 0.47f, 4e-5f};
+      return {5, 0.47f, 3e-5f};
     }
     if (tolerance >= 1e-5)
     {
-      return {7, 0.5f, 3e-6f};
+      return {7, 0.5f, 2e-6f};
     }
-    return {9, 0.5f, 3e-7f};
+    return {9, 0.5f, 2e-7f};
   }
 };
 

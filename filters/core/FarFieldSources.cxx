@@ -31,11 +31,28 @@ void rearrange(std::vector<Item>& items, const std::vector<std::uint32_t>& order
   items = std::move(arranged);
 }
 
+/// Of a cloud, and of the areas of its points: those of few points may be much larger than it.
+double scaleOf(const PointCloud& cloud, const std::vector<double>& areas)
+{
+  double largest = 0;
+  for (const double area : areas)
+  {
+    largest = std::max(largest, area);
+  }
+  if (!(largest > 0))
+  {
+    return unitScale(cloud.bounds);
+  }
+  Bounds bounds = cloud.bounds;
+  bounds.extend(bounds.min() + Eigen::Vector3d::Constant(std::sqrt(largest)));
+  return unitScale(bounds);
+}
+
 class PointSources final : public FarFieldSources
 {
 public:
   PointSources(const PointCloud& cloud, const std::vector<double>& areas)
-    : FarFieldSources(unitScale(cloud.bounds))
+    : FarFieldSources(scaleOf(cloud, areas))
     , items_(cloud.positions.size())
   {
     for (std::size_t i = 0; i < items_.size(); ++i)

@@ -177,8 +177,8 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
   {
     items += field_.tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
   }
-  const double seconds =
-    static_cast<double>(items) * static_cast<double>(cell.size) * field_.sources_->secondsPerPair();
+  const double seconds = static_cast<double>(items) * static_cast<double>(cell.allSamples) *
+                         field_.sources_->secondsPerPair();
   return cell.level > 0 && seconds > secondsPerCut(field_.order());
 }
 
@@ -248,7 +248,6 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
 void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polynomial)
 {
   const int order = field_.order();
-  const auto side = static_cast<float>(cells_.level(cell.level).side);
   TargetBlock block;
   alignas(64) float far[SampleBlock::capacity];
   alignas(64) float x[SampleBlock::capacity], y[SampleBlock::capacity], z[SampleBlock::capacity];
@@ -267,14 +266,18 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
     {
       const auto node = static_cast<std::size_t>(number);
       const float inverse = 1 / field_.moments_.criteria.radius[node];
-      const Eigen::Vector3f offset =
-        inverse * offsetBetween(cell.center, field_.moments_.centers[node]);
-      const float scale = inverse * side;
+      // From the sample itself, in double: a small node beside a large cell is much nearer to some
+      // samples than they are to the cell's centre.
+      const Eigen::Vector3d& center = field_.moments_.centers[node];
+      const auto offset = [inverse](double to, double from)
+      {
+        return inverse * static_cast<float>(std::clamp(to - from, -farthest, farthest));
+      };
       for (std::size_t i = 0; i < padded; ++i)
       {
-        x[i] = scale * block.u[i] + offset[0];
-        y[i] = scale * block.v[i] + offset[1];
-        z[i] = scale * block.w[i] + offset[2];
+        x[i] = offset(block.samples.x[i], center[0]);
+        y[i] = offset(block.samples.y[i], center[1]);
+        z[i] = offset(block.samples.z[i], center[2]);
       }
       addMomentValues(order, field_.moments_.of(node), inverse, x, y, z, count, far);
     }

@@ -87,7 +87,7 @@ TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const
       scaledCoordinate(grid_.firstSample[axis] + middle * grid_.spacing[axis], scale_);
   }
   cell.samples = sampleCount(this->samplesOf(cell, extent_));
-  cell.size = sampleCount(this->samplesOf(cell, grid_.wholeExtent()));
+  cell.allSamples = sampleCount(this->samplesOf(cell, grid_.wholeExtent()));
   return cell;
 }
 
@@ -206,7 +206,7 @@ void GridCells::store(const TargetCell& cell, std::size_t first, std::size_t cou
 void GridCells::storePolynomial(const TargetCell& cell, int order, const float* coefficients) const
 {
   constexpr std::size_t small = 512;
-  if (cell.size <= small)
+  if (cell.allSamples <= small)
   {
     TargetCells::storePolynomial(cell, order, coefficients);
     return;

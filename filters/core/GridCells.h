@@ -47,8 +47,8 @@ public:
   void storePolynomial(const TargetCell& cell, int order, const float* coefficients) const override;
 
 private:
-  TargetCell cellAt(int level, const Eigen::Vector3i& index) const;
   Extent samplesOf(const TargetCell& cell, const Extent& extent) const;
+  TargetCell cellAt(int level, const Eigen::Vector3i& index) const;
   void fillOffsets(const TargetCell& cell, int first, std::size_t count, float* offsets) const;
   float offsetIn(const TargetCell& cell, int axis, int sample) const;
 

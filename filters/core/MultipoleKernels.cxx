@@ -321,13 +321,16 @@ void translate(const float* HWY_RESTRICT moments, NodeBatch& batch, float side, 
   const Tag d;
   const hn::RebindToSigned<Tag> di;
   const std::size_t lanes = hn::Lanes(d);
-  // Unused lanes: a node at distance 1 whose moments count 0 times.
+  // Unused lanes: the first node, whose moments count 0 times. At another distance, powers of the
+  // side over it might leave the range, and 0 times those is no number.
   const std::size_t used = (batch.count + lanes - 1) / lanes * lanes;
   for (std::size_t i = batch.count; i < used; ++i)
   {
     batch.node[i] = batch.node[0];
-    batch.dx[i] = 1;
-    batch.dy[i] = batch.dz[i] = batch.radius[i] = 0;
+    batch.dx[i] = batch.dx[0];
+    batch.dy[i] = batch.dy[0];
+    batch.dz[i] = batch.dz[0];
+    batch.radius[i] = batch.radius[0];
   }
   UnitHarmonics<P> t;
   SumsAndDifferences<P> sd;

@@ -35,7 +35,9 @@ void classifyNodesLoop(const NodeCriteria& nodes, const CellCriteria& cell,
     // Lanes beyond the count look at node 0 and are written nowhere.
     const std::size_t used = std::min(lanes, count - s);
     const auto inUse = hn::FirstN(di, used);
-    const auto node = hn::IfThenElseZero(inUse, hn::LoadU(di, candidates + s));
+    std::int32_t last[nodeListSlack] = {};
+    std::copy_n(candidates + s, used < lanes ? used : 0, last);
+    const auto node = hn::LoadU(di, used < lanes ? last : candidates + s);
     const auto gather = [&](const std::vector<float>& values)
     {
       return hn::GatherIndex(d, values.data(), node);

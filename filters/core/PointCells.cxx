@@ -118,7 +118,7 @@ TargetCell PointCells::root() const
   cell.level = depth;
   cell.index = Eigen::Vector3i::Zero(); // where its samples begin
   cell.center = low_ + Eigen::Vector3d::Constant(0.5 * levels_.back().side);
-  cell.samples = cell.size = samples_.size();
+  cell.samples = cell.allSamples = samples_.size();
   return cell;
 }
 
@@ -144,7 +144,7 @@ int PointCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
     child.cell.index = Eigen::Vector3i(static_cast<int>(begin - samples_.begin()), 0, 0);
     child.cell.center = cell.center + quarter * Eigen::Vector3d(octant & 1 ? 1 : -1,
                                                   octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
-    child.cell.samples = child.cell.size = static_cast<std::size_t>(end - begin);
+    child.cell.samples = child.cell.allSamples = static_cast<std::size_t>(end - begin);
     begin = end;
   }
   return count;

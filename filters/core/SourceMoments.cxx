@@ -4,6 +4,7 @@
 #include "MultipoleKernels.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace winding
 {
@@ -70,6 +71,8 @@ private:
     this->setRadius(number, sources_.reach({node.begin, node.end}, center));
 
     const double inverse = 1.0 / result_.criteria.radius[number];
+    // Thousands of equal items make one leaf; summed in float they would lose digits one by one.
+    Expansion sums(result_.stride);
     for (std::size_t first = 0; first < dipoles.size(); first += DipoleBatch::capacity)
     {
       DipoleBatch batch;
@@ -86,8 +89,12 @@ private:
         batch.ny[i] = moment[1];
         batch.nz[i] = moment[2];
       }
-      addMoments(accuracy_.order, batch, this->momentsOf(number));
+      float moments[paddedCoefficients(largestOrder)] = {};
+      addMoments(accuracy_.order, batch, moments);
+      std::transform(sums.begin(), sums.end(), moments, sums.begin(), std::plus<>());
     }
+    std::transform(sums.begin(), sums.end(), this->momentsOf(number),
+      [](double moment) { return static_cast<float>(moment); });
   }
 
   void buildInner(std::size_t number, const SourceNode& node)

@@ -32,12 +32,14 @@ void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle,
   {
     return;
   }
-  if (triangle.length <= relaxed * rule.allowedFor(triangle.a, triangle.b, triangle.c))
+  const double allowed = relaxed * rule.allowedFor(triangle.a, triangle.b, triangle.c);
+  const Eigen::Vector3d middle = 0.5 * triangle.a + 0.5 * triangle.b;
+  // Between neighbouring numbers there is no middle, and what has no length is left alone.
+  if (!(triangle.length > allowed) || middle == triangle.a || middle == triangle.b)
   {
     visit(triangle.a, triangle.b, triangle.c);
     return;
   }
-  const Eigen::Vector3d middle = 0.5 * triangle.a + 0.5 * triangle.b;
   visitPieces(rule, relaxed, Longest(triangle.a, middle, triangle.c), visit);
   visitPieces(rule, relaxed, Longest(middle, triangle.b, triangle.c), visit);
 }

@@ -17,8 +17,8 @@ struct TargetCell
   int level;             ///< 0 for the smallest cells
   Eigen::Vector3i index; ///< tells the cell from others of its level
   Eigen::Vector3d center;
-  std::size_t samples; ///< those that are asked for
-  std::size_t size;    ///< all, whatever part is asked for: what decides how values are found
+  std::size_t samples;    ///< those that are asked for
+  std::size_t allSamples; ///< what is decided by this number does not depend on what is asked for
 };
 
 struct TargetSphere
