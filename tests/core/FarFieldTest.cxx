@@ -148,9 +148,9 @@ std::vector<Case> meshes()
 {
   std::vector<Case> cases;
   cases.emplace_back("sphere", farSource(icosphere(4)), usual);
-  cases.emplace_back("part", farSource(icosphere(4).part(0, 2000)), usual);
-  cases.emplace_back("torus", farSource(torus(64, 32)), usual);
-  cases.emplace_back("soup", farSource(triangleSoup(400, 301)), Eigen::Vector3i(30, 31, 32));
+  cases.emplace_back("part", farSource(icosphere(3).part(0, 800)), usual);
+  cases.emplace_back("torus", farSource(torus(40, 20)), usual);
+  cases.emplace_back("soup", farSource(triangleSoup(250, 301)), Eigen::Vector3i(30, 31, 32));
   return cases;
 }
 

@@ -156,7 +156,7 @@ TEST(NodeAcceptance, SortsAnyNumberOfCandidates)
     }
   }
   shapes::record("accepted", static_cast<double>(found[0]));
-  EXPECT_GT(found[0], 10000u); // measured: FOUND0
+  EXPECT_GT(found[0], 10000u); // measured: 22727
   EXPECT_GT(found[1], 500u);   // measured: 998
   EXPECT_GT(found[2], 1000u);  // measured: 1775
 }
@@ -194,7 +194,7 @@ TEST(NodeAcceptance, KeepsTheErrorNearItsEstimate)
     shapes::record(isFlat ? "flat" : "any", largest);
     EXPECT_LT(largest, isFlat ? 2 : 4); // measured: 0.64 and 1.76
     shapes::record(isFlat ? "flat by error" : "any by error", static_cast<double>(byError));
-    EXPECT_GT(byError, 100u);           // measured: BYERROR
+    EXPECT_GT(byError, 100u); // measured: 390 and 440
   }
 }
 
