@@ -2,6 +2,7 @@
 
 #include "UnitScale.h"
 
+#include <array>
 #include <cmath>
 
 namespace winding
@@ -113,13 +114,16 @@ private:
   std::vector<KernelDipole> items_;
 };
 
+/// Points and weights on [0, 1].
+using Rule = std::vector<std::pair<double, double>>;
+
 /**
  * Gauss-Legendre points and weights on [0, 1], n of them: exact for polynomials of degree 2n − 1. By
  * Newton's method from Tricomi's starting values.
  */
-std::vector<std::pair<double, double>> gaussLegendre(int n)
+Rule gaussLegendre(int n)
 {
-  std::vector<std::pair<double, double>> rule;
+  Rule rule;
   for (int i = 1; i <= n; ++i)
   {
     double x = std::cos(pi * (i - 0.25) / (n + 0.5)), slope = 0;
@@ -140,6 +144,17 @@ std::vector<std::pair<double, double>> gaussLegendre(int n)
   return rule;
 }
 
+/**
+ * For moments up to an order. Those of degree k integrate polynomials of degree k − 1; a product rule
+ * on the square, whose one side is collapsed to a corner, needs one degree more for the Jacobian.
+ */
+const Rule& ruleFor(int order)
+{
+  static const std::array<Rule, 6> rules = {gaussLegendre(0), gaussLegendre(1), gaussLegendre(2),
+    gaussLegendre(3), gaussLegendre(4), gaussLegendre(5)};
+  return rules[static_cast<std::size_t>((order + 2) / 2)];
+}
+
 class TriangleSources final : public FarFieldSources
 {
 public:
@@ -147,19 +162,28 @@ public:
     const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
     : FarFieldSources(unitScale(bounds))
   {
+    const auto add = [this](
+                       const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
+    {
+      const Eigen::Vector3d a = p * scale(), b = q * scale(), c = r * scale();
+      KernelTriangle& item = items_.emplace_back();
+      store(a, item.a);
+      store(b, item.b);
+      store(c, item.c);
+      store((b - a).cross(c - a), item.normal);
+    };
+    items_.reserve(triangles.size());
+    if (rule == SplitRule())
+    {
+      for (const Triangle& t : triangles)
+      {
+        add(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+      }
+      return;
+    }
     // Enough for a surface across a grid of 512³, and no more than memory for a small source.
     const std::size_t mostPieces = 2 * triangles.size() + 100'000;
-    items_.reserve(triangles.size());
-    forEachPiece(rule, vertices, triangles, mostPieces,
-      [this](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
-      {
-        const Eigen::Vector3d a = p * scale(), b = q * scale(), c = r * scale();
-        KernelTriangle& item = items_.emplace_back();
-        store(a, item.a);
-        store(b, item.b);
-        store(c, item.c);
-        store((b - a).cross(c - a), item.normal);
-      });
+    forEachPiece(rule, vertices, triangles, mostPieces, add);
   }
 
   std::vector<Eigen::Vector3d> centers() const override
@@ -177,9 +201,8 @@ public:
 
   void appendDipoles(ItemRange items, int order, std::vector<Dipole>& dipoles) const override
   {
-    // Moments of degree k integrate polynomials of degree k − 1. A product rule on the square,
-    // whose one side is collapsed to a corner, needs one degree more for the Jacobian.
-    const std::vector<std::pair<double, double>> rule = gaussLegendre((order + 2) / 2);
+    const Rule& rule = ruleFor(order);
+    dipoles.reserve(dipoles.size() + (items.end - items.begin) * rule.size() * rule.size());
     for (std::uint32_t i = items.begin; i < items.end; ++i)
     {
       const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c), normal(items_[i].normal);
