@@ -19,7 +19,7 @@ struct FarFieldAccuracy
   /**
    * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
    * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are a third
-   * to a half of the tolerance.
+   * to nine tenths of the tolerance, plus single precision's rounding of what is summed beside points.
    */
   static FarFieldAccuracy of(double tolerance)
   {

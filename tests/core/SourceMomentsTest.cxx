@@ -144,7 +144,7 @@ TEST_P(SourceMomentsOfOrder, OfTrianglesAreTheirIntegrals)
       winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {});
     const Errors errors = compare(*sources, fineItems(mesh, sources->scale(), 5), GetParam(), 4);
     record("moments", errors.moments);
-    // The reference's own error, a quarter of the largest triangles' second moments over 4^5.
+    // The same for every order and scale: the reference's own error.
     EXPECT_LT(errors.moments, 5e-5); // measured: 2e-5
     EXPECT_LE(errors.reach, 1);
   }
