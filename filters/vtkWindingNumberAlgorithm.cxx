@@ -187,10 +187,7 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
   Clock::time_point start = Clock::now();
-  // Progress stays at 0 meanwhile: preparing is many short runs, each of which would go from 0 to 1,
-  // and little beside the evaluation, which is what a user waits for.
-  winding::SmpExecutor executor(
-    this, this->NumberOfThreads, winding::SmpExecutor::Progress::staysAtZero);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();

@@ -108,17 +108,23 @@ bool FarField::evaluate(
   constexpr double farthest = 64;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
-  const PointCells cells(samples, region, this->scale(), this->order(), output);
-  const std::vector<Task> all =
-    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
-  const bool complete =
-    executor.run(all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
-  for (const std::uint32_t number : cells.others())
+  try
   {
-    const double value = this->valueFarAway(samples[number]);
-    output.write(&value, number, 1);
+    const PointCells cells(samples, region, this->scale(), this->order(), output, executor);
+    const std::vector<Task> all =
+      cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
+    for (const std::uint32_t number : cells.others())
+    {
+      const double value = this->valueFarAway(samples[number]);
+      output.write(&value, number, 1);
+    }
+    return executor.run(
+      all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
   }
-  return complete;
+  catch (const Interrupted&)
+  {
+    return false;
+  }
 }
 
 /// All sources are one dipole distribution there.
