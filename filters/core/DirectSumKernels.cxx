@@ -71,8 +71,10 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       if (Watching)
       {
         const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
-        suspect =
-          hn::IfThenElse(hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound)), one, suspect);
+        const auto isOn = hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound));
+        const Vec nearest = hn::Min(a, hn::Min(b, c)), sides = hn::Add(a, hn::Add(b, c));
+        const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
+        suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }
       // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);

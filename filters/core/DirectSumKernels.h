@@ -53,7 +53,9 @@ void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const Sa
 
 /**
  * The same, and marks the samples that lie on a triangle, its edges included, within rounding: those
- * where numerator and denominator are both less than suspectAngle times |a||b||c|.
+ * where numerator and denominator are both less than suspectAngle times |a||b||c|; and those at a
+ * vertex, which sides that were rounded apart may pass on either side: nearer than suspectAngle times
+ * |a| + |b| + |c|.
  */
 void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products);
