@@ -18,9 +18,10 @@ namespace
 {
 
 /// Brings the sources into the tree's order before their moments are made.
-const FarFieldSources& arranged(FarFieldSources& sources, const SourceTree& tree)
+const FarFieldSources& arranged(
+  FarFieldSources& sources, const SourceTree& tree, const FarFieldAccuracy& accuracy)
 {
-  sources.arrange(tree.order());
+  sources.arrange(tree.order(), accuracy.allowsSingleSums());
   return sources;
 }
 
@@ -67,7 +68,7 @@ FarField::FarField(
   : sources_(std::move(sources))
   , accuracy_(accuracy)
   , tree_(sources_->centers(), sources_->leafSize(), executor)
-  , moments_(tree_, arranged(*sources_, tree_), accuracy, executor)
+  , moments_(tree_, arranged(*sources_, tree_, accuracy), accuracy, executor)
   , toPolynomial_(polynomialColumns(accuracy.order))
 {
 }

@@ -13,6 +13,9 @@ struct FarFieldAccuracy
   /// How many radii a node must be away from a single sample.
   float momentMargin() const { return 2 / theta - 1; }
 
+  /// Whether near points may be summed in single precision, with offsets in double.
+  bool allowsSingleSums() const { return order < 7; }
+
   /// Tolerances below this are for the direct sum: single precision ends here.
   static constexpr double finest = 1e-6;
 

@@ -469,15 +469,39 @@ void multiplyMatrixLoop(const float* HWY_RESTRICT matrix, std::size_t rows, std:
 
 // --------------------------------------------------------------------------- values at samples
 
-template <int P>
-void addMomentValuesOf(const float* HWY_RESTRICT moments, float inverseRadius,
-  const float* HWY_RESTRICT x, const float* HWY_RESTRICT y, const float* HWY_RESTRICT z,
-  std::size_t count, float* HWY_RESTRICT values)
+/// Offsets of a vector of samples along one axis, in single precision, cut off where powers of them
+/// would leave the range; everything has long been 0 there.
+HWY_INLINE Vec offsetsFrom(const double* HWY_RESTRICT samples, double center, double inverseRadius)
 {
   const Tag d;
-  for (std::size_t s = 0; s < count; s += hn::Lanes(d))
+  const hn::Half<Tag> half;
+  const hn::Rebind<double, hn::Half<Tag>> wide;
+  const auto convert = [&](const double* from)
   {
-    const Vec px = hn::Load(d, x + s), py = hn::Load(d, y + s), pz = hn::Load(d, z + s);
+    const auto farthest = hn::Set(wide, 1e12);
+    const auto offset =
+      hn::Mul(hn::Sub(hn::Load(wide, from), hn::Set(wide, center)), hn::Set(wide, inverseRadius));
+    return hn::DemoteTo(half, hn::Min(hn::Max(offset, hn::Neg(farthest)), farthest));
+  };
+#if HWY_TARGET == HWY_SCALAR
+  (void)d;
+  return convert(samples);
+#else
+  return hn::Combine(d, convert(samples + hn::Lanes(wide)), convert(samples));
+#endif
+}
+
+template <int P>
+void addMomentValuesOf(const float* HWY_RESTRICT moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* HWY_RESTRICT values)
+{
+  const Tag d;
+  const double inverseRadius = 1 / radius;
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Vec px = offsetsFrom(samples.x + s, center[0], inverseRadius),
+              py = offsetsFrom(samples.y + s, center[1], inverseRadius),
+              pz = offsetsFrom(samples.z + s, center[2], inverseRadius);
     const Vec squared = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
     const Vec inverse = hn::Div(hn::Set(d, 1.0f), squared);
     const Vec ix = hn::Mul(px, inverse), iy = hn::Mul(py, inverse), iz = hn::Mul(pz, inverse);
@@ -520,15 +544,17 @@ void addMomentValuesOf(const float* HWY_RESTRICT moments, float inverseRadius,
       }
     }
     const Vec sum = hn::MulAdd(hn::Set(d, 2.0f), rest, axial);
-    hn::Store(hn::MulAdd(hn::Set(d, inverseRadius), sum, hn::Load(d, values + s)), d, values + s);
+    hn::Store(
+      hn::MulAdd(hn::Set(d, static_cast<float>(inverseRadius)), sum, hn::Load(d, values + s)), d,
+      values + s);
   }
 }
 
-void addMomentValuesLoop(int order, const float* moments, float inverseRadius, const float* x,
-  const float* y, const float* z, std::size_t count, float* values)
+void addMomentValuesLoop(int order, const float* moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* values)
 {
   withOrder(order, [&](auto p)
-    { addMomentValuesOf<decltype(p)::value>(moments, inverseRadius, x, y, z, count, values); });
+    { addMomentValuesOf<decltype(p)::value>(moments, center, radius, samples, values); });
 }
 
 template <int P>
@@ -621,10 +647,10 @@ void multiplyMatrix(
   HWY_DYNAMIC_DISPATCH(multiplyMatrixLoop)(matrix, rows, columns, from, to);
 }
 
-void addMomentValues(int order, const float* moments, float inverseRadius, const float* x,
-  const float* y, const float* z, std::size_t count, float* values)
+void addMomentValues(int order, const float* moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* values)
 {
-  HWY_DYNAMIC_DISPATCH(addMomentValuesLoop)(order, moments, inverseRadius, x, y, z, count, values);
+  HWY_DYNAMIC_DISPATCH(addMomentValuesLoop)(order, moments, center, radius, samples, values);
 }
 
 void evaluatePolynomial(int order, const float* coefficients, const float* x, const float* y,
