@@ -33,7 +33,7 @@ double secondsPerValue(int order)
 /// About what eight more cells cost.
 double secondsPerCut(int order)
 {
-  return 2e-6 * coefficientCount(order);
+  return 1.5e-6 * coefficientCount(order);
 }
 
 } // namespace
