@@ -42,6 +42,17 @@ SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
 {
 }
 
+int SmpExecutor::threads() const
+{
+  if (threads_ > 0)
+  {
+    return threads_;
+  }
+  return backendToUse() == vtkSMPTools::GetBackend()
+           ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
+           : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 void SmpExecutor::runBatch(
   std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const
 {

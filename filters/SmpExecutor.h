@@ -26,6 +26,9 @@ public:
   /// set the abort flag.
   bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
+  /// About how many threads it uses.
+  int threads() const;
+
   /// Whether there was anything to do yet.
   bool hasRun() const { return hasRun_; }
 

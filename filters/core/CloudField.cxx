@@ -11,14 +11,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// What a sample costs in a far field, in points of a direct sum.
-constexpr std::size_t fewPoints = 300;
-
-} // namespace
-
 CloudField::CloudField(
   const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
   : cloud_(sanitize(views, executor))
@@ -83,14 +75,14 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  if (isAutomatic && info_.primitives <= fewPoints)
+  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(options.tolerance);
+  if (isAutomatic && isCheaperDirectly(Primitive::point, info_.primitives, accuracy.order))
   {
     info_.why += "; so few are summed directly";
     return;
   }
   info_.method = Method::hierarchical;
-  farField_ = std::make_unique<FarField>(
-    farFieldSources(cloud_, cloud_.areas), FarFieldAccuracy::of(options.tolerance), executor);
+  farField_ = std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas), accuracy, executor);
 }
 
 bool CloudField::evaluate(
@@ -105,6 +97,12 @@ bool CloudField::evaluate(
 {
   return farField_ ? farField_->evaluate(samples, output, executor)
                    : Field::evaluate(samples, output, executor);
+}
+
+EvaluationCost CloudField::expectedCost(std::size_t samples) const
+{
+  return farField_ ? costOfFarField(Primitive::point, info_.primitives, samples, farField_->order())
+                   : costOfDirectSum(Primitive::point, info_.primitives, samples);
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

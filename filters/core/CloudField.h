@@ -24,6 +24,7 @@ public:
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
+  EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
 

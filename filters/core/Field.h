@@ -1,5 +1,6 @@
 #pragma once
 
+#include "EvaluationCost.h"
 #include "Executor.h"
 #include "FieldOutput.h"
 #include "Grid.h"
@@ -106,6 +107,9 @@ public:
   /// executor was interrupted.
   virtual bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+
+  /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
+  virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;

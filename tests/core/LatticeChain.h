@@ -175,7 +175,8 @@ inline ChainComparison compareWithDirectSum(const LatticeChain& chain, double fi
   using namespace winding;
   winding::SerialExecutor serial;
   const BoundaryChain boundary = boundaryChain(chain.surface, serial);
-  const CappedSurface capped(chain.surface, boundary, fieldTolerance);
+  const CappedSurface capped(
+    chain.surface, boundary, fieldTolerance, CappedSurface::CapSum::farField);
   const Extent whole = chain.grid.wholeExtent();
   std::vector<double> values(sampleCount(whole), std::nan(""));
   FieldOutput output;
