@@ -1,6 +1,7 @@
 #include "FarField.h"
 
 #include "Expansions.h"
+#include "FarFieldGradient.h"
 #include "FarFieldTraversal.h"
 #include "FieldOutput.h"
 #include "FlushToZero.h"
@@ -101,14 +102,19 @@ bool FarField::evaluate(
     all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
 }
 
-bool FarField::evaluate(
-  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+PointCells FarField::cellsOf(const VectorsView& samples, const FieldOutput& output) const
 {
   // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
   constexpr double farthest = 64;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
-  const PointCells cells(samples, region, this->scale(), this->order(), output);
+  return {samples, region, this->scale(), this->order(), output};
+}
+
+bool FarField::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  const PointCells cells = this->cellsOf(samples, output);
   const std::vector<Task> all =
     cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
   const bool complete =
@@ -117,6 +123,21 @@ bool FarField::evaluate(
   {
     const double value = this->valueFarAway(samples[number]);
     output.write(&value, number, 1);
+  }
+  return complete;
+}
+
+bool FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  const PointCells cells = this->cellsOf(samples, FieldOutput());
+  const FarFieldGradient gradient(*this, cells, gradients);
+  const std::vector<Task> all =
+    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
+  const bool complete =
+    executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
+  for (const std::uint32_t number : cells.others())
+  {
+    gradient.evaluateFarAway(samples[number], number);
   }
   return complete;
 }
@@ -132,15 +153,21 @@ double FarField::valueFarAway(const Eigen::Vector3d& sample) const
   {
     return 0;
   }
+  const double inverse = 1.0 / moments_.criteria.radius[0];
+  const float* const root = moments_.of(0);
+  return inverse * momentsAt(this->order(), {root, root + coefficientCount(this->order())},
+                     this->offsetFromRoot(sample));
+}
+
+/// In units of its radius.
+Eigen::Vector3d FarField::offsetFromRoot(const Eigen::Vector3d& sample) const
+{
   Eigen::Vector3d offset;
   for (int axis = 0; axis < 3; ++axis)
   {
     offset[axis] = scaledCoordinate(sample[axis], this->scale()) - moments_.origin[axis];
   }
-  const double inverse = 1.0 / moments_.criteria.radius[0];
-  const float* const root = moments_.of(0);
-  return inverse *
-         momentsAt(this->order(), {root, root + coefficientCount(this->order())}, inverse * offset);
+  return offset / moments_.criteria.radius[0];
 }
 
 } // namespace winding

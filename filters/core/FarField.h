@@ -12,6 +12,7 @@
 namespace winding
 {
 
+class PointCells;
 struct FieldOutput;
 
 /**
@@ -64,10 +65,18 @@ public:
   /// Evaluates scattered samples; NaN at samples that are not finite. False when interrupted.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
+  /**
+   * GRADIENTDOC
+   */
+  bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+
 private:
   friend class FarFieldTraversal;
+  friend class FarFieldGradient;
 
+  PointCells cellsOf(const VectorsView& samples, const FieldOutput& output) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
+  Eigen::Vector3d offsetFromRoot(const Eigen::Vector3d& sample) const;
 
   std::unique_ptr<FarFieldSources> sources_;
   FarFieldAccuracy accuracy_;
