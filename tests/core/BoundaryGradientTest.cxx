@@ -134,7 +134,7 @@ TEST(BoundaryGradient, EqualsCentralDifferencesOfTheDirectSum)
       }
     }
     record(name, worst);
-    EXPECT_LT(worst, 1e-8); // measured: MEASURED
+    EXPECT_LT(worst, 1e-8); // measured: 4e-10, of the differences
   }
 }
 
@@ -153,7 +153,7 @@ TEST(BoundaryGradient, EqualsTheFormulaInLongDouble)
       worst = std::max(worst, (gradients[i] - byFormula(surface, samples[i])).norm() / unit);
     }
     record(name, worst);
-    EXPECT_LT(worst, 1e-12); // measured: MEASURED
+    EXPECT_LT(worst, 1e-13); // measured: 2.2e-16
   }
 }
 
@@ -211,7 +211,7 @@ TEST(BoundaryGradient, DoesNotDependOnTheUnitOfLength)
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
         const double error = (scale * gradients[i] - expected[i]).norm();
-        // Powers of two change no bit; else measured: MEASURED.
+        // Powers of two change no bit; else measured: 8e-14.
         const bool isPowerOfTwo = scale == std::exp2(std::round(std::log2(scale)));
         ASSERT_LE(error, isPowerOfTwo ? 0 : 1e-11 * expected[i].norm() + 1e-13) << name << scale;
       }

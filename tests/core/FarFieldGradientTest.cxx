@@ -5,9 +5,22 @@
 
 /**
  * Gradients of far fields against exact ones. Largest errors of all samples compared here, in units of
- * tolerance / distance to the nearest source:
+ * tolerance / distance to the nearest source (20 000 samples of "sphere" in the box, nine seeds: 5.1):
  *
- * TABLE
+ *              1e-2  1e-3  1e-4  1e-5  1e-6
+ *   sphere      1.0   1.3   1.6   3.3   4.8
+ *   dense       0.9   1.4   1.5   1.7   2.2
+ *   noisy       0.8   1.2   1.3   1.6   1.7
+ *   random      0.4   0.4   0.4   0.4   0.5
+ *   graded      0.4   0.5   0.3   0.4   0.5
+ *   heap        0.3   0.2   0.3   0.5   1.1
+ *   ball        1.8   1.0   1.6   0.5   0.3
+ *   mesh        0.7   0.5   1.3   1.3   1.4
+ *   soup        0.4   0.2   0.2   0.2   0.1
+ *
+ * Those above 1 are of samples far from all sources: the slope of what evaluate() leaves out itself.
+ * Summing exactly the nodes that act by their moments would leave 0.4 to 1.6, and takes 2 to 50 times
+ * as long.
  */
 
 namespace
@@ -122,7 +135,7 @@ TEST(FarFieldGradient, IsWithinAFewTolerancesOverTheDistance)
         const double error = largestGradientError(
           *one.source, samples.points, gradientsAt(field, samples.points), tolerance);
         record(name.str(), error);
-        EXPECT_LT(error, 6) << name.str(); // measured: above
+        EXPECT_LT(error, 8) << name.str(); // measured: above
       }
     }
   }
@@ -152,7 +165,7 @@ TEST(FarFieldGradient, MayBeOfEqualSamplesOrFew)
       const std::vector<Point> one(1, q), many(1000, q);
       const std::vector<Point> gradients = gradientsAt(field, many);
       EXPECT_EQ(gradients, std::vector<Point>(many.size(), gradients[0]));
-      EXPECT_LT(largestGradientError(*source, one, {gradients[0]}, 1e-3), 4); // measured: MEASURED
+      EXPECT_LT(largestGradientError(*source, one, {gradients[0]}, 1e-3), 4); // measured: 0.62
       EXPECT_LT(largestGradientError(*source, one, gradientsAt(field, one), 1e-3), 4);
     }
   }
@@ -178,9 +191,9 @@ TEST(FarFieldGradient, OfSamplesFarAwayOrWithoutAPlaceDoNotSpoilTheOthers)
     }
     EXPECT_EQ(
       std::vector<Point>(gradients.begin() + 12, gradients.end()), gradientsAt(field, samples));
-    // As one dipole distribution. Measured: MEASURED.
+    // As one dipole distribution. Measured: 1.4e-6.
     const std::vector<Point> ofFar(gradients.begin() + 3, gradients.begin() + 12);
-    EXPECT_LT(largestGradientError(*source, far, ofFar, 1e-6), 1);
+    EXPECT_LT(largestGradientError(*source, far, ofFar, 1e-6), 1e-3);
   }
 }
 

@@ -151,7 +151,7 @@ TEST(DipoleSumGradient, EqualsTheFormulaInLongDouble)
       worst = std::max(worst, strength > 0 ? (gradients[i] - expected).norm() / strength : 0);
     }
   }
-  record("worst", worst); // measured: MEASURED
+  record("worst", worst); // measured: 2.3e-15
 }
 
 TEST(DipoleSumGradient, EqualsCentralDifferencesOfTheDirectSum)
@@ -175,7 +175,8 @@ TEST(DipoleSumGradient, EqualsCentralDifferencesOfTheDirectSum)
             dipoles.cloud, dipoles.areas, q + steps * static_cast<double>(h) * Point::Unit(axis));
         };
         const long double expected = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
-        ASSERT_NEAR(gradient[axis], static_cast<double>(expected), 1e-7 * strength); // MEASURED
+        ASSERT_NEAR(
+          gradient[axis], static_cast<double>(expected), 1e-8 * strength); // measured: 7e-10
       }
     }
   }
@@ -211,7 +212,7 @@ TEST(Gradient, OfACloudIsWithinTheToleranceThatOfTheDirectSum)
     worst = std::max(worst, (found[i] - expected[i]).norm() * distance);
   }
   record("worst", worst);
-  EXPECT_LT(worst, 4e-3); // measured: MEASURED
+  EXPECT_LT(worst, 4e-3); // measured: 8.8e-4
   EXPECT_GT(worst, 0);    // by a far field indeed
 }
 
@@ -306,8 +307,8 @@ TEST(Gradient, IsOneOverTheUnitOfLength)
       cloud.positions.begin(), cloud.positions.end(), scaledCloud.positions.begin(), scaled);
     // Areas are estimated, and so of the unit squared.
     compare(*fieldOf(scaledCloud, Method::direct), *fieldOf(cloud, Method::direct), 1e-11);
-    compare(
-      *fieldOf(scaledCloud, Method::hierarchical), *fieldOf(cloud, Method::hierarchical), 1e-1);
+    compare(*fieldOf(scaledCloud, Method::hierarchical), *fieldOf(cloud, Method::hierarchical),
+      1e-2); // measured: 3.3e-4
   }
 }
 
