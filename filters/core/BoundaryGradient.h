@@ -17,11 +17,11 @@ namespace winding
  *
  * Guaranteed: (1) exactly 0 for surfaces without a boundary chain; (2) no absolute epsilon: a uniform
  * scale s divides the gradient by s and changes nothing else but rounding; (3) an edge gives 0 to
- * samples on the line through it, as near as rounding can tell; at a distance d from it, down
- * to 1e-150 of the surface's size, at most m/(2πd); (4) smooth across triangles; (5) finite for finite samples; a sample's bits do
- * not depend on the samples beside it; (6) errors are roundings: some 1e-16/d in all, d being the
- * distance to the boundary (measured: 2.2e-16/d at random samples of seven meshes), and beside an edge
- * of length L up to 1e-16 L/d of its share.
+ * samples on the line through it, as near as rounding can tell, and at a distance d from it, down to
+ * 1e-150 of the surface's size, at most m/(2πd); (4) smooth across triangles; (5) finite for finite
+ * samples; (6) a sample's bits do not depend on the samples beside it; (7) errors are roundings: some
+ * 1e-16/d in all, d being the distance to the boundary (measured: 2.2e-16/d at random samples of seven
+ * meshes), and beside an edge of length L up to 1e-16 L/d of its share.
  * Not guaranteed: the same bits on machines with and without fused multiply-add.
  *
  * The cost is that of all edges at each sample.

@@ -5,7 +5,8 @@
 
 /**
  * Gradients of far fields against exact ones. Largest errors of all samples compared here, in units of
- * tolerance / distance to the nearest source (20 000 of each of nine seeds around "sphere" gave up to 2.9):
+ * tolerance / distance to the nearest source (20 000 samples of each of nine seeds in a box around
+ * "sphere", tolerances 1e-4 to 1e-6, gave up to 2.9):
  *
  *              1e-2  1e-3  1e-4  1e-5  1e-6
  *   sphere      1.0   1.3   1.6   3.3   4.8
