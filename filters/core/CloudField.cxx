@@ -1,6 +1,5 @@
 #include "CloudField.h"
 
-#include "DirectSum.h"
 #include "PointAreas.h"
 #include "ReferenceSum.h"
 #include "Refusal.h"
@@ -35,7 +34,7 @@ CloudField::CloudField(
                     std::to_string(cloud_.badAreaPoints) + " with negative areas)";
   }
   this->chooseAreas(options.pointArea);
-  evaluator_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
+  sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
 
@@ -97,6 +96,12 @@ bool CloudField::evaluate(
 {
   return farField_ ? farField_->evaluate(samples, output, executor)
                    : Field::evaluate(samples, output, executor);
+}
+
+bool CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  return farField_ ? farField_->gradient(samples, gradients, executor)
+                   : Field::gradient(samples, gradients, executor);
 }
 
 EvaluationCost CloudField::expectedCost(std::size_t samples) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Evaluator.h"
+#include "DirectSum.h"
 #include "FarField.h"
 #include "Field.h"
 
@@ -23,13 +23,15 @@ public:
     Executor& executor) const override;
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
 
 protected:
-  const Evaluator& evaluator() const override { return *evaluator_; }
+  const Evaluator& evaluator() const override { return *sum_; }
+  const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
   void chooseAreas(double constantArea);
@@ -38,7 +40,7 @@ private:
   PointCloud cloud_;
   FieldInfo info_;
   std::unique_ptr<const FarField> farField_; ///< method hierarchical
-  std::unique_ptr<const Evaluator> evaluator_;
+  std::unique_ptr<const DipoleSum> sum_;
 };
 
 } // namespace winding

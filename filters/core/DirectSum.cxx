@@ -1,6 +1,7 @@
 #include "DirectSum.h"
 
 #include "DirectSumKernels.h"
+#include "GradientKernels.h"
 #include "UnitScale.h"
 
 #include <algorithm>
@@ -84,12 +85,9 @@ DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
 {
 }
 
-void DipoleSum::evaluate(const SampleBlock& block, double* values) const
+/// Calls addChunk(dipoles, count) with all points in turn, scaled.
+template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
 {
-  SampleBlock scaled;
-  scaleSamples(block, scale_, scaled);
-  KernelSums sums;
-
   KernelDipole chunk[kernelChunk];
   const std::size_t total = cloud_.positions.size();
   for (std::size_t first = 0; first < total; first += kernelChunk)
@@ -102,9 +100,28 @@ void DipoleSum::evaluate(const SampleBlock& block, double* values) const
       store(cloud_.positions[first + i] * scale_, chunk[i].position);
       store(cloud_.normals[first + i] * weight, chunk[i].moment);
     }
-    addDipoles(chunk, count, scaled, sums);
+    addChunk(chunk, count);
   }
+}
+
+void DipoleSum::evaluate(const SampleBlock& block, double* values) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  KernelSums sums;
+  this->forEachChunk([&](const KernelDipole* dipoles, std::size_t count)
+    { addDipoles(dipoles, count, scaled, sums); });
   std::copy_n(sums.sum, scaled.count, values);
+}
+
+void DipoleSum::evaluateGradients(const SampleBlock& block, double* gradients) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  GradientSums sums;
+  this->forEachChunk([&](const KernelDipole* dipoles, std::size_t count)
+    { addDipoleGradients(dipoles, count, scaled, sums); });
+  storeGradients(sums, scaled.count, scale_, gradients);
 }
 
 } // namespace winding

@@ -50,16 +50,22 @@ private:
   double scale_; ///< a power of two: brings the surface to about unit size, without rounding
 };
 
-/// The direct sum over all points of a cloud, in double; guarantees as for TriangleSum.
-class DipoleSum final : public Evaluator
+/**
+ * The direct sum over all points of a cloud, in double, and that of their gradients; guarantees as
+ * for TriangleSum. A point gives nothing to the gradient at its own place.
+ */
+class DipoleSum final : public Evaluator, public GradientEvaluator
 {
 public:
   /// Keeps references: cloud and areas (one per point) must outlive this.
   DipoleSum(const PointCloud& cloud, const std::vector<double>& areas);
 
   void evaluate(const SampleBlock& block, double* values) const override;
+  void evaluateGradients(const SampleBlock& block, double* gradients) const override;
 
 private:
+  template <class AddChunk> void forEachChunk(const AddChunk& addChunk) const;
+
   const PointCloud& cloud_;
   const std::vector<double>& areas_;
   double scale_;

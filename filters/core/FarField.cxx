@@ -1,6 +1,7 @@
 #include "FarField.h"
 
 #include "Expansions.h"
+#include "FarFieldGradient.h"
 #include "FarFieldTraversal.h"
 #include "FieldOutput.h"
 #include "FlushToZero.h"
@@ -102,18 +103,23 @@ bool FarField::evaluate(
     all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
 }
 
-bool FarField::evaluate(
+PointCells FarField::cellsOf(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
   constexpr double farthest = 64;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
+  return {samples, region, this->scale(), this->order(), output, executor};
+}
+
+bool FarField::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
   try
   {
-    const PointCells cells(samples, region, this->scale(), this->order(), output, executor);
-    const std::vector<Task> all =
-      cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
+    const PointCells cells = this->cellsOf(samples, output, executor);
+    const std::vector<Task> all = this->tasks(cells);
     for (const std::uint32_t number : cells.others())
     {
       const double value = this->valueFarAway(samples[number]);
@@ -128,6 +134,30 @@ bool FarField::evaluate(
   }
 }
 
+bool FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  try
+  {
+    const PointCells cells = this->cellsOf(samples, FieldOutput(), executor);
+    const FarFieldGradient gradient(*this, cells, gradients);
+    const std::vector<Task> all = this->tasks(cells);
+    for (const std::uint32_t number : cells.others())
+    {
+      gradient.evaluateFarAway(samples[number], number);
+    }
+    return executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+}
+
+std::vector<FarField::Task> FarField::tasks(const PointCells& cells) const
+{
+  return cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
+}
+
 /// All sources are one dipole distribution there.
 double FarField::valueFarAway(const Eigen::Vector3d& sample) const
 {
@@ -139,15 +169,21 @@ double FarField::valueFarAway(const Eigen::Vector3d& sample) const
   {
     return 0;
   }
+  const double inverse = 1.0 / moments_.criteria.radius[0];
+  const float* const root = moments_.of(0);
+  return inverse * momentsAt(this->order(), {root, root + coefficientCount(this->order())},
+                     this->offsetFromRoot(sample));
+}
+
+/// In units of its radius.
+Eigen::Vector3d FarField::offsetFromRoot(const Eigen::Vector3d& sample) const
+{
   Eigen::Vector3d offset;
   for (int axis = 0; axis < 3; ++axis)
   {
     offset[axis] = scaledCoordinate(sample[axis], this->scale()) - moments_.origin[axis];
   }
-  const double inverse = 1.0 / moments_.criteria.radius[0];
-  const float* const root = moments_.of(0);
-  return inverse *
-         momentsAt(this->order(), {root, root + coefficientCount(this->order())}, inverse * offset);
+  return offset / moments_.criteria.radius[0];
 }
 
 } // namespace winding

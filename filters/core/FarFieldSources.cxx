@@ -126,6 +126,15 @@ public:
     return false;
   }
 
+  void addGradients(const std::vector<ItemRange>& items, const SampleBlock& samples,
+    GradientSums& sums) const override
+  {
+    for (const ItemRange& range : items)
+    {
+      addDipoleGradients(&items_[range.begin], range.end - range.begin, samples, sums);
+    }
+  }
+
   double secondsPerPair() const override { return inSingle_ ? 0.25e-9 : 0.4e-9; }
   std::size_t leafSize() const override { return 24; }
 
@@ -269,6 +278,21 @@ public:
       any = any || isSuspect[i];
     }
     return any;
+  }
+
+  /// The sides of all triangles; those between two of them cancel to the bit but for their order.
+  void addGradients(const std::vector<ItemRange>& items, const SampleBlock& samples,
+    GradientSums& sums) const override
+  {
+    for (const ItemRange& range : items)
+    {
+      for (std::uint32_t i = range.begin; i < range.end; ++i)
+      {
+        const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c);
+        const KernelEdge sides[] = {kernelEdge(a, b, 1), kernelEdge(b, c, 1), kernelEdge(c, a, 1)};
+        addEdgeGradients(sides, 3, samples, sums);
+      }
+    }
   }
 
   double secondsPerPair() const override { return 1e-9; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DirectSumKernels.h"
+#include "GradientKernels.h"
 #include "Sanitize.h"
 #include "SplitTriangles.h"
 
@@ -53,6 +54,10 @@ public:
    */
   virtual bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool* isSuspect) const = 0;
+
+  /// Adds the gradients of some items, exact up to rounding.
+  virtual void addGradients(
+    const std::vector<ItemRange>& items, const SampleBlock& samples, GradientSums& sums) const = 0;
 
   /// About what one item costs at one sample.
   virtual double secondsPerPair() const = 0;

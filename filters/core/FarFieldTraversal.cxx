@@ -47,6 +47,17 @@ FarFieldTraversal::FarFieldTraversal(const FarField& field, const TargetCells& c
 void FarFieldTraversal::evaluate(const FarField::Task& task, bool watching)
 {
   watching_ = watching;
+  this->start(task);
+}
+
+void FarFieldTraversal::visit(const FarField::Task& task, FarFieldLeafVisitor& visitor)
+{
+  visitor_ = &visitor;
+  this->start(task);
+}
+
+void FarFieldTraversal::start(const FarField::Task& task)
+{
   nodes_ = task.nodes;
   Local local;
   std::copy(task.local.begin(), task.local.end(), local.values);
@@ -85,7 +96,12 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     multiplyMatrix(field_.toPolynomial_.data(),
       (static_cast<std::size_t>(monomialCount(order)) + 15) / 16 * 16,
       static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
-    if (firstKept == nodes_.size())
+    if (visitor_)
+    {
+      this->collectNear(cell, firstKept);
+      visitor_->visit({cell, polynomial, byMoments_, exactly_});
+    }
+    else if (firstKept == nodes_.size())
     {
       cells_.storePolynomial(cell, order, polynomial);
     }

@@ -5,6 +5,23 @@
 namespace winding
 {
 
+/// What acts on the samples of a cell that is cut no further.
+struct FarFieldLeaf
+{
+  const TargetCell& cell;
+  const float* polynomial; ///< of all that acts through expansions; see Expansions.h
+  const std::vector<std::int32_t>& byMoments; ///< nodes
+  const std::vector<ItemRange>& exactly;
+};
+
+/// Makes something else of leaves than values.
+class FarFieldLeafVisitor
+{
+public:
+  virtual ~FarFieldLeafVisitor() = default;
+  virtual void visit(const FarFieldLeaf& leaf) = 0;
+};
+
 /// The way from a cell down to its samples; see FarField.h. One for each task: it keeps its lists.
 class FarFieldTraversal
 {
@@ -13,6 +30,9 @@ public:
 
   /// Evaluates the samples of a cell.
   void evaluate(const FarField::Task& task, bool watching);
+
+  /// Shows the visitor all leaves of a cell instead.
+  void visit(const FarField::Task& task, FarFieldLeafVisitor& visitor);
 
   /// Goes down to a level only, and appends what is to be done from there.
   void collect(int level, std::vector<FarField::Task>& tasks);
@@ -24,6 +44,7 @@ private:
     alignas(64) float values[paddedCoefficients(largestOrder)];
   };
 
+  void start(const FarField::Task& task);
   void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
   void classify(const TargetCell& cell, Local& local, std::size_t firstNode);
   void addAccepted(const TargetCell& cell, Local& local) const;
@@ -35,6 +56,7 @@ private:
   const FarField& field_;
   const TargetCells& cells_;
   bool watching_ = false;
+  FarFieldLeafVisitor* visitor_ = nullptr;
   int lastLevel_ = 0; ///< cells are collected here rather than evaluated
   std::vector<FarField::Task>* tasks_ = nullptr;
 

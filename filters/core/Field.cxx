@@ -27,14 +27,34 @@ std::size_t samplesPerBlock(std::size_t primitives)
   return std::clamp<std::size_t>(samples / 16 * 16, 16, SampleBlock::capacity);
 }
 
-/// Nowhere is not a place: samples that are NaN or infinite get NaN from every method.
-void markNonFinite(const SampleBlock& block, double* values)
+/// Calls work(block, number of its first sample) for blocks of samples at positionOf(number).
+template <class PositionOf, class Work>
+bool forEachBlock(std::size_t samples, std::size_t blockSize, const PositionOf& positionOf,
+  const Work& work, Executor& executor)
+{
+  return executor.run((samples + blockSize - 1) / blockSize,
+    [&](std::size_t number)
+    {
+      const std::size_t first = number * blockSize;
+      SampleBlock block;
+      block.count = std::min(blockSize, samples - first);
+      for (std::size_t i = 0; i < block.count; ++i)
+      {
+        block.set(i, positionOf(first + i));
+      }
+      work(block, first);
+    });
+}
+
+/// Nowhere is not a place: samples that are NaN or infinite get NaN from every method. `components`
+/// numbers per sample.
+void markNonFinite(const SampleBlock& block, std::size_t components, double* values)
 {
   for (std::size_t i = 0; i < block.count; ++i)
   {
     if (!std::isfinite(block.x[i]) || !std::isfinite(block.y[i]) || !std::isfinite(block.z[i]))
     {
-      values[i] = std::numeric_limits<double>::quiet_NaN();
+      std::fill_n(values + components * i, components, std::numeric_limits<double>::quiet_NaN());
     }
   }
 }
@@ -99,23 +119,17 @@ template <class PositionOf>
 bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
   const FieldOutput& output, Executor& executor) const
 {
-  const std::size_t blockSize = samplesPerBlock(this->info().primitives);
   const Evaluator& method = this->evaluator();
-  return executor.run((samples + blockSize - 1) / blockSize,
-    [&](std::size_t number)
+  return forEachBlock(
+    samples, samplesPerBlock(this->info().primitives), positionOf,
+    [&](const SampleBlock& block, std::size_t first)
     {
-      const std::size_t first = number * blockSize;
-      SampleBlock block;
-      block.count = std::min(blockSize, samples - first);
-      for (std::size_t i = 0; i < block.count; ++i)
-      {
-        block.set(i, positionOf(first + i));
-      }
       double values[SampleBlock::capacity];
       method.evaluate(block, values);
-      markNonFinite(block, values);
+      markNonFinite(block, 1, values);
       output.write(values, first, block.count);
-    });
+    },
+    executor);
 }
 
 bool Field::evaluate(
@@ -136,6 +150,21 @@ bool Field::evaluate(
 {
   return this->evaluateBlocks(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
+}
+
+bool Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  const FieldInfo& info = this->info();
+  const GradientEvaluator& method = this->gradientEvaluator();
+  return forEachBlock(
+    samples.size(), samplesPerBlock(info.isSurface ? info.netBoundaryEdges : info.primitives),
+    [&](std::size_t n) { return samples[n]; },
+    [&](const SampleBlock& block, std::size_t first)
+    {
+      method.evaluateGradients(block, gradients + 3 * first);
+      markNonFinite(block, 3, gradients + 3 * first);
+    },
+    executor);
 }
 
 } // namespace winding

@@ -14,6 +14,7 @@ namespace winding
 {
 
 class Evaluator;
+class GradientEvaluator;
 
 /// How w is found. Every method but parity gives the winding number.
 enum class Method
@@ -108,6 +109,21 @@ public:
   virtual bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
+  /**
+   * The gradient of the winding number at scattered samples, whatever the method, into #samples by 3
+   * numbers: in 1/length, with respect to the coordinates of the samples. False when the executor was
+   * interrupted.
+   *
+   * Surfaces: exact up to rounding, from the boundary alone (BoundaryGradient.h): exactly 0 where that
+   * is empty, the same from both sides on triangles; on a boundary edge that edge counts as 0. Clouds:
+   * exact up to rounding with method direct; within a tolerance with method hierarchical
+   * (FarField::gradient()); on a point that point counts as 0.
+   *
+   * NaN at samples that are NaN or infinite, finite at all others. Bits depend on what those of values
+   * at scattered samples depend on.
+   */
+  virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+
   /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
@@ -122,6 +138,7 @@ public:
 
 protected:
   virtual const Evaluator& evaluator() const = 0;
+  virtual const GradientEvaluator& gradientEvaluator() const = 0;
 
 private:
   template <class PositionOf>

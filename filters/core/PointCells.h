@@ -27,6 +27,12 @@ public:
   const std::vector<std::uint32_t>& others() const { return others_; }
   bool empty() const { return samples_.empty(); }
 
+  /// The number of a cell's n-th sample.
+  std::size_t numberOf(const TargetCell& cell, std::size_t n) const
+  {
+    return samples_[static_cast<std::size_t>(cell.index[0]) + n].number;
+  }
+
   /// The level of cells that make good tasks.
   int taskLevel() const;
 

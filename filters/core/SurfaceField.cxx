@@ -29,12 +29,20 @@ SurfaceField::SurfaceField(
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
       " with ids of points that do not exist)";
   }
-  this->chooseMethod(options, executor);
+  if (options.method == Method::rows && options.scattered)
+  {
+    throw Refusal("rows needs a grid and these are scattered samples; choose another method");
+  }
+  BoundaryChain chain = boundaryChain(surface_, executor);
+  info_.boundaryEdges = chain.edgesOfOneTriangle;
+  info_.netBoundaryEdges = chain.edges.size();
+  this->chooseMethod(options, chain);
+  boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }
 
 SurfaceField::~SurfaceField() = default;
 
-void SurfaceField::chooseMethod(const FieldOptions& options, Executor& executor)
+void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain& chain)
 {
   const Method asked = options.method;
   isAskedFor_ = asked != Method::automatic;
@@ -42,13 +50,6 @@ void SurfaceField::chooseMethod(const FieldOptions& options, Executor& executor)
   {
     order_ = FarFieldAccuracy::of(options.tolerance).order;
   }
-  if (asked == Method::rows && options.scattered)
-  {
-    throw Refusal("rows needs a grid and these are scattered samples; choose another method");
-  }
-  const BoundaryChain chain = boundaryChain(surface_, executor);
-  info_.boundaryEdges = chain.edgesOfOneTriangle;
-  info_.netBoundaryEdges = chain.edges.size();
   if (asked == Method::parity)
   {
     info_.method = Method::parity;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundaryGradient.h"
 #include "CappedSurface.h"
 #include "Evaluator.h"
 #include "Field.h"
@@ -33,9 +34,10 @@ public:
 
 protected:
   const Evaluator& evaluator() const override { return *evaluator_; }
+  const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 
 private:
-  void chooseMethod(const FieldOptions& options, Executor& executor);
+  void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
   void chooseFarField(const FieldOptions& options, const std::string& why);
 
   bool usesFarField(const VectorsView& samples) const;
@@ -44,6 +46,7 @@ private:
   FieldInfo info_;
   bool isAskedFor_ = false; ///< the method, by the user
   int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
+  std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
   std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical
   std::unique_ptr<const Evaluator> evaluator_;       ///< for scattered samples, and other methods

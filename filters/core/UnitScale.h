@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 /**
  * @file
@@ -31,6 +32,14 @@ inline double scaledCoordinate(double coordinate, double scale)
 {
   constexpr double farthest = 1e90;
   return std::clamp(coordinate * scale, -farthest, farthest);
+}
+
+/// A component of a gradient with respect to scaled coordinates as one with respect to the caller's;
+/// cut off at the largest double, which gradients in very small coordinates may exceed.
+inline double unscaledGradient(double gradient, double scale)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::clamp(gradient * scale, -largest, largest);
 }
 
 inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& scaled)

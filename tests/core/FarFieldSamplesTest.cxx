@@ -304,6 +304,7 @@ TEST(FarFieldSamples, LeaveTheModeOfTheProcessorAsItWas)
     const FarField field = fieldOf(*source);
     valuesOn(field, grid);
     valuesAt(field, samples);
+    gradientsAt(field, samples);
     const unsigned after = _mm_getcsr();
     _mm_setcsr(before);
     EXPECT_EQ(after & modes, mode & modes);

@@ -143,41 +143,6 @@ void compareScattered(const std::vector<Case>& cases, unsigned seed)
 
 const Eigen::Vector3i usual(44, 29, 36);
 
-/// As many points in every shell as in the one around it of twice the radius; areas shrink alike.
-std::unique_ptr<FarSource> gradedSource(std::size_t count, unsigned seed)
-{
-  Random random(seed);
-  Cloud cloud;
-  std::vector<double> areas;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double radius = std::exp2(random(-20, 0));
-    cloud.normals.push_back(random.direction());
-    cloud.positions.push_back(radius * random.direction());
-    areas.push_back(60 * radius * radius / static_cast<double>(count));
-  }
-  return farSource(cloud, areas);
-}
-
-/// A heap of equal points and a sphere of 5000.
-Cloud sphereWithHeap(std::size_t heap)
-{
-  Cloud cloud = sphereCloud(5000);
-  cloud.positions.resize(5000 + heap, Point(0.123, 0.456, 0.789));
-  cloud.normals.resize(5000 + heap, Point(0, 0, 1));
-  return cloud;
-}
-
-/// Most points in a ball of a ten thousandth of the size.
-Cloud sphereWithBall(std::size_t ball, unsigned seed)
-{
-  const auto shrunk = [](const Point& p) -> Point
-  {
-    return Point(0.3, 0, 0) + 5e-5 * p;
-  };
-  return with(mapped(randomCloud(ball, seed), shrunk), sphereCloud(5000));
-}
-
 std::vector<Case> meshes()
 {
   std::vector<Case> cases;

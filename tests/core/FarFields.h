@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundaryGradient.h"
 #include "DirectSum.h"
 #include "FarField.h"
 #include "FieldOutput.h"
@@ -34,12 +35,28 @@ public:
   /// The direct sum in double. NaN where a sample lies on a triangle, so that no value is right.
   virtual std::vector<double> values(const std::vector<Point>& samples) const = 0;
 
+  /// Exact gradients.
+  virtual std::vector<Point> gradients(const std::vector<Point>& samples) const = 0;
+
+  /// To the nearest point of a cloud or vertex of a mesh.
+  virtual double distance(const Point& sample) const = 0;
+
   /// About the sum of the absolute values that the direct sum adds.
   virtual std::vector<double> strengths(const std::vector<Point>& samples) const = 0;
 
   /// On random points or triangles.
   virtual std::vector<Point> places(std::size_t count, unsigned seed) const = 0;
 };
+
+inline double distanceBetween(const Point& sample, const std::vector<Point>& points)
+{
+  double squared = HUGE_VAL;
+  for (const Point& point : points)
+  {
+    squared = std::min(squared, (point - sample).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
 
 class CloudSource final : public FarSource
 {
@@ -62,6 +79,16 @@ public:
   std::vector<double> values(const std::vector<Point>& samples) const override
   {
     return valuesOf(sum_, samples);
+  }
+
+  std::vector<Point> gradients(const std::vector<Point>& samples) const override
+  {
+    return gradientsOf(sum_, samples);
+  }
+
+  double distance(const Point& sample) const override
+  {
+    return distanceBetween(sample, cloud_.positions);
   }
 
   std::vector<double> strengths(const std::vector<Point>& samples) const override
@@ -138,6 +165,16 @@ public:
     return values;
   }
 
+  std::vector<Point> gradients(const std::vector<Point>& samples) const override
+  {
+    return gradientsOf(winding::BoundaryGradient(surface_, boundaryOf(surface_).edges), samples);
+  }
+
+  double distance(const Point& sample) const override
+  {
+    return distanceBetween(sample, surface_.vertices);
+  }
+
   std::vector<double> strengths(const std::vector<Point>& samples) const override
   {
     // No triangle gives more than a half.
@@ -184,6 +221,41 @@ inline Cloud with(Cloud cloud, const Cloud& other)
   cloud.positions.insert(cloud.positions.end(), other.positions.begin(), other.positions.end());
   cloud.normals.insert(cloud.normals.end(), other.normals.begin(), other.normals.end());
   return cloud;
+}
+
+/// As many points in every shell as in the one around it of twice the radius; areas shrink alike.
+inline std::unique_ptr<FarSource> gradedSource(std::size_t count, unsigned seed)
+{
+  Random random(seed);
+  Cloud cloud;
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double radius = std::exp2(random(-20, 0));
+    cloud.normals.push_back(random.direction());
+    cloud.positions.push_back(radius * random.direction());
+    areas.push_back(60 * radius * radius / static_cast<double>(count));
+  }
+  return farSource(cloud, areas);
+}
+
+/// A heap of equal points and a sphere of 5000.
+inline Cloud sphereWithHeap(std::size_t heap)
+{
+  Cloud cloud = sphereCloud(5000);
+  cloud.positions.resize(5000 + heap, Point(0.123, 0.456, 0.789));
+  cloud.normals.resize(5000 + heap, Point(0, 0, 1));
+  return cloud;
+}
+
+/// Most points in a ball of a ten thousandth of the size.
+inline Cloud sphereWithBall(std::size_t ball, unsigned seed)
+{
+  const auto shrunk = [](const Point& p) -> Point
+  {
+    return Point(0.3, 0, 0) + 5e-5 * p;
+  };
+  return with(mapped(randomCloud(ball, seed), shrunk), sphereCloud(5000));
 }
 
 /// A tenth of the longest side of space on every side; the bounds must have an extent.
@@ -234,6 +306,22 @@ inline std::vector<float> valuesAt(
 {
   winding::SerialExecutor serial;
   return valuesAt(field, samples, serial);
+}
+
+inline std::vector<Point> gradientsAt(
+  const winding::FarField& field, const std::vector<Point>& samples, winding::Executor& executor)
+{
+  std::vector<Point> gradients(samples.size(), Point(-99, -99, -99));
+  const winding::VectorsView view(samples.empty() ? nullptr : samples[0].data(), samples.size());
+  EXPECT_TRUE(field.gradient(view, gradients.empty() ? nullptr : gradients[0].data(), executor));
+  return gradients;
+}
+
+inline std::vector<Point> gradientsAt(
+  const winding::FarField& field, const std::vector<Point>& samples)
+{
+  winding::SerialExecutor serial;
+  return gradientsAt(field, samples, serial);
 }
 
 /// Samples of a grid: random ones, and those nearest to places on the source that are within it.

@@ -74,22 +74,42 @@ winding::PointCloud clean(const Cloud& cloud)
   return winding::sanitize(std::vector<winding::OrientedPointsView>{cloud.view()}, serial);
 }
 
-std::vector<double> valuesOf(const winding::Evaluator& evaluator, const std::vector<Point>& samples)
+namespace
 {
-  std::vector<double> values(samples.size());
+
+/// Calls evaluate(block, number of its first sample).
+template <class Evaluate>
+void forEachBlock(const std::vector<Point>& samples, const Evaluate& evaluate)
+{
   for (std::size_t first = 0; first < samples.size(); first += winding::SampleBlock::capacity)
   {
     winding::SampleBlock block;
     block.count = std::min(winding::SampleBlock::capacity, samples.size() - first);
     for (std::size_t i = 0; i < block.count; ++i)
     {
-      block.x[i] = samples[first + i][0];
-      block.y[i] = samples[first + i][1];
-      block.z[i] = samples[first + i][2];
+      block.set(i, samples[first + i]);
     }
-    evaluator.evaluate(block, values.data() + first);
+    evaluate(block, first);
   }
+}
+
+} // namespace
+
+std::vector<double> valuesOf(const winding::Evaluator& evaluator, const std::vector<Point>& samples)
+{
+  std::vector<double> values(samples.size());
+  forEachBlock(samples, [&](const winding::SampleBlock& block, std::size_t first)
+    { evaluator.evaluate(block, values.data() + first); });
   return values;
+}
+
+std::vector<Point> gradientsOf(
+  const winding::GradientEvaluator& evaluator, const std::vector<Point>& samples)
+{
+  std::vector<Point> gradients(samples.size());
+  forEachBlock(samples, [&](const winding::SampleBlock& block, std::size_t first)
+    { evaluator.evaluateGradients(block, gradients[first].data()); });
+  return gradients;
 }
 
 void record(const std::string& name, double value)

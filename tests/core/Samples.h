@@ -57,6 +57,9 @@ winding::PointCloud clean(const Cloud& cloud);
 std::vector<double> valuesOf(
   const winding::Evaluator& evaluator, const std::vector<Point>& samples);
 
+std::vector<Point> gradientsOf(
+  const winding::GradientEvaluator& evaluator, const std::vector<Point>& samples);
+
 /// Puts a measured number into the running test's report (--gtest_output=xml shows it).
 void record(const std::string& name, double value);
 
