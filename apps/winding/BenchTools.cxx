@@ -1,9 +1,14 @@
 #include "BenchTools.h"
 
+#include "Failure.h"
 #include "Interrupt.h"
+#include "Messages.h"
+#include "ReadInput.h"
 
+#include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 
+#include <ctime>
 #include <random>
 
 #ifdef __GLIBC__
@@ -31,15 +36,57 @@ void evaluateAt(
 bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
   const vtkIdType last = static_cast<vtkIdType>(count);
-  vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256),
-    [&work](vtkIdType begin, vtkIdType end)
+  const auto workOn = [&work](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end && !interrupt::requested(); ++block)
     {
-      for (vtkIdType block = begin; block < end && !interrupt::requested(); ++block)
-      {
-        work(static_cast<std::size_t>(block));
-      }
-    });
+      work(static_cast<std::size_t>(block));
+    }
+  };
+  if (threads_ == 1)
+  {
+    workOn(0, last); // no thread but the caller's, and nothing to start
+    return !interrupt::requested();
+  }
+  const auto onThreads = [&]
+  {
+    vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256), workOn);
+  };
+  if (threads_ == 0)
+  {
+    onThreads();
+  }
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_), onThreads);
+  }
   return !interrupt::requested();
+}
+
+winding::Grid benchGrid(const winding::Bounds& bounds, int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = bounds;
+  request.padding = 0.05;
+  request.resolution = resolution;
+  return winding::layOutGrid(request);
+}
+
+std::string sizeOf(const winding::Grid& grid)
+{
+  return std::to_string(grid.dimensions[0]) + " x " + std::to_string(grid.dimensions[1]) + " x " +
+         std::to_string(grid.dimensions[2]);
+}
+
+Triangles readTriangles(const std::string& file, const Options& options, Messages& messages)
+{
+  Triangles triangles = trianglesOf(readInput(file, options, messages));
+  messages.throwIfError(file);
+  if (triangles.triangles() == 0)
+  {
+    throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+  }
+  return triangles;
 }
 
 void keepArraysFresh()
@@ -116,10 +163,10 @@ double scaledSeconds(
 
 Measurement measure(
   const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
-  const winding::Grid& grid)
+  const winding::Grid& grid, int threads)
 {
   Measurement result;
-  ThreadExecutor executor;
+  ThreadExecutor executor(threads);
   result.prepare = secondsOf(
     [&]
     {
@@ -155,10 +202,14 @@ Measurement measure(
     result.values.reset(new float[samples]);
     winding::FieldOutput output;
     output.values = result.values.get();
+    const std::clock_t start = std::clock();
     const double seconds =
       secondsOf([&] { result.field->evaluate(grid, grid.wholeExtent(), output, executor); }, 1);
+    const double onProcessors = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     interrupt::check();
     result.evaluate = run == 0 ? seconds : std::min(result.evaluate, seconds);
+    result.evaluateOnProcessors =
+      run == 0 ? onProcessors : std::min(result.evaluateOnProcessors, onProcessors);
   }
   return result;
 }

@@ -9,14 +9,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// Caps of up to so many triangles are summed directly, for that is what the far field costs.
-constexpr std::size_t fewTriangles = 8;
-
-} // namespace
-
 CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance)
   : rows_(surface.vertices, surface.triangles, cap_)
   , capRows_(surface.vertices, cap_)

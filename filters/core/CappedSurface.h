@@ -38,6 +38,9 @@ public:
   CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance);
   ~CappedSurface();
 
+  /// Caps of up to so many triangles are summed directly, for that is what the far field costs.
+  static constexpr std::size_t fewTriangles = 8;
+
   /// 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 

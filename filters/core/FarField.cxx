@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace winding
 {
@@ -72,22 +73,43 @@ FarField::FarField(
 {
 }
 
-std::vector<FarField::Task> FarField::tasks(const TargetCells& cells, int level) const
+std::vector<FarField::Task> FarField::tasks(
+  const TargetCells& cells, int level, FarFieldWork* work) const
 {
   const FlushToZero flush;
   std::vector<Task> tasks;
-  FarFieldTraversal(*this, cells).collect(level, tasks);
+  const FarFieldWork done = FarFieldTraversal(*this, cells).collect(level, tasks);
+  if (work)
+  {
+    *work += done;
+  }
   return tasks;
 }
 
-void FarField::evaluate(const TargetCells& cells, const Task& task, bool watching) const
+FarFieldWork FarField::evaluate(const TargetCells& cells, const Task& task, bool watching) const
 {
   const FlushToZero flush;
-  FarFieldTraversal(*this, cells).evaluate(task, watching);
+  return FarFieldTraversal(*this, cells).evaluate(task, watching);
 }
 
-bool FarField::evaluate(
-  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+bool FarField::evaluateAll(
+  const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const
+{
+  FarFieldWork total;
+  const std::vector<Task> all = this->tasks(cells, taskLevel, &total);
+  std::vector<FarFieldWork> parts(all.size()); // one each: nobody waits for anybody
+  const bool complete = executor.run(
+    all.size(), [&](std::size_t task) { parts[task] = this->evaluate(cells, all[task], false); });
+  if (work)
+  {
+    *work += std::accumulate(parts.begin(), parts.end(), total,
+      [](FarFieldWork sum, const FarFieldWork& part) { return sum += part; });
+  }
+  return complete;
+}
+
+bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  Executor& executor, FarFieldWork* work) const
 {
   if (sampleCount(extent) == 0)
   {
@@ -96,23 +118,19 @@ bool FarField::evaluate(
   GridCells cells(grid, extent, this->scale(), this->order());
   const ArraySink sink(extent, output);
   cells.setSink(sink);
-  const std::vector<Task> all = this->tasks(cells, cells.taskLevel());
-  return executor.run(
-    all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+  return this->evaluateAll(cells, cells.taskLevel(), executor, work);
 }
 
-bool FarField::evaluate(
-  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+bool FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+  FarFieldWork* work) const
 {
   // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
   constexpr double farthest = 64;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
   const PointCells cells(samples, region, this->scale(), this->order(), output);
-  const std::vector<Task> all =
-    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
   const bool complete =
-    executor.run(all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+    cells.empty() || this->evaluateAll(cells, cells.taskLevel(), executor, work);
   for (const std::uint32_t number : cells.others())
   {
     const double value = this->valueFarAway(samples[number]);
