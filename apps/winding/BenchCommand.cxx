@@ -1,11 +1,9 @@
 #include "BenchCommands.h"
-#include "BenchTools.h"
 #include "Commands.h"
 #include "Options.h"
 
 void runBench(const Options& options, Messages& messages)
 {
-  keepArraysFresh();
   const std::string& subject = options.subjects.front();
   const std::vector<BenchTable> tables = subject == "seed"      ? benchSeed(options, messages)
                                          : subject == "kernels" ? benchKernels(options)

@@ -28,7 +28,7 @@ FarFieldWork workOf(const FarFieldSubject& subject, const Grid& grid, double tol
   const std::shared_ptr<const FarField> farField = subject.farField(tolerance, grid, executor);
   if (farField)
   {
-    const std::unique_ptr<float[]> values(new float[winding::sampleCount(grid.wholeExtent())]);
+    const std::unique_ptr<float[]> values = freshArray(winding::sampleCount(grid.wholeExtent()));
     winding::FieldOutput output;
     output.values = values.get();
     farField->evaluate(grid, grid.wholeExtent(), output, executor, &work);

@@ -89,12 +89,13 @@ Triangles readTriangles(const std::string& file, const Options& options, Message
   return triangles;
 }
 
-void keepArraysFresh()
+std::unique_ptr<float[]> freshArray(std::size_t size)
 {
 #ifdef __GLIBC__
-  // The default, which otherwise grows with what is freed.
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  // Else what was freed before, and has been touched, would be used again.
+  malloc_trim(0);
 #endif
+  return std::unique_ptr<float[]>(new float[size]);
 }
 
 double secondsToFill(std::size_t samples)
@@ -102,7 +103,7 @@ double secondsToFill(std::size_t samples)
   double best = 0;
   for (int run = 0; run < 5; ++run)
   {
-    const std::unique_ptr<float[]> values(new float[samples]);
+    const std::unique_ptr<float[]> values = freshArray(samples);
     const double seconds = secondsOf(
       [&]
       {
@@ -199,7 +200,7 @@ Measurement measure(
   for (int run = 0; run < 5 && (run == 0 || all.total() < longTime); ++run)
   {
     result.values = nullptr; // the old array must go before the new one comes
-    result.values.reset(new float[samples]);
+    result.values = freshArray(samples);
     winding::FieldOutput output;
     output.values = result.values.get();
     const std::clock_t start = std::clock();

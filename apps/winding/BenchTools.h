@@ -34,9 +34,9 @@ private:
   int threads_;
 };
 
-/// Has every large array come fresh from the system, and its pages be touched for the first time
-/// when it is written, as in a program that makes one field.
-void keepArraysFresh();
+/// An array whose pages are touched for the first time when it is written, as in a program that makes
+/// one field.
+std::unique_ptr<float[]> freshArray(std::size_t size);
 
 /// The triangles of a file; throws Failure where there are none.
 Triangles readTriangles(const std::string& file, const Options& options, Messages& messages);

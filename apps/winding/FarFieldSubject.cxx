@@ -5,6 +5,7 @@
 
 #include "Cap.h"
 #include "CappedSurface.h"
+#include "GridCells.h"
 #include "RowCrossings.h"
 #include "TriangleFarField.h"
 
@@ -151,13 +152,22 @@ public:
   double secondsForRows(const Grid& grid) const override
   {
     const winding::RowCrossings rows(surface_.vertices, surface_.triangles, cap_);
-    ThreadExecutor oneThread(1);
+    // As CappedSurface does: in bars as high and deep as the cells of a task.
+    const winding::Extent all = grid.wholeExtent();
+    const winding::GridCells cells(grid, all, 1, 3);
+    const int height = cells.sizeOf(cells.taskLevel(), 1);
     return secondsOf(
       [&]
       {
-        rows.evaluate(
-          grid, grid.wholeExtent(), 65536, [](int, int, const std::vector<winding::RowRun>&) {},
-          oneThread);
+        const auto onGrid = rows.on(grid, all);
+        for (int k = all[4]; k <= all[5]; ++k)
+        {
+          for (int j = all[2]; j <= all[3]; j += height)
+          {
+            onGrid->evaluate(k, j, std::min(j + height - 1, all[3]),
+              [](int, int, const std::vector<winding::RowRun>&) {});
+          }
+        }
       });
   }
 
