@@ -80,7 +80,8 @@ public:
           "errors: against the direct sum done term by term at 300 random voxels, and 300 near the "
           "sources"})
     , parts_(title + ": parts of the evaluation, ms on one thread",
-        {"how often each thing is done, times what it takes alone; output: fill; rest: of CPU s, "
+        {"how often each thing is done, times the processor time that it takes alone; output: "
+         "fill; rest: of CPU s, "
          "what that does not explain"})
     , counts_(title + ": how often each thing is done", {"the same for any number of threads"})
   {

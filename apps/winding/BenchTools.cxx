@@ -98,6 +98,11 @@ std::unique_ptr<float[]> freshArray(std::size_t size)
   return std::unique_ptr<float[]>(new float[size]);
 }
 
+double processorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 double secondsToFill(std::size_t samples)
 {
   double best = 0;
@@ -203,10 +208,10 @@ Measurement measure(
     result.values = freshArray(samples);
     winding::FieldOutput output;
     output.values = result.values.get();
-    const std::clock_t start = std::clock();
+    const double start = processorSeconds();
     const double seconds =
       secondsOf([&] { result.field->evaluate(grid, grid.wholeExtent(), output, executor); }, 1);
-    const double onProcessors = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const double onProcessors = processorSeconds() - start;
     interrupt::check();
     result.evaluate = run == 0 ? seconds : std::min(result.evaluate, seconds);
     result.evaluateOnProcessors =

@@ -156,7 +156,7 @@ public:
     const winding::Extent all = grid.wholeExtent();
     const winding::GridCells cells(grid, all, 1, 3);
     const int height = cells.sizeOf(cells.taskLevel(), 1);
-    return secondsOf(
+    return secondsOfOne(
       [&]
       {
         const auto onGrid = rows.on(grid, all);
