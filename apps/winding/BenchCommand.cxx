@@ -1,15 +1,15 @@
 #include "BenchCommands.h"
-#include "BenchTools.h"
 #include "Commands.h"
 #include "Options.h"
 
 void runBench(const Options& options, Messages& messages)
 {
-  keepArraysFresh();
   const std::string& subject = options.subjects.front();
   const std::vector<BenchTable> tables = subject == "seed"      ? benchSeed(options, messages)
                                          : subject == "kernels" ? benchKernels(options)
-                                                                : benchFiles(options, messages);
+                                         : subject == "hierarchical"
+                                           ? benchHierarchical(options, messages)
+                                           : benchFiles(options, messages);
   Json json = {{"threads", threadsOf(options)}, {"tables", Json::array()}};
   std::string text;
   for (const BenchTable& table : tables)

@@ -1,16 +1,11 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
 #include "Failure.h"
-#include "Messages.h"
 #include "Options.h"
-#include "ReadInput.h"
-#include "Triangles.h"
 
 #include "Cap.h"
 #include "Refusal.h"
 #include "RowTriangle.h"
-
-#include "vtkPointSet.h"
 
 #include <cmath>
 #include <numeric>
@@ -80,14 +75,8 @@ Json rowOf(const Measurement& measured, const winding::Grid& grid, double fill)
 void addRows(BenchTable& table, const winding::TrianglesView& view, const winding::Surface& surface,
   int resolution)
 {
-  winding::GridRequest request;
-  request.bounds = surface.bounds;
-  request.padding = 0.05;
-  request.resolution = resolution;
-  const winding::Grid grid = winding::layOutGrid(request);
+  const winding::Grid grid = benchGrid(surface.bounds, resolution);
   const double fill = secondsToFill(winding::sampleCount(grid.wholeExtent()));
-  const Json size = std::to_string(grid.dimensions[0]) + " x " +
-                    std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]);
   std::optional<winding::Method> chosen; // by automatic
   for (const winding::Method method : {winding::Method::automatic, winding::Method::hierarchical,
          winding::Method::direct, winding::Method::parity})
@@ -101,7 +90,7 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
     const Measurement measured = measure([&](winding::Executor& executor)
       { return winding::Field::build({view}, options, executor); },
       grid);
-    Json row = {{"voxels", size}};
+    Json row = {{"voxels", sizeOf(grid)}};
     row.update(rowOf(measured, grid, fill));
     if (measured.field->info().method == winding::Method::rows)
     {
@@ -123,12 +112,7 @@ std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
   std::vector<BenchTable> tables;
   for (const std::string& file : options.subjects)
   {
-    const Triangles triangles = trianglesOf(readInput(file, options, messages));
-    messages.throwIfError(file);
-    if (triangles.triangles() == 0)
-    {
-      throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
-    }
+    const Triangles triangles = readTriangles(file, options, messages);
     try
     {
       winding::SerialExecutor executor;
@@ -141,7 +125,7 @@ std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
           "evaluate beside it",
           "errors: against the direct sum done term by term at 500 random voxels, and 500 near the "
           "surface"});
-      for (const int resolution : options.resolutions)
+      for (const int resolution : options.resolutionsOr({64, 128, 256}))
       {
         addRows(table, triangles.view(), surface, resolution);
       }

@@ -1,14 +1,18 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
+#include "FarFieldCosts.h"
 #include "Interrupt.h"
+#include "LumpySphere.h"
 #include "NaiveSums.h"
 
 #include "Cap.h"
 #include "DirectSum.h"
 #include "DirectSumKernels.h"
+#include "MultipoleKernels.h"
 #include "RayParity.h"
 #include "ReferenceSum.h"
 #include "RowCrossings.h"
+#include "SourceMoments.h"
 
 #include <atomic>
 #include <cmath>
@@ -16,41 +20,15 @@
 namespace
 {
 
-/// A lumpy sphere of 2 n² triangles, without common points, as in a .stl file.
-std::vector<double> lumpySphere(int n)
-{
-  const double pi = std::acos(-1.0);
-  const auto point = [&](int i, int j) -> Eigen::Vector3d
-  {
-    const double theta = pi * i / n, phi = 2 * pi * (j % n) / n;
-    const double r = 1 + 0.2 * std::sin(5 * theta) * std::cos(4 * phi);
-    return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi),
-      r * std::cos(theta)};
-  };
-  std::vector<double> corners;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}})
-      {
-        const Eigen::Vector3d corner = point(i + di, j + dj);
-        corners.insert(corners.end(), corner.data(), corner.data() + 3);
-      }
-    }
-  }
-  return corners;
-}
-
 /// Per item, the least of some runs.
-template <class Work> double nanoseconds(const Work& work, std::size_t items)
+template <class Work> double nanoseconds(const Work& work, std::size_t items, int runs = 20)
 {
-  const double seconds = secondsOf(work, 20);
+  const double seconds = secondsOf(work, runs);
   interrupt::check();
   return 1e9 * seconds / static_cast<double>(items);
 }
 
-Json line(const char* what, double value, const char* unit, std::size_t threads = 1)
+Json line(const std::string& what, double value, const char* unit, std::size_t threads = 1)
 {
   return {{"what", what}, {"value", value}, {"unit", unit}, {"threads", threads}};
 }
@@ -158,6 +136,68 @@ void addCrossings(BenchTable& table, const winding::Surface& surface, const wind
   table.add(line("crossings", 1e3 / perCrossing, "million per second", threads));
 }
 
+/// The parts of an evaluation by far fields, each alone.
+void addExpansions(BenchTable& table)
+{
+  const auto add = [&table](const std::string& what, double seconds, const char* unit)
+  {
+    table.add(line(what, 1e9 * seconds, unit));
+  };
+  for (const int order : {3, 5, 7, 9})
+  {
+    const FarFieldCosts costs = measureFarFieldCosts(order);
+    const std::string suffix = ", order " + std::to_string(order);
+    if (order == 3)
+    {
+      add("node tests", costs.nodeTest, "ns per node and cell");
+    }
+    constexpr auto full = static_cast<double>(winding::NodeBatch::capacity);
+    add("translations, full batch" + suffix, (costs.firstNode + (full - 1) * costs.nextNode) / full,
+      "ns per node and cell");
+    add("translations, one alone" + suffix, costs.firstNode, "ns per node and cell");
+    add("sums of translations" + suffix, costs.receiver, "ns per cell");
+    add("shifts of expansions" + suffix, costs.shift, "ns per cell");
+    add("polynomials from expansions" + suffix, costs.polynomial, "ns per cell");
+    add("values of polynomials" + suffix, costs.polynomialValue, "ns per sample");
+    add("cells of 8 x 8 x 8" + suffix, costs.blockSample, "ns per sample");
+    add("rows of 64" + suffix, costs.rowSample + costs.row / 64, "ns per sample");
+    add("values of moments" + suffix, costs.momentValue, "ns per node and sample");
+    add("moments of dipoles" + suffix, costs.dipole, "ns per dipole");
+  }
+}
+
+void addTree(BenchTable& table, const char* what, winding::FarFieldSources& sources,
+  winding::Executor& executor, std::size_t threads)
+{
+  const std::vector<Eigen::Vector3d> centers = sources.centers();
+  const auto makeTree = [&]
+  {
+    return winding::SourceTree(centers, sources.leafSize(), executor);
+  };
+  const std::string of = std::string(", ") + what;
+  table.add(
+    line("source tree" + of, nanoseconds(makeTree, centers.size(), 5), "ns per source", threads));
+  const winding::SourceTree tree = makeTree();
+  sources.arrange(tree.order(), false);
+  const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
+  table.add(line("moments of all nodes" + of + ", order " + std::to_string(accuracy.order),
+    nanoseconds(
+      [&] { winding::SourceMoments(tree, sources, accuracy, executor); }, centers.size(), 5),
+    "ns per source", threads));
+}
+
+void addTrees(BenchTable& table, const winding::Surface& surface, winding::Executor& executor,
+  std::size_t threads)
+{
+  // Made anew for each executor, for they are put into the order of the tree.
+  const auto triangles = winding::farFieldSources(
+    surface.vertices, surface.triangles, surface.bounds, winding::SplitRule());
+  addTree(table, "triangles", *triangles, executor, threads);
+  const winding::PointCloud cloud = verticesOf(surface);
+  const auto points = winding::farFieldSources(cloud, cloud.areas);
+  addTree(table, "points", *points, executor, threads);
+}
+
 void addFill(BenchTable& table, const winding::Grid& grid)
 {
   const std::size_t samples = winding::sampleCount(grid.wholeExtent());
@@ -174,21 +214,11 @@ void addFill(BenchTable& table, const winding::Grid& grid)
 
 std::vector<BenchTable> benchKernels(const Options& options)
 {
-  const std::vector<double> corners = lumpySphere(224);
-  std::vector<std::int32_t> ids(corners.size() / 3);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    ids[i] = static_cast<std::int32_t>(i);
-  }
-  const winding::TrianglesView view = {
-    {corners.data(), corners.size() / 3}, {ids.data(), ids.size() / 3}};
+  const Triangles sphere = lumpySphere(224);
+  const winding::TrianglesView view = sphere.view();
   winding::SerialExecutor serial;
   const winding::Surface surface = winding::sanitize({view}, serial);
-  winding::GridRequest request;
-  request.bounds = surface.bounds;
-  request.padding = 0.05;
-  request.resolution = 256;
-  const winding::Grid grid = winding::layOutGrid(request);
+  const winding::Grid grid = benchGrid(surface.bounds, 256);
 
   BenchTable table("Parts of the methods, on a lumpy sphere of " +
                      std::to_string(surface.triangles.size()) + " triangles and a grid of 256",
@@ -201,6 +231,9 @@ std::vector<BenchTable> benchKernels(const Options& options)
   addCap(table, surface, grid);
   addCrossings(table, surface, grid, serial, 1);
   addCrossings(table, surface, grid, threads, threadCount);
+  addExpansions(table);
+  addTrees(table, surface, serial, 1);
+  addTrees(table, surface, threads, threadCount);
   addFill(table, grid);
   return {table};
 }

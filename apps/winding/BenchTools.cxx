@@ -1,9 +1,14 @@
 #include "BenchTools.h"
 
+#include "Failure.h"
 #include "Interrupt.h"
+#include "Messages.h"
+#include "ReadInput.h"
 
+#include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 
+#include <ctime>
 #include <random>
 
 #ifdef __GLIBC__
@@ -31,23 +36,71 @@ void evaluateAt(
 bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
   const vtkIdType last = static_cast<vtkIdType>(count);
-  vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256),
-    [&work](vtkIdType begin, vtkIdType end)
+  const auto workOn = [&work](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end && !interrupt::requested(); ++block)
     {
-      for (vtkIdType block = begin; block < end && !interrupt::requested(); ++block)
-      {
-        work(static_cast<std::size_t>(block));
-      }
-    });
+      work(static_cast<std::size_t>(block));
+    }
+  };
+  if (threads_ == 1)
+  {
+    workOn(0, last); // no thread but the caller's, and nothing to start
+    return !interrupt::requested();
+  }
+  const auto onThreads = [&]
+  {
+    vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256), workOn);
+  };
+  if (threads_ == 0)
+  {
+    onThreads();
+  }
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_), onThreads);
+  }
   return !interrupt::requested();
 }
 
-void keepArraysFresh()
+winding::Grid benchGrid(const winding::Bounds& bounds, int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = bounds;
+  request.padding = 0.05;
+  request.resolution = resolution;
+  return winding::layOutGrid(request);
+}
+
+std::string sizeOf(const winding::Grid& grid)
+{
+  return std::to_string(grid.dimensions[0]) + " x " + std::to_string(grid.dimensions[1]) + " x " +
+         std::to_string(grid.dimensions[2]);
+}
+
+Triangles readTriangles(const std::string& file, const Options& options, Messages& messages)
+{
+  Triangles triangles = trianglesOf(readInput(file, options, messages));
+  messages.throwIfError(file);
+  if (triangles.triangles() == 0)
+  {
+    throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+  }
+  return triangles;
+}
+
+std::unique_ptr<float[]> freshArray(std::size_t size)
 {
 #ifdef __GLIBC__
-  // The default, which otherwise grows with what is freed.
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  // Else what was freed before, and has been touched, would be used again.
+  malloc_trim(0);
 #endif
+  return std::unique_ptr<float[]>(new float[size]);
+}
+
+double processorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 double secondsToFill(std::size_t samples)
@@ -55,7 +108,7 @@ double secondsToFill(std::size_t samples)
   double best = 0;
   for (int run = 0; run < 5; ++run)
   {
-    const std::unique_ptr<float[]> values(new float[samples]);
+    const std::unique_ptr<float[]> values = freshArray(samples);
     const double seconds = secondsOf(
       [&]
       {
@@ -116,10 +169,10 @@ double scaledSeconds(
 
 Measurement measure(
   const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
-  const winding::Grid& grid)
+  const winding::Grid& grid, int threads)
 {
   Measurement result;
-  ThreadExecutor executor;
+  ThreadExecutor executor(threads);
   result.prepare = secondsOf(
     [&]
     {
@@ -152,13 +205,17 @@ Measurement measure(
   for (int run = 0; run < 5 && (run == 0 || all.total() < longTime); ++run)
   {
     result.values = nullptr; // the old array must go before the new one comes
-    result.values.reset(new float[samples]);
+    result.values = freshArray(samples);
     winding::FieldOutput output;
     output.values = result.values.get();
+    const double start = processorSeconds();
     const double seconds =
       secondsOf([&] { result.field->evaluate(grid, grid.wholeExtent(), output, executor); }, 1);
+    const double onProcessors = processorSeconds() - start;
     interrupt::check();
     result.evaluate = run == 0 ? seconds : std::min(result.evaluate, seconds);
+    result.evaluateOnProcessors =
+      run == 0 ? onProcessors : std::min(result.evaluateOnProcessors, onProcessors);
   }
   return result;
 }

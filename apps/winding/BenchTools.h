@@ -1,13 +1,18 @@
 #pragma once
 
 #include "Report.h"
+#include "Triangles.h"
 
 #include "Field.h"
 #include "Verify.h"
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
+
+class Messages;
+struct Options;
 
 /**
  * @file
@@ -15,16 +20,26 @@
  * does only adds to them. An interrupt ends them with a Failure.
  */
 
-/// Runs the core's blocks on the program's threads.
+/// Runs the core's blocks on the program's threads, all or so many of them.
 class ThreadExecutor final : public winding::Executor
 {
 public:
+  explicit ThreadExecutor(int threads = 0)
+    : threads_(threads)
+  {
+  }
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+
+private:
+  int threads_;
 };
 
-/// Has every large array come fresh from the system, and its pages be touched for the first time
-/// when it is written, as in a program that makes one field.
-void keepArraysFresh();
+/// An array whose pages are touched for the first time when it is written, as in a program that makes
+/// one field.
+std::unique_ptr<float[]> freshArray(std::size_t size);
+
+/// The triangles of a file; throws Failure where there are none.
+Triangles readTriangles(const std::string& file, const Options& options, Messages& messages);
 
 /// Seconds that work() takes: the least of up to `runs` runs, fewer where they take long together.
 template <class Work> double secondsOf(const Work& work, int runs = 5)
@@ -40,6 +55,44 @@ template <class Work> double secondsOf(const Work& work, int runs = 5)
   }
   return best;
 }
+
+/// Seconds that processors have spent on this program.
+double processorSeconds();
+
+/// Seconds that one call of work() takes on one processor, and be they few nanoseconds: what else the
+/// machine does has no part in them.
+template <class Work> double secondsOfOne(const Work& work)
+{
+  const auto secondsOfMany = [&work](std::size_t calls)
+  {
+    const double start = processorSeconds();
+    for (std::size_t i = 0; i < calls; ++i)
+    {
+      work();
+    }
+    return processorSeconds() - start;
+  };
+  constexpr double worthTiming = 2e-4;
+  std::size_t calls = 1;
+  double best = secondsOfMany(calls);
+  while (best < worthTiming)
+  {
+    calls *= 2;
+    best = secondsOfMany(calls);
+  }
+  const Stopwatch all;
+  for (int run = 0; run < 20 && all.total() < 0.5; ++run)
+  {
+    best = std::min(best, secondsOfMany(calls));
+  }
+  return best / static_cast<double>(calls);
+}
+
+/// The surfaces' grid: cubic voxels with a margin of a twentieth.
+winding::Grid benchGrid(const winding::Bounds& bounds, int resolution);
+
+/// Its dimensions, for tables.
+std::string sizeOf(const winding::Grid& grid);
 
 /// Seconds to write a constant to a fresh array of so many floats, by one thread.
 double secondsToFill(std::size_t samples);
@@ -58,15 +111,16 @@ struct Measurement
   std::shared_ptr<const winding::Field> field;
   double prepare = 0;
   double evaluate = 0;
+  double evaluateOnProcessors = 0; ///< seconds of all threads together; 0 if it is scaled
   /// Whether evaluate comes from random samples, because all of them would have taken long.
   bool isScaled = false;
   std::unique_ptr<float[]> values; ///< none if it does
 };
 
-/// Throws Refusal as Field::build() does.
+/// threads: 0 for all. Throws Refusal as Field::build() does.
 Measurement measure(
   const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
-  const winding::Grid& grid);
+  const winding::Grid& grid, int threads = 0);
 
 /// Errors at so many random samples, and as many near the surface.
 winding::Verification verified(

@@ -33,6 +33,7 @@ winding::PointCloud verticesOf(const winding::Surface& surface)
   winding::PointCloud cloud;
   cloud.positions = surface.vertices;
   cloud.normals.assign(surface.vertices.size(), Eigen::Vector3d::Zero());
+  cloud.areas.assign(surface.vertices.size(), 0);
   for (const winding::Triangle& ids : surface.triangles)
   {
     const auto corner = [&](int i) -> const Eigen::Vector3d&
@@ -43,6 +44,7 @@ winding::PointCloud verticesOf(const winding::Surface& surface)
     for (const std::int32_t id : ids)
     {
       cloud.normals[static_cast<std::size_t>(id)] += normal;
+      cloud.areas[static_cast<std::size_t>(id)] += normal.stableNorm() / 6;
     }
   }
   for (Eigen::Vector3d& normal : cloud.normals)

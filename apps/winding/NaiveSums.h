@@ -12,5 +12,6 @@
 /// rounded arithmetic (Möller, Trumbore 1997). Rays through edges and vertices may count twice.
 bool naiveParity(const winding::Surface& surface, const Eigen::Vector3d& sample);
 
-/// A cloud of the surface's vertices; each has the area-weighted mean of its triangles' normals.
+/// A cloud of the surface's vertices; each has the area-weighted mean of its triangles' normals, and a
+/// third of their areas.
 winding::PointCloud verticesOf(const winding::Surface& surface);

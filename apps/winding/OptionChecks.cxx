@@ -2,6 +2,8 @@
 #include "Options.h"
 #include "Report.h"
 
+#include "FarFieldAccuracy.h"
+
 #include "vtkWindingNumberAlgorithm.h"
 
 #include <algorithm>
@@ -90,9 +92,22 @@ void checkBench(const Options& options)
     require(
       resolution >= 1, "--resolution is " + std::to_string(resolution) + "; give 1 or more voxels");
   }
+  for (const double tolerance : options.tolerances)
+  {
+    require(tolerance >= winding::FarFieldAccuracy::finest,
+      "--tolerance is " + shown(tolerance) +
+        "; give 1e-6 or more: below that there is no hierarchical method");
+  }
+  for (const int sources : options.sources)
+  {
+    require(sources >= 100,
+      "--sources is " + std::to_string(sources) + "; give 100 or more, the spheres are round");
+  }
+  const auto& subjects = options.subjects;
+  require(std::count(subjects.begin() + 1, subjects.end(), "hierarchical") == 0,
+    "bench hierarchical comes before its files; for a file of that name give ./hierarchical");
   for (const char* name : {"seed", "kernels"})
   {
-    const auto& subjects = options.subjects;
     require(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,
       std::string("bench ") + name + " stands alone; for a file of that name give ./" + name);
   }

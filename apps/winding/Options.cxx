@@ -178,14 +178,27 @@ CLI::App* addBench(CLI::App& app, Options& options)
   bench
     ->add_option("FILE", options.subjects,
       "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
-      "parts that the methods are made of")
+      "parts that the methods are made of | hierarchical FILE..., the far field of surfaces, of "
+      "their vertices and of their caps, in its parts | hierarchical, the same of spheres with few "
+      "and many sources")
     ->required()
     ->type_name("");
   bench
     ->add_option("--resolution", options.resolutions,
-      "Cubic voxels along the longest side, one or more (64 128 256)")
+      "Cubic voxels along the longest side, one or more (64 128 256; hierarchical: 64 128 256 512 "
+      "for files, 128 for spheres)")
     ->type_name("N...")
     ->group("Grid");
+  bench
+    ->add_option("--tolerance", options.tolerances,
+      "hierarchical: largest absolute errors, 1e-6 or more, one or more (0.001)")
+    ->type_name("T...")
+    ->group("Method");
+  bench
+    ->add_option("--sources", options.sources,
+      "hierarchical: triangles and points of the spheres, one or more (1000 10000 100000 1000000)")
+    ->type_name("N...")
+    ->group("Method");
   bench
     ->add_option(
       "--data", options.data, "seed: the folder with the published meshes (../shared/data)")

@@ -36,9 +36,11 @@ struct Options
   bool asDouble = false;
   std::string array = "WindingNumber";
 
-  // What bench measures: files at these resolutions, or "seed" or "kernels".
+  // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without.
   std::vector<std::string> subjects;
-  std::vector<int> resolutions = {64, 128, 256};
+  std::vector<int> resolutions; ///< empty: those that suit what is measured
+  std::vector<double> tolerances = {1e-3};
+  std::vector<int> sources = {1000, 10'000, 100'000, 1'000'000};
   std::string data = "../shared/data";
 
   // The run.
@@ -47,6 +49,11 @@ struct Options
   int verify = 0;
   bool json = false;
   bool quiet = false;
+
+  std::vector<int> resolutionsOr(const std::vector<int>& usual) const
+  {
+    return resolutions.empty() ? usual : resolutions;
+  }
 };
 
 /**

@@ -48,9 +48,9 @@ CappedSurface::~CappedSurface() = default;
 class CappedSurface::Bar final : public RowSink
 {
 public:
-  /// rows: the range of j and k, as in an extent.
+  /// rows: the range of j and k, as in an extent, those of a band.
   Bar(const CappedSurface& surface, const RowCrossings::OnGrid& onGrid, const Grid& grid,
-    const Extent& extent, const Extent& rows, const FieldOutput& output)
+    const Extent& extent, const Extent& rows, std::size_t band, const FieldOutput& output)
     : surface_(surface)
     , grid_(grid)
     , extent_(extent)
@@ -59,7 +59,7 @@ public:
   {
     for (int k = rows[4]; k <= rows[5]; ++k)
     {
-      onGrid.evaluate(k, rows[2], rows[3],
+      onGrid.evaluate(k, band,
         [this](int, int, const std::vector<RowRun>& runs)
         {
           starts_.push_back(runs_.size());
@@ -135,13 +135,20 @@ bool CappedSurface::evaluateByFarField(
   }
   starts.push_back(tasks.size());
 
-  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent);
+  if (tasks.empty())
+  {
+    return true;
+  }
+  // A bar's rows are one band.
+  const int height = cells.sizeOf(cells.taskLevel(), 1);
+  const RowBands bands = {extent[2] / height * height, height};
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
   return executor.run(starts.size() - 1,
     [&](std::size_t number)
     {
       Extent rows = cells.samplesOf(tasks[starts[number]].cell);
       rows[0] = rows[1] = 0;
-      const Bar bar(*this, *onGrid, grid, extent, rows, output);
+      const Bar bar(*this, *onGrid, grid, extent, rows, bands.bandOf(rows[2]), output);
       GridCells barCells = cells;
       barCells.setSink(bar);
       for (std::size_t task = starts[number]; task < starts[number + 1]; ++task)

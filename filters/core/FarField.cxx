@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace winding
 {
@@ -74,22 +75,43 @@ FarField::FarField(
 {
 }
 
-std::vector<FarField::Task> FarField::tasks(const TargetCells& cells, int level) const
+std::vector<FarField::Task> FarField::tasks(
+  const TargetCells& cells, int level, FarFieldWork* work) const
 {
   const FlushToZero flush;
   std::vector<Task> tasks;
-  FarFieldTraversal(*this, cells).collect(level, tasks);
+  const FarFieldWork done = FarFieldTraversal(*this, cells).collect(level, tasks);
+  if (work)
+  {
+    *work += done;
+  }
   return tasks;
 }
 
-void FarField::evaluate(const TargetCells& cells, const Task& task, bool watching) const
+FarFieldWork FarField::evaluate(const TargetCells& cells, const Task& task, bool watching) const
 {
   const FlushToZero flush;
-  FarFieldTraversal(*this, cells).evaluate(task, watching);
+  return FarFieldTraversal(*this, cells).evaluate(task, watching);
 }
 
-bool FarField::evaluate(
-  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+bool FarField::evaluateAll(
+  const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const
+{
+  FarFieldWork total;
+  const std::vector<Task> all = this->tasks(cells, taskLevel, &total);
+  std::vector<FarFieldWork> parts(all.size()); // one each: nobody waits for anybody
+  const bool complete = executor.run(
+    all.size(), [&](std::size_t task) { parts[task] = this->evaluate(cells, all[task], false); });
+  if (work)
+  {
+    *work += std::accumulate(parts.begin(), parts.end(), total,
+      [](FarFieldWork sum, const FarFieldWork& part) { return sum += part; });
+  }
+  return complete;
+}
+
+bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  Executor& executor, FarFieldWork* work) const
 {
   if (sampleCount(extent) == 0)
   {
@@ -98,9 +120,7 @@ bool FarField::evaluate(
   GridCells cells(grid, extent, this->scale(), this->order());
   const ArraySink sink(extent, output);
   cells.setSink(sink);
-  const std::vector<Task> all = this->tasks(cells, cells.taskLevel());
-  return executor.run(
-    all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+  return this->evaluateAll(cells, cells.taskLevel(), executor, work);
 }
 
 PointCells FarField::cellsOf(
@@ -113,20 +133,18 @@ PointCells FarField::cellsOf(
   return {samples, region, this->scale(), this->order(), output, executor};
 }
 
-bool FarField::evaluate(
-  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+bool FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+  FarFieldWork* work) const
 {
   try
   {
     const PointCells cells = this->cellsOf(samples, output, executor);
-    const std::vector<Task> all = this->tasks(cells);
     for (const std::uint32_t number : cells.others())
     {
       const double value = this->valueFarAway(samples[number]);
       output.write(&value, number, 1);
     }
-    return executor.run(
-      all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
+    return cells.empty() || this->evaluateAll(cells, cells.taskLevel(), executor, work);
   }
   catch (const Interrupted&)
   {
@@ -140,7 +158,8 @@ bool FarField::gradient(const VectorsView& samples, double* gradients, Executor&
   {
     const PointCells cells = this->cellsOf(samples, FieldOutput(), executor);
     const FarFieldGradient gradient(*this, cells, gradients);
-    const std::vector<Task> all = this->tasks(cells);
+    const std::vector<Task> all =
+      cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
     for (const std::uint32_t number : cells.others())
     {
       gradient.evaluateFarAway(samples[number], number);
@@ -151,11 +170,6 @@ bool FarField::gradient(const VectorsView& samples, double* gradients, Executor&
   {
     return false;
   }
-}
-
-std::vector<FarField::Task> FarField::tasks(const PointCells& cells) const
-{
-  return cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
 }
 
 /// All sources are one dipole distribution there.

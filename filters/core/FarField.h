@@ -3,6 +3,7 @@
 #include "Executor.h"
 #include "FarFieldAccuracy.h"
 #include "FarFieldSources.h"
+#include "FarFieldWork.h"
 #include "GridCells.h"
 #include "SourceMoments.h"
 #include "SourceTree.h"
@@ -53,17 +54,22 @@ public:
   };
 
   /// The cells of a level, in the order of the hierarchy; takes a moment, as larger cells are few.
-  std::vector<Task> tasks(const TargetCells& cells, int level) const;
+  /// Adds what was done above them to work, unless that is null.
+  std::vector<Task> tasks(const TargetCells& cells, int level, FarFieldWork* work = nullptr) const;
 
-  /// Evaluates the samples of a task. watching: tell which samples lie on a source.
-  void evaluate(const TargetCells& cells, const Task& task, bool watching) const;
+  /// Evaluates the samples of a task, and tells what was done. watching: tell which samples lie on a
+  /// source.
+  FarFieldWork evaluate(const TargetCells& cells, const Task& task, bool watching) const;
 
-  /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
-  bool evaluate(
-    const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+  /// Evaluates the samples of an extent of a grid. False when the executor was interrupted. Adds what
+  /// was done to work, unless that is null.
+  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor, FarFieldWork* work = nullptr) const;
 
-  /// Evaluates scattered samples; NaN at samples that are not finite. False when interrupted.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  /// Evaluates scattered samples; NaN at samples that are not finite. False when interrupted. Samples
+  /// too far away for cells are no work.
+  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+    FarFieldWork* work = nullptr) const;
 
   /**
    * The gradient at scattered samples, into #samples by 3 numbers, in 1/length of the caller's
@@ -84,7 +90,8 @@ private:
 
   PointCells cellsOf(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
-  std::vector<Task> tasks(const PointCells& cells) const;
+  bool evaluateAll(
+    const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
   Eigen::Vector3d offsetFromRoot(const Eigen::Vector3d& sample) const;
 

@@ -44,10 +44,11 @@ FarFieldTraversal::FarFieldTraversal(const FarField& field, const TargetCells& c
 {
 }
 
-void FarFieldTraversal::evaluate(const FarField::Task& task, bool watching)
+FarFieldWork FarFieldTraversal::evaluate(const FarField::Task& task, bool watching)
 {
   watching_ = watching;
   this->start(task);
+  return work_;
 }
 
 void FarFieldTraversal::visit(const FarField::Task& task, FarFieldLeafVisitor& visitor)
@@ -64,13 +65,14 @@ void FarFieldTraversal::start(const FarField::Task& task)
   this->descend(task.cell, local, 0);
 }
 
-void FarFieldTraversal::collect(int level, std::vector<FarField::Task>& tasks)
+FarFieldWork FarFieldTraversal::collect(int level, std::vector<FarField::Task>& tasks)
 {
   tasks_ = &tasks;
   lastLevel_ = level;
   nodes_.assign(field_.tree_.nodes().empty() ? 0 : 1, 0);
   Local local = {};
   this->descend(cells_.root(), local, 0);
+  return work_;
 }
 
 /// nodes_[firstNode …] are those that the parent could not deal with; local is what it gave.
@@ -82,6 +84,7 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
       {nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end()}});
     return;
   }
+  ++work_.cells;
   const std::size_t firstKept = nodes_.size();
   this->classify(cell, local, firstNode);
   if (tasks_ || this->isWorthCutting(cell, firstKept))
@@ -90,6 +93,7 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
   }
   else
   {
+    ++work_.leaves;
     const int order = field_.order();
     alignas(
       64) float polynomial[(static_cast<std::size_t>(monomialCount(largestOrder)) + 15) / 16 * 16];
@@ -103,6 +107,9 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     }
     else if (firstKept == nodes_.size())
     {
+      const std::size_t rows = cells_.rowsOf(cell);
+      work_.rows += rows;
+      (rows > 0 ? work_.rowSamples : work_.blockSamples) += cell.samples;
       cells_.storePolynomial(cell, order, polynomial);
     }
     else
@@ -139,6 +146,7 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
     split_.resize(count + nodeListSlack);
     nodes_.resize(kept + count + nodeListSlack);
     NodeLists lists{accepted_.data() + accepted, split_.data(), nodes_.data() + kept};
+    work_.nodeTests += count;
     classifyNodes(field_.moments_.criteria, criteria, candidates_.data(), count, lists);
     accepted_.resize(accepted + lists.acceptedCount);
     nodes_.resize(kept + lists.keptCount);
@@ -157,12 +165,14 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
 }
 
 /// Adds what the accepted nodes give to a cell's local expansion.
-void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local) const
+void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local)
 {
   if (accepted_.empty())
   {
     return;
   }
+  ++work_.receivers;
+  work_.translations += accepted_.size();
   LocalSums sums;
   std::fill_n(sums.lanes, coefficientCount(field_.order()) * 16, 0.0f);
   const SourceMoments& moments = field_.moments_;
@@ -180,6 +190,7 @@ void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local) const
       batch.dz[i] = offset[2];
       batch.radius[i] = moments.criteria.radius[node];
     }
+    ++work_.translationBatches;
     translateMoments(field_.order(), moments.moments.data(), batch,
       static_cast<float>(cells_.level(cell.level).side), sums);
   }
@@ -204,6 +215,7 @@ void FarFieldTraversal::descendToChildren(
   TargetCells::Child children[8];
   const int count = cells_.childrenOf(cell, children);
   const std::size_t rows = paddedCoefficients(field_.order());
+  work_.shifts += static_cast<std::uint64_t>(count);
   for (int i = 0; i < count; ++i)
   {
     const LocalShifts& shifts = *cells_.level(cell.level - 1).fromParent;
@@ -230,6 +242,7 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
   {
     const auto number = static_cast<std::size_t>(stack_.back());
     stack_.pop_back();
+    ++work_.nearTests;
     const SourceNode& node = field_.tree_.nodes()[number];
     const float dx = center[0] - nodes.x[number], dy = center[1] - nodes.y[number],
                 dz = center[2] - nodes.z[number];
@@ -261,8 +274,21 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
   }
 }
 
+void FarFieldTraversal::countNear(const TargetCell& cell)
+{
+  ++work_.nearLeaves;
+  work_.nearSamples += cell.samples;
+  work_.exactSamples += exactly_.empty() ? 0 : cell.samples;
+  work_.momentValues += byMoments_.size() * cell.samples;
+  for (const ItemRange& range : exactly_)
+  {
+    work_.exactPairs += (range.end - range.begin) * cell.samples;
+  }
+}
+
 void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polynomial)
 {
+  this->countNear(cell);
   const int order = field_.order();
   TargetBlock block;
   alignas(64) float far[SampleBlock::capacity];

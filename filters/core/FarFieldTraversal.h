@@ -28,14 +28,14 @@ class FarFieldTraversal
 public:
   FarFieldTraversal(const FarField& field, const TargetCells& cells);
 
-  /// Evaluates the samples of a cell.
-  void evaluate(const FarField::Task& task, bool watching);
+  /// Evaluates the samples of a cell, and tells what was done.
+  FarFieldWork evaluate(const FarField::Task& task, bool watching);
 
   /// Shows the visitor all leaves of a cell instead.
   void visit(const FarField::Task& task, FarFieldLeafVisitor& visitor);
 
-  /// Goes down to a level only, and appends what is to be done from there.
-  void collect(int level, std::vector<FarField::Task>& tasks);
+  /// Goes down to a level only, appends what is to be done from there, and tells what was done.
+  FarFieldWork collect(int level, std::vector<FarField::Task>& tasks);
 
 private:
   /// A local expansion, with what padding the kernels want.
@@ -47,10 +47,11 @@ private:
   void start(const FarField::Task& task);
   void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
   void classify(const TargetCell& cell, Local& local, std::size_t firstNode);
-  void addAccepted(const TargetCell& cell, Local& local) const;
+  void addAccepted(const TargetCell& cell, Local& local);
   bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
   void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
   void collectNear(const TargetCell& cell, std::size_t firstKept);
+  void countNear(const TargetCell& cell);
   void evaluateNear(const TargetCell& cell, const float* polynomial);
 
   const FarField& field_;
@@ -59,6 +60,7 @@ private:
   FarFieldLeafVisitor* visitor_ = nullptr;
   int lastLevel_ = 0; ///< cells are collected here rather than evaluated
   std::vector<FarField::Task>* tasks_ = nullptr;
+  FarFieldWork work_;
 
   /// Nodes of the cell at work and, before them, of those that it lies in.
   std::vector<std::int32_t> nodes_;

@@ -216,10 +216,20 @@ void GridCells::store(const TargetCell& cell, std::size_t first, std::size_t cou
   }
 }
 
-void GridCells::storePolynomial(const TargetCell& cell, int order, const float* coefficients) const
+std::size_t GridCells::rowsOf(const TargetCell& cell) const
 {
   constexpr std::size_t small = 512;
   if (cell.allSamples <= small)
+  {
+    return 0;
+  }
+  const Extent part = this->samplesOf(cell);
+  return cell.samples / static_cast<std::size_t>(part[1] - part[0] + 1);
+}
+
+void GridCells::storePolynomial(const TargetCell& cell, int order, const float* coefficients) const
+{
+  if (this->rowsOf(cell) == 0)
   {
     TargetCells::storePolynomial(cell, order, coefficients);
     return;

@@ -44,6 +44,7 @@ public:
   void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const override;
   void store(const TargetCell& cell, std::size_t first, std::size_t count, const float* values,
     const bool* isSuspect) const override;
+  std::size_t rowsOf(const TargetCell& cell) const override;
   void storePolynomial(const TargetCell& cell, int order, const float* coefficients) const override;
 
 private:

@@ -16,14 +16,18 @@ Eigen::Vector3d inGridUnits(const Grid& grid, const Eigen::Vector3d& point)
   return (point - grid.firstSample).cwiseQuotient(grid.spacing);
 }
 
-/// The triangles whose z range holds a layer, for every layer of an extent.
-class Layers
+/**
+ * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of a
+ * layer that stand beside each other; the first may begin before the extent.
+ */
+class Bands
 {
 public:
-  Layers(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
-    const std::vector<Triangle>& cap, const Extent& extent)
-    : first_(extent[4])
-    , starts_(static_cast<std::size_t>(extent[5] - extent[4] + 1) + 2, 0)
+  Bands(const Extent& extent, const RowBands& rows, const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+    : firstLayer_(extent[4])
+    , perLayer_(rows.countIn(extent))
+    , starts_(static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_ + 2, 0)
   {
     const auto forEach = [&](const auto& visit)
     {
@@ -32,16 +36,17 @@ public:
       {
         for (const Triangle& triangle : *list)
         {
-          const double za = vertices[triangle[0]][2];
-          const double zb = vertices[triangle[1]][2];
-          const double zc = vertices[triangle[2]][2];
-          const double low = std::max<double>(std::ceil(std::min({za, zb, zc})), extent[4]);
-          const double high = std::min<double>(std::floor(std::max({za, zb, zc})), extent[5]);
-          if (low <= high)
+          const auto [firstRow, lastRow] = samplesBetween(vertices, triangle, 1, extent);
+          const auto [firstLayer, lastLayer] = samplesBetween(vertices, triangle, 2, extent);
+          if (firstRow <= lastRow)
           {
-            for (int k = static_cast<int>(low); k <= static_cast<int>(high); ++k)
+            const std::size_t firstBand = rows.bandOf(firstRow), lastBand = rows.bandOf(lastRow);
+            for (int k = firstLayer; k <= lastLayer; ++k)
             {
-              visit(static_cast<std::size_t>(k - extent[4]), number);
+              for (std::size_t band = firstBand; band <= lastBand; ++band)
+              {
+                visit(this->place(k, band), number);
+              }
             }
           }
           ++number;
@@ -49,24 +54,46 @@ public:
       }
     };
     // Counted two places up, so that filling leaves each start where it belongs.
-    forEach([&](std::size_t layer, std::uint32_t) { ++starts_[layer + 2]; });
+    forEach([&](std::size_t place, std::uint32_t) { ++starts_[place + 2]; });
     for (std::size_t i = 2; i < starts_.size(); ++i)
     {
       starts_[i] += starts_[i - 1];
     }
     triangles_.resize(starts_.back());
     forEach(
-      [&](std::size_t layer, std::uint32_t number) { triangles_[starts_[layer + 1]++] = number; });
+      [&](std::size_t place, std::uint32_t number) { triangles_[starts_[place + 1]++] = number; });
   }
 
-  const std::uint32_t* begin(int k) const
+  const std::uint32_t* begin(int k, std::size_t band) const
   {
-    return triangles_.data() + starts_[static_cast<std::size_t>(k - first_)];
+    return triangles_.data() + starts_[this->place(k, band)];
   }
-  const std::uint32_t* end(int k) const { return this->begin(k + 1); }
+  const std::uint32_t* end(int k, std::size_t band) const
+  {
+    return triangles_.data() + starts_[this->place(k, band) + 1];
+  }
 
 private:
-  int first_;
+  /// First and last index along an axis between a triangle's lowest and highest vertex; none if the
+  /// first is the larger one.
+  static std::pair<int, int> samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
+    const Triangle& triangle, int axis, const Extent& extent)
+  {
+    const double a = vertices[triangle[0]][axis], b = vertices[triangle[1]][axis],
+                 c = vertices[triangle[2]][axis];
+    const double first = std::max<double>(std::ceil(std::min({a, b, c})), extent[2 * axis]);
+    const double last = std::min<double>(std::floor(std::max({a, b, c})), extent[2 * axis + 1]);
+    return first <= last ? std::pair(static_cast<int>(first), static_cast<int>(last))
+                         : std::pair(0, -1);
+  }
+
+  std::size_t place(int k, std::size_t band) const
+  {
+    return static_cast<std::size_t>(k - firstLayer_) * perLayer_ + band;
+  }
+
+  int firstLayer_;
+  std::size_t perLayer_;
   std::vector<std::size_t> starts_;
   std::vector<std::uint32_t> triangles_;
 };
@@ -135,26 +162,31 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
   }
 }
 
-/// A chain's vertices in units of a grid, and its triangles by the layers that they reach.
+/// A chain's vertices in units of a grid, and its triangles by the bands that they reach.
 class ChainOnGrid final : public RowCrossings::OnGrid
 {
 public:
-  ChainOnGrid(const Grid& grid, const Extent& extent, const std::vector<Eigen::Vector3d>& vertices,
-    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+  ChainOnGrid(const Grid& grid, const Extent& extent, const RowBands& rows,
+    const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+    const std::vector<Triangle>& cap)
     : extent_(extent)
+    , rows_(rows)
     , vertices_(vertices.size())
     , triangles_(triangles)
     , cap_(cap)
   {
     std::transform(vertices.begin(), vertices.end(), vertices_.begin(),
       [&grid](const Eigen::Vector3d& vertex) { return inGridUnits(grid, vertex); });
-    layers_ = std::make_unique<const Layers>(vertices_, triangles_, cap_, extent);
+    bands_ = std::make_unique<const Bands>(extent, rows, vertices_, triangles_, cap_);
   }
 
-  void evaluate(int k, int firstRow, int lastRow, const RowCrossings::RowWork& work) const override
+  void evaluate(int k, std::size_t band, const RowCrossings::RowWork& work) const override
   {
+    const int firstRow = std::max(extent_[2], rows_.firstRowOf(band));
+    const int lastRow = std::min(extent_[3], rows_.firstRowOf(band + 1) - 1);
     std::vector<Crossing> crossings;
-    for (const std::uint32_t* number = layers_->begin(k); number != layers_->end(k); ++number)
+    for (const std::uint32_t* number = bands_->begin(k, band); number != bands_->end(k, band);
+         ++number)
     {
       const Triangle& ids =
         *number < triangles_.size() ? triangles_[*number] : cap_[*number - triangles_.size()];
@@ -181,10 +213,11 @@ public:
 
 private:
   Extent extent_;
+  RowBands rows_;
   std::vector<Eigen::Vector3d> vertices_;
   const std::vector<Triangle>& triangles_;
   const std::vector<Triangle>& cap_;
-  std::unique_ptr<const Layers> layers_;
+  std::unique_ptr<const Bands> bands_;
 };
 
 } // namespace
@@ -204,9 +237,9 @@ const std::vector<Triangle>& RowCrossings::noTriangles()
 }
 
 std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
-  const Grid& grid, const Extent& extent) const
+  const Grid& grid, const Extent& extent, const RowBands& rows) const
 {
-  return std::make_unique<const ChainOnGrid>(grid, extent, vertices_, triangles_, cap_);
+  return std::make_unique<const ChainOnGrid>(grid, extent, rows, vertices_, triangles_, cap_);
 }
 
 bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
@@ -216,21 +249,15 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
   {
     return true;
   }
-  const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent);
-  // A block is a band of rows of a layer.
   const std::size_t width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
-  const std::size_t rows = static_cast<std::size_t>(extent[3] - extent[2] + 1);
-  const std::size_t bandRows = std::clamp<std::size_t>(samplesPerBlock / width, 1, rows);
-  const std::size_t bands = (rows + bandRows - 1) / bandRows;
+  const std::size_t height = static_cast<std::size_t>(extent[3] - extent[2] + 1);
   const std::size_t depth = static_cast<std::size_t>(extent[5] - extent[4] + 1);
-  return executor.run(bands * depth,
-    [&](std::size_t block)
-    {
-      const int k = extent[4] + static_cast<int>(block / bands);
-      const int firstRow = extent[2] + static_cast<int>(block % bands * bandRows);
-      const int lastRow = std::min(extent[3], firstRow + static_cast<int>(bandRows) - 1);
-      onGrid->evaluate(k, firstRow, lastRow, work);
-    });
+  const RowBands rows = {
+    extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
+  const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent, rows);
+  const std::size_t bands = rows.countIn(extent);
+  return executor.run(bands * depth, [&](std::size_t block)
+    { onGrid->evaluate(extent[4] + static_cast<int>(block / bands), block % bands, work); });
 }
 
 int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const

@@ -17,6 +17,20 @@ struct RowRun
   int value;
 };
 
+/// Rows of a layer by so many: those from firstRow on are band 0.
+struct RowBands
+{
+  int firstRow; ///< not behind the first row of an extent
+  int rowsPerBand;
+
+  std::size_t bandOf(int row) const
+  {
+    return static_cast<std::size_t>((row - firstRow) / rowsPerBand);
+  }
+  int firstRowOf(std::size_t band) const { return firstRow + static_cast<int>(band) * rowsPerBand; }
+  std::size_t countIn(const Extent& extent) const { return this->bandOf(extent[3]) + 1; }
+};
+
 /**
  * The exact integer winding numbers of closed chains of triangles on a grid, a whole row at a time.
  *
@@ -31,7 +45,7 @@ struct RowRun
  * grid, which rounds their coordinates once, to 2⁻⁵³ of their distance from its first sample.
  *
  * Time: linear in the triangles, the crossings and the runs. Memory: 24 bytes per vertex, 4 per
- * triangle and layer that it reaches, and the crossings of the layers at work.
+ * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work.
  */
 class RowCrossings
 {
@@ -45,9 +59,10 @@ public:
   RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
     const std::vector<Triangle>& cap = noTriangles());
 
-  /// What a grid's rows need, made once for all of an extent; linear in vertices and triangles.
+  /// What the rows of an extent need, made once for all of them.
   class OnGrid;
-  std::unique_ptr<const OnGrid> on(const Grid& grid, const Extent& extent) const;
+  std::unique_ptr<const OnGrid> on(
+    const Grid& grid, const Extent& extent, const RowBands& rows) const;
 
   /// samplesPerBlock: about how many make a block of work, at least a row. False when the executor
   /// was interrupted.
@@ -65,14 +80,14 @@ private:
   const std::vector<Triangle>& cap_;
 };
 
-/// The rows of an extent, in any order and from any thread.
+/// The rows of an extent, band by band, in any order and from any thread.
 class RowCrossings::OnGrid
 {
 public:
   virtual ~OnGrid() = default;
 
-  /// Calls work for rows firstRow … lastRow of layer k.
-  virtual void evaluate(int k, int firstRow, int lastRow, const RowWork& work) const = 0;
+  /// Calls work for the rows of a band of layer k, those in the extent.
+  virtual void evaluate(int k, std::size_t band, const RowWork& work) const = 0;
 };
 
 } // namespace winding

@@ -91,6 +91,10 @@ public:
   virtual void store(const TargetCell& cell, std::size_t first, std::size_t count,
     const float* values, const bool* isSuspect) const = 0;
 
+  /// The rows that storePolynomial() goes along there; 0 where it goes from sample to sample, which
+  /// costs more.
+  virtual std::size_t rowsOf(const TargetCell&) const { return 0; }
+
   /// Evaluates a polynomial at all samples of a cell, and takes the values.
   virtual void storePolynomial(const TargetCell& cell, int order, const float* coefficients) const;
 

@@ -121,6 +121,92 @@ TEST_F(BenchCommand, Kernels)
   }
 }
 
+/// What the three tables of bench hierarchical say of one far field each.
+void expectExplained(const nlohmann::json& tables, std::size_t fields, double tolerance)
+{
+  ASSERT_EQ(tables.size(), 3u);
+  const nlohmann::json &times = tables[0]["rows"], &parts = tables[1]["rows"],
+                       &counts = tables[2]["rows"];
+  ASSERT_EQ(times.size(), 2 * fields) << "on one thread and on two";
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    EXPECT_EQ(times[i]["threads"], i % 2 + 1);
+    EXPECT_EQ(times[i]["speed-up"].is_null(), i % 2 == 0);
+    for (const char* name :
+      {"prepare s", "evaluate s", "CPU s", "ns/voxel", "fill s", "times fill"})
+    {
+      EXPECT_GE(times[i][name], 0) << name;
+    }
+    if (i % 2 == 0)
+    {
+      EXPECT_LT(times[i]["max error"], tolerance) << times[i];
+      EXPECT_LT(times[i]["near max error"], tolerance) << times[i];
+    }
+  }
+  ASSERT_EQ(parts.size(), fields);
+  for (const nlohmann::json& row : parts)
+  {
+    double sum = 0;
+    for (const char* part : {"tests", "translations", "shifts", "rows", "blocks", "moments",
+           "exact", "crossings", "output"})
+    {
+      EXPECT_GE(row[part], 0) << part << row;
+      sum += row[part].get<double>();
+    }
+    EXPECT_NEAR(sum + row["rest"].get<double>(), row["CPU"], 1e-9 * sum) << row;
+  }
+  ASSERT_EQ(counts.size(), fields);
+  for (const nlohmann::json& row : counts)
+  {
+    EXPECT_GT(row["exact pairs"], 0) << row;
+    EXPECT_LE(row["near leaves"], row["leaves"]) << row;
+  }
+}
+
+TEST_F(BenchCommand, HierarchicalExplainsFiles)
+{
+  const nlohmann::json closed = tables(
+    {"hierarchical", in, "--resolution", "8", "16", "--threads", "2", "--tolerance", "1e-3"});
+  expectExplained(closed, 4, 1e-3);
+  EXPECT_EQ(closed[2]["rows"][0]["of"], "triangles");
+  EXPECT_EQ(closed[2]["rows"][0]["sources"], 512);
+  EXPECT_EQ(closed[2]["rows"][1]["voxels"], "16 x 16 x 16");
+  EXPECT_EQ(closed[2]["rows"][2]["of"], "points");
+  EXPECT_EQ(closed[2]["rows"][2]["sources"], 258);
+  for (const nlohmann::json& row : closed[2]["rows"])
+  {
+    const std::size_t n = row["voxels"] == "8 x 8 x 8" ? 8 : 16;
+    EXPECT_EQ(row["row samples"].get<std::size_t>() + row["block samples"].get<std::size_t>() +
+                row["near samples"].get<std::size_t>(),
+      n * n * n)
+      << row;
+  }
+
+  Mesh open = sphere(3);
+  open.triangles.resize(300);
+  const nlohmann::json found = tables({"hierarchical", folder.write("open.off", asOff(open)),
+    "--resolution", "16", "--threads", "2", "--tolerance", "1e-2", "1e-4"});
+  expectExplained(found, 6, 1e-2);
+  EXPECT_EQ(found[1]["rows"][4]["of"], "cap");
+  EXPECT_EQ(found[1]["rows"][4]["tolerance"], 1e-2);
+  EXPECT_EQ(found[1]["rows"][4]["order"], 3);
+  EXPECT_EQ(found[1]["rows"][5]["order"], 5);
+  EXPECT_GT(found[1]["rows"][4]["crossings"], 0);
+}
+
+TEST_F(BenchCommand, HierarchicalScalesWithTheSources)
+{
+  const nlohmann::json found =
+    tables({"hierarchical", "--sources", "200", "1000", "--resolution", "12", "--threads", "2"});
+  expectExplained(found, 4, 1e-3);
+  const char* of[] = {"triangles", "triangles", "points", "points"};
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(found[2]["rows"][i]["of"], of[i]);
+    EXPECT_NEAR(found[2]["rows"][i]["sources"], i % 2 == 0 ? 200 : 1000, 60);
+  }
+}
+
 TEST_F(BenchCommand, RefusesWhatItCannotMeasure)
 {
   const Outcome missing = runProgram({"bench", folder.path("none.off")});

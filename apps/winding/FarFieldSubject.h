@@ -1,0 +1,40 @@
+#pragma once
+
+#include "FarFieldCosts.h"
+#include "Triangles.h"
+
+#include "FarField.h"
+#include "Field.h"
+#include "Sanitize.h"
+
+#include <memory>
+
+/// Something with a far field in it: the field that users have, and the same far field bare.
+class FarFieldSubject
+{
+public:
+  virtual ~FarFieldSubject() = default;
+
+  virtual const char* name() const = 0;
+  virtual std::size_t sources() const = 0;
+  virtual const winding::Bounds& bounds() const = 0;
+
+  virtual std::shared_ptr<const winding::Field> field(
+    double tolerance, winding::Executor& executor) const = 0;
+  virtual std::shared_ptr<const winding::FarField> farField(
+    double tolerance, const winding::Grid& grid, winding::Executor& executor) const = 0;
+  virtual ExactCosts exactCosts() const = 0;
+
+  /// What finding the integer part on a grid takes, on one thread, where there is such.
+  virtual double secondsForRows(const winding::Grid&) const { return 0; }
+};
+
+/// A mesh as a soup. This and the others keep references.
+std::unique_ptr<FarFieldSubject> soupOf(
+  const Triangles& triangles, const winding::Surface& surface);
+
+/// The vertices of a mesh, as oriented points with its areas.
+std::unique_ptr<FarFieldSubject> cloudOf(const winding::Surface& surface);
+
+/// An open mesh by method rows, whose cap has a far field; null where there is none.
+std::unique_ptr<FarFieldSubject> capOf(const Triangles& triangles, const winding::Surface& surface);

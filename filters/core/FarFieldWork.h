@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+namespace winding
+{
+
+/**
+ * How much of what a far field did, to explain the time that it took (FarFieldTraversal.h). It depends
+ * on the sources, the samples and the extent, and not on the executor.
+ */
+struct FarFieldWork
+{
+  std::uint64_t cells = 0;              ///< of samples, of all sizes
+  std::uint64_t nodeTests = 0;          ///< by classifyNodes()
+  std::uint64_t translations = 0;       ///< nodes that act through a cell's local expansion
+  std::uint64_t translationBatches = 0; ///< calls of translateMoments() for them
+  std::uint64_t receivers = 0;          ///< cells that have such nodes
+  std::uint64_t shifts = 0;             ///< local expansions handed to children
+  std::uint64_t leaves = 0;       ///< cells that were not cut: their expansions became polynomials
+  std::uint64_t nearLeaves = 0;   ///< those of them with sources nearby
+  std::uint64_t nearTests = 0;    ///< nodes looked at for those
+  std::uint64_t rows = 0;         ///< of the other leaves, where these are large
+  std::uint64_t rowSamples = 0;   ///< in those rows
+  std::uint64_t blockSamples = 0; ///< of leaves that are small, without sources nearby
+  std::uint64_t nearSamples = 0;  ///< of leaves with sources nearby
+  std::uint64_t exactSamples = 0; ///< those of them that items were summed for
+  std::uint64_t momentValues = 0; ///< nodes × samples, for nodes that act through their moments
+  std::uint64_t exactPairs = 0;   ///< items × samples
+
+  /// All that were evaluated.
+  std::uint64_t samples() const { return rowSamples + blockSamples + nearSamples; }
+
+  FarFieldWork& operator+=(const FarFieldWork& other);
+  bool operator==(const FarFieldWork& other) const;
+};
+
+/// Every count once.
+inline constexpr std::uint64_t FarFieldWork::*farFieldCounts[] = {&FarFieldWork::cells,
+  &FarFieldWork::nodeTests, &FarFieldWork::translations, &FarFieldWork::translationBatches,
+  &FarFieldWork::receivers, &FarFieldWork::shifts, &FarFieldWork::leaves, &FarFieldWork::nearLeaves,
+  &FarFieldWork::nearTests, &FarFieldWork::rows, &FarFieldWork::rowSamples,
+  &FarFieldWork::blockSamples, &FarFieldWork::nearSamples, &FarFieldWork::exactSamples,
+  &FarFieldWork::momentValues, &FarFieldWork::exactPairs};
+
+inline FarFieldWork& FarFieldWork::operator+=(const FarFieldWork& other)
+{
+  for (const auto count : farFieldCounts)
+  {
+    this->*count += other.*count;
+  }
+  return *this;
+}
+
+inline bool FarFieldWork::operator==(const FarFieldWork& other) const
+{
+  return std::all_of(std::begin(farFieldCounts), std::end(farFieldCounts),
+    [&](const auto count) { return this->*count == other.*count; });
+}
+
+static_assert(sizeof(FarFieldWork) == sizeof(std::uint64_t) * std::size(farFieldCounts));
+
+} // namespace winding
