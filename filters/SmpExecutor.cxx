@@ -36,11 +36,21 @@ constexpr double secondsPerBatch = 0.1;
 
 } // namespace
 
-SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads, Progress progress)
+SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
   : filter_(filter)
   , threads_(std::min(threads, static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))))
-  , progress_(progress)
 {
+}
+
+int SmpExecutor::threads() const
+{
+  if (threads_ > 0)
+  {
+    return threads_;
+  }
+  return backendToUse() == vtkSMPTools::GetBackend()
+           ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
+           : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 void SmpExecutor::runBatch(
@@ -59,7 +69,8 @@ void SmpExecutor::runBatch(
     });
 }
 
-bool SmpExecutor::runBatches(std::size_t count, const std::function<void(std::size_t)>& work) const
+bool SmpExecutor::runBatches(
+  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const
 {
   using Clock = std::chrono::steady_clock;
   std::size_t batch =
@@ -78,23 +89,34 @@ bool SmpExecutor::runBatches(std::size_t count, const std::function<void(std::si
     const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
     const double share = static_cast<double>(done) / static_cast<double>(count);
-    filter_->UpdateProgress(progress_ == Progress::goesToOne ? share : 0);
+    filter_->UpdateProgress(showsProgress ? share : filter_->GetProgress());
   }
   return true;
 }
 
 bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
+  return this->runOnBackend(count, work, true);
+}
+
+bool SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  return this->runOnBackend(count, work, false);
+}
+
+bool SmpExecutor::runOnBackend(
+  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress)
+{
   hasRun_ = true;
   const std::string backend = backendToUse();
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
   {
-    return this->runBatches(count, work);
+    return this->runBatches(count, work, showsProgress);
   }
   const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
   bool complete = false;
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false),
-    [&]() { complete = this->runBatches(count, work); });
+    [&]() { complete = this->runBatches(count, work, showsProgress); });
   // With TBB the scope's limit outlives the scope (VTK 9.1).
   if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
   {

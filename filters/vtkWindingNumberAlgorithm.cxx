@@ -4,9 +4,11 @@
 #include "SmpExecutor.h"
 #include "SourceField.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -184,13 +186,11 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
 }
 
 const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source,
+  vtkIdType samples,
   const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
   Clock::time_point start = Clock::now();
-  // Progress stays at 0 meanwhile: preparing is many short runs, each of which would go from 0 to 1,
-  // and little beside the evaluation, which is what a user waits for.
-  winding::SmpExecutor executor(
-    this, this->NumberOfThreads, winding::SmpExecutor::Progress::staysAtZero);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
@@ -201,6 +201,12 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     this->Status = ABORTED;
     return nullptr;
   }
+  const winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  const vtkIdType bytesPerSample =
+    (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
+    (this->GenerateInside ? 1 : 0);
+  this->ExpectedSeconds = cost.seconds / executor.threads();
+  this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + bytesPerSample * samples;
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -252,6 +258,15 @@ void vtkWindingNumberAlgorithm::AddResults(
   };
   note("WindingNumberMethod", this->GetMethodUsed());
   note("WindingNumberMethodReason", this->GetMethodReason());
+  const auto noteNumber = [output](const char* name, double number)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(number);
+    output->GetFieldData()->AddArray(array);
+  };
+  noteNumber("WindingNumberExpectedSeconds", this->ExpectedSeconds);
+  noteNumber("WindingNumberExpectedMemory", static_cast<double>(this->ExpectedMemory));
 }
 
 bool vtkWindingNumberAlgorithm::Evaluate(const std::function<bool(winding::Executor&)>& evaluation)
@@ -336,4 +351,6 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
   os << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n";
   os << indent << "EvaluateSeconds: " << this->EvaluateSeconds << "\n";
+  os << indent << "ExpectedSeconds: " << this->ExpectedSeconds << "\n";
+  os << indent << "ExpectedMemory: " << this->ExpectedMemory << "\n";
 }

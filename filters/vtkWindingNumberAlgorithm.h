@@ -202,6 +202,14 @@ public:
   ///@}
 
   ///@{
+  /// What the last execution was expected to take beforehand, by the cost model that AUTOMATIC
+  /// chooses by: seconds from the source on, if all threads are free, and bytes beside the source but
+  /// with the result arrays. Estimates; both are in the output's field data, too.
+  vtkGetMacro(ExpectedSeconds, double);
+  vtkGetMacro(ExpectedMemory, vtkIdType);
+  ///@}
+
+  ///@{
   /// About the source of the last execution. Boundary edges are those used by one triangle; net
   /// boundary edges those whose uses do not cancel; without any, w is an integer everywhere.
   bool GetSourceIsSurface() const;
@@ -246,7 +254,7 @@ protected:
 
   /// The field of a source, built or kept, and prepared for samples; warns about what is wrong with
   /// the source. Null, with Status set, if aborted.
-  const winding::Field* PrepareField(vtkDataObject* source,
+  const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,
     const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
 
   /// The bounds of a source's usable primitives; false if it has none.
@@ -281,6 +289,8 @@ protected:
   int Status = DONE;
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;
+  double ExpectedSeconds = 0;
+  vtkIdType ExpectedMemory = 0;
 
 private:
   winding::SourceOptions GetSourceOptions() const;

@@ -142,7 +142,7 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
   const winding::ResultArrays results = this->MakeResults(count);
   const std::vector<double> positions = atCells ? cellCentersOf(queries) : pointsOf(queries);
   const winding::VectorsView samples(positions.data(), static_cast<std::size_t>(count));
-  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[1]),
+  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[1]), count,
     [&samples](const winding::Field& built, winding::Executor& executor)
     { return built.prepare(samples, executor); });
   const auto evaluate = [&](winding::Executor& executor)

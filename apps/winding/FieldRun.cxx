@@ -90,6 +90,8 @@ void FieldRun::addExecution()
     status_ = filter_->GetStatus();
   }
   prepareSeconds_ += filter_->GetPrepareSeconds();
+  expectedSeconds_ += filter_->GetExpectedSeconds();
+  expectedMemory_ = std::max(expectedMemory_, filter_->GetExpectedMemory());
   evaluateSeconds_ += filter_->GetEvaluateSeconds();
   if (options_.verify > 0)
   {
@@ -152,8 +154,9 @@ Json FieldRun::report()
   seconds["total"] = stopwatch_.total();
   Json report = {{"input", describeInput(options_.input, *filter_)},
     {"method", filter_->GetMethodUsed()}, {"why", filter_->GetMethodReason()},
-    {"tolerance", options_.tolerance}, {"grid", this->describeGrid()}, {"seconds", seconds},
-    {"peak_memory", peakMemory()}, {"threads", threadsOf(options_)}};
+    {"tolerance", options_.tolerance}, {"grid", this->describeGrid()},
+    {"expected", {{"seconds", expectedSeconds_}, {"memory", expectedMemory_}}},
+    {"seconds", seconds}, {"peak_memory", peakMemory()}, {"threads", threadsOf(options_)}};
   if (report["method"] == "rows")
   {
     report["cap_triangles"] = filter_->GetNumberOfCapTriangles();

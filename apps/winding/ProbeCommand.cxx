@@ -171,7 +171,9 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
   const double prepare = probe.GetPrepareSeconds(), evaluate = probe.GetEvaluateSeconds();
   const Json report = {{"input", describeInput(options.input, probe)},
     {"method", probe.GetMethodUsed()}, {"why", probe.GetMethodReason()},
-    {"tolerance", options.tolerance}, {"queries", {{"file", options.queries}, {"count", queries}}},
+    {"tolerance", options.tolerance},
+    {"expected", {{"seconds", probe.GetExpectedSeconds()}, {"memory", probe.GetExpectedMemory()}}},
+    {"queries", {{"file", options.queries}, {"count", queries}}},
     {"output", {{"file", options.output}}},
     {"seconds", {{"read", readSeconds}, {"prepare", prepare}, {"evaluate", evaluate},
                   {"write", std::max(0.0, totalSeconds - readSeconds - prepare - evaluate)},

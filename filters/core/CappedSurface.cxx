@@ -1,6 +1,7 @@
 #include "CappedSurface.h"
 
 #include "Cap.h"
+#include "EvaluationCost.h"
 #include "GridCells.h"
 #include "TriangleFarField.h"
 
@@ -9,15 +10,8 @@
 namespace winding
 {
 
-namespace
-{
-
-/// Caps of up to so many triangles are summed directly, for that is what the far field costs.
-constexpr std::size_t fewTriangles = 8;
-
-} // namespace
-
-CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance)
+CappedSurface::CappedSurface(
+  const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
   : rows_(surface.vertices, surface.triangles, cap_)
   , capRows_(surface.vertices, cap_)
   , fanRows_(fanVertices_, fan_)
@@ -32,10 +26,16 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain,
     fanVertices_ = surface.vertices;
     fan_ = fanOf(loops, fanVertices_);
   }
-  if (tolerance >= FarFieldAccuracy::finest && cap_.size() > fewTriangles)
+  if (tolerance < FarFieldAccuracy::finest || cap_.empty())
   {
-    capFarField_ = std::make_unique<const TriangleFarField>(
-      surface.vertices, cap_, surface.bounds, FarFieldAccuracy::of(tolerance));
+    return;
+  }
+  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(tolerance);
+  if (capSum == CapSum::farField ||
+      !isCheaperDirectly(Primitive::triangle, cap_.size(), accuracy.order))
+  {
+    capFarField_ =
+      std::make_unique<const TriangleFarField>(surface.vertices, cap_, surface.bounds, accuracy);
   }
 }
 

@@ -22,7 +22,7 @@ class TriangleFarField;
  * χ is an integer, found for whole rows at once (RowCrossings.h); w_C is that of the cap, which has
  * about as many triangles as the surface has boundary edges, and none if it is closed. Without a
  * tolerance it is the direct sum; within one, and for caps of more than a few triangles, it comes
- * from the far field.
+ * from the far field (EvaluationCost.h).
  *
  * Guaranteed: (1) for a closed surface, integers, exact off the surface; (2) for an open one, equal to
  * the direct sum up to its rounding or the tolerance, next to the cap too: there χ and w_C jump by
@@ -33,13 +33,24 @@ class TriangleFarField;
 class CappedSurface
 {
 public:
+  /// How w_C is found where the tolerance admits a choice.
+  enum class CapSum
+  {
+    cheapest,
+    farField
+  };
+
   /// Keeps a reference to the surface, which must outlive this; chain is its boundary. tolerance: the
   /// largest error of w, 0 for none.
-  CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance);
+  CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
+    CapSum capSum = CapSum::cheapest);
   ~CappedSurface();
 
   /// 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
+
+  /// Whether w_C comes from the far field.
+  bool usesFarField() const { return capFarField_ != nullptr; }
 
   /// Builds what a grid needs beforehand, as Field::prepare() does.
   bool prepare(const Grid& grid, Executor& executor) const;

@@ -10,14 +10,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// What a sample costs in a far field, in points of a direct sum.
-constexpr std::size_t fewPoints = 300;
-
-} // namespace
-
 CloudField::CloudField(
   const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
   : cloud_(sanitize(views, executor))
@@ -82,14 +74,14 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  if (isAutomatic && info_.primitives <= fewPoints)
+  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(options.tolerance);
+  if (isAutomatic && isCheaperDirectly(Primitive::point, info_.primitives, accuracy.order))
   {
     info_.why += "; so few are summed directly";
     return;
   }
   info_.method = Method::hierarchical;
-  farField_ = std::make_unique<FarField>(
-    farFieldSources(cloud_, cloud_.areas), FarFieldAccuracy::of(options.tolerance), executor);
+  farField_ = std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas), accuracy, executor);
 }
 
 bool CloudField::evaluate(
@@ -110,6 +102,12 @@ bool CloudField::gradient(const VectorsView& samples, double* gradients, Executo
 {
   return farField_ ? farField_->gradient(samples, gradients, executor)
                    : Field::gradient(samples, gradients, executor);
+}
+
+EvaluationCost CloudField::expectedCost(std::size_t samples) const
+{
+  return farField_ ? costOfFarField(Primitive::point, info_.primitives, samples, farField_->order())
+                   : costOfDirectSum(Primitive::point, info_.primitives, samples);
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

@@ -71,8 +71,10 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       if (Watching)
       {
         const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
-        suspect =
-          hn::IfThenElse(hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound)), one, suspect);
+        const auto isOn = hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound));
+        const Vec nearest = hn::Min(a, hn::Min(b, c)), sides = hn::Add(a, hn::Add(b, c));
+        const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
+        suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }
       // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);
@@ -157,6 +159,79 @@ void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
   }
 }
 
+using SingleTag = hn::CappedTag<float, 16>;
+using SingleVec = hn::Vec<SingleTag>;
+
+/// position − samples, two vectors of doubles as one of floats, cut off where powers of them would
+/// leave the range; shares have long been 0 there.
+HWY_INLINE SingleVec offsetsTo(double position, const double* HWY_RESTRICT samples)
+{
+  const SingleTag d;
+  const hn::Half<SingleTag> half;
+  const hn::Rebind<double, hn::Half<SingleTag>> wide;
+  const auto convert = [&](const double* from)
+  {
+    return hn::DemoteTo(half, hn::Sub(hn::Set(wide, position), hn::Load(wide, from)));
+  };
+  const SingleVec farthest = hn::Set(d, 1e12f);
+#if HWY_TARGET == HWY_SCALAR
+  const SingleVec offsets = convert(samples);
+#else
+  const SingleVec offsets = hn::Combine(d, convert(samples + hn::Lanes(wide)), convert(samples));
+#endif
+  return hn::Min(hn::Max(offsets, hn::Neg(farthest)), farthest);
+}
+
+/// Adds a vector of floats to two of doubles.
+HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
+{
+  const hn::Half<SingleTag> half;
+  const hn::Rebind<double, hn::Half<SingleTag>> wide;
+  const auto add = [&](auto part, double* to)
+  {
+    hn::Store(hn::Add(hn::Load(wide, to), hn::PromoteTo(wide, part)), wide, to);
+  };
+  add(hn::LowerHalf(half, values), sums);
+#if HWY_TARGET != HWY_SCALAR
+  add(hn::UpperHalf(half, values), sums + hn::Lanes(wide));
+#endif
+}
+
+void addDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
+  const std::array<float, 3>* HWY_RESTRICT moments, std::size_t count, const SampleBlock& samples,
+  KernelSums& sums)
+{
+  // As many as may be summed before rounding errors add up.
+  constexpr std::size_t run = 8;
+  const SingleTag d;
+  const SingleVec zero = hn::Zero(d), half = hn::Set(d, 0.5f), threeHalves = hn::Set(d, 1.5f);
+  for (std::size_t first = 0; first < count; first += run)
+  {
+    const std::size_t last = std::min(count, first + run);
+    for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+    {
+      SingleVec sum = zero;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const SingleVec x = offsetsTo(dipoles[i].position[0], samples.x + s);
+        const SingleVec y = offsetsTo(dipoles[i].position[1], samples.y + s);
+        const SingleVec z = offsetsTo(dipoles[i].position[2], samples.z + s);
+        const SingleVec r2 = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+        // An estimate of 12 bits at least, doubled by a step of Newton's method.
+        const SingleVec guess = hn::ApproximateReciprocalSqrt(r2);
+        const SingleVec inverse =
+          hn::Mul(guess, hn::NegMulAdd(hn::Mul(half, r2), hn::Mul(guess, guess), threeHalves));
+        const SingleVec flux = hn::MulAdd(x, hn::Set(d, moments[i][0]),
+          hn::MulAdd(y, hn::Set(d, moments[i][1]), hn::Mul(z, hn::Set(d, moments[i][2]))));
+        // Factor by factor: the cube alone would leave the range near the point.
+        const SingleVec share = hn::Mul(hn::Mul(hn::Mul(flux, inverse), inverse), inverse);
+        sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(r2, zero), share));
+      }
+      addInDouble(sum, sums.sum + s);
+    }
+  }
+}
+
 const char* instructionSetName()
 {
   return hwy::TargetName(HWY_TARGET);
@@ -174,6 +249,7 @@ HWY_EXPORT(multiplyAnglesLoop);
 HWY_EXPORT(multiplyAnglesWatchingLoop);
 HWY_EXPORT(sumAnglesLoop);
 HWY_EXPORT(addDipolesLoop);
+HWY_EXPORT(addDipolesInSingleLoop);
 HWY_EXPORT(instructionSetName);
 
 void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
@@ -197,6 +273,12 @@ void addDipoles(
   const KernelDipole* dipoles, std::size_t count, const SampleBlock& samples, KernelSums& sums)
 {
   HWY_DYNAMIC_DISPATCH(addDipolesLoop)(dipoles, count, samples, sums);
+}
+
+void addDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
+  std::size_t count, const SampleBlock& samples, KernelSums& sums)
+{
+  HWY_DYNAMIC_DISPATCH(addDipolesInSingleLoop)(dipoles, moments, count, samples, sums);
 }
 
 const char* kernelInstructionSet()

@@ -23,6 +23,13 @@ public:
    * all have ended. Returns false, with some blocks left undone, when interrupted.
    */
   virtual bool run(std::size_t count, const std::function<void(std::size_t)>& work) = 0;
+
+  /// The same for what comes before the work that a user waits for, and is brief beside it: an
+  /// executor that shows progress leaves it where it is.
+  virtual bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
+  {
+    return this->run(count, work);
+  }
 };
 
 /// Runs the blocks one after the other on the calling thread; never interrupted.
@@ -49,12 +56,12 @@ public:
 /**
  * Cuts 0 … count − 1 into blocks of the same size, the last one excepted, and calls
  * work(block, first, last) for each: the items of a block are first … last − 1. The blocks depend on
- * the two numbers only. Throws Interrupted.
+ * the two numbers only. Runs briefly. Throws Interrupted.
  */
 template <class Work>
 void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, Executor& executor)
 {
-  const bool complete = executor.run((count + itemsPerBlock - 1) / itemsPerBlock,
+  const bool complete = executor.runBriefly((count + itemsPerBlock - 1) / itemsPerBlock,
     [&](std::size_t block)
     {
       const std::size_t first = block * itemsPerBlock;

@@ -19,9 +19,10 @@ namespace
 {
 
 /// Brings the sources into the tree's order before their moments are made.
-const FarFieldSources& arranged(FarFieldSources& sources, const SourceTree& tree)
+const FarFieldSources& arranged(
+  FarFieldSources& sources, const SourceTree& tree, const FarFieldAccuracy& accuracy)
 {
-  sources.arrange(tree.order());
+  sources.arrange(tree.order(), accuracy.allowsSingleSums());
   return sources;
 }
 
@@ -68,7 +69,7 @@ FarField::FarField(
   : sources_(std::move(sources))
   , accuracy_(accuracy)
   , tree_(sources_->centers(), sources_->leafSize(), executor)
-  , moments_(tree_, arranged(*sources_, tree_), accuracy, executor)
+  , moments_(tree_, arranged(*sources_, tree_, accuracy), accuracy, executor)
   , toPolynomial_(polynomialColumns(accuracy.order))
 {
 }
@@ -102,44 +103,59 @@ bool FarField::evaluate(
     all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
 }
 
-PointCells FarField::cellsOf(const VectorsView& samples, const FieldOutput& output) const
+PointCells FarField::cellsOf(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
   constexpr double farthest = 64;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
-  return {samples, region, this->scale(), this->order(), output};
+  return {samples, region, this->scale(), this->order(), output, executor};
 }
 
 bool FarField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  const PointCells cells = this->cellsOf(samples, output);
-  const std::vector<Task> all =
-    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
-  const bool complete =
-    executor.run(all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
-  for (const std::uint32_t number : cells.others())
+  try
   {
-    const double value = this->valueFarAway(samples[number]);
-    output.write(&value, number, 1);
+    const PointCells cells = this->cellsOf(samples, output, executor);
+    const std::vector<Task> all = this->tasks(cells);
+    for (const std::uint32_t number : cells.others())
+    {
+      const double value = this->valueFarAway(samples[number]);
+      output.write(&value, number, 1);
+    }
+    return executor.run(
+      all.size(), [&](std::size_t task) { this->evaluate(cells, all[task], false); });
   }
-  return complete;
+  catch (const Interrupted&)
+  {
+    return false;
+  }
 }
 
 bool FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  const PointCells cells = this->cellsOf(samples, FieldOutput());
-  const FarFieldGradient gradient(*this, cells, gradients);
-  const std::vector<Task> all =
-    cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
-  const bool complete =
-    executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
-  for (const std::uint32_t number : cells.others())
+  try
   {
-    gradient.evaluateFarAway(samples[number], number);
+    const PointCells cells = this->cellsOf(samples, FieldOutput(), executor);
+    const FarFieldGradient gradient(*this, cells, gradients);
+    const std::vector<Task> all = this->tasks(cells);
+    for (const std::uint32_t number : cells.others())
+    {
+      gradient.evaluateFarAway(samples[number], number);
+    }
+    return executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
   }
-  return complete;
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+}
+
+std::vector<FarField::Task> FarField::tasks(const PointCells& cells) const
+{
+  return cells.empty() ? std::vector<Task>() : this->tasks(cells, cells.taskLevel());
 }
 
 /// All sources are one dipole distribution there.

@@ -82,7 +82,9 @@ private:
   friend class FarFieldTraversal;
   friend class FarFieldGradient;
 
-  PointCells cellsOf(const VectorsView& samples, const FieldOutput& output) const;
+  PointCells cellsOf(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  std::vector<Task> tasks(const PointCells& cells) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
   Eigen::Vector3d offsetFromRoot(const Eigen::Vector3d& sample) const;
 

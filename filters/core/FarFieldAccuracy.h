@@ -13,13 +13,16 @@ struct FarFieldAccuracy
   /// How many radii a node must be away from a single sample.
   float momentMargin() const { return 2 / theta - 1; }
 
+  /// Whether near points may be summed in single precision, with offsets in double.
+  bool allowsSingleSums() const { return order < 7; }
+
   /// Tolerances below this are for the direct sum: single precision ends here.
   static constexpr double finest = 1e-6;
 
   /**
    * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
    * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are a third
-   * to a half of the tolerance.
+   * to nine tenths of the tolerance, plus single precision's rounding of what is summed beside points.
    */
   static FarFieldAccuracy of(double tolerance)
   {

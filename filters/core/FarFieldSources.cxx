@@ -75,7 +75,17 @@ public:
     return centers;
   }
 
-  void arrange(const std::vector<std::uint32_t>& order) override { rearrange(items_, order); }
+  void arrange(const std::vector<std::uint32_t>& order, bool inSingle) override
+  {
+    rearrange(items_, order);
+    inSingle_ = inSingle;
+    singleMoments_.resize(inSingle_ ? items_.size() : 0);
+    for (std::size_t i = 0; i < singleMoments_.size(); ++i)
+    {
+      std::transform(items_[i].moment, items_[i].moment + 3, singleMoments_[i].begin(),
+        [](double moment) { return static_cast<float>(moment); });
+    }
+  }
 
   void appendDipoles(ItemRange items, int, std::vector<Dipole>& dipoles) const override
   {
@@ -101,7 +111,16 @@ public:
     KernelSums sums;
     for (const ItemRange& range : items)
     {
-      addDipoles(&items_[range.begin], range.end - range.begin, samples, sums);
+      const KernelDipole* const first = &items_[range.begin];
+      const std::size_t count = range.end - range.begin;
+      if (inSingle_)
+      {
+        addDipolesInSingle(first, &singleMoments_[range.begin], count, samples, sums);
+      }
+      else
+      {
+        addDipoles(first, count, samples, sums);
+      }
     }
     std::copy_n(sums.sum, samples.count, values);
     return false;
@@ -116,11 +135,13 @@ public:
     }
   }
 
-  double secondsPerPair() const override { return 0.4e-9; }
+  double secondsPerPair() const override { return inSingle_ ? 0.25e-9 : 0.4e-9; }
   std::size_t leafSize() const override { return 24; }
 
 private:
   std::vector<KernelDipole> items_;
+  bool inSingle_ = false;
+  std::vector<std::array<float, 3>> singleMoments_; ///< by item, if they are summed in single
 };
 
 /// Points and weights on [0, 1].
@@ -206,7 +227,7 @@ public:
     return centers;
   }
 
-  void arrange(const std::vector<std::uint32_t>& order) override { rearrange(items_, order); }
+  void arrange(const std::vector<std::uint32_t>& order, bool) override { rearrange(items_, order); }
 
   void appendDipoles(ItemRange items, int order, std::vector<Dipole>& dipoles) const override
   {

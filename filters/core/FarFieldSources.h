@@ -32,8 +32,9 @@ public:
 
   virtual std::vector<Eigen::Vector3d> centers() const = 0;
 
-  /// Puts item order[i] at place i.
-  virtual void arrange(const std::vector<std::uint32_t>& order) = 0;
+  /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with offsets
+  /// in double; triangles never are, for a sample's side of them hangs on the last bits.
+  virtual void arrange(const std::vector<std::uint32_t>& order, bool inSingle) = 0;
 
   struct Dipole
   {

@@ -33,7 +33,7 @@ double secondsPerValue(int order)
 /// About what eight more cells cost.
 double secondsPerCut(int order)
 {
-  return 2e-6 * coefficientCount(order);
+  return 1.5e-6 * coefficientCount(order);
 }
 
 } // namespace
@@ -266,7 +266,6 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
   const int order = field_.order();
   TargetBlock block;
   alignas(64) float far[SampleBlock::capacity];
-  alignas(64) float x[SampleBlock::capacity], y[SampleBlock::capacity], z[SampleBlock::capacity];
   double near[SampleBlock::capacity];
   bool isSuspect[SampleBlock::capacity];
   for (std::size_t first = 0; first < cell.samples; first += block.samples.count)
@@ -281,21 +280,9 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
     for (const std::int32_t number : byMoments_)
     {
       const auto node = static_cast<std::size_t>(number);
-      const float inverse = 1 / field_.moments_.criteria.radius[node];
-      // From the sample itself, in double: a small node beside a large cell is much nearer to some
-      // samples than they are to the cell's centre.
       const Eigen::Vector3d& center = field_.moments_.centers[node];
-      const auto offset = [inverse](double to, double from)
-      {
-        return inverse * static_cast<float>(std::clamp(to - from, -farthest, farthest));
-      };
-      for (std::size_t i = 0; i < padded; ++i)
-      {
-        x[i] = offset(block.samples.x[i], center[0]);
-        y[i] = offset(block.samples.y[i], center[1]);
-        z[i] = offset(block.samples.z[i], center[2]);
-      }
-      addMomentValues(order, field_.moments_.of(node), inverse, x, y, z, count, far);
+      addMomentValues(order, field_.moments_.of(node), {center[0], center[1], center[2]},
+        field_.moments_.criteria.radius[node], block.samples, far);
     }
     bool any = false;
     if (!exactly_.empty())

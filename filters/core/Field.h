@@ -1,5 +1,6 @@
 #pragma once
 
+#include "EvaluationCost.h"
 #include "Executor.h"
 #include "FieldOutput.h"
 #include "Grid.h"
@@ -122,6 +123,9 @@ public:
    * at scattered samples depend on.
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+
+  /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
+  virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;

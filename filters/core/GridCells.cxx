@@ -157,9 +157,10 @@ void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& blo
 {
   const Extent part = this->samplesOf(cell);
   block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
+  Eigen::Vector3i at = sampleIndex(part, first);
+  const auto width = static_cast<std::size_t>(part[1] - part[0] + 1);
   for (std::size_t n = 0; n < block.samples.count;)
   {
-    const Eigen::Vector3i at = sampleIndex(part, first + n);
     const std::size_t inRow =
       std::min(block.samples.count - n, static_cast<std::size_t>(part[1] - at[0] + 1));
     const Eigen::Vector3d position = grid_.sample(at[0], at[1], at[2]);
@@ -167,13 +168,25 @@ void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& blo
     std::fill_n(block.samples.z + n, inRow, scaledCoordinate(position[2], scale_));
     std::fill_n(block.v + n, inRow, this->offsetIn(cell, 1, at[1]));
     std::fill_n(block.w + n, inRow, this->offsetIn(cell, 2, at[2]));
-    for (std::size_t m = 0; m < inRow; ++m)
+    if (n >= width && inRow == width)
     {
-      const int i = at[0] + static_cast<int>(m);
-      block.samples.x[n + m] = scaledCoordinate(grid_.sample(i, at[1], at[2])[0], scale_);
+      // All rows of a cell are alike.
+      std::copy_n(block.samples.x + n - width, width, block.samples.x + n);
+      std::copy_n(block.u + n - width, width, block.u + n);
     }
-    this->fillOffsets(cell, at[0], inRow, block.u + n);
+    else
+    {
+      for (std::size_t m = 0; m < inRow; ++m)
+      {
+        const int i = at[0] + static_cast<int>(m);
+        block.samples.x[n + m] = scaledCoordinate(grid_.sample(i, at[1], at[2])[0], scale_);
+      }
+      this->fillOffsets(cell, at[0], inRow, block.u + n);
+    }
     n += inRow;
+    at[0] = part[0];
+    at[2] += at[1] == part[3];
+    at[1] = at[1] == part[3] ? part[2] : at[1] + 1;
   }
 }
 

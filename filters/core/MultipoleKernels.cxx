@@ -315,11 +315,54 @@ HWY_INLINE void translateOrders(std::integer_sequence<int, m...>, const float* m
   (translateOrder<P, m>(moments, t, sd, rowScale, sums), ...);
 }
 
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void loadColumns(const float* const* rows, Vec (&columns)[4])
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    columns[i] = hn::Load(Tag(), rows[0] + i);
+  }
+}
+#else
+/// Vectors whose blocks of four lanes are the four numbers at rows[0], rows[4], rows[8], … .
+template <class D> HWY_INLINE hn::Vec<D> loadBlocks(D d, const float* const* rows)
+{
+  if constexpr (hn::MaxLanes(D()) <= 4)
+  {
+    return hn::LoadU(d, rows[0]);
+  }
+  else
+  {
+    const hn::Half<D> half;
+    return hn::Combine(d, loadBlocks(half, rows + hn::MaxLanes(half)), loadBlocks(half, rows));
+  }
+}
+
+/**
+ * Turns four consecutive numbers of as many rows as there are lanes into four vectors of lanes. A
+ * gather of the same takes several times as long.
+ */
+HWY_INLINE void loadColumns(const float* const* rows, Vec (&columns)[4])
+{
+  const Tag d;
+  const hn::RepartitionToWide<Tag> pairs;
+  const Vec a = loadBlocks(d, rows), b = loadBlocks(d, rows + 1), c = loadBlocks(d, rows + 2),
+            e = loadBlocks(d, rows + 3);
+  const auto abLow = hn::BitCast(pairs, hn::InterleaveLower(d, a, b));
+  const auto ceLow = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));
+  const auto abHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b));
+  const auto ceHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
+  columns[0] = hn::BitCast(d, hn::InterleaveLower(pairs, abLow, ceLow));
+  columns[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, abLow, ceLow));
+  columns[2] = hn::BitCast(d, hn::InterleaveLower(pairs, abHigh, ceHigh));
+  columns[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, abHigh, ceHigh));
+}
+#endif
+
 template <int P>
 void translate(const float* HWY_RESTRICT moments, NodeBatch& batch, float side, LocalSums& sums)
 {
   const Tag d;
-  const hn::RebindToSigned<Tag> di;
   const std::size_t lanes = hn::Lanes(d);
   // Unused lanes: the first node, whose moments count 0 times. At another distance, powers of the
   // side over it might leave the range, and 0 times those is no number.
@@ -345,20 +388,34 @@ void translate(const float* HWY_RESTRICT moments, NodeBatch& batch, float side, 
     t.fill(hn::Mul(x, inverse), hn::Mul(y, inverse), hn::Mul(z, inverse));
     sd.fill(t);
 
-    // Gather the nodes' moments and scale them by (r/d)^k / d.
-    const auto index = hn::Mul(
-      hn::Load(di, batch.node + s), hn::Set(di, static_cast<std::int32_t>(paddedCoefficients(P))));
+    // The nodes' moments, scaled by (r/d)^k / d.
+    const float* rows[laneRoom];
+    for (std::size_t i = 0; i < lanes; ++i)
+    {
+      rows[i] = moments + static_cast<std::size_t>(batch.node[s + i]) * paddedCoefficients(P);
+    }
     const Vec ratio = hn::Mul(hn::Load(d, batch.radius + s), inverse);
     Vec power = hn::IfThenElseZero(
       hn::Lt(hn::Iota(d, static_cast<float>(s)), hn::Set(d, static_cast<float>(batch.count))),
       inverse);
-    for (int k = 1; k <= P; ++k)
+    int k = 0;
+    for (int first = 0; first < coefficientCount(P); first += 4)
     {
-      power = hn::Mul(power, ratio);
-      for (int place = k * k; place < (k + 1) * (k + 1); ++place)
+      Vec columns[4];
+      loadColumns(rows, columns);
+      for (int place = first; place < first + 4; ++place)
       {
-        const Vec value = hn::GatherIndex(d, moments + place, index);
-        hn::Store(hn::Mul(power, value), d, scaled + static_cast<std::size_t>(place) * laneRoom);
+        if (place == (k + 1) * (k + 1))
+        {
+          ++k;
+          power = hn::Mul(power, ratio);
+        }
+        hn::Store(hn::Mul(power, columns[place - first]), d,
+          scaled + static_cast<std::size_t>(place) * laneRoom);
+      }
+      for (std::size_t i = 0; i < lanes; ++i)
+      {
+        rows[i] += 4;
       }
     }
     const Vec step = hn::Mul(hn::Set(d, -side), inverse);
@@ -412,15 +469,39 @@ void multiplyMatrixLoop(const float* HWY_RESTRICT matrix, std::size_t rows, std:
 
 // --------------------------------------------------------------------------- values at samples
 
-template <int P>
-void addMomentValuesOf(const float* HWY_RESTRICT moments, float inverseRadius,
-  const float* HWY_RESTRICT x, const float* HWY_RESTRICT y, const float* HWY_RESTRICT z,
-  std::size_t count, float* HWY_RESTRICT values)
+/// Offsets of a vector of samples along one axis, in single precision, cut off where powers of them
+/// would leave the range; everything has long been 0 there.
+HWY_INLINE Vec offsetsFrom(const double* HWY_RESTRICT samples, double center, double inverseRadius)
 {
   const Tag d;
-  for (std::size_t s = 0; s < count; s += hn::Lanes(d))
+  const hn::Half<Tag> half;
+  const hn::Rebind<double, hn::Half<Tag>> wide;
+  const auto convert = [&](const double* from)
   {
-    const Vec px = hn::Load(d, x + s), py = hn::Load(d, y + s), pz = hn::Load(d, z + s);
+    const auto farthest = hn::Set(wide, 1e12);
+    const auto offset =
+      hn::Mul(hn::Sub(hn::Load(wide, from), hn::Set(wide, center)), hn::Set(wide, inverseRadius));
+    return hn::DemoteTo(half, hn::Min(hn::Max(offset, hn::Neg(farthest)), farthest));
+  };
+#if HWY_TARGET == HWY_SCALAR
+  (void)d;
+  return convert(samples);
+#else
+  return hn::Combine(d, convert(samples + hn::Lanes(wide)), convert(samples));
+#endif
+}
+
+template <int P>
+void addMomentValuesOf(const float* HWY_RESTRICT moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* HWY_RESTRICT values)
+{
+  const Tag d;
+  const double inverseRadius = 1 / radius;
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Vec px = offsetsFrom(samples.x + s, center[0], inverseRadius),
+              py = offsetsFrom(samples.y + s, center[1], inverseRadius),
+              pz = offsetsFrom(samples.z + s, center[2], inverseRadius);
     const Vec squared = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
     const Vec inverse = hn::Div(hn::Set(d, 1.0f), squared);
     const Vec ix = hn::Mul(px, inverse), iy = hn::Mul(py, inverse), iz = hn::Mul(pz, inverse);
@@ -463,15 +544,17 @@ void addMomentValuesOf(const float* HWY_RESTRICT moments, float inverseRadius,
       }
     }
     const Vec sum = hn::MulAdd(hn::Set(d, 2.0f), rest, axial);
-    hn::Store(hn::MulAdd(hn::Set(d, inverseRadius), sum, hn::Load(d, values + s)), d, values + s);
+    hn::Store(
+      hn::MulAdd(hn::Set(d, static_cast<float>(inverseRadius)), sum, hn::Load(d, values + s)), d,
+      values + s);
   }
 }
 
-void addMomentValuesLoop(int order, const float* moments, float inverseRadius, const float* x,
-  const float* y, const float* z, std::size_t count, float* values)
+void addMomentValuesLoop(int order, const float* moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* values)
 {
   withOrder(order, [&](auto p)
-    { addMomentValuesOf<decltype(p)::value>(moments, inverseRadius, x, y, z, count, values); });
+    { addMomentValuesOf<decltype(p)::value>(moments, center, radius, samples, values); });
 }
 
 template <int P>
@@ -564,10 +647,10 @@ void multiplyMatrix(
   HWY_DYNAMIC_DISPATCH(multiplyMatrixLoop)(matrix, rows, columns, from, to);
 }
 
-void addMomentValues(int order, const float* moments, float inverseRadius, const float* x,
-  const float* y, const float* z, std::size_t count, float* values)
+void addMomentValues(int order, const float* moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* values)
 {
-  HWY_DYNAMIC_DISPATCH(addMomentValuesLoop)(order, moments, inverseRadius, x, y, z, count, values);
+  HWY_DYNAMIC_DISPATCH(addMomentValuesLoop)(order, moments, center, radius, samples, values);
 }
 
 void evaluatePolynomial(int order, const float* coefficients, const float* x, const float* y,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Evaluator.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -78,12 +80,12 @@ void multiplyMatrix(
   const float* matrix, std::size_t rows, std::size_t columns, const float* from, float* to);
 
 /**
- * Adds the values that one node's scaled moments give at samples: x, y, z are the samples' offsets
- * from the node's centre divided by its radius. All arrays are aligned to 64 bytes and padded to
- * whole vectors of 16.
+ * Adds the values that one node's scaled moments give at samples. Offsets from the node's centre are
+ * taken in double, since a small node may be much nearer to some samples than these are to anything
+ * else. values: aligned to 64 bytes and padded to whole vectors of 16.
  */
-void addMomentValues(int order, const float* moments, float inverseRadius, const float* x,
-  const float* y, const float* z, std::size_t count, float* values);
+void addMomentValues(int order, const float* moments, const double (&center)[3], double radius,
+  const SampleBlock& samples, float* values);
 
 /**
  * values[i] = the polynomial at (x[i], y[i], z[i]); coefficients as polynomialMatrix() orders them.

@@ -51,40 +51,73 @@ template <class Sample> void sortByKey(std::vector<Sample>& samples)
 } // namespace
 
 PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& region, double scale,
-  int order, const FieldOutput& output)
+  int order, const FieldOutput& output, Executor& executor)
   : view_(view)
   , scale_(scale)
   , output_(output)
 {
-  Eigen::AlignedBox3d bounds;
-  samples_.reserve(view.size());
+  constexpr std::size_t samplesPerBlock = 1 << 14;
+  const std::size_t blocks = (view.size() + samplesPerBlock - 1) / samplesPerBlock;
+  std::vector<Eigen::AlignedBox3d> bounds(blocks);
+  std::vector<std::vector<std::uint32_t>> others(blocks);
+  runBlocks(
+    view.size(), samplesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const auto number = static_cast<std::uint32_t>(i);
+        const Eigen::Vector3d position = this->positionOf(number);
+        if (position.allFinite() && region.contains(position))
+        {
+          bounds[block].extend(position);
+        }
+        else
+        {
+          others[block].push_back(number);
+        }
+      }
+    },
+    executor);
+  Eigen::AlignedBox3d all;
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    all.extend(bounds[block]);
+    others_.insert(others_.end(), others[block].begin(), others[block].end());
+  }
+
+  samples_.reserve(view.size() - others_.size());
+  auto other = others_.begin();
   for (std::size_t i = 0; i < view.size(); ++i)
   {
     const auto number = static_cast<std::uint32_t>(i);
-    const Eigen::Vector3d position = this->positionOf(number);
-    if (position.allFinite() && region.contains(position))
+    if (other != others_.end() && *other == number)
     {
-      bounds.extend(position);
-      samples_.push_back({0, number});
+      ++other;
+      continue;
     }
-    else
-    {
-      others_.push_back(number);
-    }
+    samples_.push_back({0, number});
   }
-  const double side = samples_.empty() ? 0 : std::max(bounds.sizes().maxCoeff(), 1e-12);
-  low_ = samples_.empty()
-           ? Eigen::Vector3d(0, 0, 0)
-           : Eigen::Vector3d(bounds.center() - Eigen::Vector3d::Constant(0.5 * side));
+  const double side = samples_.empty() ? 0 : std::max(all.sizes().maxCoeff(), 1e-12);
+  low_ = samples_.empty() ? Eigen::Vector3d(0, 0, 0)
+                          : Eigen::Vector3d(all.center() - Eigen::Vector3d::Constant(0.5 * side));
   constexpr double cubes = 1 << depth;
-  for (Sample& sample : samples_)
-  {
-    const Eigen::Array3d cube = (this->positionOf(sample.number) - low_).array() * (cubes / side);
-    const Eigen::Array3i index = cube.max(0.0).min(cubes - 1).cast<int>();
-    sample.key = spread(static_cast<std::uint32_t>(index[0])) |
-                 spread(static_cast<std::uint32_t>(index[1])) << 1 |
-                 spread(static_cast<std::uint32_t>(index[2])) << 2;
-  }
+  runBlocks(
+    samples_.size(), samplesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        Sample& sample = samples_[i];
+        const Eigen::Array3d cube =
+          (this->positionOf(sample.number) - low_).array() * (cubes / side);
+        const Eigen::Array3i index = cube.max(0.0).min(cubes - 1).cast<int>();
+        sample.key = spread(static_cast<std::uint32_t>(index[0])) |
+                     spread(static_cast<std::uint32_t>(index[1])) << 1 |
+                     spread(static_cast<std::uint32_t>(index[2])) << 2;
+      }
+    },
+    executor);
   sortByKey(samples_);
 
   levels_.resize(depth + 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Executor.h"
 #include "FieldOutput.h"
 #include "TargetCells.h"
 #include "Views.h"
@@ -18,9 +19,10 @@ namespace winding
 class PointCells final : public TargetCells
 {
 public:
-  /// Positions are those of the samples times scale. Keeps references to samples and output.
+  /// Positions are those of the samples times scale. Keeps references to samples and output. Throws
+  /// Interrupted when the executor is.
   PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
-    const FieldOutput& output);
+    const FieldOutput& output, Executor& executor);
 
   const std::vector<std::uint32_t>& others() const { return others_; }
   bool empty() const { return samples_.empty(); }

@@ -12,17 +12,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// What a sample costs in a far field, in triangles of a direct sum.
-constexpr std::size_t fewTriangles = 150;
-
-/// What building a far field costs, in samples of direct sums over the same triangles.
-constexpr std::size_t fewSamples = 400;
-
-} // namespace
-
 SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
@@ -56,6 +45,11 @@ SurfaceField::~SurfaceField() = default;
 void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain& chain)
 {
   const Method asked = options.method;
+  isAskedFor_ = asked != Method::automatic;
+  if (options.tolerance >= FarFieldAccuracy::finest)
+  {
+    order_ = FarFieldAccuracy::of(options.tolerance).order;
+  }
   if (asked == Method::parity)
   {
     info_.method = Method::parity;
@@ -108,14 +102,38 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  if (options.method == Method::automatic && surface_.triangles.size() <= fewTriangles)
+  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(options.tolerance);
+  if (options.method == Method::automatic &&
+      isCheaperDirectly(Primitive::triangle, info_.primitives, order_))
   {
     info_.why += "; so few are summed directly";
     return;
   }
   info_.method = Method::hierarchical;
-  farField_ = std::make_unique<TriangleFarField>(surface_.vertices, surface_.triangles,
-    surface_.bounds, FarFieldAccuracy::of(options.tolerance));
+  farField_ = std::make_unique<TriangleFarField>(
+    surface_.vertices, surface_.triangles, surface_.bounds, accuracy);
+}
+
+/// Few samples are not worth a tree, unless it was asked for.
+bool SurfaceField::usesFarField(const VectorsView& samples) const
+{
+  return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::triangle, info_.primitives,
+                                        samples.size(), order_));
+}
+
+EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
+{
+  const auto triangle = Primitive::triangle;
+  if (info_.method == Method::rows)
+  {
+    EvaluationCost cost = costOfRows(info_.primitives + info_.capTriangles, samples);
+    cost += capped_->usesFarField() ? costOfFarField(triangle, info_.capTriangles, samples, order_)
+                                    : costOfDirectSum(triangle, info_.capTriangles, samples);
+    return cost;
+  }
+  return info_.method == Method::hierarchical
+           ? costOfFarField(triangle, info_.primitives, samples, order_)
+           : costOfDirectSum(triangle, info_.primitives, samples);
 }
 
 bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
@@ -126,8 +144,7 @@ bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 {
-  return !farField_ || samples.size() <= fewSamples ||
-         farField_->suiting(samples, executor) != nullptr;
+  return !this->usesFarField(samples) || farField_->suiting(samples, executor) != nullptr;
 }
 
 bool SurfaceField::evaluate(
@@ -145,7 +162,7 @@ bool SurfaceField::evaluate(
 bool SurfaceField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  if (!farField_ || samples.size() <= fewSamples)
+  if (!this->usesFarField(samples))
   {
     return Field::evaluate(samples, output, executor);
   }

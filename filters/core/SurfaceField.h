@@ -28,6 +28,7 @@ public:
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
+  EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
 
@@ -39,8 +40,12 @@ private:
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
   void chooseFarField(const FieldOptions& options, const std::string& why);
 
+  bool usesFarField(const VectorsView& samples) const;
+
   Surface surface_;
   FieldInfo info_;
+  bool isAskedFor_ = false; ///< the method, by the user
+  int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
   std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical

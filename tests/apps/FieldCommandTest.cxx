@@ -59,8 +59,8 @@ TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
 {
   const nlohmann::json report =
     run("a.vti", {"--resolution", "16", "--verify", "100", "--threads", "1"}).json();
-  for (const char* name : {"input", "method", "why", "tolerance", "grid", "seconds", "peak_memory",
-         "threads", "max_error", "rms_error", "near_max_error"})
+  for (const char* name : {"input", "method", "why", "tolerance", "grid", "expected", "seconds",
+         "peak_memory", "threads", "max_error", "rms_error", "near_max_error"})
   {
     EXPECT_TRUE(report.contains(name)) << name;
   }

@@ -146,8 +146,8 @@ TEST(FarFieldSamples, DependOnOtherScatteredSamplesWithinTheToleranceOnly)
     {
       EXPECT_NEAR(values[i], expectedOfSome[i], 2e-3); // twice the tolerance
     }
-    EXPECT_LT(largestError(*source, some, values), 1e-3);      // measured: 4e-4
-    EXPECT_LT(largestError(*source, samples, expected), 1e-3); // measured: 5e-4
+    EXPECT_LT(largestError(*source, some, values), 1e-3);      // measured: 7.8e-4
+    EXPECT_LT(largestError(*source, samples, expected), 1e-3); // measured: 6.5e-4
   }
 }
 
@@ -161,10 +161,10 @@ TEST(FarFieldSamples, MayBeEqualOrFew)
     for (const Point& q : randomPoints(20, -1.5, 1.5, 326))
     {
       const std::vector<Point> one(1, q), many(3000, q);
-      EXPECT_LT(largestError(*source, one, valuesAt(field, one)), 1e-3); // measured: 1e-4
+      EXPECT_LT(largestError(*source, one, valuesAt(field, one)), 1e-3); // measured: 4.5e-4
       const std::vector<float> values = valuesAt(field, many);
       EXPECT_EQ(values, std::vector<float>(many.size(), values[0]));
-      EXPECT_LT(largestError(*source, one, {values[0]}), 1e-3); // measured: 1e-4
+      EXPECT_LT(largestError(*source, one, {values[0]}), 1e-3); // measured: 4.5e-4
     }
   }
 }
@@ -186,8 +186,8 @@ TEST(FarFieldSamples, FarAwayOrWithoutAPlaceDoNotSpoilTheOthers)
     const std::vector<float> values = valuesAt(field, all);
     EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]) && std::isnan(values[2]));
     EXPECT_EQ(std::vector<float>(values.begin() + 12, values.end()), expected);
-    // As one dipole distribution. Measured: 6e-8.
-    EXPECT_LT(largestError(*source, far, {values.begin() + 3, values.begin() + 12}), 1e-6);
+    // As one dipole distribution. Measured: 2.9e-13.
+    EXPECT_LT(largestError(*source, far, {values.begin() + 3, values.begin() + 12}), 1e-11);
   }
 }
 
@@ -297,7 +297,8 @@ TEST(FarFieldSamples, LeaveTheModeOfTheProcessorAsItWas)
   // The flags of what happened (inexact, …) are allowed to change.
   constexpr unsigned modes = ~0x3fu;
   const unsigned before = _mm_getcsr();
-  for (const unsigned mode : {before, before | 0x8000, before | 0x0040})
+  const unsigned full = before & ~0x8040u;
+  for (const unsigned mode : {full, full | 0x8000, full | 0x0040})
   {
     _mm_setcsr(mode);
     const FarField field = fieldOf(*source);

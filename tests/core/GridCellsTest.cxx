@@ -314,7 +314,7 @@ TEST(GridCells, EvaluatePolynomialsAtEverySample)
             }
           }
         }
-        ASSERT_NEAR(counter.values[n], expected, 2e-6); // measured: 4e-7
+        ASSERT_NEAR(counter.values[n], expected, 1e-6); // measured: 1.7e-7
       }
     }
   }

@@ -142,21 +142,20 @@ TEST_P(MultipoleKernels, EvaluateMoments)
   const Node node(order, 30, random);
   alignas(64) float moments[winding::paddedCoefficients(winding::largestOrder)] = {};
   winding::addMoments(order, node.batch, moments);
-  const float inverseRadius = 4;
-  constexpr std::size_t count = 48;
-  alignas(64) float x[count], y[count], z[count], values[count];
+  const double radius = 0.25, center[3] = {1e3, -2e3, 3e3};
+  winding::SampleBlock samples;
+  samples.count = 45;
+  alignas(64) float values[48];
   std::vector<double> expected;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < samples.count; ++i)
   {
     const Point q = random.direction() * random(1.5, 20);
-    x[i] = static_cast<float>(q[0]);
-    y[i] = static_cast<float>(q[1]);
-    z[i] = static_cast<float>(q[2]);
+    samples.set(i, Point(center) + radius * q);
     values[i] = 0.25f;
-    expected.push_back(0.25 + inverseRadius * winding::momentsAt(order, node.moments, q));
+    expected.push_back(0.25 + winding::momentsAt(order, node.moments, q) / radius);
   }
-  winding::addMomentValues(order, moments, inverseRadius, x, y, z, count, values);
-  for (std::size_t i = 0; i < count; ++i)
+  winding::addMomentValues(order, moments, center, radius, samples, values);
+  for (std::size_t i = 0; i < samples.count; ++i)
   {
     EXPECT_NEAR(values[i], expected[i], 1e-6); // measured: 2e-7
   }

@@ -44,7 +44,8 @@ const char* classOf(const NodeCriteria& nodes, std::size_t i, const CellCriteria
 {
   const double d = Point(cell.x - nodes.x[i], cell.y - nodes.y[i], cell.z - nodes.z[i]).norm();
   const double needed = std::max({(nodes.radius[i] + cell.radius) * double(cell.inverseTheta),
-    double(cell.radius) + nodes.rho[i], nodes.radius[i] + double(nodes.tau[i]) * cell.reach});
+    cell.radius + double(cell.momentMargin) * nodes.radius[i], double(cell.radius) + nodes.rho[i],
+    nodes.radius[i] + double(nodes.tau[i]) * cell.reach});
   if (std::abs(d - needed) < 1e-6)
   {
     return nullptr;
@@ -123,7 +124,7 @@ TEST(NodeAcceptance, SortsAnyNumberOfCandidates)
         return static_cast<float>(random(low, high));
       };
       const CellCriteria cell{number(-1, 1), number(-1, 1), number(-1, 1), number(0, 0.3),
-        number(0, 0.3), number(1, 2), number(0, 0.3)};
+        number(0, 0.3), number(1, 2), number(1, 3), number(0, 0.3)};
       // Exactly as many: nothing may be read beyond them.
       const std::unique_ptr<std::int32_t[]> candidates(new std::int32_t[count]);
       std::vector<std::int32_t> expected[3];
@@ -179,8 +180,8 @@ TEST(NodeAcceptance, KeepsTheErrorNearItsEstimate)
       const double radius = node.radius * std::exp2(random(-3, 2));
       const double reach = CellCriteria::reachOf(order, radius);
       const double byAngle = (node.radius + radius) / theta;
-      const double needed = std::max({byAngle, radius + double(node.criteria.rho[0]),
-        node.radius + double(node.criteria.tau[0]) * reach});
+      const double needed = std::max({byAngle, radius + (2 / theta - 1) * node.radius,
+        radius + double(node.criteria.rho[0]), node.radius + double(node.criteria.tau[0]) * reach});
       byError += needed > byAngle;
       const Point center = needed * random.direction();
       const Expansion local = winding::momentsToLocal(order, node.exact, center);

@@ -13,6 +13,8 @@
 namespace
 {
 
+winding::SerialExecutor serial;
+
 using shapes::Point;
 using shapes::Random;
 using winding::PointCells;
@@ -72,7 +74,7 @@ TEST(PointCells, DeliverEverySampleOnceAtEveryLevel)
     std::vector<double> values(samples.size());
     winding::FieldOutput output;
     output.doubleValues = values.data();
-    const PointCells cells(view, region, scale, 3, output);
+    const PointCells cells(view, region, scale, 3, output, serial);
     ASSERT_TRUE(cells.others().empty());
     for (int level = 0; level <= cells.root().level; ++level)
     {
@@ -116,7 +118,7 @@ TEST(PointCells, AreWithinTheirRadiusAndSideAndSphere)
   for (const std::vector<Point>& samples : manySamples())
   {
     const winding::VectorsView view = viewOf(samples);
-    const PointCells cells(view, region, scale, 3, {});
+    const PointCells cells(view, region, scale, 3, {}, serial);
     visitCells(cells, cells.root(),
       [&](const TargetCell& cell)
       {
@@ -149,7 +151,7 @@ TEST(PointCells, PutChildrenWhereTheShiftsSay)
   for (const std::vector<Point>& samples : manySamples())
   {
     const winding::VectorsView view = viewOf(samples);
-    const PointCells cells(view, region, scale, 3, {});
+    const PointCells cells(view, region, scale, 3, {}, serial);
     visitCells(cells, cells.root(),
       [&](const TargetCell& cell)
       {
@@ -181,7 +183,7 @@ TEST(PointCells, LeaveOutWhatHasNoPlaceOrIsFarAway)
   std::vector<Point> samples = {{nan, 0, 0}, {1, 1, 1}, {0, infinity, 0}, {1e300, 0, 0},
     {0, 0, 128}, {0, -128.001, 0}, {0, 0, 0}, {0, 0, -infinity}};
   const winding::VectorsView view = viewOf(samples);
-  const PointCells cells(view, region, scale, 3, {});
+  const PointCells cells(view, region, scale, 3, {}, serial);
   // 128 · scale is the border, which belongs to the region.
   EXPECT_EQ(cells.others(), (std::vector<std::uint32_t>{0, 2, 3, 5, 7}));
   EXPECT_FALSE(cells.empty());
@@ -192,8 +194,8 @@ TEST(PointCells, MayBeEmpty)
 {
   const std::vector<Point> none, far(5, Point(0, 1e6, 0));
   const winding::VectorsView viewOfNone = viewOf(none), viewOfFar = viewOf(far);
-  EXPECT_TRUE(PointCells(viewOfNone, region, scale, 3, {}).empty());
-  const PointCells cells(viewOfFar, region, scale, 3, {});
+  EXPECT_TRUE(PointCells(viewOfNone, region, scale, 3, {}, serial).empty());
+  const PointCells cells(viewOfFar, region, scale, 3, {}, serial);
   EXPECT_TRUE(cells.empty());
   EXPECT_EQ(cells.others().size(), 5u);
 }

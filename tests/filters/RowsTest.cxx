@@ -3,6 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -86,6 +87,22 @@ TEST_F(Rows, EqualTheDirectSumForAnOpenSurface)
     field->SetTolerance(tolerance);
     // Measured: a tenth of it.
     EXPECT_LT(largestDifference(this->output(vtkWindingNumberField::ROWS), direct), tolerance);
+  }
+}
+
+TEST_F(Rows, AndOtherMethodsSayWhatTheyAreExpectedToTake)
+{
+  for (const int method : {vtkWindingNumberField::ROWS, vtkWindingNumberField::HIERARCHICAL,
+         vtkWindingNumberField::DIRECT})
+  {
+    auto image = this->output(method);
+    EXPECT_GT(field->GetExpectedSeconds(), 0);
+    EXPECT_LT(field->GetExpectedSeconds(), 1);
+    EXPECT_GT(field->GetExpectedMemory(), image->GetNumberOfPoints() * 8) << "doubles, and a field";
+    EXPECT_LT(field->GetExpectedMemory(), image->GetNumberOfPoints() * 8 + 1'000'000);
+    vtkDataArray* noted = image->GetFieldData()->GetArray("WindingNumberExpectedSeconds");
+    ASSERT_TRUE(noted);
+    EXPECT_EQ(noted->GetTuple1(0), field->GetExpectedSeconds());
   }
 }
 
