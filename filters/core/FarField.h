@@ -73,7 +73,7 @@ public:
 
   /**
    * The gradient at scattered samples, into #samples by 3 numbers, in 1/length of the caller's
-   * coordinates: from the nodes that evaluate() takes, at 1.2 to 2 times its cost. NaN at samples
+   * coordinates: from the nodes that evaluate() takes, at one to two times its cost. NaN at samples
    * that are not finite, finite at all others; an item gives nothing to samples on it. False when
    * interrupted.
    *

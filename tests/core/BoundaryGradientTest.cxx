@@ -245,11 +245,12 @@ TEST(BoundaryGradient, IsTheSameFarFromTheOrigin)
 
 TEST(BoundaryGradient, OnALineThroughAnEdgeLeavesOutThatEdge)
 {
-  // Exactly on the line: between the ends, at them, beyond them.
-  const winding::Surface surface = clean(Mesh{{{0, 0, 0}, {1, 2, 3}, {0, 5, 1}}, {{0, 1, 2}}});
-  for (const double t : {0.25, 0.5, 0.75, 0.0, 1.0, -0.5, 1.5, 8.0})
+  // Exactly on the line, though products of coordinates round: between the ends, at them, beyond them.
+  const Point end(1.1, 2.3, 3.7);
+  const winding::Surface surface = clean(Mesh{{{0, 0, 0}, end, {0, 5, 1}}, {{0, 1, 2}}});
+  for (const double t : {0.25, 0.5, 0.125, 0.0, 1.0, -0.5, -8.0, 2.0})
   {
-    const Point q = t * Point(1, 2, 3);
+    const Point q = t * end;
     const Point expected = byFormula(surface, q);
     EXPECT_GT(expected.norm(), 1e-6);
     EXPECT_LT((gradientsOf(gradientOf(surface), {q})[0] - expected).norm(), 1e-14) << t;
