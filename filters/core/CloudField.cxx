@@ -64,6 +64,7 @@ void CloudField::chooseAreas(double constantArea)
 void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
 {
   const bool isAutomatic = options.method == Method::automatic;
+  isAskedFor_ = !isAutomatic;
   info_.why = isAutomatic ? std::to_string(info_.primitives) + " points" : "asked for";
   if (options.method == Method::direct)
   {
@@ -94,14 +95,21 @@ bool CloudField::evaluate(
 bool CloudField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  return farField_ ? farField_->evaluate(samples, output, executor)
-                   : Field::evaluate(samples, output, executor);
+  return this->usesFarField(samples) ? farField_->evaluate(samples, output, executor)
+                                     : Field::evaluate(samples, output, executor);
 }
 
 bool CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  return farField_ ? farField_->gradient(samples, gradients, executor)
-                   : Field::gradient(samples, gradients, executor);
+  return this->usesFarField(samples) ? farField_->gradient(samples, gradients, executor)
+                                     : Field::gradient(samples, gradients, executor);
+}
+
+/// For few samples the direct sum is faster even where there is a tree, unless that was asked for.
+bool CloudField::usesFarField(const VectorsView& samples) const
+{
+  return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,
+                                        samples.size(), farField_->order()));
 }
 
 EvaluationCost CloudField::expectedCost(std::size_t samples) const

@@ -37,8 +37,11 @@ private:
   void chooseAreas(double constantArea);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
+  bool usesFarField(const VectorsView& samples) const;
+
   PointCloud cloud_;
   FieldInfo info_;
+  bool isAskedFor_ = false;                  ///< the method, by the user
   std::unique_ptr<const FarField> farField_; ///< method hierarchical
   std::unique_ptr<const DipoleSum> sum_;
 };
