@@ -33,14 +33,14 @@ CloudField::CloudField(
                     std::to_string(cloud_.zeroNormalPoints) + " with normals of length 0, " +
                     std::to_string(cloud_.badAreaPoints) + " with negative areas)";
   }
-  this->chooseAreas(options.pointArea);
+  this->chooseAreas(options.pointArea, executor);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
 
 CloudField::~CloudField() = default;
 
-void CloudField::chooseAreas(double constantArea)
+void CloudField::chooseAreas(double constantArea, Executor& executor)
 {
   if (!(constantArea >= 0) || !std::isfinite(constantArea))
   {
@@ -51,7 +51,7 @@ void CloudField::chooseAreas(double constantArea)
   {
     return;
   }
-  info_.pointArea = constantArea > 0 ? constantArea : meanPointArea(cloud_);
+  info_.pointArea = constantArea > 0 ? constantArea : meanPointArea(cloud_, executor);
   cloud_.areas.assign(cloud_.positions.size(), info_.pointArea);
   if (info_.pointArea == 0 && !cloud_.positions.empty())
   {

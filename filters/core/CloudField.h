@@ -34,7 +34,7 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void chooseAreas(double constantArea);
+  void chooseAreas(double constantArea, Executor& executor);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(const VectorsView& samples) const;

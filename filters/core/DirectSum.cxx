@@ -57,7 +57,7 @@ void TriangleSum::evaluate(const SampleBlock& block, double* values) const
 {
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
-  AngleProducts products;
+  AngleProducts products(scaled.count);
   this->multiply(scaled, products, false);
   sumAngles(products, scaled.count, values);
 }
@@ -66,7 +66,7 @@ bool TriangleSum::evaluateWatching(const SampleBlock& block, double* values, boo
 {
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
-  AngleProducts products;
+  AngleProducts products(scaled.count);
   this->multiply(scaled, products, true);
   sumAngles(products, scaled.count, values);
   bool any = false;

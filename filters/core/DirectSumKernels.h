@@ -32,13 +32,22 @@ struct KernelDipole
 /// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
 struct AngleProducts
 {
-  AngleProducts() { std::fill_n(re, SampleBlock::capacity, 1.0); }
+  /// For so many samples, rounded up to whole vectors; the rest is left as it is.
+  explicit AngleProducts(std::size_t samples)
+  {
+    const std::size_t used = (samples + 7) / 8 * 8;
+    std::fill_n(re, used, 1.0);
+    for (double* values : {im, turns, suspect})
+    {
+      std::fill_n(values, used, 0.0);
+    }
+  }
 
   alignas(64) double re[SampleBlock::capacity];
-  alignas(64) double im[SampleBlock::capacity] = {};
-  alignas(64) double turns[SampleBlock::capacity] = {};
+  alignas(64) double im[SampleBlock::capacity];
+  alignas(64) double turns[SampleBlock::capacity];
   /// Not 0 where a triangle is so near that rounding decides about its angle; see below.
-  alignas(64) double suspect[SampleBlock::capacity] = {};
+  alignas(64) double suspect[SampleBlock::capacity];
 };
 
 /// values[i] = argument of product i / 2π + its turns: the sum of all Ω / 4π.

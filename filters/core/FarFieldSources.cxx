@@ -136,6 +136,7 @@ public:
   }
 
   double secondsPerPair() const override { return inSingle_ ? 0.25e-9 : 0.4e-9; }
+  double secondsPerCutAndCoefficient() const override { return 1.5e-6; }
   std::size_t leafSize() const override { return 24; }
 
 private:
@@ -264,7 +265,7 @@ public:
   bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool* isSuspect) const override
   {
-    AngleProducts products;
+    AngleProducts products(samples.count);
     for (const ItemRange& range : items)
     {
       (isSuspect ? multiplyAnglesWatching : multiplyAngles)(
@@ -296,6 +297,7 @@ public:
   }
 
   double secondsPerPair() const override { return 1e-9; }
+  double secondsPerCutAndCoefficient() const override { return 4e-6; }
   std::size_t leafSize() const override { return 12; }
 
 private:

@@ -62,6 +62,10 @@ public:
   /// About what one item costs at one sample.
   virtual double secondsPerPair() const = 0;
 
+  /// About what eight cells cost more than the one that they are cut from, for each coefficient of an
+  /// expansion; measured. A sum of triangles has more to begin and to end.
+  virtual double secondsPerCutAndCoefficient() const = 0;
+
   /// Items of a leaf that suit the cost.
   virtual std::size_t leafSize() const = 0;
 

@@ -30,12 +30,6 @@ double secondsPerValue(int order)
   return 0.1e-9 * coefficientCount(order);
 }
 
-/// About what eight more cells cost.
-double secondsPerCut(int order)
-{
-  return 1.5e-6 * coefficientCount(order);
-}
-
 } // namespace
 
 FarFieldTraversal::FarFieldTraversal(const FarField& field, const TargetCells& cells)
@@ -206,7 +200,8 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
   }
   const double seconds = static_cast<double>(items) * static_cast<double>(cell.allSamples) *
                          field_.sources_->secondsPerPair();
-  return cell.level > 0 && seconds > secondsPerCut(field_.order());
+  return cell.level > 0 && seconds > field_.sources_->secondsPerCutAndCoefficient() *
+                                       coefficientCount(field_.order());
 }
 
 void FarFieldTraversal::descendToChildren(

@@ -30,7 +30,7 @@ using PointTree =
 
 } // namespace
 
-double meanPointArea(const PointCloud& cloud, int neighbors)
+double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
 {
   const std::size_t points = cloud.positions.size();
   if (points < 2)
@@ -41,20 +41,23 @@ double meanPointArea(const PointCloud& cloud, int neighbors)
   const ScaledPoints scaled{cloud.positions, unitScale(cloud.bounds)};
   const PointTree tree(3, scaled, nanoflann::KDTreeSingleIndexAdaptorParams(16));
 
-  std::vector<std::uint32_t> ids(k + 1);
-  std::vector<double> squared(k + 1);
   std::vector<double> areas(points);
-  for (std::size_t i = 0; i < points; ++i)
-  {
-    // One more than k: the nearest is the point itself.
-    const Eigen::Vector3d query = cloud.positions[i] * scaled.scale;
-    tree.knnSearch(query.data(), k + 1, ids.data(), squared.data());
-    areas[i] = 0;
-    for (std::size_t j = 1; j <= k; ++j)
+  constexpr std::size_t pointsPerBlock = 512;
+  runBlocks(
+    points, pointsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      areas[i] += squared[j];
-    }
-  }
+      std::vector<std::uint32_t> ids(k + 1);
+      std::vector<double> squared(k + 1);
+      for (std::size_t i = first; i < last; ++i)
+      {
+        // One more than k: the nearest is the point itself.
+        const Eigen::Vector3d query = cloud.positions[i] * scaled.scale;
+        tree.knnSearch(query.data(), k + 1, ids.data(), squared.data());
+        areas[i] = std::accumulate(squared.begin() + 1, squared.end(), 0.0);
+      }
+    },
+    executor);
   const std::size_t kept = points - points / 100;
   std::nth_element(
     areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(kept - 1), areas.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Executor.h"
 #include "Sanitize.h"
 
 namespace winding
@@ -14,8 +15,9 @@ namespace winding
  * the largest hundredth (far outliers), is returned. Right within a few percent for evenly sampled
  * surfaces; for uneven ones no single area is. 0 where the cloud has one point or coincides in one.
  *
- * neighbors is k, at least 1, and is cut off at the number of other points. O(n log n).
+ * neighbors is k, at least 1, and is cut off at the number of other points. O(n log n), most of
+ * it on the executor's threads; the same bits for any of them. Throws Interrupted.
  */
-double meanPointArea(const PointCloud& cloud, int neighbors = 20);
+double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors = 20);
 
 } // namespace winding

@@ -115,8 +115,9 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
   const double area = 4 * 3.14159265358979323846 / 1000;
   FieldOptions options;
   options.tolerance = 0;
+  winding::SerialExecutor serial;
   const auto estimated = fieldOf(cloud, options);
-  EXPECT_EQ(estimated->info().pointArea, winding::meanPointArea(clean(cloud)));
+  EXPECT_EQ(estimated->info().pointArea, winding::meanPointArea(clean(cloud), serial));
   EXPECT_NEAR(valueAt(*estimated, center), estimated->info().pointArea / area, 1e-12);
 
   options.pointArea = 2 * area;
@@ -127,7 +128,6 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
   const std::vector<double> areas(1000, 3 * area);
   winding::OrientedPointsView view = cloud.view();
   view.areas = {areas.data(), areas.size()};
-  winding::SerialExecutor serial;
   const auto own = Field::build(std::vector<winding::OrientedPointsView>{view}, options, serial);
   EXPECT_EQ(own->info().pointArea, 0);
   EXPECT_NEAR(valueAt(*own, center), 3, 1e-12);

@@ -11,7 +11,12 @@ namespace
 {
 
 using namespace shapes;
-using winding::meanPointArea;
+
+double meanPointArea(const winding::PointCloud& cloud, int neighbors = 20)
+{
+  winding::SerialExecutor serial;
+  return winding::meanPointArea(cloud, serial, neighbors);
+}
 
 constexpr double sphereArea = 4 * 3.14159265358979323846;
 
