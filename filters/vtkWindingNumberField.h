@@ -23,8 +23,8 @@
  * **Pipeline.** Streams: any sub-extent can be asked for, and has the very bits that the whole has.
  * The whole source is read for each. The grid is laid when the pipeline's information is asked for,
  * over the source as it is then; for geometry that moves with time, set SamplingBounds.
- * While values are evaluated, progress is reported and abort obeyed within a fraction of a second;
- * then the output is empty. Building from the source, a second for some million triangles, is one step.
+ * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, while preparing
+ * too; then the output is empty.
  *
  * **On the surface.** Method rows: a sample exactly on a closed surface gets the value beside it,
  * towards +y, or if that is on the surface too towards +z, or +x. Sums (direct, clouds, the caps of open

@@ -21,8 +21,8 @@ struct FarFieldAccuracy
 
   /**
    * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
-   * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are a third
-   * to nine tenths of the tolerance, plus single precision's rounding of what is summed beside points.
+   * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are mostly a
+   * tenth to a half of the tolerance, plus single precision's rounding of what is summed beside points.
    */
   static FarFieldAccuracy of(double tolerance)
   {
@@ -32,7 +32,7 @@ struct FarFieldAccuracy
     }
     if (tolerance >= 1e-3)
     {
-      return {5, 0.6f, 6e-4f};
+      return {5, 0.62f, 1e-3f};
     }
     if (tolerance >= 1e-4)
     {

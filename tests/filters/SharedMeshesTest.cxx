@@ -313,7 +313,7 @@ TEST_P(SharedMeshes, RowsKeepTheToleranceAndHaveTheSameBitsInSevenPieces)
 TEST_P(SharedMeshes, HierarchicalKeepsTheToleranceAndHasTheSameBitsInSevenPieces)
 {
   this->compareAtAllResolutions(vtkWindingNumberField::HIERARCHICAL, 1e-3);
-  EXPECT_LT(largestError_, 1e-3); // measured: 3.9e-4 on the aneurysm
+  EXPECT_LT(largestError_, 1e-3); // measured: 4.5e-4 on the aneurysm
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SharedMeshes, testing::ValuesIn(meshes),
