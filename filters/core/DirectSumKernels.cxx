@@ -83,9 +83,12 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
       // The argument crossed the branch cut iff both angles had one sign and their sum has the
       // other.
+      // Only the sign of `crossed` means anything: with it 1 can be compared, whatever the processor
+      // takes the other bits for.
       const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
+      const auto hasCrossed = hn::Lt(hn::CopySign(one, crossed), zero);
       const Vec step = hn::IfThenZeroElse(hn::Eq(num, zero), hn::CopySign(one, num));
-      turns = hn::Add(turns, hn::IfNegativeThenElse(crossed, step, zero));
+      turns = hn::Add(turns, hn::IfThenElseZero(hasCrossed, step));
 
       const Vec scale = inverseMagnitude(d, hn::Max(hn::Abs(newRe), hn::Abs(newIm)));
       re = hn::Mul(newRe, scale);
@@ -182,6 +185,21 @@ HWY_INLINE SingleVec offsetsTo(double position, const double* HWY_RESTRICT sampl
   return hn::Min(hn::Max(offsets, hn::Neg(farthest)), farthest);
 }
 
+/// To single precision's full 24 bits, or nearly so.
+HWY_INLINE SingleVec inverseRoot(SingleVec value)
+{
+  const SingleTag d;
+#if HWY_TARGET == HWY_SCALAR
+  // What stands for an estimate there has a few bits only.
+  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(value));
+#else
+  // An estimate of 12 bits at least, doubled by a step of Newton's method.
+  const SingleVec guess = hn::ApproximateReciprocalSqrt(value);
+  const SingleVec half = hn::Mul(hn::Set(d, 0.5f), value);
+  return hn::Mul(guess, hn::NegMulAdd(half, hn::Mul(guess, guess), hn::Set(d, 1.5f)));
+#endif
+}
+
 /// Adds a vector of floats to two of doubles.
 HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
 {
@@ -204,7 +222,7 @@ void addDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
   // As many as may be summed before rounding errors add up.
   constexpr std::size_t run = 8;
   const SingleTag d;
-  const SingleVec zero = hn::Zero(d), half = hn::Set(d, 0.5f), threeHalves = hn::Set(d, 1.5f);
+  const SingleVec zero = hn::Zero(d);
   for (std::size_t first = 0; first < count; first += run)
   {
     const std::size_t last = std::min(count, first + run);
@@ -217,10 +235,7 @@ void addDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
         const SingleVec y = offsetsTo(dipoles[i].position[1], samples.y + s);
         const SingleVec z = offsetsTo(dipoles[i].position[2], samples.z + s);
         const SingleVec r2 = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-        // An estimate of 12 bits at least, doubled by a step of Newton's method.
-        const SingleVec guess = hn::ApproximateReciprocalSqrt(r2);
-        const SingleVec inverse =
-          hn::Mul(guess, hn::NegMulAdd(hn::Mul(half, r2), hn::Mul(guess, guess), threeHalves));
+        const SingleVec inverse = inverseRoot(r2);
         const SingleVec flux = hn::MulAdd(x, hn::Set(d, moments[i][0]),
           hn::MulAdd(y, hn::Set(d, moments[i][1]), hn::Mul(z, hn::Set(d, moments[i][2]))));
         // Factor by factor: the cube alone would leave the range near the point.

@@ -53,7 +53,15 @@ SETTABLE = {
 }
 
 # Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
-COMMON_REPORTED = {"Status", "MethodUsed", "MethodReason", "PrepareSeconds", "EvaluateSeconds"}
+COMMON_REPORTED = {
+    "Status",
+    "MethodUsed",
+    "MethodReason",
+    "ExpectedSeconds",
+    "ExpectedMemory",
+    "PrepareSeconds",
+    "EvaluateSeconds",
+}
 REPORTED = {
     "WindingNumberField": COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"},
     "WindingNumberProbe": COMMON_REPORTED,
@@ -440,7 +448,7 @@ class TestField(unittest.TestCase):
         observer = vtk_object.AddObserver("ProgressEvent", abort)
         field.UpdatePipeline()
         self.assertEqual(information(field, "Status"), 3)
-        self.assertLess(min(p for p in progress if p > 0), 1)
+        self.assertLess(progress[0], 1)
 
         vtk_object.RemoveObserver(observer)
         vtk_object.SetAbortExecute(0)
