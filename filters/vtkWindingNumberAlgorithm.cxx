@@ -8,7 +8,6 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -258,15 +257,6 @@ void vtkWindingNumberAlgorithm::AddResults(
   };
   note("WindingNumberMethod", this->GetMethodUsed());
   note("WindingNumberMethodReason", this->GetMethodReason());
-  const auto noteNumber = [output](const char* name, double number)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->InsertNextValue(number);
-    output->GetFieldData()->AddArray(array);
-  };
-  noteNumber("WindingNumberExpectedSeconds", this->ExpectedSeconds);
-  noteNumber("WindingNumberExpectedMemory", static_cast<double>(this->ExpectedMemory));
 }
 
 bool vtkWindingNumberAlgorithm::Evaluate(const std::function<bool(winding::Executor&)>& evaluation)

@@ -178,7 +178,7 @@ public:
   ///@}
 
   ///@{
-  /// VTK_FLOAT or VTK_DOUBLE; w itself is always computed in double. Default VTK_FLOAT.
+  /// VTK_FLOAT or VTK_DOUBLE; methods without approximation compute in double. Default VTK_FLOAT.
   vtkSetMacro(OutputScalarType, int);
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
@@ -202,9 +202,9 @@ public:
   ///@}
 
   ///@{
-  /// What the last execution was expected to take beforehand, by the cost model that AUTOMATIC
-  /// chooses by: seconds from the source on, if all threads are free, and bytes beside the source but
-  /// with the result arrays. Estimates; both are in the output's field data, too.
+  /// What the whole result, made in one piece, was expected to take before the last execution, by the
+  /// cost model that AUTOMATIC chooses by: seconds from the source on, if all threads are free, and
+  /// bytes beside the source but with the result arrays. Estimates.
   vtkGetMacro(ExpectedSeconds, double);
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}

@@ -178,7 +178,7 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
   const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[0]),
-    static_cast<vtkIdType>(winding::sampleCount(samples)),
+    static_cast<vtkIdType>(winding::sampleCount(this->Sampling->wholeExtent())),
     [this](const winding::Field& built, winding::Executor& executor)
     { return built.prepare(*this->Sampling, executor); });
   const auto evaluate = [&](winding::Executor& executor)

@@ -15,7 +15,8 @@
  *   probe->GenerateInsideOn();
  * @endcode
  *
- * The value of a point does not depend on the other points. Points that are NaN or infinite get
+ * The value of a point depends on the other points within the Tolerance only; with method DIRECT, or
+ * Tolerance 0, not at all. Points that are NaN or infinite get
  * NaN, and are not inside.
  *
  * @sa vtkWindingNumberField vtkSelectEnclosedPoints

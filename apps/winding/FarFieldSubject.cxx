@@ -161,7 +161,7 @@ public:
     // As CappedSurface does: in bars as high and deep as the cells of a task.
     const winding::Extent all = grid.wholeExtent();
     const winding::GridCells cells(grid, all, 1, 3);
-    const winding::RowBands bands = {0, cells.sizeOf(cells.taskLevel(), 1)};
+    const winding::RowBands bands = {0, static_cast<int>(cells.sizeOf(cells.taskLevel(), 1))};
     return secondsOfOne(
       [&]
       {

@@ -90,8 +90,8 @@ void FieldRun::addExecution()
     status_ = filter_->GetStatus();
   }
   prepareSeconds_ += filter_->GetPrepareSeconds();
-  expectedSeconds_ += filter_->GetExpectedSeconds();
-  expectedMemory_ = std::max(expectedMemory_, filter_->GetExpectedMemory());
+  expectedSeconds_ = filter_->GetExpectedSeconds();
+  expectedMemory_ = filter_->GetExpectedMemory();
   evaluateSeconds_ += filter_->GetEvaluateSeconds();
   if (options_.verify > 0)
   {

@@ -59,7 +59,7 @@ private:
   // Sums over the executions, one for each piece.
   double prepareSeconds_ = 0;
   double expectedSeconds_ = 0;
-  vtkIdType expectedMemory_ = 0; ///< the most of all pieces
+  vtkIdType expectedMemory_ = 0;
   double evaluateSeconds_ = 0;
   double verifySeconds_ = 0;
   double executionSeconds_ = 0; ///< all of these, and the little around them

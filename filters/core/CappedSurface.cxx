@@ -140,7 +140,7 @@ bool CappedSurface::evaluateByFarField(
     return true;
   }
   // A bar's rows are one band.
-  const int height = cells.sizeOf(cells.taskLevel(), 1);
+  const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
   const RowBands bands = {extent[2] / height * height, height};
   const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
   return executor.run(starts.size() - 1,

@@ -95,27 +95,28 @@ bool CloudField::evaluate(
 bool CloudField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  return this->usesFarField(samples) ? farField_->evaluate(samples, output, executor)
-                                     : Field::evaluate(samples, output, executor);
+  return this->usesFarField(samples.size()) ? farField_->evaluate(samples, output, executor)
+                                            : Field::evaluate(samples, output, executor);
 }
 
 bool CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  return this->usesFarField(samples) ? farField_->gradient(samples, gradients, executor)
-                                     : Field::gradient(samples, gradients, executor);
+  return this->usesFarField(samples.size()) ? farField_->gradient(samples, gradients, executor)
+                                            : Field::gradient(samples, gradients, executor);
 }
 
 /// For few samples the direct sum is faster even where there is a tree, unless that was asked for.
-bool CloudField::usesFarField(const VectorsView& samples) const
+bool CloudField::usesFarField(std::size_t samples) const
 {
   return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,
-                                        samples.size(), farField_->order()));
+                                        samples, farField_->order()));
 }
 
 EvaluationCost CloudField::expectedCost(std::size_t samples) const
 {
-  return farField_ ? costOfFarField(Primitive::point, info_.primitives, samples, farField_->order())
-                   : costOfDirectSum(Primitive::point, info_.primitives, samples);
+  return this->usesFarField(samples)
+           ? costOfFarField(Primitive::point, info_.primitives, samples, farField_->order())
+           : costOfDirectSum(Primitive::point, info_.primitives, samples);
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

@@ -37,7 +37,7 @@ private:
   void chooseAreas(double constantArea, Executor& executor);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
-  bool usesFarField(const VectorsView& samples) const;
+  bool usesFarField(std::size_t samples) const;
 
   PointCloud cloud_;
   FieldInfo info_;

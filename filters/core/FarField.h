@@ -28,7 +28,7 @@ struct FieldOutput;
  * near, they are summed exactly, in double.
  *
  * Guaranteed: (1) all values are within the accuracy's tolerance of the direct sum, those next to
- * sources included; (2) the bits of a sample's value depend on the sources and the grid as a whole,
+ * sources included, plus some 1e-7 of the sum of all shares' sizes, which is large beside points; (2) the bits of a sample's value depend on the sources and the grid as a whole,
  * not on extents, executor or threads; (3) finite values for finite samples. Nothing is locked, and
  * nothing stored per sample.
  *

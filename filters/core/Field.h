@@ -69,11 +69,11 @@ struct FieldInfo
  * The winding field of one source, built once and immutable. All evaluation is const and may run
  * from several threads at once.
  *
- * Guaranteed: the bits of a sample's value depend on the source and on its grid as a whole, or for
- * scattered samples on its position, only: not on the extent, the pieces that a grid is cut into, the
- * samples beside it, the executor or its threads. On a grid and scattered, a sample has the same
- * value up to rounding, and the same bits with method direct or parity. Where a far field is used, all
- * this holds for grids, and scattered samples depend on each other within the tolerance.
+ * Guaranteed: on a grid, the bits of a sample's value depend on the source and on the grid as a whole
+ * only: not on the extent, the pieces that a grid is cut into, the executor or its threads. Scattered,
+ * they depend on the source and the sample's position; where a far field is used, on the other
+ * samples too, within the tolerance. On a grid and scattered, a sample has the same value up to
+ * rounding and the tolerance, and the same bits with method direct or parity.
  * A field without primitives is 0 everywhere.
  */
 class Field

@@ -14,12 +14,21 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
   , scale_(scale)
   , spacing_(grid.spacing * scale)
 {
-  // Exponents that add up to about 9, larger where samples are closer.
-  const Eigen::Array3d fineness = -spacing_.array().log2();
+  // Blocks as cubic as can be: larger exponents where samples are closer. Axes with one sample have
+  // no say in what is close.
+  double fineness = 0;
+  int axes = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
+    fineness -= grid.dimensions[axis] > 1 ? std::log2(spacing_[axis]) : 0;
+    axes += grid.dimensions[axis] > 1;
+  }
+  const double usual = axes == 3 ? 3 : 4;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double exponent = usual - std::log2(spacing_[axis]) - fineness / std::max(axes, 1);
     exponents_[axis] =
-      static_cast<int>(std::clamp(std::round(3 + fineness[axis] - fineness.mean()), 0.0, 9.0));
+      grid.dimensions[axis] > 1 ? static_cast<int>(std::clamp(std::round(exponent), 0.0, 9.0)) : 0;
   }
   int top = 0;
   const auto holdsAll = [&]
@@ -38,7 +47,7 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
     Eigen::Vector3d size, quarter;
     for (int axis = 0; axis < 3; ++axis)
     {
-      size[axis] = this->sizeOf(number, axis);
+      size[axis] = static_cast<double>(this->sizeOf(number, axis));
       const bool isCut = number<top&& this->sizeOf(number + 1, axis)> this->sizeOf(number, axis);
       quarter[axis] = isCut ? 0.5 * size[axis] * spacing_[axis] : 0;
     }
@@ -69,9 +78,9 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
   }
 }
 
-int GridCells::sizeOf(int level, int axis) const
+std::int64_t GridCells::sizeOf(int level, int axis) const
 {
-  return 1 << std::max(0, exponents_[axis] + level - exponents_.maxCoeff());
+  return std::int64_t(1) << std::max(0, exponents_[axis] + level - exponents_.maxCoeff());
 }
 
 TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const
@@ -81,7 +90,7 @@ TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const
   cell.index = index;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int size = this->sizeOf(level, axis);
+    const auto size = static_cast<double>(this->sizeOf(level, axis));
     const double middle = static_cast<double>(index[axis]) * size + 0.5 * (size - 1);
     cell.center[axis] =
       scaledCoordinate(grid_.firstSample[axis] + middle * grid_.spacing[axis], scale_);
@@ -101,10 +110,11 @@ Extent GridCells::samplesOf(const TargetCell& cell, const Extent& extent) const
   Extent part;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int size = this->sizeOf(cell.level, axis);
-    const long first = static_cast<long>(cell.index[axis]) * size;
-    part[2 * axis] = static_cast<int>(std::max<long>(first, extent[2 * axis]));
-    part[2 * axis + 1] = static_cast<int>(std::min<long>(first + size - 1, extent[2 * axis + 1]));
+    const std::int64_t size = this->sizeOf(cell.level, axis);
+    const std::int64_t first = cell.index[axis] * size;
+    part[2 * axis] = static_cast<int>(std::max<std::int64_t>(first, extent[2 * axis]));
+    part[2 * axis + 1] =
+      static_cast<int>(std::min<std::int64_t>(first + size - 1, extent[2 * axis + 1]));
   }
   return part;
 }
@@ -148,7 +158,7 @@ int GridCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
 
 float GridCells::offsetIn(const TargetCell& cell, int axis, int sample) const
 {
-  const int size = this->sizeOf(cell.level, axis);
+  const auto size = static_cast<double>(this->sizeOf(cell.level, axis));
   const double middle = static_cast<double>(cell.index[axis]) * size + 0.5 * (size - 1);
   return static_cast<float>((sample - middle) * (spacing_[axis] / this->level(cell.level).side));
 }
@@ -194,8 +204,8 @@ void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& blo
 void GridCells::fillOffsets(
   const TargetCell& cell, int first, std::size_t count, float* offsets) const
 {
-  const double middle = static_cast<double>(cell.index[0]) * this->sizeOf(cell.level, 0) +
-                        0.5 * (this->sizeOf(cell.level, 0) - 1);
+  const auto size = static_cast<double>(this->sizeOf(cell.level, 0));
+  const double middle = static_cast<double>(cell.index[0]) * size + 0.5 * (size - 1);
   const double factor = spacing_[0] / this->level(cell.level).side;
   for (std::size_t n = 0; n < count; ++n)
   {

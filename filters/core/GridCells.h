@@ -3,6 +3,8 @@
 #include "Grid.h"
 #include "TargetCells.h"
 
+#include <cstdint>
+
 namespace winding
 {
 
@@ -34,7 +36,7 @@ public:
   int taskLevel() const { return taskLevel_; }
 
   /// Samples of a cell of a level along an axis.
-  int sizeOf(int level, int axis) const;
+  std::int64_t sizeOf(int level, int axis) const;
 
   /// The part of a cell that is in the extent.
   Extent samplesOf(const TargetCell& cell) const;

@@ -1,10 +1,12 @@
 #include "PointCells.h"
 
+#include "Refusal.h"
 #include "UnitScale.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace winding
 {
@@ -56,6 +58,10 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   , scale_(scale)
   , output_(output)
 {
+  if (view.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw Refusal("there are more than 2147483647 samples; evaluate them in parts");
+  }
   constexpr std::size_t samplesPerBlock = 1 << 14;
   const std::size_t blocks = (view.size() + samplesPerBlock - 1) / samplesPerBlock;
   std::vector<Eigen::AlignedBox3d> bounds(blocks);

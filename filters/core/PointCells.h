@@ -20,7 +20,7 @@ class PointCells final : public TargetCells
 {
 public:
   /// Positions are those of the samples times scale. Keeps references to samples and output. Throws
-  /// Interrupted when the executor is.
+  /// Interrupted when the executor is, Refusal for more than 2³¹ − 1 samples.
   PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
     const FieldOutput& output, Executor& executor);
 

@@ -42,7 +42,8 @@ struct RowBands
  * sample on the chain gets the value beside it that sideOfPlane() steps to: one of those that occur
  * around it, chosen by the same rule everywhere; (3) values depend on the grid as a whole, never on
  * the extent, the executor or its threads. Off means: off the vertices as they are in units of the
- * grid, which rounds their coordinates once, to 2⁻⁵³ of their distance from its first sample.
+ * grid, which rounds their coordinates once, to 2⁻⁵³ of their distance from its first sample; grids
+ * whose voxels are smaller than 1e-150 of that leave the range of the predicates.
  *
  * Time: linear in the triangles, the crossings and the runs. Memory: 24 bytes per vertex, 4 per
  * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work.

@@ -115,10 +115,10 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
 }
 
 /// Few samples are not worth a tree, unless it was asked for.
-bool SurfaceField::usesFarField(const VectorsView& samples) const
+bool SurfaceField::usesFarField(std::size_t samples) const
 {
-  return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::triangle, info_.primitives,
-                                        samples.size(), order_));
+  return farField_ && (isAskedFor_ ||
+                        !isCheaperDirectly(Primitive::triangle, info_.primitives, samples, order_));
 }
 
 EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
@@ -131,9 +131,8 @@ EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
                                     : costOfDirectSum(triangle, info_.capTriangles, samples);
     return cost;
   }
-  return info_.method == Method::hierarchical
-           ? costOfFarField(triangle, info_.primitives, samples, order_)
-           : costOfDirectSum(triangle, info_.primitives, samples);
+  return this->usesFarField(samples) ? costOfFarField(triangle, info_.primitives, samples, order_)
+                                     : costOfDirectSum(triangle, info_.primitives, samples);
 }
 
 bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
@@ -144,7 +143,7 @@ bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 {
-  return !this->usesFarField(samples) || farField_->suiting(samples, executor) != nullptr;
+  return !this->usesFarField(samples.size()) || farField_->suiting(samples, executor) != nullptr;
 }
 
 bool SurfaceField::evaluate(
@@ -162,7 +161,7 @@ bool SurfaceField::evaluate(
 bool SurfaceField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  if (!this->usesFarField(samples))
+  if (!this->usesFarField(samples.size()))
   {
     return Field::evaluate(samples, output, executor);
   }

@@ -40,7 +40,7 @@ private:
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
   void chooseFarField(const FieldOptions& options, const std::string& why);
 
-  bool usesFarField(const VectorsView& samples) const;
+  bool usesFarField(std::size_t samples) const;
 
   Surface surface_;
   FieldInfo info_;

@@ -1,5 +1,6 @@
 #include "TriangleFarField.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace winding
@@ -10,6 +11,10 @@ namespace
 
 /// Sides of triangles that are not cut, in voxels: those of a cell whose near sources are summed.
 constexpr double voxelsPerSide = 8;
+
+/// They are not cut any further, in units of the surface: where all samples are in one place, there
+/// is no end to what is large beside their distances.
+constexpr double shortestSide = 1e-4;
 
 } // namespace
 
@@ -56,10 +61,13 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   return this->suiting(rule, executor);
 }
 
-std::shared_ptr<const FarField> TriangleFarField::suiting(
-  const SplitRule& asked, Executor& executor) const
+std::shared_ptr<const FarField> TriangleFarField::suiting(SplitRule rule, Executor& executor) const
 {
-  const SplitRule rule = leavesWhole(asked, vertices_, triangles_) ? SplitRule() : asked;
+  if (!bounds_.isEmpty())
+  {
+    rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
+  }
+  rule = leavesWhole(rule, vertices_, triangles_) ? SplitRule() : rule;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_ || !(rule == rule_))
   {

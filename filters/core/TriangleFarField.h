@@ -24,7 +24,7 @@ public:
   std::shared_ptr<const FarField> suiting(const VectorsView& samples, Executor& executor) const;
 
 private:
-  std::shared_ptr<const FarField> suiting(const SplitRule& rule, Executor& executor) const;
+  std::shared_ptr<const FarField> suiting(SplitRule rule, Executor& executor) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
   const std::vector<Triangle>& triangles_;

@@ -1,4 +1,5 @@
 #include "FarFields.h"
+#include "TriangleFarField.h"
 
 #include "FlushToZero.h"
 
@@ -311,3 +312,31 @@ TEST(FarFieldSamples, LeaveTheModeOfTheProcessorAsItWas)
   }
 }
 #endif
+
+TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
+{
+  // A fan around one vertex, and samples there only: their distances say nothing about how large a
+  // triangle may be. Took minutes when it was cut without end.
+  Mesh fan;
+  fan.points.push_back({0, 0, 1});
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double angle = i * 2 * 3.14159265358979 / 2000;
+    fan.points.push_back({std::cos(angle), std::sin(angle), 0});
+    fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % 2000});
+  }
+  const winding::Surface surface = clean(fan);
+  const winding::TriangleFarField farField(
+    surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
+  winding::SerialExecutor serial;
+  for (const std::size_t count : {1, 5000})
+  {
+    const std::vector<Point> samples(count, Point(0, 0, 1));
+    std::vector<double> values(count, std::nan(""));
+    winding::FieldOutput output;
+    output.doubleValues = values.data();
+    const winding::VectorsView view(samples[0].data(), count);
+    EXPECT_TRUE(farField.suiting(view, serial)->evaluate(view, output, serial));
+    EXPECT_TRUE(std::isfinite(values[0]));
+  }
+}

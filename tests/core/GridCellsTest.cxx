@@ -319,3 +319,30 @@ TEST(GridCells, EvaluatePolynomialsAtEverySample)
     }
   }
 }
+
+TEST(GridCells, HaveARootForAxesOfAnyLength)
+{
+  Grid grid;
+  grid.dimensions = {2147483646, 1, 1};
+  const winding::GridCells cells(grid, {5, 6, 0, 0, 0, 0}, 1, 3);
+  EXPECT_EQ(cells.root().samples, 2u);
+  EXPECT_GE(cells.sizeOf(cells.root().level, 0), 2147483646);
+}
+
+TEST(GridCells, OfSlicesAreSquareHoweverThickTheSlice)
+{
+  Grid grid;
+  grid.dimensions = {300, 300, 1};
+  for (const double thickness : {1e-6, 1.0, 1e6})
+  {
+    grid.spacing = {1, 1, thickness};
+    const winding::GridCells cells(grid, grid.wholeExtent(), 1, 3);
+    int level = 0;
+    while (cells.sizeOf(level, 0) < 16)
+    {
+      ++level;
+    }
+    EXPECT_EQ(cells.sizeOf(level, 1), 16);
+    EXPECT_EQ(cells.sizeOf(0, 0), 1);
+  }
+}
