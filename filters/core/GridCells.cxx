@@ -51,10 +51,15 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
       const bool isCut = number<top&& this->sizeOf(number + 1, axis)> this->sizeOf(number, axis);
       quarter[axis] = isCut ? 0.5 * size[axis] * spacing_[axis] : 0;
     }
-    level.side = size.cwiseProduct(spacing_).maxCoeff();
+    level.side = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double length = grid.dimensions[axis] > 1 ? size[axis] * spacing_[axis] : 0;
+      level.side = std::max(level.side, length);
+    }
     level.radius = 0.5 * (size - Eigen::Vector3d::Ones()).cwiseProduct(spacing_).norm();
     // Of a single sample any side will do; powers of a huge one would leave the range.
-    level.side = level.radius > 0 ? level.side : std::min(level.side, 1e-3);
+    level.side = level.radius > 0 ? level.side : 1e-3;
     if (number < top)
     {
       this->setShifts(order, number, quarter);
@@ -80,7 +85,10 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
 
 std::int64_t GridCells::sizeOf(int level, int axis) const
 {
-  return std::int64_t(1) << std::max(0, exponents_[axis] + level - exponents_.maxCoeff());
+  // An axis of one sample has nothing to divide.
+  return grid_.dimensions[axis] == 1
+           ? 1
+           : std::int64_t(1) << std::max(0, exponents_[axis] + level - exponents_.maxCoeff());
 }
 
 TargetCell GridCells::cellAt(int level, const Eigen::Vector3i& index) const

@@ -33,8 +33,15 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
   SplitRule rule;
   rule.region = Bounds(grid.firstSample, grid.sample(last[0], last[1], last[2]));
-  rule.longestSide = voxelsPerSide * std::cbrt(grid.spacing[0]) * std::cbrt(grid.spacing[1]) *
-                     std::cbrt(grid.spacing[2]);
+  // The geometric mean of the spacings; that of an axis with one sample is none.
+  double logarithms = 0;
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    logarithms += grid.dimensions[axis] > 1 ? std::log(grid.spacing[axis]) : 0;
+    axes += grid.dimensions[axis] > 1;
+  }
+  rule.longestSide = axes > 0 ? voxelsPerSide * std::exp(logarithms / axes) : 0;
   return this->suiting(rule, executor);
 }
 
