@@ -16,6 +16,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace winding
 {
 
@@ -86,7 +88,7 @@ std::uint64_t InputViews::fingerprint() const
     }
     if (!isSurface_)
     {
-      hash.addArray(this->normalsOf(leaf, true));
+      hash.addArray(this->normalsOf(leaf));
       hash.addArray(this->areasOf(leaf));
     }
   }
@@ -112,21 +114,21 @@ vtkDataArray* InputViews::findArray(
   return array;
 }
 
-vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf, bool mayBeMissing) const
+vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
 {
-  vtkDataArray* normals = this->findArray(leaf, options_.normalsArray, 3);
-  if (!normals && !mayBeMissing)
-  {
-    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
-                  "compute oriented normals first, for instance by vtkPCANormalEstimation with "
-                  "NormalOrientation set to graph traversal");
-  }
-  return normals;
+  return this->findArray(leaf, options_.normalsArray, 3);
+}
+
+/// Whether there are points without normals, and no triangles that could tell them either.
+bool InputViews::lacksNormals() const
+{
+  return std::any_of(leaves_.begin(), leaves_.end(),
+    [this](vtkPointSet* leaf) { return !hasFaces(leaf) && !this->normalsOf(leaf); });
 }
 
 vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
 {
-  if (!options_.areasFromArray)
+  if (options_.areas != AreaSource::array)
   {
     return nullptr;
   }
@@ -227,58 +229,58 @@ std::vector<TrianglesView> InputViews::triangles()
   return views;
 }
 
-/// Normals of a mesh's points: the sum of the area vectors of the triangles around each.
-VectorsView InputViews::meshNormalsOf(vtkPointSet* leaf)
+const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
 {
   std::vector<TrianglesView> views;
-  this->addTriangles(leaf, views);
-  std::vector<double> normals(3 * static_cast<std::size_t>(leaf->GetNumberOfPoints()));
-  for (const TrianglesView& view : views)
-  {
-    for (std::size_t t = 0; t < view.triangles.size(); ++t)
-    {
-      std::size_t id[3];
-      bool valid = true;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        id[i] = static_cast<std::size_t>(view.triangles(t, i));
-        valid = valid && id[i] < view.points.size() && 3 * id[i] < normals.size();
-      }
-      if (!valid)
-      {
-        continue;
-      }
-      const Eigen::Vector3d a = view.points[id[0]];
-      const Eigen::Vector3d areaVector = (view.points[id[1]] - a).cross(view.points[id[2]] - a);
-      for (std::size_t corner : id)
-      {
-        Eigen::Map<Eigen::Vector3d>(&normals[3 * corner]) += areaVector;
-      }
-    }
-  }
-  normals_.push_back(std::move(normals));
-  return {normals_.back().data(), normals_.back().size() / 3};
+  this->addTriangles(mesh, views);
+  vertices_.push_back(meshVertices(views, static_cast<std::size_t>(mesh->GetNumberOfPoints())));
+  return vertices_.back();
 }
 
 std::vector<OrientedPointsView> InputViews::orientedPoints()
 {
+  const bool withoutNormals = this->lacksNormals();
+  if (withoutNormals && !options_.estimateNormals)
+  {
+    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
+                  "have them estimated (EstimateNormals, --estimate-normals), or compute oriented "
+                  "ones first, for instance by vtkPCANormalEstimation");
+  }
   std::vector<OrientedPointsView> views;
   for (vtkPointSet* source : leaves_)
   {
     // Points inside of a volume mesh are no points of its surface.
-    vtkPointSet* leaf = options_.asPoints && hasFaces(source) ? this->skinOf(source) : source;
+    const bool isMesh = hasFaces(source);
+    vtkPointSet* leaf = isMesh ? this->skinOf(source) : source;
     if (leaf->GetNumberOfPoints() == 0)
     {
       continue;
     }
+    if (options_.areas == AreaSource::mesh && !isMesh)
+    {
+      throw Refusal(
+        "areas from the mesh need triangles, and these are points alone; choose Voronoi "
+        "areas");
+    }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
-    // A mesh that is taken as points may have no normals of its own.
-    vtkDataArray* own = this->normalsOf(leaf, options_.asPoints && hasFaces(leaf));
-    view.normals = own ? this->vectorsOf(own) : this->meshNormalsOf(leaf);
+    vtkDataArray* ownNormals = this->normalsOf(leaf);
+    const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
+                                     ? &this->verticesOf(leaf)
+                                     : nullptr;
+    // Those of a part are left out where another has none: all are to be oriented together.
+    if (!withoutNormals)
+    {
+      view.normals = ownNormals ? this->vectorsOf(ownNormals)
+                                : VectorsView(vertices->normals.data(), vertices->areas.size());
+    }
     if (vtkDataArray* areas = this->areasOf(leaf))
     {
       view.areas = this->scalarsOf(areas);
+    }
+    else if (options_.areas == AreaSource::mesh)
+    {
+      view.areas = {vertices->areas.data(), vertices->areas.size()};
     }
     views.push_back(view);
   }

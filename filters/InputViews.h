@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MeshVertices.h"
 #include "Sanitize.h"
 
 #include "vtkSmartPointer.h"
@@ -18,18 +19,28 @@ class vtkPolyData;
 namespace winding
 {
 
+/// Where a source says which areas its points have.
+enum class AreaSource
+{
+  none,
+  mesh, ///< in its triangles (MeshVertices.h)
+  array
+};
+
 /// Which arrays of a source to use, and as what.
 struct InputOptions
 {
-  bool asPoints = false;       ///< a mesh as the cloud of its points
-  std::string normalsArray;    ///< empty: the active normals
-  bool areasFromArray = false; ///< clouds: areas from areaArray, not constant
-  std::string areaArray;
+  bool asPoints = false;               ///< a mesh as the cloud of its points
+  bool estimateNormals = false;        ///< points need none: it is not for the views to find them
+  std::string normalsArray;            ///< empty: the active normals
+  AreaSource areas = AreaSource::none; ///< of clouds
+  std::string areaArray;               ///< for areas from an array
 
   bool operator==(const InputOptions& other) const
   {
     return asPoints == other.asPoints && normalsArray == other.normalsArray &&
-           areasFromArray == other.areasFromArray && areaArray == other.areaArray;
+           estimateNormals == other.estimateNormals && areas == other.areas &&
+           areaArray == other.areaArray;
   }
 };
 
@@ -61,13 +72,14 @@ public:
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
   vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
-  vtkDataArray* normalsOf(vtkPointSet* leaf, bool mayBeMissing) const;
+  vtkDataArray* normalsOf(vtkPointSet* leaf) const;
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);
   template <class View> View viewOf(vtkDataArray* array);
   TriangleIdsView idsOf(vtkCellArray* polygons);
-  VectorsView meshNormalsOf(vtkPointSet* leaf);
+  bool lacksNormals() const;
+  const MeshVertices& verticesOf(vtkPointSet* mesh);
   vtkPolyData* skinOf(vtkPointSet* leaf);
   void addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views);
 
@@ -80,7 +92,7 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
   std::vector<vtkSmartPointer<vtkPointSet>> skins_;
   std::vector<std::vector<std::int64_t>> ids_;
-  std::vector<std::vector<double>> normals_;
+  std::vector<MeshVertices> vertices_;
 };
 
 } // namespace winding

@@ -47,15 +47,14 @@ winding::Method coreMethod(int method)
                          "PARITY (4)");
 }
 
-bool areasComeFromArray(int pointAreaMethod)
+/// Throws Refusal unless it is one that there is.
+void checkPointAreaMethod(int method)
 {
-  if (pointAreaMethod != vtkWindingNumberAlgorithm::CONSTANT &&
-      pointAreaMethod != vtkWindingNumberAlgorithm::ARRAY)
+  if (method < vtkWindingNumberAlgorithm::VORONOI || method > vtkWindingNumberAlgorithm::ARRAY)
   {
-    throw winding::Refusal("the point area method is " + std::to_string(pointAreaMethod) +
-                           "; it must be CONSTANT (2) or ARRAY (3)");
+    throw winding::Refusal("the point area method is " + std::to_string(method) +
+                           "; it must be VORONOI (0), MESH (1), CONSTANT (2) or ARRAY (3)");
   }
-  return pointAreaMethod == vtkWindingNumberAlgorithm::ARRAY;
 }
 
 winding::InsideRule coreRule(int rule)
@@ -175,11 +174,20 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
   winding::SourceOptions options;
   options.input.asPoints = this->SourceAsPoints != 0;
   options.input.normalsArray = textOf(this->NormalsArray);
-  options.input.areasFromArray = areasComeFromArray(this->PointAreaMethod);
+  options.input.estimateNormals = this->EstimateNormals != 0;
+  checkPointAreaMethod(this->PointAreaMethod);
+  options.input.areas = this->PointAreaMethod == MESH    ? winding::AreaSource::mesh
+                        : this->PointAreaMethod == ARRAY ? winding::AreaSource::array
+                                                         : winding::AreaSource::none;
   options.input.areaArray = textOf(this->AreaArray);
   options.field.method = coreMethod(this->Method);
   options.field.tolerance = this->Tolerance;
+  options.field.estimateNormals = this->EstimateNormals != 0;
+  options.field.pointAreaMethod = this->PointAreaMethod == CONSTANT
+                                    ? winding::PointAreaMethod::constant
+                                    : winding::PointAreaMethod::voronoi;
   options.field.pointArea = this->PointArea;
+  options.field.neighbors = this->NumberOfNeighbors;
   options.field.scattered = !this->EvaluatesGrid();
   return options;
 }
@@ -326,6 +334,8 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "SourceAsPoints: " << this->SourceAsPoints << "\n";
   os << indent << "NormalsArray: " << textOf(this->NormalsArray) << "\n";
+  os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
   os << indent << "PointArea: " << this->PointArea << "\n";
   os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";

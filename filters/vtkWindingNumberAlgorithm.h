@@ -75,9 +75,11 @@ public:
     ODD = 2       ///< the integer nearest to w is odd
   };
 
-  /// Where the areas of the points of a cloud come from. Gaps are for methods to come.
+  /// Where the areas of the points of a cloud come from.
   enum PointAreaMethodType
   {
+    VORONOI = 0,  ///< each point's cell among its neighbours, in its tangent plane
+    MESH = 1,     ///< a third of every triangle around the point; for meshes taken as points
     CONSTANT = 2, ///< PointArea for every point
     ARRAY = 3     ///< the point data array AreaArray
   };
@@ -125,14 +127,30 @@ public:
   ///@}
 
   ///@{
-  /// Clouds: where areas come from. Default CONSTANT.
+  /// Clouds without normals: estimate them from the neighbours of each point, orient them consistently,
+  /// and outward by the field that they give (NormalEstimation.h). A warning says where that gives no
+  /// clear inside and outside. Default off: points without normals are refused.
+  vtkSetMacro(EstimateNormals, vtkTypeBool);
+  vtkGetMacro(EstimateNormals, vtkTypeBool);
+  vtkBooleanMacro(EstimateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Clouds: where areas come from. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
   ///@}
 
   ///@{
-  /// Clouds, method CONSTANT: the area of every point. 0 estimates the mean area from the distances
-  /// to the nearest 20 points. 0 or more, default 0.
+  /// Clouds: how many neighbours of a point tell its area, and its normal where that is estimated. 3 to
+  /// 1000, default 20.
+  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkGetMacro(NumberOfNeighbors, int);
+  ///@}
+
+  ///@{
+  /// Clouds, method CONSTANT: the area of every point. 0 takes the mean of what VORONOI gives. 0 or
+  /// more, default 0.
   vtkSetMacro(PointArea, double);
   vtkGetMacro(PointArea, double);
   ///@}
@@ -276,7 +294,9 @@ protected:
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
   char* NormalsArray = nullptr;
-  int PointAreaMethod = CONSTANT;
+  vtkTypeBool EstimateNormals = 0;
+  int PointAreaMethod = VORONOI;
+  int NumberOfNeighbors = 20;
   double PointArea = 0;
   char* AreaArray = nullptr;
   double WindingThreshold = 0.5;

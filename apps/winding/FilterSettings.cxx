@@ -12,7 +12,9 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetMethod(options.method);
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);
+  filter->SetEstimateNormals(options.estimateNormals);
   filter->SetPointAreaMethod(options.areas);
+  filter->SetNumberOfNeighbors(options.neighbors);
   filter->SetPointArea(options.area);
   filter->SetWindingThreshold(options.threshold);
   filter->SetInsideRule(options.rule);

@@ -52,8 +52,12 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
   require(options.area >= 0 && std::isfinite(options.area),
     "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
-  require(options.areas != Filter::ARRAY || !wasGiven("--area"),
-    "--area is for --areas constant; leave one of them out");
+  require(options.areas == Filter::CONSTANT || !wasGiven("--area"),
+    "--area is for --areas constant; say that, too, or leave it out");
+  require(options.areas != Filter::MESH || options.asPoints,
+    "--areas mesh is for meshes taken as points; say --points, too");
+  require(options.neighbors >= 3 && options.neighbors <= 1000,
+    "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
   require(std::isfinite(options.threshold),
     "--threshold is " + shown(options.threshold) + "; give a finite number");
 }

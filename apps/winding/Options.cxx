@@ -87,13 +87,25 @@ void addMethod(CLI::App* command, Options& options)
     ->group(group);
   command
     ->add_option("--areas", options.areas,
-      "Areas of a cloud's points: constant | array, the point data array \"Area\" (constant)")
-    ->transform(oneOf({{"constant", Filter::CONSTANT}, {"array", Filter::ARRAY}}))
+      "Areas of a cloud's points: voronoi, each point's cell among its neighbours | mesh, a third "
+      "of "
+      "the triangles around it (with --points) | constant | array, the point data array \"Area\" "
+      "(voronoi)")
+    ->transform(oneOf({{"voronoi", Filter::VORONOI}, {"mesh", Filter::MESH},
+      {"constant", Filter::CONSTANT}, {"array", Filter::ARRAY}}))
     ->type_name("NAME")
     ->group(group);
   command
     ->add_option("--area", options.area,
-      "The constant area of a cloud's points (estimated from their distances)")
+      "The area of every point of a cloud, for --areas constant (the mean of those of voronoi)")
+    ->group(group);
+  command
+    ->add_option("--neighbors", options.neighbors,
+      "How many neighbours of a point tell its area and, if estimated, its normal (20)")
+    ->group(group);
+  command
+    ->add_flag("--estimate-normals", options.estimateNormals,
+      "Estimate the normals of points that have none, orient them, and check them by the field")
     ->group(group);
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);
@@ -279,7 +291,7 @@ std::string explanation(const CLI::App& app, const CLI::ParseError& error)
 std::optional<Options> parseCommandLine(int argc, char** argv)
 {
   Options options;
-  options.areas = Filter::CONSTANT;
+  options.areas = Filter::VORONOI;
   CLI::App app(
     "Winding numbers of surfaces and oriented point clouds: what is inside, and how often",
     "winding");

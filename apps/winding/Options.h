@@ -26,6 +26,8 @@ struct Options
   double tolerance = 1e-3;
   int areas = 0;
   double area = 0;
+  int neighbors = 20;
+  bool estimateNormals = false;
   bool asPoints = false;
 
   // The output.

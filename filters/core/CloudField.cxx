@@ -1,5 +1,6 @@
 #include "CloudField.h"
 
+#include "NormalEstimation.h"
 #include "PointAreas.h"
 #include "ReferenceSum.h"
 #include "Refusal.h"
@@ -33,31 +34,65 @@ CloudField::CloudField(
                     std::to_string(cloud_.zeroNormalPoints) + " with normals of length 0, " +
                     std::to_string(cloud_.badAreaPoints) + " with negative areas)";
   }
-  this->chooseAreas(options.pointArea, executor);
+  if (options.neighbors < 3)
+  {
+    throw Refusal("the number of neighbours is " + std::to_string(options.neighbors) +
+                  "; 3 at least tell the area or the normal of a point");
+  }
+  this->chooseNormals(options, executor);
+  this->chooseAreas(options, executor);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
 
 CloudField::~CloudField() = default;
 
-void CloudField::chooseAreas(double constantArea, Executor& executor)
+void CloudField::chooseNormals(const FieldOptions& options, Executor& executor)
 {
-  if (!(constantArea >= 0) || !std::isfinite(constantArea))
-  {
-    throw Refusal("the point area is " + std::to_string(constantArea) +
-                  "; it must be more than 0, or 0 to be estimated");
-  }
-  if (!cloud_.areas.empty())
+  if (cloud_.normals.size() == cloud_.positions.size())
   {
     return;
   }
-  info_.pointArea = constantArea > 0 ? constantArea : meanPointArea(cloud_, executor);
-  cloud_.areas.assign(cloud_.positions.size(), info_.pointArea);
-  if (info_.pointArea == 0 && !cloud_.positions.empty())
+  if (!options.estimateNormals)
+  {
+    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
+                  "have them estimated");
+  }
+  cloud_.normals = estimateNormals(cloud_.positions, options.neighbors, executor);
+}
+
+void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
+{
+  if (!(options.pointArea >= 0) || !std::isfinite(options.pointArea))
+  {
+    throw Refusal("the point area is " + std::to_string(options.pointArea) +
+                  "; it must be more than 0, or 0 to be estimated");
+  }
+  const std::size_t points = cloud_.positions.size();
+  if (cloud_.areas.empty())
+  {
+    if (options.pointAreaMethod == PointAreaMethod::voronoi)
+    {
+      cloud_.areas = voronoiAreas(cloud_, executor, options.neighbors);
+    }
+    else
+    {
+      cloud_.areas.assign(points, options.pointArea > 0
+                                    ? options.pointArea
+                                    : meanPointArea(cloud_, executor, options.neighbors));
+    }
+  }
+  double sum = 0;
+  for (const double area : cloud_.areas)
+  {
+    sum += area / static_cast<double>(points);
+  }
+  info_.pointArea = sum;
+  if (sum == 0 && points > 0)
   {
     info_.warning += std::string(info_.warning.empty() ? "" : "; ") +
-                     "the area of the points cannot be estimated, so the field is 0; set a point "
-                     "area";
+                     "the areas of the points are 0, and so is the field; points at one place tell "
+                     "no area, so set a point area";
   }
 }
 

@@ -34,7 +34,8 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void chooseAreas(double constantArea, Executor& executor);
+  void chooseNormals(const FieldOptions& options, Executor& executor);
+  void chooseAreas(const FieldOptions& options, Executor& executor);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;

@@ -4,6 +4,7 @@
 #include "Executor.h"
 #include "FieldOutput.h"
 #include "Grid.h"
+#include "PointAreas.h"
 #include "Views.h"
 
 #include <functional>
@@ -28,14 +29,26 @@ enum class Method
 
 const char* nameOf(Method method);
 
+/// Where the areas of a cloud's points come from, if the cloud has none of its own.
+enum class PointAreaMethod
+{
+  voronoi, ///< each point's cell among its neighbours (PointAreas.h)
+  constant ///< one for all points
+};
+
 struct FieldOptions
 {
   Method method = Method::automatic;
   /// Largest absolute error of w at any sample that an approximation may make. Below
   /// FarFieldAccuracy::finest (1e-6), and so with 0, there is none.
   double tolerance = 1e-3;
-  /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
+  /// Whether points without normals get estimated ones (NormalEstimation.h).
+  bool estimateNormals = false;
+  PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
+  /// Method constant: the area of every point; 0: the mean of what method voronoi gives.
   double pointArea = 0;
+  /// How many neighbours of a point tell its area and normal; 3 or more.
+  int neighbors = defaultNeighbors;
   /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
   /// of a grid are no use then.
   bool scattered = false;
@@ -43,7 +56,8 @@ struct FieldOptions
   bool operator==(const FieldOptions& other) const
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
-           scattered == other.scattered;
+           estimateNormals == other.estimateNormals && pointAreaMethod == other.pointAreaMethod &&
+           neighbors == other.neighbors && scattered == other.scattered;
   }
 };
 
@@ -58,7 +72,7 @@ struct FieldInfo
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
   std::size_t capTriangles = 0;     ///< method rows: triangles that close the surface
-  double pointArea = 0;             ///< clouds: the constant area, 0 if points have their own
+  double pointArea = 0;             ///< clouds: the mean area of a point
   Bounds bounds;
   Method method = Method::direct; ///< the one chosen, never automatic
   std::string why;                ///< why this one, for the user

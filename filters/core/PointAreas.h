@@ -3,21 +3,38 @@
 #include "Executor.h"
 #include "Sanitize.h"
 
+#include <vector>
+
 namespace winding
 {
 
+/// How many neighbours of a point are looked at unless the user says otherwise.
+constexpr int defaultNeighbors = 20;
+
 /**
- * One area for every point: about the mean area that a point of the cloud stands for.
+ * The area that each point of an oriented cloud stands for: that of its Voronoi cell in its tangent
+ * plane, among those of its k nearest neighbours whose normals are similar to its own (Barill et al.,
+ * Fast winding numbers for soups and clouds, 2018). Neighbours on the other side of a thin part have
+ * opposite normals and do not count.
  *
- * A disk of radius d_j, the distance to the j-th nearest neighbour, holds about j points, so
- * π Σd_j²/Σj over j = 1 … k estimates the area of one (all of them, because on regular grids many
- * neighbours are equally far, and d_k alone is wrong by a quarter); the mean over the cloud, without
- * the largest hundredth (far outliers), is returned. Right within a few percent for evenly sampled
- * surfaces; for uneven ones no single area is. Equal points share the area of one. 0 where the cloud has one point or coincides in one.
+ * A cell that neighbours do not close ends about half way to where the next point would be: at the
+ * border of an open cloud as far from the points as on the other sides. Points at equal places share
+ * one cell, those of them whose normals are similar; points at equal places with opposite normals
+ * have a cell each. A point far from all others gets no more than a few times the area of those that
+ * are nearest to it.
  *
- * neighbors is k, at least 1, and is cut off at the number of other points. O(n log n), most of
- * it on the executor's threads; the same bits for any of them. Throws Interrupted.
+ * neighbors is k, at least 3; where few of them have similar normals, four times as many are looked
+ * at. Areas are in squared units of the positions, more than 0 and finite; all are 0 where the cloud
+ * has one place only, for then nothing tells an area.
+ *
+ * Right within 1 % in total for closed clouds, uneven ones too; see tests/core/PointAreasTest.cxx.
+ * O(n log n) time, most of it on the executor's threads; about 150 bytes per point while it runs; the
+ * same bits for any executor. Throws Interrupted.
  */
-double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors = 20);
+std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors);
+
+/// The mean of those: one area for every point, such that all together have the right one. It suits
+/// evenly sampled surfaces.
+double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors);
 
 } // namespace winding

@@ -64,7 +64,7 @@ enum class PointFault
 
 PointFault faultOf(const OrientedPointsView& view, std::size_t i)
 {
-  const Eigen::Vector3d normal = view.normals[i];
+  const Eigen::Vector3d normal = view.normals.empty() ? Eigen::Vector3d(0, 0, 1) : view.normals[i];
   const double area = view.areas.empty() ? 0 : view.areas[i];
   if (!view.positions[i].allFinite() || !normal.allFinite() || !std::isfinite(area))
   {
@@ -80,12 +80,32 @@ PointFault faultOf(const OrientedPointsView& view, std::size_t i)
 void checkLengths(const OrientedPointsView& view)
 {
   const std::size_t points = view.positions.size();
-  if (view.normals.size() != points || (!view.areas.empty() && view.areas.size() != points))
+  if ((!view.normals.empty() && view.normals.size() != points) ||
+      (!view.areas.empty() && view.areas.size() != points))
   {
     throw Refusal("the cloud has " + std::to_string(points) + " points but " +
                   std::to_string(view.normals.size()) + " normals and " +
                   std::to_string(view.areas.size()) + " areas; give one of each to every point");
   }
+}
+
+/// Whether the parts of a cloud have something. Throws Refusal where some have and others have not.
+template <class IsMissing>
+bool allOrNone(
+  const std::vector<OrientedPointsView>& views, const std::string& what, const IsMissing& isMissing)
+{
+  bool any = false, all = true;
+  for (const OrientedPointsView& view : views)
+  {
+    any = any || !isMissing(view);
+    all = all && (view.positions.empty() || !isMissing(view));
+  }
+  if (any && !all)
+  {
+    throw Refusal(
+      "some parts of the cloud have " + what + " and others have none; give " + what + " to all");
+  }
+  return any;
 }
 
 constexpr std::size_t primitivesPerBlock = 16384;
@@ -203,17 +223,14 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
 
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor)
 {
-  bool withAreas = false, withoutAreas = false;
   for (const OrientedPointsView& view : views)
   {
     checkLengths(view);
-    withAreas = withAreas || !view.areas.empty();
-    withoutAreas = withoutAreas || (view.areas.empty() && !view.positions.empty());
   }
-  if (withAreas && withoutAreas)
-  {
-    throw Refusal("some parts of the cloud have areas and others have none; give areas to all");
-  }
+  const bool withNormals = allOrNone(
+    views, "normals", [](const OrientedPointsView& view) { return view.normals.empty(); });
+  const bool withAreas =
+    allOrNone(views, "areas", [](const OrientedPointsView& view) { return view.areas.empty(); });
   const Concatenation points(
     views, [](const OrientedPointsView& view) { return view.positions.size(); });
   std::vector<FaultCounts> faults(blocksOf(points.size()));
@@ -248,7 +265,7 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
 
   const std::vector<std::size_t> starts = startsOfKept(faults);
   cloud.positions.resize(starts.back());
-  cloud.normals.resize(starts.back());
+  cloud.normals.resize(withNormals ? starts.back() : 0);
   cloud.areas.resize(withAreas ? starts.back() : 0);
   std::vector<Bounds> bounds(faults.size());
   runBlocks(
@@ -268,10 +285,13 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
               continue;
             }
             cloud.positions[kept] = view.positions[i];
-            // By the largest component first: the square of a very long or short normal leaves the
-            // range.
-            const Eigen::Vector3d normal = view.normals[i];
-            cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
+            if (withNormals)
+            {
+              // By the largest component first: the square of a very long or short normal leaves
+              // the range.
+              const Eigen::Vector3d normal = view.normals[i];
+              cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
+            }
             if (withAreas)
             {
               cloud.areas[kept] = view.areas[i];

@@ -45,8 +45,8 @@ struct Surface
 struct PointCloud
 {
   std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> normals;
-  std::vector<double> areas; ///< as many as positions, or none when the input has none
+  std::vector<Eigen::Vector3d> normals; ///< as many as positions, or none when the input has none
+  std::vector<double> areas;            ///< as many as positions, or none when the input has none
   Bounds bounds;
 
   std::size_t inputPoints = 0;

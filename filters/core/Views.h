@@ -101,7 +101,7 @@ struct TrianglesView
   TriangleIdsView triangles;
 };
 
-/// Points with normals, as many normals as points, and areas: as many as points, or none.
+/// Points with normals and areas: as many of each as there are points, or none.
 struct OrientedPointsView
 {
   VectorsView positions;

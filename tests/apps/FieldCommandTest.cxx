@@ -235,9 +235,11 @@ TEST_F(FieldCommand, Clouds)
   const std::string csv = folder.write("cloud.csv", asCsv(mesh));
   for (const std::vector<std::string>& arguments : {
          std::vector<std::string>{"field", csv, "--areas", "array"},
-         {"field", csv, "--area", "0.0487"},
-         {"field", csv},
+         {"field", csv, "--areas", "constant", "--area", "0.0487"},
+         {"field", csv, "--areas", "constant"},
+         {"field", csv, "--neighbors", "12"},
          {"field", in, "--points"},
+         {"field", in, "--points", "--areas", "mesh"},
        })
   {
     std::vector<std::string> all = arguments;
@@ -248,7 +250,7 @@ TEST_F(FieldCommand, Clouds)
     EXPECT_EQ(result.json()["input"]["primitives"], mesh.points.size());
     const auto field = image("c.vti");
     vtkDataArray* w = field->GetPointData()->GetArray("WindingNumber");
-    EXPECT_NEAR(w->GetTuple1(w->GetNumberOfTuples() / 2), 1, 0.15) << result;
+    EXPECT_NEAR(w->GetTuple1(w->GetNumberOfTuples() / 2), 1, 0.03) << result;
   }
 }
 

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * The part of the plane that is nearer to the origin than to other points: a convex polygon, cut by
+ * one perpendicular bisector after the other out of a regular polygon that bounds it.
+ */
+class VoronoiCell
+{
+public:
+  /// Starts anew from a regular polygon of 16 sides with the area of a circle of this radius.
+  void start(double radius)
+  {
+    constexpr int sides = 16;
+    const double corner = radius * std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));
+    corners_.clear();
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2 * pi * (i + 0.5) / sides;
+      corners_.push_back({{corner * std::cos(angle), corner * std::sin(angle)}, true});
+    }
+  }
+
+  /// Leaves what is not nearer to a point than to the origin; a point at the origin cuts nothing.
+  void cut(const Eigen::Vector2d& point)
+  {
+    const double half = 0.5 * point.squaredNorm();
+    const auto excess = [&](const Corner& corner)
+    {
+      return point.dot(corner.position) - half;
+    };
+    bool cuts = false;
+    for (const Corner& corner : corners_)
+    {
+      cuts = cuts || excess(corner) > 0;
+    }
+    if (!cuts)
+    {
+      return;
+    }
+    kept_.clear();
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+    {
+      const Corner& from = corners_[i];
+      const Corner& to = corners_[i + 1 < corners_.size() ? i + 1 : 0];
+      const double before = excess(from), after = excess(to);
+      if (before <= 0)
+      {
+        kept_.push_back(from);
+      }
+      if ((before <= 0) != (after <= 0))
+      {
+        const double t = before / (before - after);
+        // The side that begins where the polygon is left is the bisector.
+        kept_.push_back(
+          {from.position + t * (to.position - from.position), before > 0 && from.isBound});
+      }
+    }
+    corners_.swap(kept_);
+  }
+
+  double area() const
+  {
+    double twice = 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+    {
+      const Eigen::Vector2d& a = corners_[i].position;
+      const Eigen::Vector2d& b = corners_[i + 1 < corners_.size() ? i + 1 : 0].position;
+      twice += a[0] * b[1] - a[1] * b[0];
+    }
+    return 0.5 * twice;
+  }
+
+  /// Whether a side of the polygon at the start is left: no points bound the cell there.
+  bool isOpen() const
+  {
+    for (const Corner& corner : corners_)
+    {
+      if (corner.isBound)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Appends the directions of the middles of these sides, as angles in [0, 2π).
+  void appendOpenDirections(std::vector<double>& angles) const
+  {
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+    {
+      if (corners_[i].isBound)
+      {
+        const Eigen::Vector2d twice =
+          corners_[i].position + corners_[i + 1 < corners_.size() ? i + 1 : 0].position;
+        const double angle = std::atan2(twice[1], twice[0]);
+        angles.push_back(angle < 0 ? angle + 2 * pi : angle);
+      }
+    }
+  }
+
+private:
+  static constexpr double pi = 3.14159265358979323846;
+
+  struct Corner
+  {
+    Eigen::Vector2d position;
+    bool isBound; ///< whether the side to the next corner is one of the start
+  };
+
+  std::vector<Corner> corners_, kept_;
+};
+
+} // namespace winding
