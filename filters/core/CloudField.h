@@ -34,7 +34,8 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void chooseNormals(const FieldOptions& options, Executor& executor);
+  void turnOutward(Executor& executor);
+  void warn(const std::string& what);
   void chooseAreas(const FieldOptions& options, Executor& executor);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 

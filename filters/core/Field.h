@@ -73,6 +73,7 @@ struct FieldInfo
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
   std::size_t capTriangles = 0;     ///< method rows: triangles that close the surface
   double pointArea = 0;             ///< clouds: the mean area of a point
+  bool normalsAreEstimated = false; ///< clouds
   Bounds bounds;
   Method method = Method::direct; ///< the one chosen, never automatic
   std::string why;                ///< why this one, for the user
