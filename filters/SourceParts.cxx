@@ -2,7 +2,6 @@
 
 #include "Refusal.h"
 
-#include "vtkCellTypes.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtractCells.h"
@@ -43,12 +42,11 @@ bool hasFaces(vtkPointSet* leaf)
   {
     return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
   }
-  vtkNew<vtkCellTypes> types;
-  leaf->GetCellTypes(types);
+  // Cell by cell: ParaView's VTK warns of GetCellTypes(), and most meshes have a face first.
   vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
   {
-    cell->SetCellType(types->GetCellType(static_cast<int>(i)));
+    cell->SetCellType(leaf->GetCellType(i)); // does nothing for the type that it has
     if (cell->GetCellDimension() >= 2)
     {
       return true;

@@ -351,6 +351,11 @@ class TestField(unittest.TestCase):
             self.assertAlmostEqual(value_at(image, center), 1, places=6)
         self.assertAlmostEqual(value_at(image, (1.5, 0, 0)), 0, places=6)
 
+    def test_unstructured_grid(self):
+        grid = simple.AppendDatasets(Input=unit_sphere())
+        image = result(WindingNumberField(Input=grid, Resolution=10))
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, places=6)
+
     def test_threshold_and_resolution_keep_what_was_prepared(self):
         sphere = unit_sphere()
         field = WindingNumberField(Input=sphere, Resolution=8)
