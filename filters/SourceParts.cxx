@@ -2,6 +2,8 @@
 
 #include "Refusal.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtractCells.h"
@@ -53,6 +55,28 @@ bool hasFaces(vtkPointSet* leaf)
     }
   }
   return false;
+}
+
+SourceKind kindOf(vtkDataObject* source)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(source))
+  {
+    SourceKind kind = SourceKind::nothing;
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && kind != SourceKind::mesh;
+         iterator->GoToNextItem())
+    {
+      const SourceKind leaf = kindOf(iterator->GetCurrentDataObject());
+      kind = leaf == SourceKind::nothing ? kind : leaf;
+    }
+    return kind;
+  }
+  auto* points = vtkPointSet::SafeDownCast(source);
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    return SourceKind::nothing;
+  }
+  return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
 }
 
 void checkCellIds(vtkPointSet* leaf)
