@@ -577,6 +577,17 @@ class TestPanel(unittest.TestCase):
         self.assert_kind(field, 2)
         self.assert_kind(probe, 2)
 
+    def test_nothing_is_said_of_an_execution_before_the_first(self):
+        field = WindingNumberField(Input=self.mesh, Resolution=4)
+        field.UpdatePipelineInformation()
+        self.assertEqual(shown(field, "Last Execution"), set())
+        field.UpdatePipeline()
+        self.assertGreater(information(field, "ExpectedMemory"), 0)
+        self.assertIn("MethodReason", shown(field, "Last Execution"))
+        self.assertNotIn("MaxError", shown(field, "Last Execution"))
+        field.VerifySamples = 10
+        self.assertIn("MaxError", shown(field, "Last Execution"))
+
     def test_properties_of_clouds_are_shown_for_clouds_only(self):
         for name in ("WindingNumberField", "WindingNumberProbe"):
             sources = (self.mesh, self.cloud), (self.cells, self.cloud), self.blocks.values()
