@@ -3,6 +3,7 @@
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceField.h"
+#include "SourceParts.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -67,6 +68,19 @@ winding::InsideRule coreRule(int rule)
     return winding::InsideRule::odd;
   default:
     return winding::InsideRule::signedThreshold;
+  }
+}
+
+int kindOf(vtkDataObject* source)
+{
+  switch (winding::kindOf(source))
+  {
+  case winding::SourceKind::mesh:
+    return vtkWindingNumberAlgorithm::MESH;
+  case winding::SourceKind::cloud:
+    return vtkWindingNumberAlgorithm::CLOUD;
+  default:
+    return vtkWindingNumberAlgorithm::NOTHING;
   }
 }
 
@@ -196,6 +210,7 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   vtkIdType samples,
   const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
+  this->LookAtSource(source);
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
@@ -224,6 +239,11 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
   return field;
+}
+
+void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
+{
+  this->SourceKind = kindOf(source);
 }
 
 bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
@@ -346,6 +366,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SourceKind: " << this->SourceKind << "\n";
   os << indent << "Status: " << this->Status << "\n";
   os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";

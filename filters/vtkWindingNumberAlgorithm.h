@@ -84,6 +84,14 @@ public:
     ARRAY = 3     ///< the point data array AreaArray
   };
 
+  /// What a source is.
+  enum SourceKindType
+  {
+    NOTHING = 0, ///< without points, or not there yet
+    MESH = 1,    ///< with cells of two or three dimensions
+    CLOUD = 2    ///< points without such cells
+  };
+
   /// How the last execution ended.
   enum StatusType
   {
@@ -210,6 +218,14 @@ public:
   ///@}
 
   ///@{
+  /// What the source is, even if SourceAsPoints takes it for something else; composite data is a mesh
+  /// if any leaf is. Known as soon as the pipeline's information is, for a source that has been
+  /// updated by then, so that a user interface can offer what the source needs before anything is
+  /// executed. NOTHING until then.
+  vtkGetMacro(SourceKind, int);
+  ///@}
+
+  ///@{
   /// About the last execution: how it ended, the method used and why it was chosen, the seconds
   /// spent on building from the source (what was kept takes none) and on evaluating.
   vtkGetMacro(Status, int);
@@ -275,6 +291,9 @@ protected:
   const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,
     const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
 
+  /// Finds out what a source is, for SourceKind. Filters do it when they are asked for information.
+  void LookAtSource(vtkDataObject* source);
+
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
@@ -306,6 +325,7 @@ protected:
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
+  int SourceKind = NOTHING;
   int Status = DONE;
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;

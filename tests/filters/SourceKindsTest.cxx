@@ -334,6 +334,85 @@ TEST_F(SourceKinds, ParityNeedsTriangles)
   expectRefused(cloud(), "parity needs triangles");
 }
 
+TEST_F(SourceKinds, KindIsKnownWithTheInformation)
+{
+  const auto expectKind = [](int kind, vtkDataObject* source)
+  {
+    vtkNew<vtkWindingNumberProbe> fresh;
+    EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NOTHING);
+    fresh->SetInputData(sphere());
+    fresh->SetSourceData(source);
+    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH); // says nothing of the source
+    fresh->UpdateInformation();
+    EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
+    for (const bool useBounds : {true, false})
+    {
+      vtkNew<vtkWindingNumberField> field;
+      field->SetInputData(source);
+      field->SetUseInputBounds(useBounds);
+      field->UpdateInformation();
+      EXPECT_EQ(field->GetSourceKind(), kind) << useBounds;
+    }
+  };
+  vtkNew<vtkStripper> strips;
+  strips->SetInputData(sphere());
+  strips->Update();
+  vtkNew<vtkAppendFilter> cells, vertices;
+  cells->SetInputData(sphere());
+  cells->Update();
+  vertices->SetInputData(cloud());
+  vertices->Update();
+  vtkNew<vtkMultiBlockDataSet> spheres, clouds;
+  spheres->SetBlock(0, vtkSmartPointer<vtkPolyData>::New());
+  spheres->SetBlock(2, sphere());
+  clouds->SetBlock(0, cloud());
+  clouds->SetBlock(1, vtkSmartPointer<vtkPolyData>::New());
+  expectKind(vtkWindingNumberProbe::MESH, sphere());
+  expectKind(vtkWindingNumberProbe::MESH, strips->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH, cells->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH, spheres);
+  expectKind(vtkWindingNumberProbe::CLOUD, cloud());
+  expectKind(vtkWindingNumberProbe::CLOUD, vertices->GetOutput());
+  expectKind(vtkWindingNumberProbe::CLOUD, clouds);
+  expectKind(vtkWindingNumberProbe::NOTHING, vtkSmartPointer<vtkPolyData>::New());
+}
+
+TEST_F(SourceKinds, KindFollowsASourceThatIsUpdatedLater)
+{
+  vtkNew<vtkSphereSource> source;
+  probe->SetInputData(sphere());
+  probe->SetSourceConnection(source->GetOutputPort());
+  probe->UpdateInformation();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::NOTHING);
+  probe->Update();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::MESH);
+  probe->SetSourceData(cloud());
+  probe->UpdateInformation();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::CLOUD);
+}
+
+TEST_F(SourceKinds, KindIsFoundForSourcesThatAreRefusedLater)
+{
+  // With the box given, information needs no usable source, and must not fail for the kind's sake.
+  vtkNew<vtkMultiBlockDataSet> mixed, images;
+  mixed->SetBlock(0, cloud());
+  mixed->SetBlock(1, sphere());
+  images->SetBlock(0, vtkSmartPointer<vtkImageData>::New());
+  vtkNew<vtkWindingNumberField> field;
+  field->UseInputBoundsOff();
+  ErrorLog log(field);
+  field->SetInputData(mixed);
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::MESH);
+  field->SetInputData(cloud(false));
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::CLOUD);
+  field->SetInputData(images);
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::NOTHING);
+  EXPECT_EQ(log.errors(), "");
+}
+
 TEST_F(SourceKinds, SurfacesAndCloudsDoNotMix)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
