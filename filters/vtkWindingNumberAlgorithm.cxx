@@ -76,11 +76,11 @@ int kindOf(vtkDataObject* source)
   switch (winding::kindOf(source))
   {
   case winding::SourceKind::mesh:
-    return vtkWindingNumberAlgorithm::MESH;
+    return vtkWindingNumberAlgorithm::MESH_SOURCE;
   case winding::SourceKind::cloud:
-    return vtkWindingNumberAlgorithm::CLOUD;
+    return vtkWindingNumberAlgorithm::CLOUD_SOURCE;
   default:
-    return vtkWindingNumberAlgorithm::NOTHING;
+    return vtkWindingNumberAlgorithm::NO_SOURCE;
   }
 }
 

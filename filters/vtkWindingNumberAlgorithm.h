@@ -87,9 +87,9 @@ public:
   /// What a source is.
   enum SourceKindType
   {
-    NOTHING = 0, ///< without points, or not there yet
-    MESH = 1,    ///< with cells of two or three dimensions
-    CLOUD = 2    ///< points without such cells
+    NO_SOURCE = 0,   ///< without points, or not there yet
+    MESH_SOURCE = 1, ///< with cells of two or three dimensions
+    CLOUD_SOURCE = 2 ///< points without such cells
   };
 
   /// How the last execution ended.
@@ -221,7 +221,7 @@ public:
   /// What the source is, even if SourceAsPoints takes it for something else; composite data is a mesh
   /// if any leaf is. Known as soon as the pipeline's information is, for a source that has been
   /// updated by then, so that a user interface can offer what the source needs before anything is
-  /// executed. NOTHING until then.
+  /// executed. NO_SOURCE until then.
   vtkGetMacro(SourceKind, int);
   ///@}
 
@@ -325,7 +325,7 @@ protected:
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
-  int SourceKind = NOTHING;
+  int SourceKind = NO_SOURCE;
   int Status = DONE;
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;

@@ -339,10 +339,10 @@ TEST_F(SourceKinds, KindIsKnownWithTheInformation)
   const auto expectKind = [](int kind, vtkDataObject* source)
   {
     vtkNew<vtkWindingNumberProbe> fresh;
-    EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NOTHING);
+    EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
     fresh->SetInputData(sphere());
     fresh->SetSourceData(source);
-    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH); // says nothing of the source
+    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
     fresh->UpdateInformation();
     EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
     for (const bool useBounds : {true, false})
@@ -367,14 +367,14 @@ TEST_F(SourceKinds, KindIsKnownWithTheInformation)
   spheres->SetBlock(2, sphere());
   clouds->SetBlock(0, cloud());
   clouds->SetBlock(1, vtkSmartPointer<vtkPolyData>::New());
-  expectKind(vtkWindingNumberProbe::MESH, sphere());
-  expectKind(vtkWindingNumberProbe::MESH, strips->GetOutput());
-  expectKind(vtkWindingNumberProbe::MESH, cells->GetOutput());
-  expectKind(vtkWindingNumberProbe::MESH, spheres);
-  expectKind(vtkWindingNumberProbe::CLOUD, cloud());
-  expectKind(vtkWindingNumberProbe::CLOUD, vertices->GetOutput());
-  expectKind(vtkWindingNumberProbe::CLOUD, clouds);
-  expectKind(vtkWindingNumberProbe::NOTHING, vtkSmartPointer<vtkPolyData>::New());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, sphere());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, strips->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, cells->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, spheres);
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, cloud());
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, vertices->GetOutput());
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, clouds);
+  expectKind(vtkWindingNumberProbe::NO_SOURCE, vtkSmartPointer<vtkPolyData>::New());
 }
 
 TEST_F(SourceKinds, KindFollowsASourceThatIsUpdatedLater)
@@ -383,12 +383,12 @@ TEST_F(SourceKinds, KindFollowsASourceThatIsUpdatedLater)
   probe->SetInputData(sphere());
   probe->SetSourceConnection(source->GetOutputPort());
   probe->UpdateInformation();
-  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::NOTHING);
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
   probe->Update();
-  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::MESH);
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::MESH_SOURCE);
   probe->SetSourceData(cloud());
   probe->UpdateInformation();
-  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::CLOUD);
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::CLOUD_SOURCE);
 }
 
 TEST_F(SourceKinds, KindIsFoundForSourcesThatAreRefusedLater)
@@ -403,13 +403,13 @@ TEST_F(SourceKinds, KindIsFoundForSourcesThatAreRefusedLater)
   ErrorLog log(field);
   field->SetInputData(mixed);
   field->UpdateInformation();
-  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::MESH);
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::MESH_SOURCE);
   field->SetInputData(cloud(false));
   field->UpdateInformation();
-  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::CLOUD);
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::CLOUD_SOURCE);
   field->SetInputData(images);
   field->UpdateInformation();
-  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::NOTHING);
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::NO_SOURCE);
   EXPECT_EQ(log.errors(), "");
 }
 
