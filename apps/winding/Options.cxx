@@ -190,15 +190,18 @@ CLI::App* addBench(CLI::App& app, Options& options)
   bench
     ->add_option("FILE", options.subjects,
       "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
-      "parts that the methods are made of | hierarchical FILE..., the far field of surfaces, of "
+      "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
+      "with "
+      "each kind of areas, beside the surfaces | hierarchical FILE..., the far field of surfaces, "
+      "of "
       "their vertices and of their caps, in its parts | hierarchical, the same of spheres with few "
       "and many sources")
     ->required()
     ->type_name("");
   bench
     ->add_option("--resolution", options.resolutions,
-      "Cubic voxels along the longest side, one or more (64 128 256; hierarchical: 64 128 256 512 "
-      "for files, 128 for spheres)")
+      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; hierarchical: 64 "
+      "128 256 512 for files, 128 for spheres)")
     ->type_name("N...")
     ->group("Grid");
   bench
