@@ -34,6 +34,7 @@ CloudField::CloudField(
                     std::to_string(cloud_.badAreaPoints) + " with negative areas)";
   }
   this->chooseAreas(options.pointArea, executor);
+  this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
@@ -59,6 +60,23 @@ void CloudField::chooseAreas(double constantArea, Executor& executor)
                      "the area of the points cannot be estimated, so the field is 0; set a point "
                      "area";
   }
+}
+
+/// Spreads every point over so many of its spacings.
+void CloudField::regularize(double spacings)
+{
+  if (!(spacings >= 0) || !std::isfinite(spacings))
+  {
+    throw Refusal("the regularization is " + std::to_string(spacings) +
+                  "; it must be more than 0, or 0 for none");
+  }
+  if (spacings == 0)
+  {
+    return;
+  }
+  cloud_.regularizationLengths.resize(cloud_.areas.size());
+  std::transform(cloud_.areas.begin(), cloud_.areas.end(), cloud_.regularizationLengths.begin(),
+    [spacings](double area) { return spacings * std::sqrt(area); });
 }
 
 void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)

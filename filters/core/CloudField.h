@@ -35,6 +35,7 @@ protected:
 
 private:
   void chooseAreas(double constantArea, Executor& executor);
+  void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;

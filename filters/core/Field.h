@@ -36,6 +36,9 @@ struct FieldOptions
   double tolerance = 1e-3;
   /// Area of every point of a cloud without areas of its own; 0: estimated (PointAreas.h).
   double pointArea = 0;
+  /// Clouds: length over which a point's dipole is spread (SolidAngle.h), in units of its spacing, the
+  /// square root of its area; 0: the pure dipole.
+  double regularization = 0;
   /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
   /// of a grid are no use then.
   bool scattered = false;
@@ -43,7 +46,7 @@ struct FieldOptions
   bool operator==(const FieldOptions& other) const
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
-           scattered == other.scattered;
+           regularization == other.regularization && scattered == other.scattered;
   }
 };
 
@@ -117,7 +120,7 @@ public:
    * Surfaces: exact up to rounding, from the boundary alone (BoundaryGradient.h): exactly 0 where that
    * is empty, the same from both sides on triangles; on a boundary edge that edge counts as 0. Clouds:
    * exact up to rounding with method direct; within a tolerance with method hierarchical
-   * (FarField::gradient()); on a point that point counts as 0.
+   * (FarField::gradient()); on a point that is not regularized that point counts as 0.
    *
    * NaN at samples that are NaN or infinite, finite at all others. Bits depend on what those of values
    * at scattered samples depend on.
