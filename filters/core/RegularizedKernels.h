@@ -34,7 +34,7 @@ inline double inverseOfLength(double length)
 void addRegularizedDipoles(const KernelDipole* dipoles, const double* inverseLengths,
   std::size_t count, const SampleBlock& samples, KernelSums& sums);
 
-/// The same as addDipolesInSingle() does it: relative errors of some 1e-7 of each share.
+/// The same as addDipolesInSingle() does it: relative errors of up to 1e-6 of each share.
 void addRegularizedDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
   const double* inverseLengths, std::size_t count, const SampleBlock& samples, KernelSums& sums);
 
