@@ -74,8 +74,8 @@ public:
   /**
    * The gradient at scattered samples, into #samples by 3 numbers, in 1/length of the caller's
    * coordinates: from the nodes that evaluate() takes, at one to two times its cost. NaN at samples
-   * that are not finite, finite at all others; an item that is not spread gives nothing to samples on it. False when
-   * interrupted.
+   * that are not finite, finite at all others; an item that is not spread over a length gives nothing to
+   * samples on it. False when interrupted.
    *
    * What expansions leave out of values changes over distances like that to the sources, so errors are
    * in units of the tolerance over the distance d to the nearest source. Not guaranteed, but measured:

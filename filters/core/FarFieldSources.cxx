@@ -177,7 +177,8 @@ public:
 
   double secondsPerPair() const override
   {
-    return this->isSpread() ? (inSingle_ ? 0.4e-9 : 1e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
+    // Of spread points between those that lie within their spreading, at 1.1 and 2 ns, and those beyond.
+    return this->isSpread() ? (inSingle_ ? 0.6e-9 : 1.5e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
   }
   double secondsPerCutAndCoefficient() const override { return 1.5e-6; }
   std::size_t leafSize() const override { return 24; }

@@ -11,11 +11,14 @@
  * instruction set and chosen at run time (Highway). Vectorised over samples; sources are broadcast one
  * after the other, in their order.
  *
- * Guaranteed, for t = |p − q| / e: (1) values and gradients have relative errors of 1e-14 (measured:
- * tests/core/RegularizedKernelsTest.cxx), gradients as vectors, next to what their two terms are of;
+ * Guaranteed, for t = |p − q| / e: (1) values are right to 1e-14 of S |m|/|d|², the largest that a
+ * dipole of any direction gives there, and gradients to 1e-14 of S |m|/|d|³ (measured:
+ * tests/core/RegularizedKernelsTest.cxx);
  * (2) from t = pureFrom on they have the bits of addDipoles() and addDipoleGradients();
- * (3) a sample's bits do not depend on the samples beside it. Where many neighbouring samples lie
- * beyond pureFrom they cost as much as pure dipoles.
+ * (3) a sample's bits do not depend on the samples beside it.
+ *
+ * Where a whole vector of samples lies beyond pureFrom they cost what pure dipoles do, else up to five
+ * times as much.
  */
 namespace winding
 {

@@ -208,4 +208,8 @@ TEST(NodeAcceptance, OfNodesWithoutAreaIsByTheAngleAlone)
   criteria.setErrors(0, 5, 1e-3, 0, moments.data());
   EXPECT_EQ(criteria.rho[0], 0);
   EXPECT_EQ(criteria.tau[0], 0);
+  // Nor, if they are spread, by less than what they are spread over.
+  criteria.setErrors(0, 5, 1e-3, 3.5, moments.data());
+  EXPECT_EQ(criteria.rho[0], 4.5f);
+  EXPECT_EQ(criteria.tau[0], 0);
 }
