@@ -12,7 +12,8 @@
 /**
  * Clouds whose points are spread over a length: their definition, direct sum and far field. Errors of far
  * fields in units of the tolerance, the largest of all samples compared here, and those of gradients in
- * units of tolerance / the larger of the length and the distance to the nearest point:
+ * units of tolerance / the larger of the length and the distance to the nearest point. (Of ten times as
+ * many samples, gradients far from a sphere have up to 7.6, and 4.7 if they are of pure dipoles.)
  *
  *                 1e-2  1e-3  1e-4  1e-5  1e-6
  *   scattered
