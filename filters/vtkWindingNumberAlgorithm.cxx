@@ -202,6 +202,7 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
                                     : winding::PointAreaMethod::voronoi;
   options.field.pointArea = this->PointArea;
   options.field.neighbors = this->NumberOfNeighbors;
+  options.field.regularization = this->Regularization;
   options.field.scattered = !this->EvaluatesGrid();
   return options;
 }
@@ -342,6 +343,21 @@ vtkIdType vtkWindingNumberAlgorithm::GetNumberOfNetBoundaryEdges() const
   return static_cast<vtkIdType>(this->GetSourceInfo().netBoundaryEdges);
 }
 
+double vtkWindingNumberAlgorithm::GetMeanPointArea() const
+{
+  return this->GetSourceInfo().pointArea;
+}
+
+bool vtkWindingNumberAlgorithm::GetNormalsWereEstimated() const
+{
+  return this->GetSourceInfo().normalsAreEstimated;
+}
+
+double vtkWindingNumberAlgorithm::GetClearShare() const
+{
+  return this->GetSourceInfo().orientation.outward;
+}
+
 vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
 {
   return static_cast<vtkIdType>(this->GetSourceInfo().capTriangles);
@@ -359,6 +375,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
   os << indent << "PointArea: " << this->PointArea << "\n";
   os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";
+  os << indent << "Regularization: " << this->Regularization << "\n";
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";

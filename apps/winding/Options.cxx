@@ -104,6 +104,11 @@ void addMethod(CLI::App* command, Options& options)
       "How many neighbours of a point tell its area and, if estimated, its normal (20)")
     ->group(group);
   command
+    ->add_option("--regularization", options.regularization,
+      "Spread each point of a cloud over so many spacings, so that values beside points stay about "
+      "between 0 and 1: 0.5 to 1 does; 0, not at all (0)")
+    ->group(group);
+  command
     ->add_flag("--estimate-normals", options.estimateNormals,
       "Estimate the normals of points that have none, orient them, and check them by the field")
     ->group(group);

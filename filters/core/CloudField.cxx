@@ -56,6 +56,7 @@ CloudField::CloudField(
   {
     this->turnOutward(executor);
   }
+  this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
@@ -70,7 +71,8 @@ void CloudField::warn(const std::string& what)
 /// Estimated normals are consistent at best; the field tells which side is which, and how well.
 void CloudField::turnOutward(Executor& executor)
 {
-  CloudOrientation orientation = orientationOf(cloud_, executor);
+  CloudOrientation& orientation = info_.orientation;
+  orientation = orientationOf(cloud_, executor);
   if (orientation.isInward())
   {
     for (Eigen::Vector3d& normal : cloud_.normals)
@@ -122,6 +124,23 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
     this->warn("the areas of the points are 0, and so is the field; points at one place tell no "
                "area, so set a point area");
   }
+}
+
+/// Spreads every point over so many of its spacings.
+void CloudField::regularize(double spacings)
+{
+  if (!(spacings >= 0) || !std::isfinite(spacings))
+  {
+    throw Refusal("the regularization is " + std::to_string(spacings) +
+                  "; it must be more than 0, or 0 for none");
+  }
+  if (spacings == 0)
+  {
+    return;
+  }
+  cloud_.regularizationLengths.resize(cloud_.areas.size());
+  std::transform(cloud_.areas.begin(), cloud_.areas.end(), cloud_.regularizationLengths.begin(),
+    [spacings](double area) { return spacings * std::sqrt(area); });
 }
 
 void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)

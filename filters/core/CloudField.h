@@ -37,6 +37,7 @@ private:
   void turnOutward(Executor& executor);
   void warn(const std::string& what);
   void chooseAreas(const FieldOptions& options, Executor& executor);
+  void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;
