@@ -37,6 +37,40 @@ double median(std::vector<float>& values)
   return *middle;
 }
 
+/// Points at equal steps of area: thousands at one place are worth no more than one elsewhere.
+std::vector<std::size_t> evenlyChosen(const std::vector<double>& areas)
+{
+  // In units of the largest, so that the sum stays within range.
+  const double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+  std::vector<std::size_t> chosen;
+  if (!(largest > 0))
+  {
+    return chosen;
+  }
+  double sum = 0;
+  for (const double area : areas)
+  {
+    sum += area / largest;
+  }
+  constexpr std::size_t most = 2000;
+  const std::size_t steps = std::min(areas.size(), most);
+  double passed = 0;
+  for (std::size_t point = 0; point < areas.size(); ++point)
+  {
+    const auto stepAt = [&](double area)
+    {
+      return std::floor(area / sum * static_cast<double>(steps) + 0.5);
+    };
+    const double before = passed;
+    passed += areas[point] / largest;
+    if (stepAt(passed) > stepAt(before))
+    {
+      chosen.push_back(point);
+    }
+  }
+  return chosen;
+}
+
 bool isAbout(double w, double expected)
 {
   return std::abs(w - expected) < 0.25;
@@ -47,18 +81,16 @@ bool isAbout(double w, double expected)
 CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
 {
   CloudOrientation orientation;
-  const std::size_t points = cloud.positions.size();
-  if (points == 0)
+  constexpr double spacings = 2;
+  const std::vector<std::size_t> chosen = evenlyChosen(cloud.areas);
+  const std::size_t count = chosen.size();
+  if (count == 0)
   {
     return orientation;
   }
-  constexpr std::size_t mostPoints = 2000;
-  constexpr double spacings = 2;
-  const std::size_t count = std::min(points, mostPoints);
   std::vector<Eigen::Vector3d> samples;
-  for (std::size_t i = 0; i < count; ++i)
+  for (const std::size_t point : chosen)
   {
-    const std::size_t point = i * points / count;
     const Eigen::Vector3d step = spacings * std::sqrt(cloud.areas[point]) * cloud.normals[point];
     samples.emplace_back(cloud.positions[point] - step);
     samples.emplace_back(cloud.positions[point] + step);

@@ -34,9 +34,9 @@ struct CloudOrientation
 };
 
 /**
- * Looks at two thousand points at most, evenly chosen, from two spacings (the square root of the
- * area) away. The cloud needs normals and areas. In time a fraction of what a field of the cloud takes;
- * the same for any executor. Throws Interrupted.
+ * Looks at two thousand points at most, evenly chosen by their areas, from two spacings (the square
+ * root of the area) away. The cloud needs normals and areas; nothing is found where all areas are 0. In
+ * time a fraction of what a field of the cloud takes; the same for any executor. Throws Interrupted.
  */
 CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor);
 

@@ -128,7 +128,8 @@ PointCells FarField::cellsOf(
 {
   // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
   constexpr double farthest = 64;
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest);
+  const double radius = tree_.nodes().empty() ? 1 : moments_.criteria.radius[0];
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest * std::max(1.0, radius));
   const Eigen::AlignedBox3d region(moments_.origin - reach, moments_.origin + reach);
   return {samples, region, this->scale(), this->order(), output, executor};
 }

@@ -1,5 +1,6 @@
 #include "FarFieldSources.h"
 
+#include "BulkBounds.h"
 #include "RegularizedKernels.h"
 #include "UnitScale.h"
 
@@ -45,12 +46,11 @@ double scaleOf(const PointCloud& cloud, const std::vector<double>& areas)
 {
   const double largest =
     std::max(std::sqrt(largestOf(areas)), largestOf(cloud.regularizationLengths));
-  if (!(largest > 0))
+  Bounds bounds = bulkBounds(cloud.positions, cloud.bounds);
+  if (largest > 0)
   {
-    return unitScale(cloud.bounds);
+    bounds.extend(bounds.min() + Eigen::Vector3d::Constant(largest));
   }
-  Bounds bounds = cloud.bounds;
-  bounds.extend(bounds.min() + Eigen::Vector3d::Constant(largest));
   return unitScale(bounds);
 }
 
@@ -238,7 +238,7 @@ class TriangleSources final : public FarFieldSources
 public:
   TriangleSources(const std::vector<Eigen::Vector3d>& vertices,
     const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
-    : FarFieldSources(unitScale(bounds))
+    : FarFieldSources(unitScale(bulkBounds(vertices, bounds)))
   {
     const auto add = [this](
                        const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)

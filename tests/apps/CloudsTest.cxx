@@ -1,0 +1,191 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+/**
+ * @file
+ * Clouds as they come, and what each gets.
+ */
+namespace
+{
+
+using Point = std::array<double, 3>;
+
+struct Cloud
+{
+  std::vector<Point> points;
+  std::vector<Point> normals; ///< as many, or none
+};
+
+Cloud sphereCloud(int count)
+{
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - z * z), a = 2.39996322972865 * i;
+    cloud.points.push_back({r * std::cos(a), r * std::sin(a), z});
+  }
+  cloud.normals = cloud.points;
+  return cloud;
+}
+
+std::string asXyz(const Cloud& cloud)
+{
+  std::ostringstream text;
+  text.precision(17);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    for (const double x : cloud.points[i])
+    {
+      text << x << " ";
+    }
+    for (std::size_t axis = 0; axis < 3 && !cloud.normals.empty(); ++axis)
+    {
+      text << cloud.normals[i][axis] << " ";
+    }
+    text << "\n";
+  }
+  return text.str();
+}
+
+class Clouds : public testing::Test
+{
+protected:
+  Outcome run(const Cloud& cloud, const std::vector<std::string>& options = {})
+  {
+    std::vector<std::string> arguments = {"field", folder.write("cloud.xyz", asXyz(cloud)), "-o",
+      folder.path("out.vti"), "--resolution", "16", "--verify", "50", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return runProgram(arguments);
+  }
+
+  /// A field within the tolerance, with a warning that says something, or without any.
+  nlohmann::json expectField(
+    const Cloud& cloud, const std::vector<std::string>& options, const std::string& warning)
+  {
+    const Outcome outcome = this->run(cloud, options);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.err.empty(), warning.empty()) << outcome;
+    EXPECT_NE(outcome.err.find(warning), std::string::npos) << outcome;
+    const nlohmann::json report = outcome.json();
+    EXPECT_LT(report["max_error"], 1e-3) << outcome;
+    return report;
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(Clouds, OnOnePlaceAreRefusedForTheirGridOrWarnedOf)
+{
+  const Cloud equal{std::vector<Point>(50, {1, 1, 1}), std::vector<Point>(50, {0, 0, 1})};
+  EXPECT_EQ(run(equal).status, 2);
+  expectField(equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "areas of the points are 0");
+}
+
+TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
+{
+  expectField({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}}, {}, "");
+  Cloud line;
+  for (int i = 0; i < 100; ++i)
+  {
+    line.points.push_back({1.0 * i, 2.0 * i, 3.0 * i});
+  }
+  expectField(line, {"--estimate-normals"}, "do not tell inside from outside");
+  line.normals.assign(100, {0, 0, 1});
+  expectField(line, {}, "");
+}
+
+TEST_F(Clouds, WithDuplicatesHaveTheFieldOfThoseWithout)
+{
+  Cloud cloud = sphereCloud(1000);
+  const double area = expectField(cloud, {}, "")["input"]["mean_area"];
+  for (int i = 0; i < 100; ++i)
+  {
+    cloud.points.push_back(cloud.points[static_cast<std::size_t>(i)]);
+    cloud.normals.push_back(cloud.normals[static_cast<std::size_t>(i)]);
+  }
+  const double smaller = expectField(cloud, {}, "")["input"]["mean_area"];
+  EXPECT_NEAR(1100 * smaller, 1000 * area, 1e-9);
+}
+
+TEST_F(Clouds, WithBadPointsOrNormalsDoWithoutThem)
+{
+  Cloud cloud = sphereCloud(1000);
+  cloud.points[3][1] = std::nan("");
+  cloud.normals[5][2] = std::nan("");
+  cloud.normals[7] = {0, 0, 0};
+  EXPECT_EQ(
+    expectField(cloud, {}, "3 of 1000 points were unusable and left out")["input"]["dropped"], 3);
+}
+
+TEST_F(Clouds, WithNormalsInwardAreMinusOne)
+{
+  Cloud cloud = sphereCloud(1000);
+  for (Point& normal : cloud.normals)
+  {
+    normal = {-normal[0], -normal[1], -normal[2]};
+  }
+  expectField(cloud, {}, "");
+}
+
+TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
+{
+  Cloud cloud = sphereCloud(1000);
+  cloud.normals.clear();
+  const Outcome refused = run(cloud);
+  EXPECT_EQ(refused.status, 2) << refused;
+  EXPECT_TRUE(refused.saysInOneLine({"no normals", "--estimate-normals"})) << refused;
+  const nlohmann::json report = expectField(cloud, {"--estimate-normals"}, "");
+  EXPECT_EQ(report["input"]["normals_estimated"], true);
+  EXPECT_EQ(report["input"]["clear_share"], 1);
+}
+
+TEST_F(Clouds, WithAFarOutlierKeepTheirField)
+{
+  Cloud cloud = sphereCloud(3000);
+  const double area = expectField(cloud, {}, "")["input"]["mean_area"];
+  cloud.points.push_back({3e6, 0, 0});
+  const std::vector<std::string> aroundSphere = {
+    "--bounds", "-1.5", "1.5", "-1.5", "1.5", "-1.5", "1.5"};
+  for (const bool withNormals : {true, false})
+  {
+    std::vector<std::string> options = aroundSphere;
+    if (withNormals)
+    {
+      cloud.normals.push_back({1, 0, 0});
+    }
+    else
+    {
+      cloud.normals.clear();
+      options.push_back("--estimate-normals");
+    }
+    const nlohmann::json report = expectField(cloud, options, "");
+    EXPECT_NEAR(report["input"]["mean_area"], area, 0.02 * area);
+    EXPECT_LT(report["peak_memory"], 200e6);
+  }
+  expectField(cloud, {"--estimate-normals"}, "");
+}
+
+TEST_F(Clouds, MayBeSpread)
+{
+  const Cloud cloud = sphereCloud(1000);
+  const Outcome outcome = run(cloud, {"--regularization", "1"});
+  EXPECT_EQ(outcome.status, 0) << outcome;
+  EXPECT_LT(outcome.json()["near_max_error"], 1e-3) << outcome;
+}
+
+TEST_F(Clouds, AreDescribedForPeople)
+{
+  Cloud cloud = sphereCloud(1000);
+  cloud.normals.clear();
+  const Outcome outcome = runProgram({"field", folder.write("cloud.xyz", asXyz(cloud)), "-o",
+    folder.path("out.vti"), "--resolution", "8", "--estimate-normals"});
+  EXPECT_NE(outcome.out.find("1000 points, mean area 0.01"), std::string::npos) << outcome;
+  EXPECT_NE(outcome.out.find("estimated normals, clear at 100 %"), std::string::npos) << outcome;
+}
+
+} // namespace

@@ -1,0 +1,192 @@
+#include "filters/ErrorLog.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkWindingNumberProbe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+/// An evenly sampled unit sphere, with normals outward (1), inward (−1) or none (0).
+vtkSmartPointer<vtkPolyData> sphereCloud(int count, double sense, double x = 0)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - z * z), a = 2.39996322972865 * i;
+    const double p[3] = {r * std::cos(a), r * std::sin(a), z};
+    points->InsertNextPoint(x + p[0], p[1], p[2]);
+    normals->InsertNextTuple3(sense * p[0], sense * p[1], sense * p[2]);
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  if (sense != 0)
+  {
+    cloud->GetPointData()->SetNormals(normals);
+  }
+  return cloud;
+}
+
+class Clouds : public testing::Test
+{
+protected:
+  Clouds() { probe->SetOutputScalarTypeToDouble(); }
+
+  double windingNumber(vtkDataObject* source, double x = 0, double y = 0, double z = 0)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(x, y, z);
+    vtkNew<vtkPolyData> query;
+    query->SetPoints(points);
+    probe->SetInputData(query);
+    probe->SetSourceData(source);
+    probe->Update();
+    vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    return values ? values->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  vtkNew<vtkWindingNumberProbe> probe;
+};
+
+TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)
+{
+  {
+    ErrorLog log(probe);
+    this->windingNumber(sphereCloud(2000, 0));
+    EXPECT_NE(log.errors().find("EstimateNormals"), std::string::npos) << log.errors();
+  }
+  probe->EstimateNormalsOn();
+  ErrorLog log(probe);
+  EXPECT_NEAR(this->windingNumber(sphereCloud(2000, 0)), 1, 0.01);
+  EXPECT_TRUE(probe->GetNormalsWereEstimated());
+  EXPECT_EQ(probe->GetClearShare(), 1);
+  EXPECT_EQ(log.errors() + log.warnings(), "");
+}
+
+TEST_F(Clouds, NormalsThatThereAreAreKept)
+{
+  probe->EstimateNormalsOn();
+  EXPECT_NEAR(this->windingNumber(sphereCloud(2000, -1)), -1, 0.01);
+  EXPECT_FALSE(probe->GetNormalsWereEstimated());
+}
+
+TEST_F(Clouds, BlocksAreOrientedTogetherWhereOneHasNoNormals)
+{
+  probe->EstimateNormalsOn();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, sphereCloud(2000, -1)); // as it is, it would count −1
+  blocks->SetBlock(1, sphereCloud(2000, 0, 5));
+  EXPECT_NEAR(this->windingNumber(blocks), 1, 0.01);
+  EXPECT_NEAR(this->windingNumber(blocks, 5), 1, 0.01);
+}
+
+TEST_F(Clouds, ThatEncloseNothingAreSaidToBeSo)
+{
+  auto sheet = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 900; ++i)
+  {
+    points->InsertNextPoint(i % 30, i / 30, 0);
+  }
+  sheet->SetPoints(points);
+  probe->EstimateNormalsOn();
+  ErrorLog log(probe);
+  this->windingNumber(sheet);
+  EXPECT_NE(log.warnings().find("do not tell inside from outside"), std::string::npos)
+    << log.warnings();
+  EXPECT_LT(probe->GetClearShare(), 0.1);
+}
+
+TEST_F(Clouds, EachKindOfAreasGivesAPlateau)
+{
+  vtkNew<vtkSphereSource> mesh;
+  mesh->SetThetaResolution(60);
+  mesh->SetPhiResolution(60);
+  mesh->SetRadius(1);
+  mesh->Update();
+  probe->SourceAsPointsOn();
+  for (const int method : {vtkWindingNumberProbe::VORONOI, vtkWindingNumberProbe::MESH})
+  {
+    probe->SetPointAreaMethod(method);
+    EXPECT_NEAR(this->windingNumber(mesh->GetOutput()), 1, 0.01) << method;
+    EXPECT_NEAR(this->windingNumber(mesh->GetOutput(), 0.5, 0.3, 0.2), 1, 0.01) << method;
+  }
+  // The poles are sampled far more densely than the equator.
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::CONSTANT);
+  EXPECT_GT(std::abs(this->windingNumber(mesh->GetOutput(), 0.5, 0.3, 0.2) - 1), 0.03);
+}
+
+TEST_F(Clouds, AreasOfTheMeshNeedOne)
+{
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::MESH);
+  ErrorLog log(probe);
+  this->windingNumber(sphereCloud(100, 1));
+  EXPECT_NE(log.errors().find("need triangles"), std::string::npos) << log.errors();
+}
+
+TEST_F(Clouds, UnknownMethodsOfAreasAreRefused)
+{
+  for (const int method : {-1, 4})
+  {
+    probe->SetPointAreaMethod(method);
+    ErrorLog log(probe);
+    this->windingNumber(sphereCloud(100, 1));
+    EXPECT_NE(log.errors().find("VORONOI (0)"), std::string::npos) << log.errors();
+  }
+}
+
+TEST_F(Clouds, OptionsOfCloudsRebuildTheField)
+{
+  const auto cloud = sphereCloud(2000, 1);
+  EXPECT_NEAR(this->windingNumber(cloud), 1, 0.01);
+  const double mean = probe->GetMeanPointArea();
+  EXPECT_NEAR(mean, 4 * 3.14159265358979 / 2000, 0.01 * mean);
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::CONSTANT);
+  probe->SetPointArea(2 * mean);
+  EXPECT_NEAR(this->windingNumber(cloud), 2, 0.02);
+  EXPECT_NEAR(probe->GetMeanPointArea(), 2 * mean, 1e-12 * mean);
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::VORONOI);
+  probe->SetNumberOfNeighbors(4);
+  EXPECT_NEAR(this->windingNumber(cloud), 1, 0.1);
+  EXPECT_NE(probe->GetMeanPointArea(), mean);
+  probe->SetNumberOfNeighbors(1);
+  EXPECT_EQ(probe->GetNumberOfNeighbors(), 3);
+}
+
+TEST_F(Clouds, ValuesBesideAPointStaySmallWhereItIsSpread)
+{
+  const auto cloud = sphereCloud(2000, 1);
+  double p[3];
+  cloud->GetPoint(777, p);
+  const auto justInside = [&](double factor)
+  {
+    return this->windingNumber(cloud, factor * p[0], factor * p[1], factor * p[2]);
+  };
+  EXPECT_GT(justInside(0.999), 100);
+  probe->SetRegularization(0.5);
+  EXPECT_NEAR(justInside(0.999), 0.5, 0.05);
+  EXPECT_NEAR(justInside(1), 0.5, 0.05);
+  EXPECT_NEAR(justInside(0.9), 1, 0.01);
+  EXPECT_NEAR(justInside(1.1), 0, 0.01);
+  probe->SetRegularization(-1);
+  ErrorLog log(probe);
+  justInside(1);
+  EXPECT_NE(log.errors().find("regularization"), std::string::npos) << log.errors();
+}
+
+} // namespace
