@@ -54,8 +54,9 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     return;
   }
-  const bool isSurface = !options_.asPoints && hasFaces(points);
-  const auto own = withoutGhosts(points, isSurface || options_.asPoints);
+  const bool isMesh = hasFaces(points);
+  const bool isSurface = isMesh && !options_.asPoints;
+  const auto own = withoutGhosts(points, isMesh);
   if (own->GetNumberOfPoints() == 0)
   {
     return;

@@ -300,6 +300,8 @@ TEST_F(SourceKinds, GhostsAreLeftOut)
   blocks->SetBlock(0, points);
   blocks->SetBlock(1, ghostPoints);
   EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
+  probe->SetSourceAsPoints(1);
+  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
 }
 
 TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)
@@ -342,7 +344,8 @@ TEST_F(SourceKinds, KindIsKnownWithTheInformation)
     EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
     fresh->SetInputData(sphere());
     fresh->SetSourceData(source);
-    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
+    fresh->SetSourceAsPoints(
+      kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
     fresh->UpdateInformation();
     EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
     for (const bool useBounds : {true, false})
