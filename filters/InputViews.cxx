@@ -248,6 +248,7 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
                   "ones first, for instance by vtkPCANormalEstimation");
   }
   std::vector<OrientedPointsView> views;
+  pointSets_.clear();
   for (vtkPointSet* source : leaves_)
   {
     // Points inside of a volume mesh are no points of its surface.
@@ -284,6 +285,7 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
       view.areas = {vertices->areas.data(), vertices->areas.size()};
     }
     views.push_back(view);
+    pointSets_.push_back(leaf);
   }
   return views;
 }
