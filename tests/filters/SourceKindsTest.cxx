@@ -248,6 +248,25 @@ TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)
   expectRefused(cloud(false), "vtkPCANormalEstimation");
 }
 
+TEST_F(SourceKinds, MissingNormalsAreRefusedWhenTheyAreNeeded)
+{
+  // Not with the information, which a user interface asks for before it can offer to estimate them.
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(cloud(false));
+  field->SetResolution(4);
+  ErrorLog log(field);
+  field->UpdateInformation();
+  EXPECT_EQ(log.errors(), "");
+  field->Update();
+  EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  ErrorLog later(field);
+  field->EstimateNormalsOn();
+  field->Update();
+  EXPECT_EQ(later.errors(), "");
+  EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST_F(SourceKinds, MeshAsPointsIsItsCloud)
 {
   probe->SetSourceAsPoints(1);
