@@ -85,8 +85,8 @@ std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data)
 
 /**
  * The points of some data sets under one range of numbers. While it lives, the data sets have these
- * numbers as point data. Point data comes along when VTK makes outer surfaces or leaves out ghosts, and
- * so tells where a point comes from.
+ * numbers as point data. Point data comes along when VTK makes outer surfaces or leaves out ghosts,
+ * and so tells where a point comes from.
  */
 class NumberedPoints
 {
@@ -125,8 +125,8 @@ public:
     return vtkIdTypeArray::SafeDownCast(made->GetPointData()->GetArray(name))->GetPointer(0);
   }
 
-  /// Whether a point is the one with a number: surfaces of curved cells have points of their own, with
-  /// point data that is interpolated.
+  /// Whether a point is the one with a number: surfaces of curved cells have points of their own,
+  /// with point data that is interpolated.
   bool isPoint(vtkIdType number, const Eigen::Vector3d& position) const
   {
     if (number < 0 || static_cast<std::size_t>(number) >= points_.size())
@@ -146,11 +146,18 @@ private:
   winding::Concatenation points_;
 };
 
-/// The areas of a cloud's points for the points that these come from; 0 for others.
-std::vector<double> areasByNumber(const NumberedPoints& points, const winding::InputViews& input,
+struct NumberedAreas
+{
+  std::vector<double> areas; ///< 0 for points that none was found for
+  std::size_t lost = 0;      ///< points of the cloud that are none of these
+};
+
+/// The areas of a cloud's points for the points that these come from.
+NumberedAreas areasByNumber(const NumberedPoints& points, const winding::InputViews& input,
   const std::vector<winding::OrientedPointsView>& views, const std::vector<double>& areasOfCloud)
 {
-  std::vector<double> areas(points.size());
+  NumberedAreas result;
+  result.areas.resize(points.size());
   auto area = areasOfCloud.cbegin();
   for (std::size_t i = 0; i < views.size(); ++i)
   {
@@ -163,12 +170,16 @@ std::vector<double> areasByNumber(const NumberedPoints& points, const winding::I
       }
       if (points.isPoint(numbers[j], views[i].positions[j]))
       {
-        areas[static_cast<std::size_t>(numbers[j])] += *area;
+        result.areas[static_cast<std::size_t>(numbers[j])] += *area;
+      }
+      else
+      {
+        ++result.lost;
       }
       ++area;
     }
   }
-  return areas;
+  return result;
 }
 
 /// One value for each point.
@@ -255,7 +266,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   winding::PointCloud cloud = winding::sanitize(views, executor);
   this->ChooseAreas(cloud, executor);
 
-  const std::vector<double> areas = areasByNumber(points, input, views, cloud.areas);
+  const auto [areas, lost] = areasByNumber(points, input, views, cloud.areas);
   const std::string name = textOf(this->ResultArrayName);
   for (std::size_t i = 0; i < pointSets.size(); ++i)
   {
@@ -268,6 +279,12 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
                     << " points are unusable and have area 0 (" << cloud.nonFinitePoints
                     << " with NaN or infinite values, " << cloud.zeroNormalPoints
                     << " with normals of length 0)");
+  }
+  if (lost > 0)
+  {
+    vtkWarningMacro(<< "the outer surface of curved cells has " << lost
+                    << " points that the input does not have, and their areas are left out; "
+                       "tessellate the cells first");
   }
   if (this->TotalArea == 0 && !areas.empty())
   {

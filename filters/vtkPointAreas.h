@@ -7,22 +7,24 @@
  * to be looked at, changed, or used by other filters. With their point area method ARRAY downstream
  * of this filter they give the very same field as with the method of this filter.
  *
- * The input is any vtkPointSet. Points need normals; a mesh is taken as the cloud of its points, which
- * have the area-weighted mean of their triangles' normals where they have none of their own. The
- * leaves of composite data are one cloud, as they are one source for the other filters: where scans
- * overlap, their points share the area. In a pipeline that asks for pieces, each piece is a cloud of
- * its own.
+ * The input is any vtkPointSet. Points need normals; a mesh is taken as the cloud of its points,
+ * which have the area-weighted mean of their triangles' normals where they have none of their own.
+ * The leaves of composite data are one cloud, as they are one source for the other filters: where
+ * scans overlap, their points share the area. In a pipeline that asks for pieces, each piece is a
+ * cloud of its own.
  *
- * The output is of the input's type and shares its arrays. The array has as many tuples as there are
- * points. Area 0 have:
+ * The output is of the input's type and shares its arrays. The array has as many tuples as there
+ * are points. Area 0 have:
  * - points with NaN or infinite values or a normal of length 0; a warning counts them,
  * - ghost points, for which another piece of the data answers,
  * - the inner points of a mesh with volume cells. Points that its outer surface has several times,
- *   such as those on the edges of a structured grid, have the areas of all of them.
+ *   such as those on the edges of a structured grid, have the areas of all of them. Areas of points
+ *   that only the outer surface has, as VTK makes them for Lagrange and Bézier cells, are left out,
+ *   with a warning.
  *
  * Errors leave the output empty. They are: points without normals, method MESH for points without
- * triangles, an array that is not there, no usable point at all, a PointAreaMethod or PointArea that
- * there cannot be. Points that are all at one place have area 0, with a warning.
+ * triangles, an array that is not there, no usable point at all, a PointAreaMethod or PointArea
+ * that there cannot be. Points that are all at one place have area 0, with a warning.
  *
  * Threads are those of vtkWindingNumberAlgorithm; areas have the same bits for any number of them.
  * Aborted, the output is empty.
@@ -63,8 +65,8 @@ public:
   ///@}
 
   ///@{
-  /// How many neighbours of a point tell its area, and its normal where that is estimated. 3 to 1000,
-  /// default 20.
+  /// How many neighbours of a point tell its area, and its normal where that is estimated. 3 to
+  /// 1000, default 20.
   vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}

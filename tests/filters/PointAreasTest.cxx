@@ -451,6 +451,28 @@ TEST_F(PointAreas, PointsInsideOfVolumeMeshesHaveNone)
   }
 }
 
+TEST_F(PointAreas, PointsThatVtkMakesOnCurvedCellsAreCounted)
+{
+  // Of a Lagrange cell VTK evaluates the nodes anew, with point data between that of others.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::vector<vtkIdType> ids;
+  for (int i = 0; i < 20; ++i)
+  {
+    points->InsertNextPoint(std::sin(3 * i), std::sin(5 * i), std::sin(7 * i));
+    ids.push_back(i);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_LAGRANGE_TETRAHEDRON, 20, ids.data());
+  ErrorLog log(filter);
+  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  const double sum = sumOf(this->areasOf(grid));
+  EXPECT_EQ(sum, filter->GetTotalArea());
+  EXPECT_EQ(log.errors(), "");
+  EXPECT_NE(log.warnings().find("curved cells"), std::string::npos) << log.warnings();
+}
+
 TEST_F(PointAreas, HaveTheSameBitsForAnyNumberOfThreads)
 {
   filter->SetNumberOfThreads(1);
