@@ -54,8 +54,9 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     return;
   }
-  const bool isSurface = !options_.asPoints && hasFaces(points);
-  const auto own = withoutGhosts(points, isSurface || options_.asPoints);
+  const bool isMesh = hasFaces(points);
+  const bool isSurface = isMesh && !options_.asPoints;
+  const auto own = withoutGhosts(points, isMesh);
   if (own->GetNumberOfPoints() == 0)
   {
     return;
@@ -247,6 +248,7 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
                   "ones first, for instance by vtkPCANormalEstimation");
   }
   std::vector<OrientedPointsView> views;
+  pointSets_.clear();
   for (vtkPointSet* source : leaves_)
   {
     // Points inside of a volume mesh are no points of its surface.
@@ -283,6 +285,7 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
       view.areas = {vertices->areas.data(), vertices->areas.size()};
     }
     views.push_back(view);
+    pointSets_.push_back(leaf);
   }
   return views;
 }

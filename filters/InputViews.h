@@ -69,6 +69,10 @@ public:
   std::vector<TrianglesView> triangles();
   std::vector<OrientedPointsView> orientedPoints();
 
+  /// The data sets whose points the last orientedPoints() gave, one for each view, with the point data
+  /// of the source: its leaves, or what they have been reduced to (outer surfaces; without ghosts).
+  const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
+
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
   vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
@@ -87,6 +91,7 @@ private:
   bool isSurface_ = false;
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
   Identity identity_;
+  std::vector<vtkPointSet*> pointSets_;
 
   // What views point into where VTK's own memory would not do.
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;

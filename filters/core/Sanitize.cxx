@@ -280,7 +280,7 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
           const OrientedPointsView& view = views[number];
           for (std::size_t i = begin; i < end; ++i)
           {
-            if (faultOf(view, i) != PointFault::none)
+            if (!isUsable(view, i))
             {
               continue;
             }
@@ -310,6 +310,11 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
   return cloud;
 }
 
+bool isUsable(const OrientedPointsView& view, std::size_t point)
+{
+  return faultOf(view, point) == PointFault::none;
+}
+
 Bounds boundsOf(const std::vector<TrianglesView>& views)
 {
   Bounds bounds;
@@ -334,7 +339,7 @@ Bounds boundsOf(const std::vector<OrientedPointsView>& views)
     checkLengths(view);
     for (std::size_t i = 0; i < view.positions.size(); ++i)
     {
-      if (faultOf(view, i) == PointFault::none)
+      if (isUsable(view, i))
       {
         bounds.extend(view.positions[i]);
       }

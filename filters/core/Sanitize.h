@@ -70,6 +70,10 @@ struct PointCloud
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor);
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor);
 
+/// Whether sanitize() keeps a point of a view. The points of its cloud are those that it keeps, in
+/// their order: so what has been found for them goes back to the points of the input.
+bool isUsable(const OrientedPointsView& view, std::size_t point);
+
 /// The bounds that sanitize() would find, without building anything; empty for no valid primitive.
 Bounds boundsOf(const std::vector<TrianglesView>& views);
 Bounds boundsOf(const std::vector<OrientedPointsView>& views);

@@ -252,6 +252,10 @@ TEST(SanitizeCloud, DropsAndCountsBadPoints)
   EXPECT_EQ(cloud.normals, (std::vector<Point>{up, -up}));
   EXPECT_EQ(cloud.areas, (std::vector<double>{1, 0}));
   EXPECT_EQ(cloud.bounds.max(), Point(2, 0, 0));
+  for (std::size_t i = 0; i < 7; ++i)
+  {
+    EXPECT_EQ(winding::isUsable(view, i), i == 0 || i == 6) << i;
+  }
 }
 
 TEST(SanitizeCloud, RefusesWhatIsBadAltogetherAndArraysOfDifferentLengths)

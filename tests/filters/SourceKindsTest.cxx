@@ -248,6 +248,25 @@ TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)
   expectRefused(cloud(false), "vtkPCANormalEstimation");
 }
 
+TEST_F(SourceKinds, MissingNormalsAreRefusedWhenTheyAreNeeded)
+{
+  // Not with the information, which a user interface asks for before it can offer to estimate them.
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(cloud(false));
+  field->SetResolution(4);
+  ErrorLog log(field);
+  field->UpdateInformation();
+  EXPECT_EQ(log.errors(), "");
+  field->Update();
+  EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  ErrorLog later(field);
+  field->EstimateNormalsOn();
+  field->Update();
+  EXPECT_EQ(later.errors(), "");
+  EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST_F(SourceKinds, MeshAsPointsIsItsCloud)
 {
   probe->SetSourceAsPoints(1);
@@ -300,6 +319,8 @@ TEST_F(SourceKinds, GhostsAreLeftOut)
   blocks->SetBlock(0, points);
   blocks->SetBlock(1, ghostPoints);
   EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
+  probe->SetSourceAsPoints(1);
+  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
 }
 
 TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)
@@ -342,7 +363,8 @@ TEST_F(SourceKinds, KindIsKnownWithTheInformation)
     EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
     fresh->SetInputData(sphere());
     fresh->SetSourceData(source);
-    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
+    fresh->SetSourceAsPoints(
+      kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
     fresh->UpdateInformation();
     EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
     for (const bool useBounds : {true, false})

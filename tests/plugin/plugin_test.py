@@ -1,5 +1,5 @@
 """What a user of ParaView finds of the plugin: run by pvpython, with the plugin's file in the
-environment variable WINDING_PLUGIN."""
+environment variable WINDING_PLUGIN, and the folder of real meshes in WINDING_SHARED_DATA."""
 import contextlib
 import math
 import os
@@ -21,6 +21,8 @@ COMMON = {
     "NormalsArray": ("Orientation", "Orientation"),
     "PointAreaMethod": (3, "3"),
     "PointArea": (0.125, "0.125"),
+    "NumberOfNeighbors": (7, "7"),
+    "EstimateNormals": (1, "1"),
     "AreaArray": ("Size", "Size"),
     "WindingThreshold": (1.5, "1.5"),
     "InsideRule": (2, "2"),
@@ -50,6 +52,15 @@ SETTABLE = {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),
     },
+    "PointAreas": {
+        "PointAreaMethod": (2, "2"),
+        "PointArea": (0.125, "0.125"),
+        "NumberOfNeighbors": (7, "7"),
+        "NormalsArray": ("Orientation", "Orientation"),
+        "EstimateNormals": (1, "1"),
+        "ResultArrayName": ("a", "a"),
+        "NumberOfThreads": (3, "3"),
+    },
 }
 
 # Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
@@ -67,6 +78,7 @@ REPORTED = {
     "WindingNumberField": COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
+    "PointAreas": {"TotalArea"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
 
@@ -74,8 +86,10 @@ INPUTS = {
     "WindingNumberField": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
+    "PointAreas": {"Input"},
 }
 
+# By the name of the property, where proxies differ together with that of the proxy.
 ENUMERATIONS = {
     "Method": {"Automatic": 0, "Rows": 1, "Hierarchical": 2, "Direct Sum": 3, "Ray Parity": 4},
     "InsideRule": {
@@ -83,7 +97,8 @@ ENUMERATIONS = {
         "Absolute Value at Least Threshold": 1,
         "Nearest Integer Is Odd": 2,
     },
-    "PointAreaMethod": {"Constant": 2, "Array": 3},
+    "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
+    "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
     "OutputAssociation": {"Points at Voxel Centres": 0, "Cells": 1},
     "ProbeAssociation": {"Points": 0, "Cell Centres": 1},
@@ -168,7 +183,9 @@ def shown(proxy, label):
                 for i in range(hints.GetNumberOfNestedElements() if hints else 0)
                 if hints.GetNestedElement(i).GetName() == "PropertyWidgetDecorator"
             ]
-            if all(lets_show(decorator, proxy) for decorator in decorators):
+            # Never is what properties that are only reported have unless their XML says otherwise.
+            has_widget = smproperty.GetPanelVisibility() != "never"
+            if has_widget and all(lets_show(decorator, proxy) for decorator in decorators):
                 names.add(smproperty.GetXMLName())
     return names
 
@@ -231,6 +248,15 @@ def fibonacci_sphere_point(index, count):
     return radius * math.cos(angle), radius * math.sin(angle), z
 
 
+@contextlib.contextmanager
+def sphere_points(count, with_normals):
+    """A reader of evenly distributed points of the unit sphere."""
+    positions = [fibonacci_sphere_point(i, count) for i in range(count)]
+    lines = [f"{x} {y} {z}" + (f" {x} {y} {z}" if with_normals else "") for x, y, z in positions]
+    with text_file(".xyz", "\n".join(lines) + "\n") as path:
+        yield OrientedPointsReader(FileName=path)
+
+
 def unit_sphere(**properties):
     properties = {"Radius": 1, "ThetaResolution": 32, "PhiResolution": 32, **properties}
     return simple.Sphere(**properties)
@@ -284,7 +310,8 @@ class TestProxies(unittest.TestCase):
                         for i in range(domain.GetNumberOfEntries())
                     }
                 with self.subTest(f"{name}.{member}"):
-                    self.assertEqual(entries, ENUMERATIONS.get(member))
+                    expected = ENUMERATIONS.get(f"{name}.{member}", ENUMERATIONS.get(member))
+                    self.assertEqual(entries, expected)
 
     # Of ranges with a maximum ParaView 5.11 says that nothing below it is inside.
     def test_values_below_the_range_are_known(self):
@@ -295,10 +322,12 @@ class TestProxies(unittest.TestCase):
                 "SamplingDimensions": (1, 1, -1),
                 "Tolerance": -1e-3,
                 "PointArea": -1,
+                "NumberOfNeighbors": 2,
                 "NumberOfThreads": -1,
                 "VerifySamples": -1,
             },
             "WindingNumberProbe": {"Tolerance": -1e-3, "PointArea": -1, "NumberOfThreads": -1},
+            "PointAreas": {"PointArea": -1, "NumberOfNeighbors": 2, "NumberOfThreads": -1},
         }
         for name, values in refused.items():
             for member, value in values.items():
@@ -332,6 +361,7 @@ class TestProxies(unittest.TestCase):
             "WindingNumberField": "Winding Number Field",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberVoxels": "Winding Number Voxels",
+            "PointAreas": "Point Areas",
         }
         for name, label in labels.items():
             with self.subTest(name):
@@ -405,10 +435,7 @@ class TestField(unittest.TestCase):
         self.assertGreater(information(field, "PrepareSeconds"), 0)
 
     def test_cloud(self):
-        positions = [fibonacci_sphere_point(i, 2000) for i in range(2000)]
-        text = "".join(f"{x} {y} {z} {x} {y} {z}\n" for x, y, z in positions)
-        with text_file(".xyz", text) as path:
-            reader = OrientedPointsReader(FileName=path)
+        with sphere_points(2000, True) as reader:
             renamed = simple.Calculator(Input=reader, ResultArrayName="Orientation")
             renamed.Function = "2*Normals"
             sized = simple.Calculator(Input=renamed, ResultArrayName="Size")
@@ -438,8 +465,32 @@ class TestField(unittest.TestCase):
     def test_mesh_as_points(self):
         sphere = unit_sphere(ThetaResolution=64, PhiResolution=64)
         field = WindingNumberField(Input=sphere, Resolution=11, SourceAsPoints=1)
-        field.PointArea = 4 * math.pi / (64 * 62 + 2)
-        self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
+        for field.PointAreaMethod in ("Voronoi", "Mesh", "Constant"):
+            with self.subTest(field.PointAreaMethod):
+                field.PointArea = 4 * math.pi / (64 * 62 + 2)
+                self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
+
+    def test_cloud_with_default_areas(self):
+        path = os.path.join(os.environ.get("WINDING_SHARED_DATA", ""), "kitten_points_normals.ply")
+        if not os.path.exists(path):
+            self.skipTest(f"{path} is not there")
+        field = WindingNumberField(Input=simple.OpenDataFile(path), Resolution=32)
+        image = result(field)
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)
+        self.assertAlmostEqual(image.GetPointData().GetScalars().GetTuple1(0), 0, delta=0.01)
+
+    def test_normals_are_estimated_on_request(self):
+        with sphere_points(2000, False) as cloud:
+            field = WindingNumberField(Input=cloud, Resolution=11)
+            errors = errors_of(field)
+            field.UpdatePipeline()
+            self.assertTrue(errors)
+            for error in errors:
+                self.assertIn("the points have no normals", error)
+            field.EstimateNormals = 1
+            image = result(field)
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)
+        self.assertAlmostEqual(value_at(image, (0.9, 0.9, 0.9)), 0, delta=0.01)
 
     def test_verification(self):
         field = WindingNumberField(Input=unit_sphere(), Resolution=16, VerifySamples=50)
@@ -600,9 +651,10 @@ class TestPanel(unittest.TestCase):
 
                     proxy.SourceAsPoints = 1
                     as_points = shown(proxy, "Point Clouds")
-                    constant = {"SourceAsPoints", "PointAreaMethod", "PointArea", "NormalsArray"}
-                    self.assertLessEqual(constant, as_points)
-                    self.assertNotIn("AreaArray", as_points)
+                    voronoi = {"PointAreaMethod", "NumberOfNeighbors"}
+                    normals = {"NormalsArray", "EstimateNormals"}
+                    self.assertLessEqual({"SourceAsPoints"} | voronoi | normals, as_points)
+                    self.assertTrue(as_points.isdisjoint({"PointArea", "AreaArray"}))
 
                     setattr(proxy, port, cloud)
                     for proxy.SourceAsPoints in (0, 1):
@@ -610,9 +662,9 @@ class TestPanel(unittest.TestCase):
                         for_cloud = shown(proxy, "Point Clouds")
                         self.assertEqual(for_cloud, as_points - {"SourceAsPoints"})
 
-                    proxy.PointAreaMethod = "Array"
-                    from_array = shown(proxy, "Point Clouds")
-                    self.assertEqual(from_array, for_cloud - {"PointArea"} | {"AreaArray"})
+                    for method, also in (("Constant", "PointArea"), ("Array", "AreaArray")):
+                        proxy.PointAreaMethod = method
+                        self.assertEqual(shown(proxy, "Point Clouds"), for_cloud | {also})
 
     def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
         proxy = WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
@@ -622,6 +674,68 @@ class TestPanel(unittest.TestCase):
         self.assertIn("NormalsArray", shown(proxy, "Point Clouds"))
         proxy.UpdatePipeline()
         self.assert_kind(proxy, 1)
+
+
+    def test_areas_show_what_their_method_needs(self):
+        areas = PointAreas(Input=self.cloud)
+        needed = {
+            "Voronoi": {"NumberOfNeighbors", "EstimateNormals"},
+            "Mesh": set(),
+            "Constant": {"NumberOfNeighbors", "EstimateNormals", "PointArea"},
+        }
+        for method, properties in needed.items():
+            areas.PointAreaMethod = method
+            optional = {"NumberOfNeighbors", "EstimateNormals", "PointArea"}
+            self.assertEqual(shown(areas, "Point Areas") & optional, properties)
+        self.assertEqual(shown(areas, "Last Execution"), set())
+        areas.PointAreaMethod = "Voronoi"
+        areas.UpdatePipeline()
+        self.assertGreater(information(areas, "TotalArea"), 0)
+        self.assertEqual(shown(areas, "Last Execution"), {"TotalArea"})
+
+
+class TestAreas(unittest.TestCase):
+    def test_cloud(self):
+        with sphere_points(2000, True) as cloud:
+            areas = PointAreas(Input=cloud)
+            array = result(areas).GetPointData().GetArray("Area")
+            self.assertEqual(array.GetNumberOfTuples(), 2000)
+            for index in range(2000):
+                self.assertAlmostEqual(array.GetTuple1(index) / (4 * math.pi / 2000), 1, delta=0.1)
+            self.assertAlmostEqual(information(areas, "TotalArea"), 4 * math.pi, delta=0.1)
+
+            # The field finds the same on its own.
+            fields = [
+                result(WindingNumberField(Input=cloud, Resolution=11)),
+                result(WindingNumberField(Input=areas, Resolution=11, PointAreaMethod="Array")),
+            ]
+            values = [field.GetPointData().GetArray("WindingNumber") for field in fields]
+            for index in range(values[0].GetNumberOfTuples()):
+                self.assertEqual(values[0].GetTuple1(index), values[1].GetTuple1(index))
+
+    def test_normals_are_estimated_on_request(self):
+        with sphere_points(2000, False) as cloud:
+            areas = PointAreas(Input=cloud)
+            errors = errors_of(areas)
+            areas.UpdatePipeline()
+            self.assertTrue(errors)
+            areas.EstimateNormals = 1
+            areas.UpdatePipeline()
+            self.assertAlmostEqual(information(areas, "TotalArea"), 4 * math.pi, delta=0.1)
+
+    def test_composite_input_keeps_its_blocks(self):
+        group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
+        areas = PointAreas(Input=group, PointAreaMethod="Mesh")
+        output = result(areas)
+        self.assertTrue(output.IsA("vtkCompositeDataSet"))
+        iterator = output.NewIterator()
+        blocks = 0
+        while not iterator.IsDoneWithTraversal():
+            self.assertTrue(iterator.GetCurrentDataObject().GetPointData().HasArray("Area"))
+            blocks += 1
+            iterator.GoToNextItem()
+        self.assertEqual(blocks, 2)
+        self.assertAlmostEqual(information(areas, "TotalArea"), 8 * math.pi, delta=0.3)
 
 
 class TestVoxels(unittest.TestCase):

@@ -1,0 +1,339 @@
+#include "vtkPointAreas.h"
+
+#include "Concatenation.h"
+#include "InputViews.h"
+#include "NormalEstimation.h"
+#include "PointAreas.h"
+#include "Refusal.h"
+#include "SmpExecutor.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPointAreas);
+
+namespace
+{
+
+/// Calls work(leaf, iterator) for the leaves of composite data.
+template <class Work> void forEachLeaf(vtkCompositeDataSet* composite, const Work& work)
+{
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    work(iterator->GetCurrentDataObject(), iterator);
+  }
+}
+
+/// Shares all arrays, but no data set, so that arrays can be added.
+void copyShallowly(vtkDataObject* input, vtkDataObject* output)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  auto* copy = vtkCompositeDataSet::SafeDownCast(output);
+  copy->CopyStructure(composite);
+  copy->GetFieldData()->PassData(composite->GetFieldData());
+  forEachLeaf(composite,
+    [copy](vtkDataObject* leaf, vtkCompositeDataIterator* iterator)
+    {
+      auto fresh = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
+      fresh->ShallowCopy(leaf);
+      copy->SetDataSet(iterator, fresh);
+    });
+}
+
+std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data)
+{
+  std::vector<vtkPointSet*> pointSets;
+  const auto add = [&pointSets](vtkDataObject* leaf, vtkCompositeDataIterator* = nullptr)
+  {
+    if (auto* pointSet = vtkPointSet::SafeDownCast(leaf))
+    {
+      pointSets.push_back(pointSet);
+    }
+  };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    forEachLeaf(composite, add);
+  }
+  else
+  {
+    add(data);
+  }
+  return pointSets;
+}
+
+/**
+ * The points of some data sets under one range of numbers. While it lives, the data sets have these
+ * numbers as point data. Point data comes along when VTK makes outer surfaces or leaves out ghosts,
+ * and so tells where a point comes from.
+ */
+class NumberedPoints
+{
+public:
+  explicit NumberedPoints(const std::vector<vtkPointSet*>& pointSets)
+    : pointSets_(pointSets)
+    , points_(pointSets,
+        [](vtkPointSet* set) { return static_cast<std::size_t>(set->GetNumberOfPoints()); })
+  {
+    for (std::size_t i = 0; i < pointSets_.size(); ++i)
+    {
+      vtkNew<vtkIdTypeArray> numbers;
+      numbers->SetName(name);
+      numbers->SetNumberOfTuples(pointSets_[i]->GetNumberOfPoints());
+      vtkIdType* first = numbers->GetPointer(0);
+      std::iota(first, first + numbers->GetNumberOfTuples(), static_cast<vtkIdType>(start(i)));
+      pointSets_[i]->GetPointData()->AddArray(numbers);
+    }
+  }
+  ~NumberedPoints()
+  {
+    for (vtkPointSet* set : pointSets_)
+    {
+      set->GetPointData()->RemoveArray(name);
+    }
+  }
+
+  NumberedPoints(const NumberedPoints&) = delete;
+  void operator=(const NumberedPoints&) = delete;
+
+  std::size_t size() const { return points_.size(); }
+  std::size_t start(std::size_t pointSet) const { return points_.start(pointSet); }
+
+  static const vtkIdType* numbersOf(vtkPointSet* made)
+  {
+    return vtkIdTypeArray::SafeDownCast(made->GetPointData()->GetArray(name))->GetPointer(0);
+  }
+
+  /// Whether a point is the one with a number: surfaces of curved cells have points of their own,
+  /// with point data that is interpolated.
+  bool isPoint(vtkIdType number, const Eigen::Vector3d& position) const
+  {
+    if (number < 0 || static_cast<std::size_t>(number) >= points_.size())
+    {
+      return false;
+    }
+    const std::size_t set = points_.viewOf(static_cast<std::size_t>(number));
+    Eigen::Vector3d own;
+    pointSets_[set]->GetPoint(number - static_cast<vtkIdType>(start(set)), own.data());
+    return own == position;
+  }
+
+private:
+  static constexpr char name[] = "vtkPointAreas number";
+
+  std::vector<vtkPointSet*> pointSets_;
+  winding::Concatenation points_;
+};
+
+struct NumberedAreas
+{
+  std::vector<double> areas; ///< 0 for points that none was found for
+  std::size_t lost = 0;      ///< points of the cloud that are none of these
+};
+
+/// The areas of a cloud's points for the points that these come from.
+NumberedAreas areasByNumber(const NumberedPoints& points, const winding::InputViews& input,
+  const std::vector<winding::OrientedPointsView>& views, const std::vector<double>& areasOfCloud)
+{
+  NumberedAreas result;
+  result.areas.resize(points.size());
+  auto area = areasOfCloud.cbegin();
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    const vtkIdType* numbers = NumberedPoints::numbersOf(input.pointSets()[i]);
+    for (std::size_t j = 0; j < views[i].positions.size(); ++j)
+    {
+      if (!winding::isUsable(views[i], j))
+      {
+        continue;
+      }
+      if (points.isPoint(numbers[j], views[i].positions[j]))
+      {
+        result.areas[static_cast<std::size_t>(numbers[j])] += *area;
+      }
+      else
+      {
+        ++result.lost;
+      }
+      ++area;
+    }
+  }
+  return result;
+}
+
+/// One value for each point.
+void addArray(const std::string& name, const double* values, vtkPointSet* pointSet)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(pointSet->GetNumberOfPoints());
+  std::copy_n(values, array->GetNumberOfTuples(), array->GetPointer(0));
+  pointSet->GetPointData()->AddArray(array);
+}
+
+std::string textOf(const char* text)
+{
+  return text ? text : "";
+}
+
+} // namespace
+
+vtkPointAreas::vtkPointAreas()
+{
+  this->SetResultArrayName("Area");
+}
+
+vtkPointAreas::~vtkPointAreas()
+{
+  this->SetNormalsArray(nullptr);
+  this->SetResultArrayName(nullptr);
+}
+
+int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkPointAreas::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  this->TotalArea = 0;
+  try
+  {
+    copyShallowly(vtkDataObject::GetData(inputs[0]), output);
+    this->AddAreas(output);
+    return 1;
+  }
+  catch (const winding::Interrupted&)
+  {
+    output->Initialize();
+    return 1;
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    vtkErrorMacro(<< refusal.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< "there is not enough memory for the areas of so many points");
+  }
+  output->Initialize();
+  return 0;
+}
+
+void vtkPointAreas::AddAreas(vtkDataObject* data)
+{
+  if (this->PointAreaMethod < VORONOI || this->PointAreaMethod > CONSTANT)
+  {
+    throw winding::Refusal("the point area method is " + std::to_string(this->PointAreaMethod) +
+                           "; it must be VORONOI (0), MESH (1) or CONSTANT (2)");
+  }
+  const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
+  const NumberedPoints points(pointSets);
+  winding::InputOptions options;
+  options.asPoints = true;
+  options.normalsArray = textOf(this->NormalsArray);
+  options.estimateNormals = this->EstimateNormals != 0;
+  options.areas =
+    this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
+  winding::InputViews input(data, options);
+  const std::vector<winding::OrientedPointsView> views = input.orientedPoints();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::PointCloud cloud = winding::sanitize(views, executor);
+  this->ChooseAreas(cloud, executor);
+
+  const auto [areas, lost] = areasByNumber(points, input, views, cloud.areas);
+  const std::string name = textOf(this->ResultArrayName);
+  for (std::size_t i = 0; i < pointSets.size(); ++i)
+  {
+    addArray(name.empty() ? "Area" : name, areas.data() + points.start(i), pointSets[i]);
+  }
+  this->TotalArea = std::accumulate(areas.cbegin(), areas.cend(), 0.0);
+  if (cloud.dropped() > 0)
+  {
+    vtkWarningMacro(<< cloud.dropped() << " of " << cloud.inputPoints
+                    << " points are unusable and have area 0 (" << cloud.nonFinitePoints
+                    << " with NaN or infinite values, " << cloud.zeroNormalPoints
+                    << " with normals of length 0)");
+  }
+  if (lost > 0)
+  {
+    vtkWarningMacro(<< "the outer surface of curved cells has " << lost
+                    << " points that the input does not have, and their areas are left out; "
+                       "tessellate the cells first");
+  }
+  if (this->TotalArea == 0 && !areas.empty())
+  {
+    vtkWarningMacro(
+      << "the areas of the points are 0; points at one place tell no area, so set a point area");
+  }
+}
+
+void vtkPointAreas::ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const
+{
+  const bool isConstant = this->PointAreaMethod == CONSTANT;
+  if (isConstant && (!(this->PointArea >= 0) || !std::isfinite(this->PointArea)))
+  {
+    throw winding::Refusal("the point area is " + std::to_string(this->PointArea) +
+                           "; it must be more than 0, or 0 to be estimated");
+  }
+  const std::size_t points = cloud.positions.size();
+  if (isConstant && this->PointArea > 0)
+  {
+    cloud.areas.assign(points, this->PointArea);
+    return;
+  }
+  if (this->PointAreaMethod == MESH)
+  {
+    return; // as they came in
+  }
+  if (cloud.normals.empty())
+  {
+    cloud.normals = winding::estimateNormals(cloud.positions, this->NumberOfNeighbors, executor);
+  }
+  if (isConstant)
+  {
+    cloud.areas.assign(points, winding::meanPointArea(cloud, executor, this->NumberOfNeighbors));
+  }
+  else
+  {
+    cloud.areas = winding::voronoiAreas(cloud, executor, this->NumberOfNeighbors);
+  }
+}
+
+void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
+  os << indent << "PointArea: " << this->PointArea << "\n";
+  os << indent << "NormalsArray: " << textOf(this->NormalsArray) << "\n";
+  os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
+  os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "TotalArea: " << this->TotalArea << "\n";
+}
