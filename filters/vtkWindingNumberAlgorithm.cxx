@@ -391,6 +391,8 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Status: " << this->Status << "\n";
   os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "MeanPointArea: " << this->GetMeanPointArea() << "\n";
+  os << indent << "ClearShare: " << this->GetClearShare() << "\n";
   os << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n";
   os << indent << "EvaluateSeconds: " << this->EvaluateSeconds << "\n";
   os << indent << "ExpectedSeconds: " << this->ExpectedSeconds << "\n";
