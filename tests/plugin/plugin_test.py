@@ -31,6 +31,9 @@ COMMON = {
     "NumberOfThreads": (3, "3"),
 }
 SETTABLE = {
+    "SurfaceReport": {
+        "NormalsArray": ("Orientation", "Orientation"),
+    },
     "WindingNumberField": {
         **COMMON,
         "Resolution": (17, "17"),
@@ -54,6 +57,7 @@ SETTABLE = {
 
 # Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
 COMMON_REPORTED = {
+    "SurfaceReport": {"Advice"},
     "Status",
     "MethodUsed",
     "MethodReason",
@@ -63,6 +67,7 @@ COMMON_REPORTED = {
     "EvaluateSeconds",
 }
 REPORTED = {
+    "SurfaceReport": {"Advice"},
     "WindingNumberField": COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
@@ -70,6 +75,7 @@ REPORTED = {
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
 
 INPUTS = {
+    "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
@@ -294,6 +300,7 @@ class TestProxies(unittest.TestCase):
 
     def test_filters_are_in_the_menu(self):
         labels = {
+            "SurfaceReport": "Surface Report",
             "WindingNumberField": "Winding Number Field",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberVoxels": "Winding Number Voxels",
@@ -550,6 +557,38 @@ class TestReaders(unittest.TestCase):
                 data = result(OrientedPointsReader(FileName=path))
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
+
+
+class TestSurfaceReport(unittest.TestCase):
+    def count(self, data, name):
+        return data.GetFieldData().GetArray(name).GetTuple1(0)
+
+    def test_counts_are_field_data(self):
+        report = SurfaceReport(Input=unit_sphere())
+        data = result(report)
+        self.assertEqual(data.GetNumberOfPoints(), result(unit_sphere()).GetNumberOfPoints())
+        self.assertEqual(self.count(data, "closed"), 1)
+        self.assertEqual(self.count(data, "boundary_edges"), 0)
+        self.assertEqual(self.count(data, "euler"), 2)
+        advice = data.GetFieldData().GetAbstractArray("advice").GetValue(0)
+        self.assertEqual(advice, "closed: every winding number is an integer")
+        self.assertEqual(information(report, "Advice"), advice)
+
+    def test_the_information_tab_has_the_counts(self):
+        report = SurfaceReport(Input=unit_sphere())
+        report.UpdatePipeline()
+        arrays = report.FieldData
+        self.assertEqual(arrays["nonmanifold_edges"].GetRange(), (0, 0))
+        self.assertIn("advice", arrays.keys())
+
+    def test_clouds_and_composite_input(self):
+        points = points_source((0, 0, 0), (1, 0, 0), (1, 2, 0))
+        data = result(SurfaceReport(Input=points))
+        self.assertEqual(self.count(data, "points"), 3)
+        self.assertEqual(self.count(data, "normals"), 0)
+        self.assertEqual(self.count(data, "spacing_max"), 2)
+        group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
+        self.assertEqual(self.count(result(SurfaceReport(Input=group)), "components_edge"), 2)
 
 
 class TestState(unittest.TestCase):
