@@ -4,7 +4,6 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -76,18 +75,39 @@ bool hasFaces(vtkPointSet* leaf)
   {
     return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
   }
-  vtkNew<vtkCellTypes> types;
-  leaf->GetCellTypes(types);
+  // Cell by cell: ParaView's VTK warns of GetCellTypes(), and most meshes have a face first.
   vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
   {
-    cell->SetCellType(types->GetCellType(static_cast<int>(i)));
+    cell->SetCellType(leaf->GetCellType(i)); // does nothing for the type that it has
     if (cell->GetCellDimension() >= 2)
     {
       return true;
     }
   }
   return false;
+}
+
+SourceKind kindOf(vtkDataObject* source)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(source))
+  {
+    SourceKind kind = SourceKind::nothing;
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && kind != SourceKind::mesh;
+         iterator->GoToNextItem())
+    {
+      const SourceKind leaf = kindOf(iterator->GetCurrentDataObject());
+      kind = leaf == SourceKind::nothing ? kind : leaf;
+    }
+    return kind;
+  }
+  auto* points = vtkPointSet::SafeDownCast(source);
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    return SourceKind::nothing;
+  }
+  return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
 }
 
 void checkCellIds(vtkPointSet* leaf)

@@ -13,6 +13,17 @@ namespace winding
 /// Whether a data set has cells that bound something: of two dimensions or more.
 bool hasFaces(vtkPointSet* leaf);
 
+enum class SourceKind
+{
+  nothing,
+  mesh,
+  cloud
+};
+
+/// What a source is, whatever it is to be taken as: a mesh if any of its leaves has faces. Looks at no
+/// array, and never throws: what is no source is nothing.
+SourceKind kindOf(vtkDataObject* source);
+
 /// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts the
 /// ids of cells, and crashes on such.
 void checkCellIds(vtkPointSet* leaf);

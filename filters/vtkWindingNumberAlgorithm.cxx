@@ -3,6 +3,7 @@
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceField.h"
+#include "SourceParts.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -67,6 +68,19 @@ winding::InsideRule coreRule(int rule)
     return winding::InsideRule::odd;
   default:
     return winding::InsideRule::signedThreshold;
+  }
+}
+
+int kindOf(vtkDataObject* source)
+{
+  switch (winding::kindOf(source))
+  {
+  case winding::SourceKind::mesh:
+    return vtkWindingNumberAlgorithm::MESH_SOURCE;
+  case winding::SourceKind::cloud:
+    return vtkWindingNumberAlgorithm::CLOUD_SOURCE;
+  default:
+    return vtkWindingNumberAlgorithm::NO_SOURCE;
   }
 }
 
@@ -188,6 +202,7 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
                                     : winding::PointAreaMethod::voronoi;
   options.field.pointArea = this->PointArea;
   options.field.neighbors = this->NumberOfNeighbors;
+  options.field.regularization = this->Regularization;
   options.field.scattered = !this->EvaluatesGrid();
   return options;
 }
@@ -196,6 +211,7 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   vtkIdType samples,
   const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
+  this->LookAtSource(source);
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
@@ -224,6 +240,11 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
   return field;
+}
+
+void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
+{
+  this->SourceKind = kindOf(source);
 }
 
 bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
@@ -322,6 +343,21 @@ vtkIdType vtkWindingNumberAlgorithm::GetNumberOfNetBoundaryEdges() const
   return static_cast<vtkIdType>(this->GetSourceInfo().netBoundaryEdges);
 }
 
+double vtkWindingNumberAlgorithm::GetMeanPointArea() const
+{
+  return this->GetSourceInfo().pointArea;
+}
+
+bool vtkWindingNumberAlgorithm::GetNormalsWereEstimated() const
+{
+  return this->GetSourceInfo().normalsAreEstimated;
+}
+
+double vtkWindingNumberAlgorithm::GetClearShare() const
+{
+  return this->GetSourceInfo().orientation.outward;
+}
+
 vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
 {
   return static_cast<vtkIdType>(this->GetSourceInfo().capTriangles);
@@ -339,6 +375,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
   os << indent << "PointArea: " << this->PointArea << "\n";
   os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";
+  os << indent << "Regularization: " << this->Regularization << "\n";
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
@@ -346,6 +383,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SourceKind: " << this->SourceKind << "\n";
   os << indent << "Status: " << this->Status << "\n";
   os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";

@@ -84,6 +84,14 @@ public:
     ARRAY = 3     ///< the point data array AreaArray
   };
 
+  /// What a source is.
+  enum SourceKindType
+  {
+    NO_SOURCE = 0,   ///< without points, or not there yet
+    MESH_SOURCE = 1, ///< with cells of two or three dimensions
+    CLOUD_SOURCE = 2 ///< points without such cells
+  };
+
   /// How the last execution ended.
   enum StatusType
   {
@@ -162,6 +170,15 @@ public:
   ///@}
 
   ///@{
+  /// Clouds: over which length each point is spread, in units of its spacing, the square root of its
+  /// area. 0 is the winding number of points as it is defined, which grows without bounds beside them;
+  /// 0.5 to 1 keeps it about between 0 and 1 there, and changes nothing a few spacings away. At a point
+  /// itself the point adds 0 either way. 0 or more, default 0.
+  vtkSetMacro(Regularization, double);
+  vtkGetMacro(Regularization, double);
+  ///@}
+
+  ///@{
   /// Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
@@ -210,6 +227,14 @@ public:
   ///@}
 
   ///@{
+  /// What the source is, even if SourceAsPoints takes it for something else; composite data is a mesh
+  /// if any leaf is. Known as soon as the pipeline's information is, for a source that has been
+  /// updated by then, so that a user interface can offer what the source needs before anything is
+  /// executed. NO_SOURCE until then.
+  vtkGetMacro(SourceKind, int);
+  ///@}
+
+  ///@{
   /// About the last execution: how it ended, the method used and why it was chosen, the seconds
   /// spent on building from the source (what was kept takes none) and on evaluating.
   vtkGetMacro(Status, int);
@@ -236,6 +261,14 @@ public:
   vtkIdType GetNumberOfWeldedVertices() const;
   vtkIdType GetNumberOfBoundaryEdges() const;
   vtkIdType GetNumberOfNetBoundaryEdges() const;
+  ///@}
+
+  ///@{
+  /// Clouds: the mean area of a point, and whether normals were estimated. Then a share of the points,
+  /// 1 for a closed cloud that is sampled well, has a field of about 1 behind and 0 before it.
+  double GetMeanPointArea() const;
+  bool GetNormalsWereEstimated() const;
+  double GetClearShare() const;
   ///@}
 
   ///@{
@@ -275,6 +308,9 @@ protected:
   const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,
     const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
 
+  /// Finds out what a source is, for SourceKind. Filters do it when they are asked for information.
+  void LookAtSource(vtkDataObject* source);
+
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
@@ -299,6 +335,7 @@ protected:
   int NumberOfNeighbors = 20;
   double PointArea = 0;
   char* AreaArray = nullptr;
+  double Regularization = 0;
   double WindingThreshold = 0.5;
   int InsideRule = SIGNED;
   vtkTypeBool GenerateWindingNumber = 1;
@@ -306,6 +343,7 @@ protected:
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
+  int SourceKind = NO_SOURCE;
   int Status = DONE;
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;

@@ -118,7 +118,9 @@ void vtkWindingNumberField::GiveInformation(
   {
     this->UpdateSource(outInfo);
   }
-  this->LayOutGrid(vtkDataObject::GetData(inputs[0]));
+  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  this->LookAtSource(source);
+  this->LayOutGrid(source);
 
   const winding::Grid& grid = *this->Sampling;
   const bool asCells = this->OutputAssociation == CELLS;

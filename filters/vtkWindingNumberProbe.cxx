@@ -113,6 +113,7 @@ void vtkWindingNumberProbe::GiveInformation(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->LookAtSource(vtkDataObject::GetData(inputs[1]));
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // Without time steps in its information the pipeline would ask a moving source once only.
   for (vtkInformationVector* input : {inputs[1], inputs[0]})

@@ -7,6 +7,7 @@ void runBench(const Options& options, Messages& messages)
   const std::string& subject = options.subjects.front();
   const std::vector<BenchTable> tables = subject == "seed"      ? benchSeed(options, messages)
                                          : subject == "kernels" ? benchKernels(options)
+                                         : subject == "clouds"  ? benchClouds(options, messages)
                                          : subject == "hierarchical"
                                            ? benchHierarchical(options, messages)
                                            : benchFiles(options, messages);

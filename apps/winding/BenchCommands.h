@@ -12,4 +12,5 @@ struct Options;
 std::vector<BenchTable> benchFiles(const Options& options, Messages& messages);
 std::vector<BenchTable> benchSeed(const Options& options, Messages& messages);
 std::vector<BenchTable> benchKernels(const Options& options);
+std::vector<BenchTable> benchClouds(const Options& options, Messages& messages);
 std::vector<BenchTable> benchHierarchical(const Options& options, Messages& messages);

@@ -101,7 +101,8 @@ Json measureCloud(const Published& published, const winding::Surface& surface)
   const winding::Grid grid = cubeOfVoxels(surface.bounds, published.resolution);
   const winding::PointCloud cloud = verticesOf(surface);
   ThreadExecutor threads;
-  const std::vector<double> areas(cloud.positions.size(), winding::meanPointArea(cloud, threads, winding::defaultNeighbors));
+  const std::vector<double> areas(
+    cloud.positions.size(), winding::meanPointArea(cloud, threads, winding::defaultNeighbors));
   double sum = 0;
   const double naive = scaledSeconds(grid, [&](const Eigen::Vector3d& sample)
     { sum += winding::referenceSum<double>(cloud, areas, sample); });

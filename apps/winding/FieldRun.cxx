@@ -172,14 +172,21 @@ std::string FieldRun::summary(const Json& report) const
 {
   const Json& input = report["input"];
   const Json& grid = report["grid"]["dimensions"];
-  std::string text = options_.input + ": " + input["kind"].get<std::string>() + ", " +
-                     std::to_string(input["primitives"].get<long long>()) + " primitives, " +
-                     std::to_string(input["boundary_edges"].get<long long>()) +
-                     " boundary edges\n" + "method " + report["method"].get<std::string>() + " (" +
-                     report["why"].get<std::string>() + "), " + std::to_string(grid[0].get<int>()) +
-                     " x " + std::to_string(grid[1].get<int>()) + " x " +
-                     std::to_string(grid[2].get<int>()) + " voxels, " +
-                     shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
+  const std::string about =
+    input["kind"] == "surface"
+      ? "surface, " + input["primitives"].dump() + " triangles, " + input["boundary_edges"].dump() +
+          " boundary edges"
+      : input["primitives"].dump() + " points, mean area " +
+          shown(input["mean_area"].get<double>(), 3) +
+          (input["normals_estimated"] == true
+              ? ", estimated normals, clear at " +
+                  shown(std::round(100 * input["clear_share"].get<double>()), 3) + " %"
+              : "");
+  std::string text =
+    options_.input + ": " + about + "\n" + "method " + report["method"].get<std::string>() + " (" +
+    report["why"].get<std::string>() + "), " + std::to_string(grid[0].get<int>()) + " x " +
+    std::to_string(grid[1].get<int>()) + " x " + std::to_string(grid[2].get<int>()) + " voxels, " +
+    shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
   if (options_.verify > 0)
   {
     text += "error max " + report["max_error"].dump() + ", rms " + report["rms_error"].dump() +

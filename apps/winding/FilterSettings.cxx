@@ -15,6 +15,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetEstimateNormals(options.estimateNormals);
   filter->SetPointAreaMethod(options.areas);
   filter->SetNumberOfNeighbors(options.neighbors);
+  filter->SetRegularization(options.regularization);
   filter->SetPointArea(options.area);
   filter->SetWindingThreshold(options.threshold);
   filter->SetInsideRule(options.rule);

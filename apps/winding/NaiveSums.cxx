@@ -1,5 +1,9 @@
 #include "NaiveSums.h"
 
+#include "MeshVertices.h"
+
+#include <utility>
+
 bool naiveParity(const winding::Surface& surface, const Eigen::Vector3d& sample)
 {
   const Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
@@ -32,26 +36,21 @@ winding::PointCloud verticesOf(const winding::Surface& surface)
 {
   winding::PointCloud cloud;
   cloud.positions = surface.vertices;
-  cloud.normals.assign(surface.vertices.size(), Eigen::Vector3d::Zero());
-  cloud.areas.assign(surface.vertices.size(), 0);
-  for (const winding::Triangle& ids : surface.triangles)
+  const std::size_t points = surface.vertices.size();
+  if (points == 0)
   {
-    const auto corner = [&](int i) -> const Eigen::Vector3d&
-    {
-      return surface.vertices[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])];
-    };
-    const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    for (const std::int32_t id : ids)
-    {
-      cloud.normals[static_cast<std::size_t>(id)] += normal;
-      cloud.areas[static_cast<std::size_t>(id)] += normal.stableNorm() / 6;
-    }
+    return cloud;
   }
-  for (Eigen::Vector3d& normal : cloud.normals)
+  winding::MeshVertices vertices =
+    winding::meshVertices({{{surface.vertices[0].data(), points},
+                            {surface.triangles[0].data(), surface.triangles.size()}}},
+      points);
+  for (std::size_t i = 0; i < points; ++i)
   {
-    normal.stableNormalize();
+    cloud.normals.emplace_back(Eigen::Vector3d(&vertices.normals[3 * i]).stableNormalized());
   }
+  cloud.areas = std::move(vertices.areas);
   cloud.bounds = surface.bounds;
-  cloud.inputPoints = cloud.positions.size();
+  cloud.inputPoints = points;
   return cloud;
 }

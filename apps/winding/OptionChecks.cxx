@@ -56,6 +56,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--area is for --areas constant; say that, too, or leave it out");
   require(options.areas != Filter::MESH || options.asPoints,
     "--areas mesh is for meshes taken as points; say --points, too");
+  require(options.regularization >= 0 && std::isfinite(options.regularization),
+    "--regularization is " + shown(options.regularization) + "; give 0 (none) or more");
   require(options.neighbors >= 3 && options.neighbors <= 1000,
     "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
   require(std::isfinite(options.threshold),
@@ -108,8 +110,14 @@ void checkBench(const Options& options)
       "--sources is " + std::to_string(sources) + "; give 100 or more, the spheres are round");
   }
   const auto& subjects = options.subjects;
-  require(std::count(subjects.begin() + 1, subjects.end(), "hierarchical") == 0,
-    "bench hierarchical comes before its files; for a file of that name give ./hierarchical");
+  for (const char* name : {"hierarchical", "clouds"})
+  {
+    require(std::count(subjects.begin() + 1, subjects.end(), name) == 0,
+      std::string("bench ") + name + " comes before its files; for a file of that name give ./" +
+        name);
+  }
+  require(subjects.front() != "clouds" || subjects.size() > 1,
+    "bench clouds needs files: meshes, whose vertices are taken as clouds");
   for (const char* name : {"seed", "kernels"})
   {
     require(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

@@ -104,6 +104,11 @@ void addMethod(CLI::App* command, Options& options)
       "How many neighbours of a point tell its area and, if estimated, its normal (20)")
     ->group(group);
   command
+    ->add_option("--regularization", options.regularization,
+      "Spread each point of a cloud over so many spacings, so that values beside points stay about "
+      "between 0 and 1: 0.5 to 1 does; 0, not at all (0)")
+    ->group(group);
+  command
     ->add_flag("--estimate-normals", options.estimateNormals,
       "Estimate the normals of points that have none, orient them, and check them by the field")
     ->group(group);
@@ -190,15 +195,18 @@ CLI::App* addBench(CLI::App& app, Options& options)
   bench
     ->add_option("FILE", options.subjects,
       "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
-      "parts that the methods are made of | hierarchical FILE..., the far field of surfaces, of "
+      "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
+      "with "
+      "each kind of areas, beside the surfaces | hierarchical FILE..., the far field of surfaces, "
+      "of "
       "their vertices and of their caps, in its parts | hierarchical, the same of spheres with few "
       "and many sources")
     ->required()
     ->type_name("");
   bench
     ->add_option("--resolution", options.resolutions,
-      "Cubic voxels along the longest side, one or more (64 128 256; hierarchical: 64 128 256 512 "
-      "for files, 128 for spheres)")
+      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; hierarchical: 64 "
+      "128 256 512 for files, 128 for spheres)")
     ->type_name("N...")
     ->group("Grid");
   bench

@@ -27,6 +27,7 @@ struct Options
   int areas = 0;
   double area = 0;
   int neighbors = 20;
+  double regularization = 0;
   bool estimateNormals = false;
   bool asPoints = false;
 

@@ -21,6 +21,15 @@ Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm&
     {"boundary_edges", filter.GetNumberOfBoundaryEdges()},
     {"net_boundary_edges", filter.GetNumberOfNetBoundaryEdges()},
     {"dropped", filter.GetNumberOfDroppedPrimitives()}};
+  if (!filter.GetSourceIsSurface())
+  {
+    input["mean_area"] = filter.GetMeanPointArea();
+    input["normals_estimated"] = filter.GetNormalsWereEstimated();
+    if (filter.GetNormalsWereEstimated())
+    {
+      input["clear_share"] = filter.GetClearShare();
+    }
+  }
   return input;
 }
 

@@ -1,5 +1,6 @@
 #include "CloudField.h"
 
+#include "CloudOrientation.h"
 #include "NormalEstimation.h"
 #include "PointAreas.h"
 #include "ReferenceSum.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace winding
 {
@@ -28,37 +30,66 @@ CloudField::CloudField(
   info_.bounds = cloud_.bounds;
   if (cloud_.dropped() > 0)
   {
-    info_.warning = std::to_string(cloud_.dropped()) + " of " + std::to_string(cloud_.inputPoints) +
-                    " points were unusable and left out (" +
-                    std::to_string(cloud_.nonFinitePoints) + " with NaN or infinite values, " +
-                    std::to_string(cloud_.zeroNormalPoints) + " with normals of length 0, " +
-                    std::to_string(cloud_.badAreaPoints) + " with negative areas)";
+    this->warn(std::to_string(cloud_.dropped()) + " of " + std::to_string(cloud_.inputPoints) +
+               " points were unusable and left out (" + std::to_string(cloud_.nonFinitePoints) +
+               " with NaN or infinite values, " + std::to_string(cloud_.zeroNormalPoints) +
+               " with normals of length 0, " + std::to_string(cloud_.badAreaPoints) +
+               " with negative areas)");
   }
   if (options.neighbors < 3)
   {
     throw Refusal("the number of neighbours is " + std::to_string(options.neighbors) +
                   "; 3 at least tell the area or the normal of a point");
   }
-  this->chooseNormals(options, executor);
+  info_.normalsAreEstimated = cloud_.normals.size() < cloud_.positions.size();
+  if (info_.normalsAreEstimated)
+  {
+    if (!options.estimateNormals)
+    {
+      throw Refusal("the points have no normals, and without them nothing tells inside from "
+                    "outside; have them estimated");
+    }
+    cloud_.normals = estimateNormals(cloud_.positions, options.neighbors, executor);
+  }
   this->chooseAreas(options, executor);
+  if (info_.normalsAreEstimated)
+  {
+    this->turnOutward(executor);
+  }
+  this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
 }
 
 CloudField::~CloudField() = default;
 
-void CloudField::chooseNormals(const FieldOptions& options, Executor& executor)
+void CloudField::warn(const std::string& what)
 {
-  if (cloud_.normals.size() == cloud_.positions.size())
+  info_.warning += (info_.warning.empty() ? "" : "; ") + what;
+}
+
+/// Estimated normals are consistent at best; the field tells which side is which, and how well.
+void CloudField::turnOutward(Executor& executor)
+{
+  CloudOrientation& orientation = info_.orientation;
+  orientation = orientationOf(cloud_, executor);
+  if (orientation.isInward())
   {
-    return;
+    for (Eigen::Vector3d& normal : cloud_.normals)
+    {
+      normal = -normal;
+    }
+    orientation = orientation.reversed();
   }
-  if (!options.estimateNormals)
+  if (!orientation.isClear())
   {
-    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
-                  "have them estimated");
+    char figures[200];
+    std::snprintf(figures, sizeof figures,
+      "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
+      100 * orientation.outward, orientation.behind, orientation.before);
+    this->warn(std::string("the estimated normals do not tell inside from outside everywhere: ") +
+               figures + "; more points, or normals from where the points come from, would");
   }
-  cloud_.normals = estimateNormals(cloud_.positions, options.neighbors, executor);
 }
 
 void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
@@ -90,10 +121,26 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
   info_.pointArea = sum;
   if (sum == 0 && points > 0)
   {
-    info_.warning += std::string(info_.warning.empty() ? "" : "; ") +
-                     "the areas of the points are 0, and so is the field; points at one place tell "
-                     "no area, so set a point area";
+    this->warn("the areas of the points are 0, and so is the field; points at one place tell no "
+               "area, so set a point area");
   }
+}
+
+/// Spreads every point over so many of its spacings.
+void CloudField::regularize(double spacings)
+{
+  if (!(spacings >= 0) || !std::isfinite(spacings))
+  {
+    throw Refusal("the regularization is " + std::to_string(spacings) +
+                  "; it must be more than 0, or 0 for none");
+  }
+  if (spacings == 0)
+  {
+    return;
+  }
+  cloud_.regularizationLengths.resize(cloud_.areas.size());
+  std::transform(cloud_.areas.begin(), cloud_.areas.end(), cloud_.regularizationLengths.begin(),
+    [spacings](double area) { return spacings * std::sqrt(area); });
 }
 
 void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)

@@ -34,8 +34,10 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void chooseNormals(const FieldOptions& options, Executor& executor);
+  void turnOutward(Executor& executor);
+  void warn(const std::string& what);
   void chooseAreas(const FieldOptions& options, Executor& executor);
+  void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;

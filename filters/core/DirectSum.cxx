@@ -2,6 +2,7 @@
 
 #include "DirectSumKernels.h"
 #include "GradientKernels.h"
+#include "RegularizedKernels.h"
 #include "UnitScale.h"
 
 #include <algorithm>
@@ -85,10 +86,13 @@ DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
 {
 }
 
-/// Calls addChunk(dipoles, count) with all points in turn, scaled.
+/// Calls addChunk(dipoles, inverse lengths, count) with all points in turn, scaled; the lengths are null
+/// for pure dipoles.
 template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
 {
   KernelDipole chunk[kernelChunk];
+  double inverseLengths[kernelChunk];
+  const std::vector<double>& lengths = cloud_.regularizationLengths;
   const std::size_t total = cloud_.positions.size();
   for (std::size_t first = 0; first < total; first += kernelChunk)
   {
@@ -99,8 +103,9 @@ template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk)
       const double weight = areas_[first + i] * scale_ * scale_ / (4 * pi);
       store(cloud_.positions[first + i] * scale_, chunk[i].position);
       store(cloud_.normals[first + i] * weight, chunk[i].moment);
+      inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[first + i] * scale_);
     }
-    addChunk(chunk, count);
+    addChunk(chunk, lengths.empty() ? nullptr : inverseLengths, count);
   }
 }
 
@@ -109,8 +114,12 @@ void DipoleSum::evaluate(const SampleBlock& block, double* values) const
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   KernelSums sums;
-  this->forEachChunk([&](const KernelDipole* dipoles, std::size_t count)
-    { addDipoles(dipoles, count, scaled, sums); });
+  this->forEachChunk(
+    [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
+    {
+      inverseLengths ? addRegularizedDipoles(dipoles, inverseLengths, count, scaled, sums)
+                     : addDipoles(dipoles, count, scaled, sums);
+    });
   std::copy_n(sums.sum, scaled.count, values);
 }
 
@@ -119,8 +128,12 @@ void DipoleSum::evaluateGradients(const SampleBlock& block, double* gradients) c
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   GradientSums sums;
-  this->forEachChunk([&](const KernelDipole* dipoles, std::size_t count)
-    { addDipoleGradients(dipoles, count, scaled, sums); });
+  this->forEachChunk(
+    [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
+    {
+      inverseLengths ? addRegularizedDipoleGradients(dipoles, inverseLengths, count, scaled, sums)
+                     : addDipoleGradients(dipoles, count, scaled, sums);
+    });
   storeGradients(sums, scaled.count, scale_, gradients);
 }
 

@@ -52,7 +52,8 @@ private:
 
 /**
  * The direct sum over all points of a cloud, in double, and that of their gradients; guarantees as
- * for TriangleSum. A point gives nothing to the gradient at its own place.
+ * for TriangleSum. Points are spread over the lengths that the cloud has, if any (SolidAngle.h). One that
+ * is not gives nothing to the gradient at its own place; none gives anything to the value there.
  */
 class DipoleSum final : public Evaluator, public GradientEvaluator
 {

@@ -74,13 +74,14 @@ public:
   /**
    * The gradient at scattered samples, into #samples by 3 numbers, in 1/length of the caller's
    * coordinates: from the nodes that evaluate() takes, at one to two times its cost. NaN at samples
-   * that are not finite, finite at all others; an item gives nothing to samples on it. False when
-   * interrupted.
+   * that are not finite, finite at all others; an item that is not spread over a length gives nothing to
+   * samples on it. False when interrupted.
    *
    * What expansions leave out of values changes over distances like that to the sources, so errors are
    * in units of the tolerance over the distance d to the nearest source. Not guaranteed, but measured:
-   * up to 5 tolerance/d and mostly less than 1 (tests/core/FarFieldGradientTest.cxx has the figures);
-   * to which come roundings, about 2⁻¹⁹/d of the sum of all sources' absolute values.
+   * up to 8 tolerance/d and mostly less than 1 (tests/core/FarFieldGradientTest.cxx and, for spread
+   * points, with their length for d if that is more, RegularizationTest.cxx have the figures); to which
+   * come roundings, about 2⁻¹⁹/d of the sum of all sources' absolute values.
    */
   bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 

@@ -1,7 +1,9 @@
 #include "FarFieldSources.h"
 
+#include "RegularizedKernels.h"
 #include "UnitScale.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,20 +34,23 @@ void rearrange(std::vector<Item>& items, const std::vector<std::uint32_t>& order
   items = std::move(arranged);
 }
 
-/// Of a cloud, and of the areas of its points: those of few points may be much larger than it.
+double largestOf(const std::vector<double>& values)
+{
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+/// Of a cloud, of the areas of its points and of what they are spread over: those of few points may be
+/// much larger than it. Samples many units away are beyond all spreading.
 double scaleOf(const PointCloud& cloud, const std::vector<double>& areas)
 {
-  double largest = 0;
-  for (const double area : areas)
-  {
-    largest = std::max(largest, area);
-  }
+  const double largest =
+    std::max(std::sqrt(largestOf(areas)), largestOf(cloud.regularizationLengths));
   if (!(largest > 0))
   {
     return unitScale(cloud.bounds);
   }
   Bounds bounds = cloud.bounds;
-  bounds.extend(bounds.min() + Eigen::Vector3d::Constant(std::sqrt(largest)));
+  bounds.extend(bounds.min() + Eigen::Vector3d::Constant(largest));
   return unitScale(bounds);
 }
 
@@ -61,6 +66,11 @@ public:
       store(cloud.positions[i] * scale(), items_[i].position);
       // Two factors of scale, one after the other: their product alone may leave the range.
       store(cloud.normals[i] * (areas[i] * scale() * scale() / (4 * pi)), items_[i].moment);
+    }
+    inverseLengths_.reserve(cloud.regularizationLengths.size());
+    for (const double length : cloud.regularizationLengths)
+    {
+      inverseLengths_.push_back(inverseOfLength(length * scale()));
     }
   }
 
@@ -78,6 +88,10 @@ public:
   void arrange(const std::vector<std::uint32_t>& order, bool inSingle) override
   {
     rearrange(items_, order);
+    if (this->isSpread())
+    {
+      rearrange(inverseLengths_, order);
+    }
     inSingle_ = inSingle;
     singleMoments_.resize(inSingle_ ? items_.size() : 0);
     for (std::size_t i = 0; i < singleMoments_.size(); ++i)
@@ -105,6 +119,16 @@ public:
     return std::sqrt(squared);
   }
 
+  double spread(ItemRange items) const override
+  {
+    if (!this->isSpread())
+    {
+      return 0;
+    }
+    const double* const first = &inverseLengths_[items.begin];
+    return 1 / *std::min_element(first, first + (items.end - items.begin));
+  }
+
   bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool*) const override
   {
@@ -113,7 +137,14 @@ public:
     {
       const KernelDipole* const first = &items_[range.begin];
       const std::size_t count = range.end - range.begin;
-      if (inSingle_)
+      if (this->isSpread())
+      {
+        const double* const inverseLengths = &inverseLengths_[range.begin];
+        inSingle_ ? addRegularizedDipolesInSingle(
+                      first, &singleMoments_[range.begin], inverseLengths, count, samples, sums)
+                  : addRegularizedDipoles(first, inverseLengths, count, samples, sums);
+      }
+      else if (inSingle_)
       {
         addDipolesInSingle(first, &singleMoments_[range.begin], count, samples, sums);
       }
@@ -131,16 +162,32 @@ public:
   {
     for (const ItemRange& range : items)
     {
-      addDipoleGradients(&items_[range.begin], range.end - range.begin, samples, sums);
+      const KernelDipole* const first = &items_[range.begin];
+      const std::size_t count = range.end - range.begin;
+      if (this->isSpread())
+      {
+        addRegularizedDipoleGradients(first, &inverseLengths_[range.begin], count, samples, sums);
+      }
+      else
+      {
+        addDipoleGradients(first, count, samples, sums);
+      }
     }
   }
 
-  double secondsPerPair() const override { return inSingle_ ? 0.25e-9 : 0.4e-9; }
+  double secondsPerPair() const override
+  {
+    // Of spread points between those that lie within their spreading, at 1.1 and 2 ns, and those beyond.
+    return this->isSpread() ? (inSingle_ ? 0.6e-9 : 1.5e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
+  }
   double secondsPerCutAndCoefficient() const override { return 1.5e-6; }
   std::size_t leafSize() const override { return 24; }
 
 private:
+  bool isSpread() const { return !inverseLengths_.empty(); }
+
   std::vector<KernelDipole> items_;
+  std::vector<double> inverseLengths_; ///< by item, if they are spread
   bool inSingle_ = false;
   std::vector<std::array<float, 3>> singleMoments_; ///< by item, if they are summed in single
 };
@@ -261,6 +308,8 @@ public:
     }
     return std::sqrt(squared);
   }
+
+  double spread(ItemRange) const override { return 0; }
 
   bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool* isSuspect) const override

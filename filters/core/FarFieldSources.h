@@ -48,6 +48,10 @@ public:
   /// The farthest distance of any point of the items from a centre.
   virtual double reach(ItemRange items, const Eigen::Vector3d& center) const = 0;
 
+  /// The largest length over which an item is spread (SolidAngle.h): only several of them away its sum
+  /// and gradient are those of the dipoles that stand for it. 0 for none.
+  virtual double spread(ItemRange items) const = 0;
+
   /**
    * The sum of some items at a block of samples, whose coordinates are scaled, exact up to rounding.
    * With isSuspect, it is set where a sample lies on an item within rounding; true if on any.
@@ -79,6 +83,7 @@ private:
   double scale_;
 };
 
+/// Points are spread over the lengths that the cloud has, if any.
 std::unique_ptr<FarFieldSources> farFieldSources(
   const PointCloud& cloud, const std::vector<double>& areas);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CloudOrientation.h"
 #include "EvaluationCost.h"
 #include "Executor.h"
 #include "FieldOutput.h"
@@ -49,6 +50,9 @@ struct FieldOptions
   double pointArea = 0;
   /// How many neighbours of a point tell its area and normal; 3 or more.
   int neighbors = defaultNeighbors;
+  /// Clouds: length over which a point's dipole is spread (SolidAngle.h), in units of its spacing, the
+  /// square root of its area; 0: the pure dipole.
+  double regularization = 0;
   /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
   /// of a grid are no use then.
   bool scattered = false;
@@ -57,7 +61,8 @@ struct FieldOptions
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
            estimateNormals == other.estimateNormals && pointAreaMethod == other.pointAreaMethod &&
-           neighbors == other.neighbors && scattered == other.scattered;
+           neighbors == other.neighbors && regularization == other.regularization &&
+           scattered == other.scattered;
   }
 };
 
@@ -73,6 +78,8 @@ struct FieldInfo
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
   std::size_t capTriangles = 0;     ///< method rows: triangles that close the surface
   double pointArea = 0;             ///< clouds: the mean area of a point
+  bool normalsAreEstimated = false; ///< clouds
+  CloudOrientation orientation;     ///< of estimated normals, turned outward
   Bounds bounds;
   Method method = Method::direct; ///< the one chosen, never automatic
   std::string why;                ///< why this one, for the user
@@ -131,7 +138,7 @@ public:
    * Surfaces: exact up to rounding, from the boundary alone (BoundaryGradient.h): exactly 0 where that
    * is empty, the same from both sides on triangles; on a boundary edge that edge counts as 0. Clouds:
    * exact up to rounding with method direct; within a tolerance with method hierarchical
-   * (FarField::gradient()); on a point that point counts as 0.
+   * (FarField::gradient()); on a point that is not regularized that point counts as 0.
    *
    * NaN at samples that are NaN or infinite, finite at all others. Bits depend on what those of values
    * at scattered samples depend on.

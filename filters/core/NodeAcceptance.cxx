@@ -95,7 +95,8 @@ void NodeCriteria::resize(std::size_t nodes)
   }
 }
 
-void NodeCriteria::setErrors(std::size_t node, int order, double epsilon, const float* moments)
+void NodeCriteria::setErrors(
+  std::size_t node, int order, double epsilon, double spread, const float* moments)
 {
   static const std::array<double, 2 * largestOrder + 1> factorial = []
   {
@@ -129,7 +130,9 @@ void NodeCriteria::setErrors(std::size_t node, int order, double epsilon, const 
     strength = std::max(strength, r * powers[k] / k);
   }
   // p_{P+1} = next · r^{P+1}, taken to the root factor by factor for the sake of the range.
-  rho[node] = static_cast<float>(r * std::pow(next / (r * epsilon), 1.0 / (order + 2)));
+  const double forMoments = r * std::pow(next / (r * epsilon), 1.0 / (order + 2));
+  const double forSpread = spread > 0 ? r + spread : 0;
+  rho[node] = static_cast<float>(std::max(forMoments, forSpread));
   tau[node] = static_cast<float>(std::pow(strength / epsilon, 1.0 / (order + 3)));
 }
 

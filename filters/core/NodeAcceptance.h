@@ -14,6 +14,9 @@
  *   d ≥ R + ρ              what the moments leave out, degrees above P, stays below ε, and
  *   d ≥ r + τ T(R)         what the local expansion leaves out stays below ε.
  *
+ * If the sources are pure dipoles only from some distance s on (FarFieldSources::spread), ρ is at least
+ * r + s: then no sample is nearer.
+ *
  * The second matters where samples are far apart compared with the sources: there nodes of all sizes
  * act on single samples, and their errors have a sign in common.
  *
@@ -36,8 +39,9 @@ struct NodeCriteria
 
   void resize(std::size_t nodes);
 
-  /// Sets rho and tau of a node from its moments scaled by its radius.
-  void setErrors(std::size_t node, int order, double epsilon, const float* moments);
+  /// Sets rho and tau of a node from its moments scaled by its radius, and from the distance within
+  /// which its sources are no pure dipoles.
+  void setErrors(std::size_t node, int order, double epsilon, double spread, const float* moments);
 };
 
 /// What it needs to know of a cell.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 namespace winding
 {
@@ -66,15 +67,15 @@ Eigen::Vector3d normalOf(
   return normal.allFinite() ? normal : Eigen::Vector3d(0, 0, 1);
 }
 
-/// A step along the graph; the one that turns least is the greatest.
+/// A step along the graph; the most certain one is the greatest.
 struct Step
 {
-  float turn; ///< 1 − |cosine|
+  float doubt;
   std::uint32_t from, to;
 
   bool operator<(const Step& other) const
   {
-    return std::tie(turn, from, to) > std::tie(other.turn, other.from, other.to);
+    return std::tie(doubt, from, to) > std::tie(other.doubt, other.from, other.to);
   }
 };
 
@@ -120,8 +121,13 @@ void orient(
     {
       if (!isDone[other])
       {
+        // What lies along the normals rather than across them belongs to another sheet.
+        const Eigen::Vector3d along =
+          (places.positions()[other] - places.positions()[place]).normalized();
         const double cosine = std::abs(normals[place].dot(normals[other]));
-        steps.push({static_cast<float>(1 - cosine), place, other});
+        const double climb =
+          std::abs(normals[place].dot(along)) + std::abs(normals[other].dot(along));
+        steps.push({static_cast<float>(1 - cosine + climb / 2), place, other});
       }
     };
     std::for_each(graph.begin(place), graph.end(place), add);

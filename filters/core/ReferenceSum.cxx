@@ -33,8 +33,9 @@ Scalar referenceSum(
   for (std::size_t i = 0; i < cloud.positions.size(); ++i)
   {
     const Vector3<Scalar> offset = cloud.positions[i].cast<Scalar>() - q;
-    sum += dipoleSolidAngle<Scalar>(
-      offset, cloud.normals[i].cast<Scalar>(), static_cast<Scalar>(areas[i]));
+    const double length = cloud.regularizationLengths.empty() ? 0 : cloud.regularizationLengths[i];
+    sum += regularizedDipoleSolidAngle<Scalar>(offset, cloud.normals[i].cast<Scalar>(),
+      static_cast<Scalar>(areas[i]), static_cast<Scalar>(length));
   }
   return sum / static_cast<Scalar>(fourPi);
 }

@@ -11,7 +11,7 @@ namespace winding
  * fast by another formulation.
  *
  * Scalar is double or long double (the calculation's precision; the input is double).
- * Areas: one per point of the cloud.
+ * Areas: one per point of the cloud, which has the lengths over which points are spread, if any.
  */
 template <class Scalar> Scalar referenceSum(const Surface& surface, const Eigen::Vector3d& sample);
 template <class Scalar>

@@ -47,6 +47,9 @@ struct PointCloud
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> normals; ///< as many as positions, or none when the input has none
   std::vector<double> areas;            ///< as many as positions, or none when the input has none
+  /// Over which points are spread (SolidAngle.h): one per point, or none: pure dipoles, as are those of
+  /// length 0. Not of the input: sanitize() leaves it empty.
+  std::vector<double> regularizationLengths;
   Bounds bounds;
 
   std::size_t inputPoints = 0;

@@ -4,11 +4,12 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 
 /**
  * @file
- * The two kernels of the winding number: the solid angle of a triangle and of an oriented point.
- * Divided by 4π and summed over a surface, either gives w.
+ * The kernels of the winding number: the solid angle of a triangle and of an oriented point, the latter
+ * also spread over some length. Divided by 4π and summed over a surface, each gives w.
  *
  * Notation: q the sample; a, b, c the vertices of a triangle minus q.
  *
@@ -57,6 +58,43 @@ Scalar dipoleSolidAngle(
 {
   const Scalar squared = offset.squaredNorm();
   return squared == 0 ? 0 : area * unitNormal.dot(offset) / (squared * std::sqrt(squared));
+}
+
+/**
+ * The same of a patch that is spread over a length e > 0: S(t) times it, t = |p−q| / e,
+ *
+ *   S(t) = erf t − 2t/√π exp(−t²),   S(t)/t³ = 4/√π Σ_k (−t²)^k / (k! (2k+3)).
+ *
+ * It is the field of dipoles distributed like (e√π)^−3 exp(−|x|²/e²) around p, as the field of a charge
+ * so distributed is S(t) times that of a point (Gauss's law). So it is smooth, odd in p−q and 0 at the
+ * point itself, and from t = 6.3 on, where 1 − S is below 1e-16, it is that of the patch. A length of 0
+ * spreads nothing.
+ */
+template <class Scalar>
+Scalar regularizedDipoleSolidAngle(
+  const Vector3<Scalar>& offset, const Vector3<Scalar>& unitNormal, Scalar area, Scalar length)
+{
+  constexpr Scalar twoOverRootPi = static_cast<Scalar>(1.1283791670955125738961589031215452L);
+  if (length == 0)
+  {
+    return dipoleSolidAngle<Scalar>(offset, unitNormal, area);
+  }
+  const Scalar t = offset.norm() / length;
+  if (t > 1)
+  {
+    return (std::erf(t) - twoOverRootPi * t * std::exp(-t * t)) *
+           dipoleSolidAngle<Scalar>(offset, unitNormal, area);
+  }
+  // Where the difference above would cancel.
+  Scalar sum = 0, power = 1, term;
+  int k = 0;
+  do
+  {
+    term = power / static_cast<Scalar>(2 * k + 3);
+    sum += term;
+    power *= -t * t / static_cast<Scalar>(++k);
+  } while (std::abs(term) > std::numeric_limits<Scalar>::epsilon() / 16);
+  return 2 * twoOverRootPi * sum * (area / length) * (unitNormal.dot(offset) / length) / length;
 }
 
 } // namespace winding

@@ -30,6 +30,7 @@ public:
     , accuracy_(accuracy)
     , result_(result)
     , strengths_(tree.nodes().size())
+    , spreads_(tree.nodes().size())
   {
   }
 
@@ -39,7 +40,8 @@ public:
     node.children == 0 ? this->buildLeaf(number, node) : this->buildInner(number, node);
     const double radius = result_.criteria.radius[number];
     result_.criteria.splitRadius[number] = node.children == 0 ? -1.0f : static_cast<float>(radius);
-    result_.criteria.setErrors(number, accuracy_.order, accuracy_.epsilon, result_.of(number));
+    result_.criteria.setErrors(
+      number, accuracy_.order, accuracy_.epsilon, spreads_[number], result_.of(number));
   }
 
 private:
@@ -69,6 +71,7 @@ private:
     result_.centers[number] = center;
     strengths_[number] = strength;
     this->setRadius(number, sources_.reach({node.begin, node.end}, center));
+    spreads_[number] = accuracy_.spreadMargin * sources_.spread({node.begin, node.end});
 
     const double inverse = 1.0 / result_.criteria.radius[number];
     // Thousands of equal items make one leaf; summed in float they would lose digits one by one.
@@ -113,6 +116,7 @@ private:
     double radius = 0;
     for (std::size_t child = node.firstChild; child < node.firstChild + node.children; ++child)
     {
+      spreads_[number] = std::max(spreads_[number], spreads_[child]);
       radius =
         std::max(radius, (result_.centers[child] - center).norm() + result_.criteria.radius[child]);
     }
@@ -151,6 +155,7 @@ private:
   const FarFieldAccuracy& accuracy_;
   SourceMoments& result_;
   std::vector<double> strengths_; ///< sum of |moment|
+  std::vector<double> spreads_;   ///< how far its items are not pure dipoles
 };
 
 } // namespace

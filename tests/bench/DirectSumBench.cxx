@@ -10,6 +10,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 namespace
 {
 
@@ -49,6 +51,16 @@ void directPoints(benchmark::State& state)
   runEvaluator(state, DipoleSum(cloud, cloud.areas), cloud.positions.size());
 }
 
+void directRegularizedPoints(benchmark::State& state)
+{
+  PointCloud cloud = centroids(lumpySphere(static_cast<int>(state.range(0))));
+  for (const double area : cloud.areas)
+  {
+    cloud.regularizationLengths.push_back(std::sqrt(area));
+  }
+  runEvaluator(state, DipoleSum(cloud, cloud.areas), cloud.positions.size());
+}
+
 void parity(benchmark::State& state)
 {
   const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
@@ -70,6 +82,7 @@ void reference(benchmark::State& state)
 
 BENCHMARK(directTriangles)->Arg(20)->Arg(200);
 BENCHMARK(directPoints)->Arg(20)->Arg(200);
+BENCHMARK(directRegularizedPoints)->Arg(20)->Arg(200);
 BENCHMARK(parity)->Arg(20)->Arg(200);
 BENCHMARK(reference)->Arg(20)->Arg(200);
 

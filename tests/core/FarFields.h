@@ -38,7 +38,7 @@ public:
   /// Exact gradients.
   virtual std::vector<Point> gradients(const std::vector<Point>& samples) const = 0;
 
-  /// To the nearest point of a cloud or vertex of a mesh.
+  /// To the nearest point of a cloud or vertex of a mesh, and at least what all points are spread over.
   virtual double distance(const Point& sample) const = 0;
 
   /// About the sum of the absolute values that the direct sum adds.
@@ -61,11 +61,17 @@ inline double distanceBetween(const Point& sample, const std::vector<Point>& poi
 class CloudSource final : public FarSource
 {
 public:
-  CloudSource(const Cloud& cloud, std::vector<double> areas)
+  /// regularization: see FieldOptions.
+  CloudSource(const Cloud& cloud, std::vector<double> areas, double regularization)
     : cloud_(clean(cloud))
     , areas_(std::move(areas))
     , sum_(cloud_, areas_)
   {
+    for (std::size_t i = 0; regularization > 0 && i < areas_.size(); ++i)
+    {
+      cloud_.regularizationLengths.push_back(regularization * std::sqrt(areas_[i]));
+      shortest_ = std::min(i > 0 ? shortest_ : HUGE_VAL, cloud_.regularizationLengths[i]);
+    }
   }
 
   const winding::Bounds& bounds() const override { return cloud_.bounds; }
@@ -88,7 +94,7 @@ public:
 
   double distance(const Point& sample) const override
   {
-    return distanceBetween(sample, cloud_.positions);
+    return std::max(shortest_, distanceBetween(sample, cloud_.positions));
   }
 
   std::vector<double> strengths(const std::vector<Point>& samples) const override
@@ -99,7 +105,11 @@ public:
       double sum = 0;
       for (std::size_t i = 0; i < areas_.size(); ++i)
       {
-        sum += areas_[i] / (cloud_.positions[i] - q).squaredNorm();
+        // Spread over e, no share is more than 0.43 a/e², that at 0.97 e.
+        const double squared = (cloud_.positions[i] - q).squaredNorm();
+        sum += areas_[i] / (shortest_ > 0 ? std::max(squared,
+                                              2.3 * std::pow(cloud_.regularizationLengths[i], 2))
+                                          : squared);
       }
       strengths.push_back(sum / (4 * 3.14159265358979));
     }
@@ -121,6 +131,7 @@ private:
   winding::PointCloud cloud_;
   std::vector<double> areas_;
   winding::DipoleSum sum_;
+  double shortest_ = 0; ///< of the lengths over which points are spread
 };
 
 class MeshSource final : public FarSource
@@ -197,9 +208,10 @@ inline std::unique_ptr<FarSource> farSource(const Mesh& mesh)
   return std::make_unique<MeshSource>(mesh);
 }
 
-inline std::unique_ptr<FarSource> farSource(const Cloud& cloud, const std::vector<double>& areas)
+inline std::unique_ptr<FarSource> farSource(
+  const Cloud& cloud, const std::vector<double>& areas, double regularization = 0)
 {
-  return std::make_unique<CloudSource>(cloud, areas);
+  return std::make_unique<CloudSource>(cloud, areas, regularization);
 }
 
 /// All areas equal, those of a sphere of a radius in all.
@@ -224,7 +236,8 @@ inline Cloud with(Cloud cloud, const Cloud& other)
 }
 
 /// As many points in every shell as in the one around it of twice the radius; areas shrink alike.
-inline std::unique_ptr<FarSource> gradedSource(std::size_t count, unsigned seed)
+inline std::unique_ptr<FarSource> gradedSource(
+  std::size_t count, unsigned seed, double regularization = 0)
 {
   Random random(seed);
   Cloud cloud;
@@ -236,7 +249,7 @@ inline std::unique_ptr<FarSource> gradedSource(std::size_t count, unsigned seed)
     cloud.positions.push_back(radius * random.direction());
     areas.push_back(60 * radius * radius / static_cast<double>(count));
   }
-  return farSource(cloud, areas);
+  return farSource(cloud, areas, regularization);
 }
 
 /// A heap of equal points and a sphere of 5000.

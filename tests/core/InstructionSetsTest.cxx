@@ -50,11 +50,15 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
   const winding::PointCloud cloud = clean(randomCloud(2000, 601));
   const std::vector<double> areas(cloud.positions.size(), 0.01);
   const std::vector<Point> samples = randomPoints(3000, -1.2, 1.2, 602);
-  std::vector<double> exact, exactOfCloud;
+  winding::PointCloud regularized = cloud;
+  regularized.regularizationLengths.assign(cloud.positions.size(), 0.1);
+  std::vector<double> exact, exactOfCloud, exactOfRegularized;
+  std::vector<Point> gradients;
   for (const Point& q : samples)
   {
     exact.push_back(winding::referenceSum<double>(surface, q));
     exactOfCloud.push_back(winding::referenceSum<double>(cloud, areas, q));
+    exactOfRegularized.push_back(winding::referenceSum<double>(regularized, areas, q));
   }
   winding::SerialExecutor serial;
   const winding::VectorsView view(samples[0].data(), samples.size());
@@ -76,6 +80,15 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
     EXPECT_LT(largestDifference(valuesOf(winding::TriangleSum(surface), samples), exact), 1e-12);
     EXPECT_LT(
       largestDifference(valuesOf(winding::DipoleSum(cloud, areas), samples), exactOfCloud), 1e-11);
+    const winding::DipoleSum ofRegularized(regularized, areas);
+    EXPECT_LT(largestDifference(valuesOf(ofRegularized, samples), exactOfRegularized), 1e-12);
+    const std::vector<Point> found = gradientsOf(ofRegularized, samples);
+    gradients = gradients.empty() ? found : gradients;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      // Those of the first instruction set; RegularizationTest.cxx has the right ones.
+      ASSERT_LT((found[i] - gradients[i]).norm(), 1e-11);
+    }
     for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
     {
       const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(tolerance);
@@ -88,6 +101,9 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
         .evaluate(view, output, serial);
       // Beside points the values are large, and so is their rounding to float.
       EXPECT_LT(largestDifference(values, exactOfCloud), tolerance + 1e-5); // measured: 5.5e-6
+      winding::FarField(winding::farFieldSources(regularized, areas), accuracy, serial)
+        .evaluate(view, output, serial);
+      EXPECT_LT(largestDifference(values, exactOfRegularized), tolerance);
     }
   }
   record("instructionSets", tried);

@@ -86,7 +86,7 @@ struct Node
     criteria.resize(1);
     criteria.radius[0] = static_cast<float>(size);
     std::vector<float> floats(exact.begin(), exact.end());
-    criteria.setErrors(0, order, epsilon, floats.data());
+    criteria.setErrors(0, order, epsilon, 0, floats.data());
     for (int k = 0; k <= order; ++k)
     {
       for (int at = k * k; at < (k + 1) * (k + 1); ++at)
@@ -205,7 +205,11 @@ TEST(NodeAcceptance, OfNodesWithoutAreaIsByTheAngleAlone)
   criteria.resize(1);
   criteria.radius[0] = 1;
   const std::vector<float> moments(static_cast<std::size_t>(winding::coefficientCount(5)), 0.0f);
-  criteria.setErrors(0, 5, 1e-3, moments.data());
+  criteria.setErrors(0, 5, 1e-3, 0, moments.data());
   EXPECT_EQ(criteria.rho[0], 0);
+  EXPECT_EQ(criteria.tau[0], 0);
+  // Nor, if they are spread, by less than what they are spread over.
+  criteria.setErrors(0, 5, 1e-3, 3.5, moments.data());
+  EXPECT_EQ(criteria.rho[0], 4.5f);
   EXPECT_EQ(criteria.tau[0], 0);
 }

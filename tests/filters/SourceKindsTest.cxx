@@ -334,6 +334,85 @@ TEST_F(SourceKinds, ParityNeedsTriangles)
   expectRefused(cloud(), "parity needs triangles");
 }
 
+TEST_F(SourceKinds, KindIsKnownWithTheInformation)
+{
+  const auto expectKind = [](int kind, vtkDataObject* source)
+  {
+    vtkNew<vtkWindingNumberProbe> fresh;
+    EXPECT_EQ(fresh->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
+    fresh->SetInputData(sphere());
+    fresh->SetSourceData(source);
+    fresh->SetSourceAsPoints(kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
+    fresh->UpdateInformation();
+    EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
+    for (const bool useBounds : {true, false})
+    {
+      vtkNew<vtkWindingNumberField> field;
+      field->SetInputData(source);
+      field->SetUseInputBounds(useBounds);
+      field->UpdateInformation();
+      EXPECT_EQ(field->GetSourceKind(), kind) << useBounds;
+    }
+  };
+  vtkNew<vtkStripper> strips;
+  strips->SetInputData(sphere());
+  strips->Update();
+  vtkNew<vtkAppendFilter> cells, vertices;
+  cells->SetInputData(sphere());
+  cells->Update();
+  vertices->SetInputData(cloud());
+  vertices->Update();
+  vtkNew<vtkMultiBlockDataSet> spheres, clouds;
+  spheres->SetBlock(0, vtkSmartPointer<vtkPolyData>::New());
+  spheres->SetBlock(2, sphere());
+  clouds->SetBlock(0, cloud());
+  clouds->SetBlock(1, vtkSmartPointer<vtkPolyData>::New());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, sphere());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, strips->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, cells->GetOutput());
+  expectKind(vtkWindingNumberProbe::MESH_SOURCE, spheres);
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, cloud());
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, vertices->GetOutput());
+  expectKind(vtkWindingNumberProbe::CLOUD_SOURCE, clouds);
+  expectKind(vtkWindingNumberProbe::NO_SOURCE, vtkSmartPointer<vtkPolyData>::New());
+}
+
+TEST_F(SourceKinds, KindFollowsASourceThatIsUpdatedLater)
+{
+  vtkNew<vtkSphereSource> source;
+  probe->SetInputData(sphere());
+  probe->SetSourceConnection(source->GetOutputPort());
+  probe->UpdateInformation();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::NO_SOURCE);
+  probe->Update();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::MESH_SOURCE);
+  probe->SetSourceData(cloud());
+  probe->UpdateInformation();
+  EXPECT_EQ(probe->GetSourceKind(), vtkWindingNumberProbe::CLOUD_SOURCE);
+}
+
+TEST_F(SourceKinds, KindIsFoundForSourcesThatAreRefusedLater)
+{
+  // With the box given, information needs no usable source, and must not fail for the kind's sake.
+  vtkNew<vtkMultiBlockDataSet> mixed, images;
+  mixed->SetBlock(0, cloud());
+  mixed->SetBlock(1, sphere());
+  images->SetBlock(0, vtkSmartPointer<vtkImageData>::New());
+  vtkNew<vtkWindingNumberField> field;
+  field->UseInputBoundsOff();
+  ErrorLog log(field);
+  field->SetInputData(mixed);
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::MESH_SOURCE);
+  field->SetInputData(cloud(false));
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::CLOUD_SOURCE);
+  field->SetInputData(images);
+  field->UpdateInformation();
+  EXPECT_EQ(field->GetSourceKind(), vtkWindingNumberField::NO_SOURCE);
+  EXPECT_EQ(log.errors(), "");
+}
+
 TEST_F(SourceKinds, SurfacesAndCloudsDoNotMix)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -57,7 +57,7 @@ SETTABLE = {
 
 # Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
 COMMON_REPORTED = {
-    "SurfaceReport": {"Advice"},
+    "SourceKind",
     "Status",
     "MethodUsed",
     "MethodReason",
@@ -142,6 +142,40 @@ def elements_text(smproperty):
     if smproperty.IsA("vtkSMStringVectorProperty"):
         return " ".join(smproperty.GetElement(i) or "" for i in range(count))
     return " ".join(f"{smproperty.GetElement(i):g}" for i in range(count))
+
+
+def lets_show(decorator, proxy):
+    """Whether a decorator of the property panel lets its widget be seen."""
+    if decorator.GetAttribute("type") == "CompositeDecorator":
+        expression = decorator.FindNestedElementByName("Expression")
+        if expression.GetAttribute("type") != "or":
+            raise AssertionError("an expression that this test does not know")
+        nested = range(expression.GetNumberOfNestedElements())
+        return any(lets_show(expression.GetNestedElement(i), proxy) for i in nested)
+    if decorator.GetAttribute("type") != "GenericDecorator":
+        raise AssertionError("a decorator that this test does not know")
+    value = elements_text(proxy.GetProperty(decorator.GetAttribute("property")))
+    return (value == decorator.GetAttribute("value")) != (decorator.GetAttribute("inverse") == "1")
+
+
+def shown(proxy, label):
+    """Names of the properties under a heading of the panel, advanced ones too, that it now shows:
+    those that all decorators in their hints and in their group's let be seen."""
+    proxy = proxy.SMProxy
+    names = set()
+    for index in range(proxy.GetNumberOfPropertyGroups()):
+        group = proxy.GetPropertyGroup(index)
+        for member in range(group.GetNumberOfProperties() if group.GetXMLLabel() == label else 0):
+            smproperty = group.GetProperty(member)
+            decorators = [
+                hints.GetNestedElement(i)
+                for hints in (smproperty.GetHints(), group.GetHints())
+                for i in range(hints.GetNumberOfNestedElements() if hints else 0)
+                if hints.GetNestedElement(i).GetName() == "PropertyWidgetDecorator"
+            ]
+            if all(lets_show(decorator, proxy) for decorator in decorators):
+                names.add(smproperty.GetXMLName())
+    return names
 
 
 def result(proxy):
@@ -358,6 +392,11 @@ class TestField(unittest.TestCase):
             self.assertAlmostEqual(value_at(image, center), 1, places=6)
         self.assertAlmostEqual(value_at(image, (1.5, 0, 0)), 0, places=6)
 
+    def test_unstructured_grid(self):
+        grid = simple.AppendDatasets(Input=unit_sphere())
+        image = result(WindingNumberField(Input=grid, Resolution=10))
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, places=6)
+
     def test_threshold_and_resolution_keep_what_was_prepared(self):
         sphere = unit_sphere()
         field = WindingNumberField(Input=sphere, Resolution=8)
@@ -498,6 +537,99 @@ class TestProbe(unittest.TestCase):
         self.assertEqual(values, [1, 1, 0])
 
 
+class TestPanel(unittest.TestCase):
+    """What the property panel goes by when it shows or hides properties."""
+
+    def setUp(self):
+        self.mesh = unit_sphere()
+        self.cloud = simple.MaskPoints(Input=self.mesh, OnRatio=1, MaximumNumberofPoints=100)
+        self.cells = simple.AppendDatasets(Input=self.mesh)  # an unstructured grid
+        self.blocks = {
+            1: simple.GroupDatasets(Input=[self.mesh, unit_sphere(Center=(3, 0, 0))]),
+            2: simple.GroupDatasets(Input=[self.cloud, self.cloud]),
+        }
+        # A panel is made for sources that are there.
+        for source in (self.mesh, self.cloud, self.cells, *self.blocks.values()):
+            source.UpdatePipeline()
+
+    def assert_kind(self, proxy, kind):
+        # Its widgets are made after an update of the information, and without one of the data.
+        proxy.UpdatePipelineInformation()
+        self.assertEqual(proxy.GetPropertyValue("SourceKind"), kind)
+
+    def test_field_knows_the_kind_of_its_source_before_it_is_executed(self):
+        for use_input_bounds in (0, 1):
+            for kind, source in ((1, self.mesh), (2, self.cloud), *self.blocks.items()):
+                with self.subTest(f"{source.GetXMLName()}, {kind}, {use_input_bounds}"):
+                    field = WindingNumberField(Input=source, UseInputBounds=use_input_bounds)
+                    self.assert_kind(field, kind)
+                    field.SourceAsPoints = 1
+                    self.assert_kind(field, kind)
+
+    def test_probe_knows_the_kind_of_its_source_before_it_is_executed(self):
+        for source_of_queries in (self.mesh, self.blocks[2]):
+            for kind, source in ((1, self.mesh), (2, self.cloud), *self.blocks.items()):
+                with self.subTest(f"{source_of_queries.GetXMLName()}, {source.GetXMLName()}, {kind}"):
+                    probe = WindingNumberProbe(Input=source_of_queries, Source=source)
+                    self.assert_kind(probe, kind)
+                    probe.SourceAsPoints = 1
+                    self.assert_kind(probe, kind)
+
+    def test_kind_follows_another_input(self):
+        field = WindingNumberField(Input=self.mesh)
+        probe = WindingNumberProbe(Input=self.mesh, Source=self.mesh)
+        field.Input = self.cloud
+        probe.Source = self.cloud
+        self.assert_kind(field, 2)
+        self.assert_kind(probe, 2)
+
+    def test_nothing_is_said_of_an_execution_before_the_first(self):
+        field = WindingNumberField(Input=self.mesh, Resolution=4)
+        field.UpdatePipelineInformation()
+        self.assertEqual(shown(field, "Last Execution"), set())
+        field.UpdatePipeline()
+        self.assertGreater(information(field, "ExpectedMemory"), 0)
+        self.assertIn("MethodReason", shown(field, "Last Execution"))
+        self.assertNotIn("MaxError", shown(field, "Last Execution"))
+        field.VerifySamples = 10
+        self.assertIn("MaxError", shown(field, "Last Execution"))
+
+    def test_properties_of_clouds_are_shown_for_clouds_only(self):
+        for name in ("WindingNumberField", "WindingNumberProbe"):
+            sources = (self.mesh, self.cloud), (self.cells, self.cloud), self.blocks.values()
+            for mesh, cloud in sources:
+                with self.subTest(f"{name}, {mesh.GetXMLName()}"):
+                    port = "Source" if name == "WindingNumberProbe" else "Input"
+                    proxy = globals()[name](**{"Input": self.mesh, port: mesh})
+                    proxy.UpdatePipelineInformation()
+                    self.assertEqual(shown(proxy, "Point Clouds"), {"SourceAsPoints"})
+
+                    proxy.SourceAsPoints = 1
+                    as_points = shown(proxy, "Point Clouds")
+                    constant = {"SourceAsPoints", "PointAreaMethod", "PointArea", "NormalsArray"}
+                    self.assertLessEqual(constant, as_points)
+                    self.assertNotIn("AreaArray", as_points)
+
+                    setattr(proxy, port, cloud)
+                    for proxy.SourceAsPoints in (0, 1):
+                        proxy.UpdatePipelineInformation()
+                        for_cloud = shown(proxy, "Point Clouds")
+                        self.assertEqual(for_cloud, as_points - {"SourceAsPoints"})
+
+                    proxy.PointAreaMethod = "Array"
+                    from_array = shown(proxy, "Point Clouds")
+                    self.assertEqual(from_array, for_cloud - {"PointArea"} | {"AreaArray"})
+
+    def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
+        proxy = WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
+        proxy.UpdatePipelineInformation()
+        self.assertEqual(proxy.GetPropertyValue("SourceKind"), 0)
+        self.assertIn("SourceAsPoints", shown(proxy, "Point Clouds"))
+        self.assertIn("NormalsArray", shown(proxy, "Point Clouds"))
+        proxy.UpdatePipeline()
+        self.assert_kind(proxy, 1)
+
+
 class TestVoxels(unittest.TestCase):
     def test_volume(self):
         field = WindingNumberField(Input=unit_sphere(), Resolution=32, GenerateInside=1)
@@ -610,7 +742,9 @@ class TestState(unittest.TestCase):
         for member, (value, _) in settable.items():
             set_elements(proxy.SMProxy.GetProperty(member), value)
         proxy.SMProxy.UpdateVTKObjects()
-        expected = printed_members(proxy.GetClientSideObject())
+        # What an object reports is none of its state.
+        before = printed_members(proxy.GetClientSideObject())
+        expected = {member: before[member] for member in settable}
 
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "state.pvsm")
@@ -620,7 +754,8 @@ class TestState(unittest.TestCase):
             simple.LoadState(path)
         loaded = simple.FindSource("saved")
         self.assertEqual(loaded.GetXMLName(), name)
-        self.assertEqual(printed_members(loaded.GetClientSideObject()), expected)
+        after = printed_members(loaded.GetClientSideObject())
+        self.assertEqual({member: after[member] for member in settable}, expected)
         for port, source in inputs.items():
             self.assertEqual(loaded.GetProperty(port)[0].GetXMLName(), source.GetXMLName())
         if name == "WindingNumberVoxels":

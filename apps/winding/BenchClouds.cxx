@@ -1,0 +1,189 @@
+#include "BenchCommands.h"
+#include "BenchTools.h"
+#include "Failure.h"
+#include "Interrupt.h"
+#include "Options.h"
+
+#include "MeshVertices.h"
+#include "Refusal.h"
+
+#include "vtkCellArray.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace
+{
+
+/// What tells near voxels from far ones.
+vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t i = 0; i < triangles.points(); ++i)
+  {
+    points->InsertNextPoint(&triangles.coordinates[3 * i]);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i < triangles.triangles(); ++i)
+  {
+    const std::int64_t* const ids = &triangles.ids[3 * i];
+    cells->InsertNextCell({ids[0], ids[1], ids[2]});
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  return surface;
+}
+
+/// For each voxel, whether the surface is no farther than a voxel's side.
+std::vector<unsigned char> nearVoxels(const Triangles& triangles, const winding::Grid& grid)
+{
+  const auto surface = polyDataOf(triangles);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  const winding::Extent extent = grid.wholeExtent();
+  std::vector<unsigned char> isNear(winding::sampleCount(extent));
+  const auto perSlice =
+    static_cast<std::size_t>(grid.dimensions[0]) * static_cast<std::size_t>(grid.dimensions[1]);
+  ThreadExecutor().run(isNear.size() / perSlice,
+    [&](std::size_t slice)
+    {
+      vtkNew<vtkGenericCell> cell;
+      for (std::size_t n = slice * perSlice; n < (slice + 1) * perSlice; ++n)
+      {
+        const Eigen::Vector3i index = winding::sampleIndex(extent, n);
+        const Eigen::Vector3d sample = grid.sample(index[0], index[1], index[2]);
+        double closest[3], squaredDistance;
+        vtkIdType id;
+        int part, inside;
+        isNear[n] =
+          locator->FindClosestPointWithinRadius(const_cast<double*>(sample.data()),
+            grid.spacing.maxCoeff(), closest, cell, id, part, squaredDistance, inside) != 0;
+      }
+    });
+  interrupt::check();
+  return isNear;
+}
+
+bool isInside(float w)
+{
+  return w >= 0.5f;
+}
+
+Json compare(const std::vector<unsigned char>& isNear, const Measurement& exact,
+  const Measurement& cloud, Json row)
+{
+  std::size_t unlike = 0, unlikeFar = 0, far = 0;
+  std::vector<float> farInside;
+  for (std::size_t n = 0; n < isNear.size(); ++n)
+  {
+    const bool isUnlike = isInside(exact.values[n]) != isInside(cloud.values[n]);
+    unlike += isUnlike;
+    if (!isNear[n])
+    {
+      ++far;
+      unlikeFar += isUnlike;
+      if (isInside(exact.values[n]))
+      {
+        farInside.push_back(cloud.values[n]);
+      }
+    }
+  }
+  const auto percentOf = [](std::size_t part, std::size_t all)
+  {
+    return 100 * static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(all, 1));
+  };
+  row["unlike %"] = percentOf(unlike, isNear.size());
+  row["unlike far %"] = percentOf(unlikeFar, far);
+  row["median w inside"] = nullptr;
+  if (!farInside.empty())
+  {
+    const auto middle = farInside.begin() + static_cast<std::ptrdiff_t>(farInside.size() / 2);
+    std::nth_element(farInside.begin(), middle, farInside.end());
+    row["median w inside"] = static_cast<double>(*middle);
+  }
+  row["prepare s"] = cloud.prepare;
+  row["evaluate s"] = cloud.evaluate;
+  return row;
+}
+
+void addRows(BenchTable& table, const Triangles& triangles, int resolution)
+{
+  ThreadExecutor executor;
+  const winding::MeshVertices vertices =
+    winding::meshVertices({triangles.view()}, triangles.points());
+  double area = 0;
+  for (const double ofVertex : vertices.areas)
+  {
+    area += ofVertex;
+  }
+  const auto measureOn =
+    [](const winding::Grid& grid, const auto& views, const winding::FieldOptions& options)
+  {
+    return measure([&](winding::Executor& threads)
+      { return winding::Field::build(views, options, threads); },
+      grid);
+  };
+  const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
+  const winding::Grid grid = benchGrid(surface.bounds, resolution);
+  const Measurement exact = measureOn(grid, std::vector{triangles.view()}, winding::FieldOptions());
+  const std::vector<unsigned char> isNear = nearVoxels(triangles, grid);
+
+  const winding::OrientedPointsView cloud = {{triangles.coordinates.data(), triangles.points()},
+    {vertices.normals.data(), triangles.points()}, {}};
+  winding::OrientedPointsView withAreas = cloud;
+  withAreas.areas = {vertices.areas.data(), vertices.areas.size()};
+  winding::FieldOptions voronoi, constant;
+  constant.pointAreaMethod = winding::PointAreaMethod::constant;
+  for (const auto& [name, view, options] : {std::tuple("voronoi", cloud, voronoi),
+         std::tuple("constant", cloud, constant), std::tuple("mesh", withAreas, voronoi)})
+  {
+    const Measurement measured = measureOn(grid, std::vector{view}, options);
+    const winding::FieldInfo& info = measured.field->info();
+    const double all = info.pointArea * static_cast<double>(info.primitives);
+    // Without the digits of rounding.
+    const double areaError = std::round(1e6 * (all / area - 1)) / 1e4;
+    table.add(compare(isNear, exact, measured,
+      {{"voxels", sizeOf(grid)}, {"areas", name}, {"area error %", areaError}}));
+  }
+}
+
+} // namespace
+
+std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
+{
+  std::vector<BenchTable> tables;
+  for (std::size_t i = 1; i < options.subjects.size(); ++i)
+  {
+    const std::string& file = options.subjects[i];
+    const Triangles triangles = readTriangles(file, options, messages);
+    try
+    {
+      BenchTable table(file + ": " + std::to_string(triangles.points()) + " points, " +
+                         std::to_string(threadsOf(options)) + " threads",
+        {"the vertices as a cloud, with the normals of the triangles around them",
+          "area error: of all areas together, against the mesh",
+          "unlike: voxels on another side of w = 0.5 than in the field of the mesh; far: of those "
+          "farther than a voxel from the surface",
+          "median w inside: of the far ones inside the mesh"});
+      for (const int resolution : options.resolutionsOr({128}))
+      {
+        addRows(table, triangles, resolution);
+      }
+      tables.push_back(table);
+    }
+    catch (const winding::Refusal& refusal)
+    {
+      throw Failure(REFUSED, file, refusal.what());
+    }
+  }
+  return tables;
+}
