@@ -68,8 +68,9 @@ std::string mainAdviceOn(const CloudReport& report)
   const bool onlyZeros = report.zeroNormals + report.nonFinite == report.points;
   if (!report.hasNormals || onlyZeros)
   {
-    return std::string(onlyZeros ? "all normals have length 0" : "no normals") +
-           ": have them estimated (EstimateNormals, --estimate-normals), or compute oriented ones "
+    return std::string(
+             onlyZeros ? "all normals have length 0: leave them out, then" : "no normals:") +
+           " have them estimated (EstimateNormals, --estimate-normals), or compute oriented ones "
            "first, for instance by vtkPCANormalEstimation with NormalOrientation set to graph "
            "traversal";
   }
@@ -78,8 +79,9 @@ std::string mainAdviceOn(const CloudReport& report)
     return "all points lie at one place: nothing tells what area they stand for; name it "
            "(PointArea, --area)";
   }
-  // Normals on sides at random have ½. Measured at the vertices of meshes whose triangles agree: 0 to
-  // 0.08, and 0.15 for a teapot with walls; where a third of the triangles are flipped, 0.24.
+  // Normals to sides at random have ½. Measured at the vertices of meshes whose triangles agree: 0 to
+  // 0.08, of a teapot 0.15, and of an icosahedron, which has few points, 0.38; of two meshes with
+  // flipped parts, 0.19 and 0.24.
   constexpr double manyOpposite = 0.2;
   if (report.oppositeNeighbors > manyOpposite)
   {
@@ -96,8 +98,8 @@ std::string adviceOn(const Surface& surface, const SurfaceReport& report)
 {
   return mainAdviceOn(surface, report) +
          clause(report.edges.nonManifold, "edge is", "edges are",
-           "non-manifold: more than two triangles meet there; where parts overlap, winding numbers "
-           "may be other than 0 and 1") +
+           "non-manifold (more than two triangles meet there): where parts overlap, winding "
+           "numbers may be other than 0 and 1") +
          clause(report.duplicateTriangles, "triangle repeats", "triangles repeat",
            "others: equal ones add up, opposite ones cancel") +
          clause(surface.nonFiniteTriangles, "triangle is", "triangles are",

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "CloudOrientation.h"
 #include "Executor.h"
 #include "Sanitize.h"
 
+#include <optional>
 #include <vector>
 
 namespace winding
@@ -42,6 +44,10 @@ struct CloudReport
   double oppositeNeighbors = 0;
 
   Bounds bounds; ///< empty without finite points
+
+  /// What the field itself says about the normals. It needs areas, which take longer than all of the
+  /// above: reportOn() leaves it to those who have them.
+  std::optional<CloudOrientation> orientation;
 };
 
 /**

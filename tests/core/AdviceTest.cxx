@@ -87,7 +87,9 @@ TEST(Advice, OnCloudsSaysWhatTheyLack)
 
   CloudReport zero = goodReport();
   zero.zeroNormals = 100;
-  EXPECT_EQ(adviceOn(zero).rfind("all normals have length 0: have them estimated", 0), 0u);
+  EXPECT_EQ(
+    adviceOn(zero).rfind("all normals have length 0: leave them out, then have them estimated", 0),
+    0u);
 
   CloudReport nothing = goodReport();
   nothing.nonFinite = 100;
