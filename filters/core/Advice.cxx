@@ -92,6 +92,14 @@ std::string mainAdviceOn(const CloudReport& report)
   return "oriented points: winding numbers are approximate, and best away from the points";
 }
 
+/// Whether some point has nothing around it but the empty part of the bounds, which are there for it.
+bool hasOutlier(const CloudReport& report)
+{
+  const Spacing& spacing = report.spacing;
+  return spacing.largest > 100 * spacing.median &&
+         spacing.largest > 0.25 * report.bounds.diagonal().norm();
+}
+
 } // namespace
 
 std::string adviceOn(const Surface& surface, const SurfaceReport& report)
@@ -114,6 +122,11 @@ std::string adviceOn(const CloudReport& report)
     mainAdviceOn(report) + clause(report.duplicates, "point lies", "points lie",
                              "where others do: with one area for all (--areas constant) they count "
                              "once more");
+  if (hasOutlier(report))
+  {
+    advice += "; at least one point is far from all others: the grid of a field reaches out to it "
+              "unless bounds are named";
+  }
   const std::size_t finite = report.points - report.nonFinite;
   if (report.zeroNormals < finite)
   {

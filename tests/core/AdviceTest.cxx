@@ -121,3 +121,15 @@ TEST(Advice, OnCloudsCountsDuplicatesAndWhatIsLeftOut)
   EXPECT_TRUE(has(advice, "; 2 points are left out for normals of length 0")) << advice;
   EXPECT_TRUE(has(advice, "; 3 points are left out for NaN or infinite values")) << advice;
 }
+
+TEST(Advice, OnCloudsNamesOutliers)
+{
+  CloudReport report = goodReport();
+  report.spacing = {0.9, 1, 1, 90};
+  report.bounds = winding::Bounds(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(100, 100, 1));
+  EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
+  report.spacing.largest = 110;
+  EXPECT_TRUE(has(adviceOn(report), "; at least one point is far from all others"));
+  report.bounds.extend(Eigen::Vector3d(1000, 0, 0)); // a gap, and not all of the bounds
+  EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
+}
