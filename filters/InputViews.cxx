@@ -193,12 +193,16 @@ vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
   {
     return polyData;
   }
-  checkCellIds(leaf);
-  vtkNew<vtkDataSetSurfaceFilter> skin;
-  skin->SetInputData(leaf);
-  skin->Update();
-  skins_.emplace_back(skin->GetOutput());
-  return skin->GetOutput();
+  vtkSmartPointer<vtkPolyData>& skin = skins_[leaf];
+  if (!skin)
+  {
+    checkCellIds(leaf);
+    vtkNew<vtkDataSetSurfaceFilter> filter;
+    filter->SetInputData(leaf);
+    filter->Update();
+    skin = filter->GetOutput();
+  }
+  return skin;
 }
 
 void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
@@ -286,6 +290,20 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
     }
     views.push_back(view);
     pointSets_.push_back(leaf);
+  }
+  return views;
+}
+
+std::vector<VectorsView> InputViews::points()
+{
+  std::vector<VectorsView> views;
+  for (vtkPointSet* leaf : leaves_)
+  {
+    vtkPointSet* own = isSurface_ ? this->skinOf(leaf) : leaf;
+    if (own->GetNumberOfPoints() > 0)
+    {
+      views.push_back(this->vectorsOf(own->GetPoints()->GetData()));
+    }
   }
   return views;
 }

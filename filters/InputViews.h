@@ -6,6 +6,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,9 @@ public:
   /// of the source: its leaves, or what they have been reduced to (outer surfaces; without ghosts).
   const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
 
+  /// All points of the source, those without triangles too.
+  std::vector<VectorsView> points();
+
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
   vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
@@ -95,7 +99,7 @@ private:
 
   // What views point into where VTK's own memory would not do.
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
-  std::vector<vtkSmartPointer<vtkPointSet>> skins_;
+  std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
   std::vector<std::vector<std::int64_t>> ids_;
   std::vector<MeshVertices> vertices_;
 };

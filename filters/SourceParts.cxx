@@ -2,6 +2,8 @@
 
 #include "Refusal.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -9,10 +11,12 @@
 #include "vtkExtractCells.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
@@ -34,6 +38,33 @@ bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
     }
   }
   return false;
+}
+
+vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData;
+  }
+  if (leaf->GetNumberOfPoints() > 0 && hasFaces(leaf))
+  {
+    checkCellIds(leaf);
+    vtkNew<vtkDataSetSurfaceFilter> skin;
+    skin->SetInputData(leaf);
+    skin->Update();
+    return skin->GetOutput();
+  }
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(leaf->GetPoints());
+  points->GetPointData()->ShallowCopy(leaf->GetPointData());
+  points->GetFieldData()->ShallowCopy(leaf->GetFieldData());
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType point = 0; point < leaf->GetNumberOfPoints(); ++point)
+  {
+    vertices->InsertNextCell(1, &point);
+  }
+  points->SetVerts(vertices);
+  return points;
 }
 
 } // namespace
@@ -141,6 +172,40 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
   }
   clean->SetPoints(points);
   return clean;
+}
+
+vtkSmartPointer<vtkPolyData> asPolyData(vtkDataObject* source)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (!composite)
+  {
+    return leafAsPolyData(vtkPointSet::SafeDownCast(source));
+  }
+  vtkNew<vtkAppendPolyData> append;
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    append->AddInputData(
+      leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject())));
+  }
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+  }
+  return append->GetOutput();
+}
+
+void askForAll(vtkInformation* source)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  // A structured source, such as a curvilinear grid, is asked for by extent instead.
+  if (source->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    source->Set(Pipeline::UPDATE_EXTENT(), source->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
 }
 
 } // namespace winding

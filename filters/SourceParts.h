@@ -3,7 +3,9 @@
 #include "vtkSmartPointer.h"
 
 class vtkDataObject;
+class vtkInformation;
 class vtkPointSet;
+class vtkPolyData;
 
 namespace winding
 {
@@ -32,5 +34,15 @@ void checkCellIds(vtkPointSet* leaf);
  * are none.
  */
 vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh);
+
+/**
+ * A source, of the kinds that InputViews takes, as polydata: polydata as it is, other meshes as their
+ * outer surface, other clouds as points with a vertex cell each; leaves of composites appended to each
+ * other, with the arrays that all have. Throws Refusal as checkCellIds() does.
+ */
+vtkSmartPointer<vtkPolyData> asPolyData(vtkDataObject* source);
+
+/// Asks upstream for all of a source, whatever piece of the result was asked for.
+void askForAll(vtkInformation* source);
 
 } // namespace winding

@@ -1,6 +1,7 @@
 #include "vtkWindingNumberVoxels.h"
 
 #include "InsideRule.h"
+#include "SourceParts.h"
 #include "VtkVersions.h"
 
 #include "vtkArrayDispatch.h"
@@ -182,12 +183,7 @@ int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
 int vtkWindingNumberVoxels::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  winding::askForAll(inputs[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -15,8 +15,8 @@ namespace winding
  * neighbours looks among places, for of many equal points the nearest are all of them, and say nothing.
  *
  * Places that are near to each other mostly have numbers near to each other. Guaranteed: the same for
- * any executor; the places and their order depend on the set of positions only, not on the order of
- * the points; the points of a place stand in ascending order.
+ * any executor; the places and their order depend on the positions and on how many points are at each,
+ * not on the order of the points; the points of a place stand in ascending order.
  */
 class DistinctPoints
 {

@@ -77,18 +77,6 @@ PointFault faultOf(const OrientedPointsView& view, std::size_t i)
   return area < 0 ? PointFault::badArea : PointFault::none;
 }
 
-void checkLengths(const OrientedPointsView& view)
-{
-  const std::size_t points = view.positions.size();
-  if ((!view.normals.empty() && view.normals.size() != points) ||
-      (!view.areas.empty() && view.areas.size() != points))
-  {
-    throw Refusal("the cloud has " + std::to_string(points) + " points but " +
-                  std::to_string(view.normals.size()) + " normals and " +
-                  std::to_string(view.areas.size()) + " areas; give one of each to every point");
-  }
-}
-
 /// Whether the parts of a cloud have something. Throws Refusal where some have and others have not.
 template <class IsMissing>
 bool allOrNone(
@@ -140,6 +128,18 @@ std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
 }
 
 } // namespace
+
+void checkLengths(const OrientedPointsView& view)
+{
+  const std::size_t points = view.positions.size();
+  if ((!view.normals.empty() && view.normals.size() != points) ||
+      (!view.areas.empty() && view.areas.size() != points))
+  {
+    throw Refusal("the cloud has " + std::to_string(points) + " points but " +
+                  std::to_string(view.normals.size()) + " normals and " +
+                  std::to_string(view.areas.size()) + " areas; give one of each to every point");
+  }
+}
 
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
 {

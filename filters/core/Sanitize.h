@@ -60,6 +60,9 @@ struct PointCloud
   std::size_t dropped() const { return nonFinitePoints + zeroNormalPoints + badAreaPoints; }
 };
 
+/// Throws Refusal when the arrays of a view differ in length.
+void checkLengths(const OrientedPointsView& view);
+
 /**
  * Several views become one source, in their order; the same for every executor. Linear time; for a
  * surface, beside the result, 5 bytes per point of the input and 8 per point that triangles use.

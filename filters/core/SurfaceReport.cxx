@@ -1,6 +1,8 @@
 #include "SurfaceReport.h"
 
+#include "DistinctPoints.h"
 #include "Edges.h"
+#include "UnitScale.h"
 
 #include <algorithm>
 #include <numeric>
@@ -133,6 +135,30 @@ SurfaceReport reportOn(const Surface& surface)
                                static_cast<long long>(report.edges.edges) +
                                static_cast<long long>(surface.triangles.size());
   return report;
+}
+
+VertexCounts countVertices(
+  const std::vector<VectorsView>& points, const Surface& surface, Executor& executor)
+{
+  VertexCounts counts;
+  std::vector<Eigen::Vector3d> finite;
+  Bounds bounds;
+  for (const VectorsView& view : points)
+  {
+    counts.points += view.size();
+    for (std::size_t i = 0; i < view.size(); ++i)
+    {
+      const Eigen::Vector3d point = view[i];
+      if (point.allFinite())
+      {
+        finite.push_back(point);
+        bounds.extend(point);
+      }
+    }
+  }
+  counts.different = DistinctPoints(finite, unitScale(bounds), executor).size();
+  counts.unreferenced = counts.different - std::min(counts.different, surface.vertices.size());
+  return counts;
 }
 
 } // namespace winding

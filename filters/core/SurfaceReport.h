@@ -39,4 +39,18 @@ struct SurfaceReport
 
 SurfaceReport reportOn(const Surface& surface);
 
+/// The points that a surface was made from, triangles or no triangles.
+struct VertexCounts
+{
+  std::size_t points = 0;
+  std::size_t different = 0; ///< finite positions, equal ones counted once
+  std::size_t unreferenced =
+    0; ///< of these, the ones that no triangle of the surface has for a corner
+};
+
+/// The points are those of the views that the surface was made from. O(n log n) time, 100 bytes per
+/// point while it runs. Throws Interrupted.
+VertexCounts countVertices(
+  const std::vector<VectorsView>& points, const Surface& surface, Executor& executor);
+
 } // namespace winding

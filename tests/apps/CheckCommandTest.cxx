@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <tuple>
 
 namespace
 {
@@ -61,8 +62,9 @@ TEST_F(CheckCommand, FlippedAndDuplicateAndUnusedAndBadTriangles)
   EXPECT_EQ(report["degenerate"], 1);
   EXPECT_EQ(report["unreferenced_vertices"], 1);
   EXPECT_EQ(report["non_finite"], 1);
-  EXPECT_EQ(
-    report["advice"].get<std::string>().rfind("3 edges are inconsistently oriented", 0), 0u);
+  const auto advice = report["advice"].get<std::string>();
+  EXPECT_EQ(advice.rfind("3 edges are inconsistently oriented", 0), 0u);
+  EXPECT_NE(advice.find("3 edges are non-manifold"), std::string::npos) << advice;
 }
 
 TEST_F(CheckCommand, Clouds)
@@ -79,6 +81,90 @@ TEST_F(CheckCommand, Clouds)
   const nlohmann::json bare = check("b.xyz", "0 0 0\n1 0 0\n");
   EXPECT_EQ(bare["normals"], false);
   EXPECT_NE(bare["advice"].get<std::string>().find("vtkPCANormalEstimation"), std::string::npos);
+}
+
+TEST_F(CheckCommand, CloudsInAllTheirFormats)
+{
+  const Mesh mesh = sphere(3);
+  const auto points = mesh.points.size();
+  // Without its triangles, a .ply is a cloud, here without normals.
+  Mesh bare = mesh;
+  bare.triangles.clear();
+  for (const auto& [name, contents, withNormals] :
+    {std::make_tuple("a.xyz", asXyz(mesh), true), std::make_tuple("a.pwn", asPwn(mesh), true),
+      std::make_tuple("a.csv", asCsv(mesh), true), std::make_tuple("a.ply", asPly(bare), false)})
+  {
+    SCOPED_TRACE(name);
+    const nlohmann::json report = check(name, contents);
+    EXPECT_EQ(report["kind"], "points");
+    EXPECT_EQ(report["points"], points);
+    EXPECT_EQ(report["duplicates"], 0);
+    EXPECT_EQ(report["normals"], withNormals);
+    EXPECT_EQ(report["non_unit_normals"], 0);
+    EXPECT_EQ(report["opposite_neighbors"], 0);
+    // Edges of the octahedron's faces divided eightfold, longer in the middle of a face.
+    EXPECT_NEAR(report["spacing_median"].get<double>(), 0.17, 0.04);
+    EXPECT_LE(report["spacing_min"], report["spacing_median"]);
+    EXPECT_LE(report["spacing_mean"], report["spacing_max"]);
+    const auto advice = report["advice"].get<std::string>();
+    EXPECT_EQ(advice.find("--estimate-normals") == std::string::npos, withNormals) << advice;
+  }
+}
+
+TEST_F(CheckCommand, DuplicateAndContradictingPoints)
+{
+  const std::string cloud = asXyz(sphere(3));
+  const nlohmann::json twice = check("a.xyz", cloud + cloud);
+  EXPECT_EQ(twice["points"], 2 * twice["duplicates"].get<int>());
+  EXPECT_NE(
+    twice["advice"].get<std::string>().find("points lie where others do"), std::string::npos);
+
+  std::istringstream lines(cloud);
+  std::string contradicting;
+  double x, y, z, nx, ny, nz;
+  for (int i = 0; lines >> x >> y >> z >> nx >> ny >> nz; ++i)
+  {
+    const double sign = i * i % 7 < 3 ? 1 : -1; // as good as at random
+    std::ostringstream line;
+    line << x << " " << y << " " << z << " " << sign * nx << " " << sign * ny << " " << sign * nz;
+    contradicting += line.str() + "\n";
+  }
+  const nlohmann::json report = check("b.xyz", contradicting);
+  EXPECT_NEAR(report["opposite_neighbors"].get<double>(), 0.5, 0.1);
+  EXPECT_NE(report["advice"].get<std::string>().find("% of neighbours have opposite normals"),
+    std::string::npos);
+}
+
+TEST_F(CheckCommand, CloudsWithNothingUsable)
+{
+  const nlohmann::json zero = check("a.xyz", "0 0 0 0 0 0\n1 0 0 0 0 0\n");
+  EXPECT_EQ(zero["zero_normals"], 2);
+  EXPECT_EQ(zero["advice"].get<std::string>().rfind("all normals have length 0", 0), 0u);
+  const nlohmann::json bad = check("b.csv", "x,y,z\nnan,0,0\n0,inf,0\n");
+  EXPECT_EQ(bad["non_finite"], 2);
+  EXPECT_TRUE(bad["bbox"].is_null());
+  EXPECT_EQ(bad["advice"], "nothing to evaluate: all points are NaN or infinite");
+}
+
+TEST_F(CheckCommand, FieldDataOfTheFileIsNoPartOfTheReport)
+{
+  const std::string mesh = asVtk(sphere(2));
+  const std::size_t data = mesh.find("DATASET");
+  ASSERT_NE(data, std::string::npos);
+  const std::string named = "FIELD FieldData 2\nclosed 1 1 int\n0\nother 1 1 int\n3\n";
+  const std::size_t lineEnd = mesh.find('\n', data) + 1;
+  const nlohmann::json report =
+    check("a.vtk", mesh.substr(0, lineEnd) + named + mesh.substr(lineEnd));
+  EXPECT_EQ(report["closed"], true);
+  EXPECT_FALSE(report.contains("other"));
+}
+
+TEST_F(CheckCommand, SurfacesWithBadTrianglesOnlyAreRefused)
+{
+  const Outcome run =
+    runProgram({"check", folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\nnan 0 1\n3 0 1 2\n")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.saysInOneLine({"a.off", "all 1 triangles are unusable"})) << run;
 }
 
 TEST_F(CheckCommand, TextEndsWithAdvice)

@@ -173,3 +173,22 @@ TEST(SurfaceReport, CountsTrianglesWithoutArea)
   }
   EXPECT_EQ(report(mesh).zeroAreaTriangles, 100u);
 }
+
+TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
+{
+  Mesh mesh = cube().with(cube({1, 0, 0}, {2, 1, 1})); // four corners are those of both
+  const double nan = std::nan("");
+  // Two places without triangles, one of them twice, and the corner of a triangle that collapses.
+  mesh.points.insert(
+    mesh.points.end(), {{7, 7, 7}, {7, 7, 7}, {8, 7, 7}, {nan, 0, 0}, {0, -0.0, 0}});
+  mesh.triangles.push_back({18, 18, 0});
+  winding::SerialExecutor serial;
+  const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
+  const winding::VertexCounts counts =
+    winding::countVertices({mesh.view().points}, surface, serial);
+  EXPECT_EQ(counts.points, 21u);
+  EXPECT_EQ(counts.different, 12u + 2u);
+  EXPECT_EQ(counts.unreferenced, 2u);
+  const winding::VertexCounts none = winding::countVertices({}, winding::Surface(), serial);
+  EXPECT_EQ(none.points + none.different + none.unreferenced, 0u);
+}

@@ -34,6 +34,9 @@ COMMON = {
     "NumberOfThreads": (3, "3"),
 }
 SETTABLE = {
+    "SurfaceReport": {
+        "NormalsArray": ("Orientation", "Orientation"),
+    },
     "WindingNumberField": {
         **COMMON,
         "Resolution": (17, "17"),
@@ -78,6 +81,7 @@ COMMON_REPORTED = {
     "EvaluateSeconds",
 }
 REPORTED = {
+    "SurfaceReport": {"Advice"},
     "WindingNumberField": COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
@@ -86,6 +90,7 @@ REPORTED = {
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
 
 INPUTS = {
+    "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
@@ -362,6 +367,7 @@ class TestProxies(unittest.TestCase):
 
     def test_filters_are_in_the_menu(self):
         labels = {
+            "SurfaceReport": "Surface Report",
             "WindingNumberField": "Winding Number Field",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberVoxels": "Winding Number Voxels",
@@ -801,6 +807,38 @@ class TestReaders(unittest.TestCase):
                 data = result(OrientedPointsReader(FileName=path))
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
+
+
+class TestSurfaceReport(unittest.TestCase):
+    def count(self, data, name):
+        return data.GetFieldData().GetArray(name).GetTuple1(0)
+
+    def test_counts_are_field_data(self):
+        report = SurfaceReport(Input=unit_sphere())
+        data = result(report)
+        self.assertEqual(data.GetNumberOfPoints(), result(unit_sphere()).GetNumberOfPoints())
+        self.assertEqual(self.count(data, "closed"), 1)
+        self.assertEqual(self.count(data, "boundary_edges"), 0)
+        self.assertEqual(self.count(data, "euler"), 2)
+        advice = data.GetFieldData().GetAbstractArray("advice").GetValue(0)
+        self.assertEqual(advice, "closed: every winding number is an integer")
+        self.assertEqual(information(report, "Advice"), advice)
+
+    def test_the_information_tab_has_the_counts(self):
+        report = SurfaceReport(Input=unit_sphere())
+        report.UpdatePipeline()
+        arrays = report.FieldData
+        self.assertEqual(arrays["nonmanifold_edges"].GetRange(), (0, 0))
+        self.assertIn("advice", arrays.keys())
+
+    def test_clouds_and_composite_input(self):
+        points = points_source((0, 0, 0), (1, 0, 0), (1, 2, 0))
+        data = result(SurfaceReport(Input=points))
+        self.assertEqual(self.count(data, "points"), 3)
+        self.assertEqual(self.count(data, "normals"), 0)
+        self.assertEqual(self.count(data, "spacing_max"), 2)
+        group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
+        self.assertEqual(self.count(result(SurfaceReport(Input=group)), "components_edge"), 2)
 
 
 class TestState(unittest.TestCase):

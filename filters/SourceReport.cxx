@@ -1,0 +1,128 @@
+#include "SourceReport.h"
+
+#include "Advice.h"
+#include "InputViews.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace winding
+{
+
+namespace
+{
+
+/// Appends arrays.
+class Writer
+{
+public:
+  explicit Writer(vtkFieldData* report)
+    : report_(report)
+  {
+  }
+
+  void text(const char* name, const std::string& value) { this->add<vtkStringArray>(name, value); }
+  void flag(const char* name, bool value) { this->add<vtkUnsignedCharArray>(name, value); }
+  void measure(const char* name, double value) { this->add<vtkDoubleArray>(name, value); }
+  template <class Integer> void count(const char* name, Integer value)
+  {
+    this->add<vtkIdTypeArray>(name, static_cast<vtkIdType>(value));
+  }
+
+  void box(const char* name, const Bounds& bounds)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(6);
+    if (!bounds.isEmpty())
+    {
+      const Eigen::Vector3d low = bounds.min(), high = bounds.max();
+      array->InsertNextTuple6(low[0], low[1], low[2], high[0], high[1], high[2]);
+    }
+    report_->AddArray(array);
+  }
+
+private:
+  template <class Array, class Value> void add(const char* name, const Value& value)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    report_->AddArray(array);
+  }
+
+  vtkFieldData* report_;
+};
+
+void reportOnSurface(InputViews& source, Writer& writer, Executor& executor)
+{
+  const Surface surface = sanitize(source.triangles(), executor);
+  const SurfaceReport report = reportOn(surface);
+  const VertexCounts vertices = countVertices(source.points(), surface, executor);
+  const EdgeCounts& edges = report.edges;
+  writer.text("kind", "surface");
+  writer.count("triangles", surface.inputTriangles);
+  writer.count("vertices", vertices.points);
+  writer.count("vertices_merged", vertices.different);
+  writer.flag("closed", edges.isClosed() && !surface.triangles.empty());
+  writer.count("boundary_edges", edges.boundary);
+  writer.count("boundary_loops", edges.boundaryLoops);
+  writer.count("nonmanifold_edges", edges.nonManifold);
+  writer.count("inconsistent_edges", edges.inconsistent);
+  writer.count("net_boundary_edges", edges.netBoundary);
+  writer.count("components_vertex", report.vertexComponents);
+  writer.count("components_edge", edges.components);
+  writer.count("duplicate_faces", report.duplicateTriangles);
+  writer.count("degenerate", surface.collapsedTriangles);
+  writer.count("zero_area", report.zeroAreaTriangles);
+  writer.count("unreferenced_vertices", vertices.unreferenced);
+  writer.count("euler", report.eulerCharacteristic);
+  writer.measure("volume", report.volume);
+  writer.measure("area", report.area);
+  writer.box("bbox", surface.bounds);
+  writer.count("non_finite", surface.nonFiniteTriangles);
+  writer.count("invalid_ids", surface.invalidIdTriangles);
+  writer.text("advice", adviceOn(surface, report));
+}
+
+void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
+{
+  const CloudReport report = reportOn(source.orientedPoints(), executor);
+  writer.text("kind", "points");
+  writer.count("points", report.points);
+  writer.count("duplicates", report.duplicates);
+  writer.flag("normals", report.hasNormals);
+  writer.count("zero_normals", report.zeroNormals);
+  writer.count("non_unit_normals", report.nonUnitNormals);
+  writer.count("non_finite", report.nonFinite);
+  writer.measure("spacing_min", report.spacing.smallest);
+  writer.measure("spacing_median", report.spacing.median);
+  writer.measure("spacing_mean", report.spacing.mean);
+  writer.measure("spacing_max", report.spacing.largest);
+  writer.measure("opposite_neighbors", report.oppositeNeighbors);
+  writer.box("bbox", report.bounds);
+  writer.text("advice", adviceOn(report));
+}
+
+} // namespace
+
+vtkSmartPointer<vtkFieldData> reportOn(InputViews& source, Executor& executor)
+{
+  auto report = vtkSmartPointer<vtkFieldData>::New();
+  Writer writer(report);
+  if (source.isSurface())
+  {
+    reportOnSurface(source, writer, executor);
+  }
+  else
+  {
+    reportOnCloud(source, writer, executor);
+  }
+  return report;
+}
+
+} // namespace winding

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "CloudReport.h"
+#include "SurfaceReport.h"
+
+#include <string>
+
+/**
+ * @file
+ * What a report means for winding numbers, and what could be done: one line, what matters most first.
+ * Options are named as the filters and the program have them.
+ */
+namespace winding
+{
+
+std::string adviceOn(const Surface& surface, const SurfaceReport& report);
+
+std::string adviceOn(const CloudReport& report);
+
+} // namespace winding
