@@ -10,6 +10,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <optional>
+
 namespace winding
 {
 
@@ -27,7 +29,17 @@ public:
 
   void text(const char* name, const std::string& value) { this->add<vtkStringArray>(name, value); }
   void flag(const char* name, bool value) { this->add<vtkUnsignedCharArray>(name, value); }
-  void measure(const char* name, double value) { this->add<vtkDoubleArray>(name, value); }
+  /// No value leaves the array without one.
+  void measure(const char* name, std::optional<double> value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    if (value)
+    {
+      array->InsertNextValue(*value);
+    }
+    report_->AddArray(array);
+  }
   template <class Integer> void count(const char* name, Integer value)
   {
     this->add<vtkIdTypeArray>(name, static_cast<vtkIdType>(value));
@@ -104,6 +116,15 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
   writer.measure("spacing_mean", report.spacing.mean);
   writer.measure("spacing_max", report.spacing.largest);
   writer.measure("opposite_neighbors", report.oppositeNeighbors);
+  const auto orientation = [&report](double CloudOrientation::*measure)
+  {
+    return report.orientation ? std::optional<double>((*report.orientation).*measure)
+                              : std::nullopt;
+  };
+  writer.measure("w_behind", orientation(&CloudOrientation::behind));
+  writer.measure("w_before", orientation(&CloudOrientation::before));
+  writer.measure("outward_share", orientation(&CloudOrientation::outward));
+  writer.measure("inward_share", orientation(&CloudOrientation::inward));
   writer.box("bbox", report.bounds);
   writer.text("advice", adviceOn(report));
 }

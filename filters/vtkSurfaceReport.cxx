@@ -91,7 +91,7 @@ vtkFieldData* vtkSurfaceReport::GetReport()
 double vtkSurfaceReport::GetNumber(const char* name)
 {
   vtkDataArray* array = this->Report->GetArray(name);
-  return array ? array->GetTuple1(0) : 0;
+  return array && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0;
 }
 
 vtkIdType vtkSurfaceReport::GetCount(const char* name)
@@ -188,6 +188,16 @@ double vtkSurfaceReport::GetMedianSpacing()
 double vtkSurfaceReport::GetOppositeNeighbors()
 {
   return this->GetNumber("opposite_neighbors");
+}
+
+double vtkSurfaceReport::GetOutwardShare()
+{
+  return this->GetNumber("outward_share");
+}
+
+double vtkSurfaceReport::GetInwardShare()
+{
+  return this->GetNumber("inward_share");
 }
 
 vtkIdType vtkSurfaceReport::GetNumberOfNonFinite()

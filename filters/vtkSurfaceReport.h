@@ -53,6 +53,8 @@
  * | non_unit_normals  | other normals not of unit length |
  * | spacing_min, spacing_median, spacing_mean, spacing_max | distances to the nearest other position |
  * | opposite_neighbors | the share (0 to 1) of near points whose normals are more than 90° apart: ½ where normals point to either side at random, little where they agree |
+ * | w_behind, w_before | the median of the field two spacings behind the points, against their normals, and before them: 1 and 0 for closed clouds outward, 0 and −1 inward; no tuple without usable normals |
+ * | outward_share, inward_share | the shares (0 to 1) of points with such a field; no tuple without usable normals |
  *
  * What is no source is an error, and so is a surface that has bad triangles only. Works on the whole
  * source: with several pieces, all is in the first. Aborted, the output is empty.
@@ -105,6 +107,8 @@ public:
   bool GetHasNormals();
   double GetMedianSpacing();
   double GetOppositeNeighbors();
+  double GetOutwardShare();
+  double GetInwardShare();
   vtkIdType GetNumberOfNonFinite(); ///< triangles or points
   ///@}
 

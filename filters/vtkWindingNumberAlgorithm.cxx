@@ -170,19 +170,6 @@ void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
-void vtkWindingNumberAlgorithm::AskForWholeSource(vtkInformation* info)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  // A structured source, such as a curvilinear grid, is asked for by extent instead.
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-}
-
 winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
 {
   winding::SourceOptions options;

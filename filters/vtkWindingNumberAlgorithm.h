@@ -300,9 +300,6 @@ protected:
 
   static void FillSourcePortInformation(vtkInformation* info);
 
-  /// Asks upstream for all of a source, whatever piece of the result was asked for.
-  static void AskForWholeSource(vtkInformation* sourceInformation);
-
   /// The field of a source, built or kept, and prepared for samples; warns about what is wrong with
   /// the source. Null, with Status set, if aborted.
   const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,

@@ -4,6 +4,7 @@
 #include "Refusal.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
+#include "SourceParts.h"
 #include "Verify.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -73,7 +74,7 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   {
     request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  AskForWholeSource(request);
+  winding::askForAll(request);
   request->Remove(Pipeline::WHOLE_EXTENT());
   if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
   {
@@ -141,7 +142,7 @@ void vtkWindingNumberField::GiveInformation(
 
 void vtkWindingNumberField::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)
 {
-  AskForWholeSource(inputs[0]->GetInformationObject(0));
+  winding::askForAll(inputs[0]->GetInformationObject(0));
 }
 
 void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)

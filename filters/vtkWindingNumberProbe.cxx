@@ -3,6 +3,7 @@
 #include "Field.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
+#include "SourceParts.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -130,7 +131,7 @@ void vtkWindingNumberProbe::GiveInformation(
 
 void vtkWindingNumberProbe::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)
 {
-  AskForWholeSource(inputs[1]->GetInformationObject(0));
+  winding::askForAll(inputs[1]->GetInformationObject(0));
 }
 
 void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)

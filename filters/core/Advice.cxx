@@ -1,6 +1,8 @@
 #include "Advice.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace winding
 {
@@ -89,7 +91,22 @@ std::string mainAdviceOn(const CloudReport& report)
            " of neighbours have opposite normals: unless parts are as thin as the points are far "
            "apart, the normals contradict each other and cancel; orient them first";
   }
-  return "oriented points: winding numbers are approximate, and best away from the points";
+  const CloudOrientation orientation = report.orientation.value_or(CloudOrientation());
+  if (!orientation.isClear())
+  {
+    char medians[80];
+    std::snprintf(medians, sizeof medians, "%.2f and %.2f", orientation.behind, orientation.before);
+    return "the field tells inside from outside at " +
+           percent(std::max(orientation.outward, orientation.inward)) +
+           " of the points (it is mostly " + medians +
+           " behind and before them): the cloud is open, has parts as thin as its points are far "
+           "apart, or its normals contradict each other";
+  }
+  return orientation.isInward()
+           ? "oriented points, but inside out: winding numbers inside are -1; turn the normals "
+             "round, or use the inside rule absolute (--rule absolute)"
+           : "oriented points, outward: winding numbers are approximate, and best away from the "
+             "points";
 }
 
 /// Whether some point has nothing around it but the empty part of the bounds, which are there for it.

@@ -2,6 +2,7 @@
 
 #include "DistinctPoints.h"
 #include "NeighborSearch.h"
+#include "PointAreas.h"
 #include "UnitScale.h"
 
 #include <algorithm>
@@ -165,6 +166,12 @@ CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& exe
     const std::vector<Eigen::Vector3d> normals =
       report.hasNormals ? sumsOfNormals(places, points.normals) : std::vector<Eigen::Vector3d>();
     lookAtNeighbors(places, normals, report, executor);
+  }
+  if (report.hasNormals && report.points > report.nonFinite + report.zeroNormals)
+  {
+    PointCloud cloud = sanitize(views, executor);
+    cloud.areas = voronoiAreas(cloud, executor, defaultNeighbors);
+    report.orientation = orientationOf(cloud, executor);
   }
   return report;
 }

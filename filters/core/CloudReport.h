@@ -45,13 +45,13 @@ struct CloudReport
 
   Bounds bounds; ///< empty without finite points
 
-  /// What the field itself says about the normals. It needs areas, which take longer than all of the
-  /// above: reportOn() leaves it to those who have them.
+  /// What the field itself says about the normals, with Voronoi areas; none where no point has a
+  /// usable normal.
   std::optional<CloudOrientation> orientation;
 };
 
 /**
- * Views may have any content. O(n log n) time, for the most part on the executor's threads; about 150
+ * Views may have any content. O(n log n) time, for the most part on the executor's threads; about 250
  * bytes per point while it runs; the same for any executor, and up to rounding for any order of the
  * points. Throws Refusal when a view's arrays differ in length, Interrupted when the executor was.
  */

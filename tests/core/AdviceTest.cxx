@@ -25,6 +25,7 @@ CloudReport goodReport()
   CloudReport report;
   report.points = report.places = 100;
   report.hasNormals = true;
+  report.orientation = {1, 0, 1, 0};
   return report;
 }
 
@@ -75,7 +76,7 @@ TEST(Advice, OnSurfacesCountsWhatIsLeftOut)
 TEST(Advice, OnCloudsSaysWhatTheyLack)
 {
   EXPECT_EQ(adviceOn(goodReport()),
-    "oriented points: winding numbers are approximate, and best away from the points");
+    "oriented points, outward: winding numbers are approximate, and best away from the points");
   EXPECT_TRUE(has(adviceOn(CloudReport()), "there are no points"));
 
   CloudReport bare = goodReport();
@@ -108,6 +109,19 @@ TEST(Advice, OnCloudsWarnsOfNormalsThatContradictEachOther)
   EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
   report.oppositeNeighbors = 0.456;
   EXPECT_EQ(adviceOn(report).rfind("46 % of neighbours have opposite normals", 0), 0u);
+}
+
+TEST(Advice, OnCloudsSaysWhatTheFieldSaysOfTheirNormals)
+{
+  CloudReport report = goodReport();
+  report.orientation = {0, -1, 0, 0.9};
+  EXPECT_EQ(adviceOn(report).rfind("oriented points, but inside out", 0), 0u) << adviceOn(report);
+  report.orientation = {0.456, -0.543, 0.1, 0.2};
+  EXPECT_EQ(adviceOn(report).rfind("the field tells inside from outside at 20 % of the points (it "
+                                   "is mostly 0.46 and -0.54 behind and before them)",
+              0),
+    0u)
+    << adviceOn(report);
 }
 
 TEST(Advice, OnCloudsCountsDuplicatesAndWhatIsLeftOut)

@@ -328,6 +328,24 @@ TEST(CloudReport, TakesNormalsOfAnyLength)
   EXPECT_EQ(found.oppositeNeighbors, 0);
 }
 
+TEST(CloudReport, AsksTheFieldWhichWayTheNormalsPoint)
+{
+  Cloud cloud = sphereCloud(2000);
+  cloud.positions[7][0] = notANumber;
+  cloud.normals[9] = Point(0, 0, 0);
+  const CloudReport outward = report(cloud);
+  ASSERT_TRUE(outward.orientation);
+  EXPECT_GT(outward.orientation->outward, 0.99);
+  for (Point& normal : cloud.normals)
+  {
+    normal = -3 * normal;
+  }
+  EXPECT_GT(report(cloud).orientation->inward, 0.99);
+  cloud.normals.assign(2000, Point(0, 0, 0));
+  EXPECT_FALSE(report(cloud).orientation);
+  EXPECT_FALSE(report(bare(cloud.positions)).orientation);
+}
+
 TEST(CloudReport, RefusesArraysOfDifferentLengths)
 {
   Cloud cloud = sphereCloud(10);

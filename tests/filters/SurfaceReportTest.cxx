@@ -203,10 +203,11 @@ TEST_F(SurfaceReport, OfACloud)
   auto source = cloud();
   vtkPolyData* output = this->reportOn(source);
   EXPECT_EQ(output->GetPoints(), source->GetPoints());
-  EXPECT_EQ(this->names(),
-    (std::vector<std::string>{"kind", "points", "duplicates", "normals", "zero_normals",
-      "non_unit_normals", "non_finite", "spacing_min", "spacing_median", "spacing_mean",
-      "spacing_max", "opposite_neighbors", "bbox", "advice"}));
+  EXPECT_EQ(
+    this->names(), (std::vector<std::string>{"kind", "points", "duplicates", "normals",
+                     "zero_normals", "non_unit_normals", "non_finite", "spacing_min",
+                     "spacing_median", "spacing_mean", "spacing_max", "opposite_neighbors",
+                     "w_behind", "w_before", "outward_share", "inward_share", "bbox", "advice"}));
   EXPECT_EQ(this->text("kind"), "points");
   EXPECT_FALSE(filter->GetSourceIsSurface());
   EXPECT_TRUE(filter->GetHasNormals());
@@ -214,6 +215,10 @@ TEST_F(SurfaceReport, OfACloud)
   EXPECT_EQ(filter->GetNumberOfDuplicatePoints(), 0);
   EXPECT_EQ(filter->GetNumberOfZeroNormals(), 0);
   EXPECT_EQ(filter->GetOppositeNeighbors(), 0);
+  EXPECT_GT(filter->GetOutwardShare(), 0.9);
+  EXPECT_EQ(filter->GetInwardShare(), 0);
+  EXPECT_NEAR(this->number("w_behind"), 1, 0.05);
+  EXPECT_NEAR(this->number("w_before"), 0, 0.05);
   EXPECT_GT(filter->GetMedianSpacing(), 0.01);
   EXPECT_LT(filter->GetMedianSpacing(), 0.2);
   EXPECT_LE(this->number("spacing_min"), this->number("spacing_median"));
@@ -226,6 +231,8 @@ TEST_F(SurfaceReport, OfPointsWithoutNormalsIsNoError)
   this->reportOn(cloud(false));
   EXPECT_EQ(log.errors(), "");
   EXPECT_FALSE(filter->GetHasNormals());
+  EXPECT_EQ(filter->GetReport()->GetArray("w_behind")->GetNumberOfTuples(), 0);
+  EXPECT_EQ(filter->GetOutwardShare(), 0);
   EXPECT_NE(std::string(filter->GetAdvice()).find("EstimateNormals"), std::string::npos);
 }
 
