@@ -6,87 +6,17 @@ Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xv
 
 import argparse
 
-import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything)
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges, vtkPolyDataNormals
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkProperty, vtkRenderer,
-    vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkProperty
 
-SIZE = (1600, 450)
-CAPTION_SHARE = 0.11  # of the height, below each picture
+from panels import INK, SHELL, SMOOTH, actor_of, read_surface, read_xml, smooth_shaded, write_picture
 
-SHELL = (0.93, 0.90, 0.85)
 INNER_SIDE = (0.85, 0.42, 0.25)
-SMOOTH = (0.45, 0.63, 0.80)
 VOXELS = (0.60, 0.76, 0.62)
 FIELD_COLORS = [(0, (0.97, 0.97, 0.98)), (0.5, (0.99, 0.76, 0.48)), (1, (0.80, 0.30, 0.22))]
-INK = (0.15, 0.15, 0.18)
-
-
-def read_off(path):
-    """A polygon mesh in the ASCII OFF format; colours after the indices are ignored."""
-    with open(path, encoding="ascii") as file:
-        lines = [text.split() for text in (line.partition("#")[0] for line in file) if text.strip()]
-    if lines[0] != ["OFF"]:
-        raise SystemExit(f"{path}: not an OFF file")
-    points_count, faces_count = int(lines[1][0]), int(lines[1][1])
-    points, polygons, ids = vtkPoints(), vtkCellArray(), vtkIdList()
-    for line in lines[2:2 + points_count]:
-        points.InsertNextPoint(float(line[0]), float(line[1]), float(line[2]))
-    for line in lines[2 + points_count:2 + points_count + faces_count]:
-        ids.Reset()
-        for vertex in line[1:1 + int(line[0])]:
-            ids.InsertNextId(int(vertex))
-        polygons.InsertNextCell(ids)
-    mesh = vtkPolyData()
-    mesh.SetPoints(points)
-    mesh.SetPolys(polygons)
-    return mesh
-
-
-def read_xml(reader, path):
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
-
-
-def read_surface(path):
-    return read_off(path) if path.endswith(".off") else read_xml(vtkXMLPolyDataReader(), path)
-
-
-def actor_of(source, color, **properties):
-    """An actor of a dataset or of a filter's output, in one colour."""
-    mapper = vtkPolyDataMapper()
-    if isinstance(source, vtkPolyData):
-        mapper.SetInputData(source)
-    else:
-        mapper.SetInputConnection(source.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    look = actor.GetProperty()
-    look.SetColor(color)
-    look.SetAmbient(0.12)
-    look.SetDiffuse(0.88)
-    look.SetSpecular(0.08)
-    look.SetSpecularPower(20)
-    for name, value in properties.items():
-        getattr(look, f"Set{name}")(value)
-    return actor
-
-
-def smooth_shaded(surface):
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    return normals
 
 
 def mesh_actors(mesh):
@@ -155,41 +85,6 @@ def voxel_actors(voxels):
     return [actor_of(voxels, VOXELS, Interpolation=0, EdgeVisibility=True, EdgeColor=(0.32, 0.44, 0.34))]
 
 
-def add_panel(window, index, count, caption, actors, bounds):
-    left, right = index / count, (index + 1) / count
-    picture = vtkRenderer()
-    picture.SetViewport(left, CAPTION_SHARE, right, 1)
-    picture.SetBackground(1, 1, 1)
-    for actor in actors:
-        picture.AddViewProp(actor)
-    window.AddRenderer(picture)
-    # The same camera for all: from the front, somewhat from above.
-    camera = picture.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(0, 0, 1)
-    camera.Azimuth(8)
-    camera.Elevation(26)
-    camera.SetViewAngle(20)
-    picture.ResetCamera(bounds)
-    camera.Zoom(1.3)
-    picture.ResetCameraClippingRange()
-
-    strip = vtkRenderer()
-    strip.SetViewport(left, 0, right, CAPTION_SHARE)
-    strip.SetBackground(1, 1, 1)
-    text = vtkTextActor()
-    text.SetInput(caption)
-    style = text.GetTextProperty()
-    style.SetFontSize(19)
-    style.SetColor(INK)
-    style.SetJustificationToCentered()
-    style.SetVerticalJustificationToCentered()
-    text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    text.SetPosition(0.5, 0.6)
-    strip.AddViewProp(text)
-    window.AddRenderer(strip)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("mesh", help="what the program was given: .off or .vtp")
@@ -204,29 +99,13 @@ def main():
     surface = read_surface(arguments.surface)
     voxels = read_surface(arguments.voxels)
 
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
     panels = [
         (f"Input: {mesh.GetNumberOfCells():,} triangles, with holes", mesh_actors(mesh)),
         ("Winding number w", slice_actors(field, mesh, surface)),
         ("Surface w = 0.5", [actor_of(smooth_shaded(surface), SMOOTH)]),
         ("Voxel surface", voxel_actors(voxels)),
     ]
-    for index, (caption, actors) in enumerate(panels):
-        add_panel(window, index, len(panels), caption, actors, mesh.GetBounds())
-    window.Render()
-
-    pixels = vtkWindowToImageFilter()
-    pixels.SetInput(window)
-    pixels.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(pixels.GetOutputPort())
-    writer.SetFileName(arguments.picture)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(f"{arguments.picture}: cannot be written")
+    write_picture(panels, mesh.GetBounds(), arguments.picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Draws an unevenly sampled cloud, and the surfaces that `winding` makes of it with one area for all
+points and with Voronoi areas, side by side, into one PNG.
+
+Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
+"""
+
+import argparse
+import os
+import subprocess
+import tempfile
+
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from panels import INK, SMOOTH, actor_of, read_surface, smooth_shaded, write_picture
+
+SWOLLEN = (0.85, 0.55, 0.42)
+RESOLUTION = 128
+SPARSER = 12  # below the head one vertex in so many is left
+
+
+def uneven_cloud(mesh):
+    """The vertices of a mesh with their normals: all of the upper third, few of the rest."""
+    with_normals = vtkPolyDataNormals()
+    with_normals.SetInputData(mesh)
+    with_normals.SplittingOff()
+    with_normals.Update()
+    vertices = with_normals.GetOutput()
+    low, high = mesh.GetBounds()[2:4]
+    points = vtkPoints()
+    cloud = vtkPolyData()
+    cloud.SetPoints(points)
+    attributes, normals = cloud.GetPointData(), vertices.GetPointData()
+    attributes.CopyAllocate(normals)
+    for number in range(vertices.GetNumberOfPoints()):
+        point = vertices.GetPoint(number)
+        if number % SPARSER == 0 or point[1] > low + 2 / 3 * (high - low):
+            attributes.CopyData(normals, number, points.InsertNextPoint(point))
+    return cloud
+
+
+def points_actor(cloud):
+    glyphs = vtkVertexGlyphFilter()
+    glyphs.SetInputData(cloud)
+    return actor_of(glyphs, INK, PointSize=2, Lighting=False)
+
+
+def surface_of(program, cloud_file, areas, folder):
+    surface = os.path.join(folder, f"{areas}.vtp")
+    subprocess.run(
+        [program, "surface", cloud_file, "-o", surface, "--areas", areas, "--quiet",
+         "--resolution", str(RESOLUTION)], check=True)
+    return read_surface(surface)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("program", help="the program winding")
+    parser.add_argument("mesh", help="the mesh to take points of: .off or .vtp")
+    parser.add_argument("picture", help="the .png to write")
+    arguments = parser.parse_args()
+
+    mesh = read_surface(arguments.mesh)
+    cloud = uneven_cloud(mesh)
+    with tempfile.TemporaryDirectory() as folder:
+        cloud_file = os.path.join(folder, "cloud.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(cloud)
+        writer.SetFileName(cloud_file)
+        writer.Write()
+        constant = surface_of(arguments.program, cloud_file, "constant", folder)
+        voronoi = surface_of(arguments.program, cloud_file, "voronoi", folder)
+    panels = [
+        (f"Input: {cloud.GetNumberOfPoints():,} points with normals", [points_actor(cloud)]),
+        ("One area for all points", [actor_of(smooth_shaded(constant), SWOLLEN)]),
+        ("Voronoi areas", [actor_of(smooth_shaded(voronoi), SMOOTH)]),
+    ]
+    write_picture(panels, mesh.GetBounds(), arguments.picture)
+
+
+if __name__ == "__main__":
+    main()
