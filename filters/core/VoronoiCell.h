@@ -18,13 +18,11 @@ public:
   /// Starts anew from a regular polygon of 16 sides with the area of a circle of this radius.
   void start(double radius)
   {
-    constexpr int sides = 16;
-    const double corner = radius * std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));
-    corners_.clear();
-    for (int i = 0; i < sides; ++i)
+    static const std::vector<Corner> ofUnitCircle = regularPolygon(16);
+    corners_ = ofUnitCircle;
+    for (Corner& corner : corners_)
     {
-      const double angle = 2 * pi * (i + 0.5) / sides;
-      corners_.push_back({{corner * std::cos(angle), corner * std::sin(angle)}, true});
+      corner.position *= radius;
     }
   }
 
@@ -114,6 +112,19 @@ private:
     Eigen::Vector2d position;
     bool isBound; ///< whether the side to the next corner is one of the start
   };
+
+  /// With the area of the unit circle.
+  static std::vector<Corner> regularPolygon(int sides)
+  {
+    const double radius = std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));
+    std::vector<Corner> corners;
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2 * pi * (i + 0.5) / sides;
+      corners.push_back({{radius * std::cos(angle), radius * std::sin(angle)}, true});
+    }
+    return corners;
+  }
 
   std::vector<Corner> corners_, kept_;
 };
