@@ -29,11 +29,13 @@
  * values and gradients may be asked for from any number of threads, without a lock, as long as nobody
  * modifies the function or the input meanwhile; a value's bits depend on the input and the point only. A
  * first call may come from many threads at once, too: one of them builds, alone if it runs in a parallel
- * section of vtkSMPTools, and the others wait. BuildField() has all threads build.
+ * section of vtkSMPTools, and the others wait. BuildField() has all threads build, and must come before
+ * a parallel section if the input has volume cells: VTK's filter for their surface would start another
+ * section in it, in which TBB may give the thread that builds a call that waits for it.
  *
  * One call takes some microseconds for tolerances that leave an approximation: with AUTOMATIC that is
- * a hierarchy for inputs of any size, as though HIERARCHICAL were asked for. With DIRECT and PARITY a
- * call takes as long as there are primitives. Arrays of points (FunctionValue(vtkDataArray*,
+ * a hierarchy for inputs of any size, as though HIERARCHICAL were asked for. With DIRECT and PARITY it
+ * asks every primitive, which takes a hundred times as long for large inputs. Arrays of points (FunctionValue(vtkDataArray*,
  * vtkDataArray*)) are evaluated together, on the threads of vtkSMPTools: the values are the same up to
  * the Tolerance, and with DIRECT and PARITY to the bit.
  *
