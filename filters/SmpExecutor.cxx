@@ -77,7 +77,7 @@ bool SmpExecutor::runBatches(
     static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t done = 0; done < count;)
   {
-    if (isAborted(filter_))
+    if (filter_ && isAborted(filter_))
     {
       return false;
     }
@@ -88,8 +88,11 @@ bool SmpExecutor::runBatches(
     done = last;
     const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
-    const double share = static_cast<double>(done) / static_cast<double>(count);
-    filter_->UpdateProgress(showsProgress ? share : filter_->GetProgress());
+    if (filter_)
+    {
+      const double share = static_cast<double>(done) / static_cast<double>(count);
+      filter_->UpdateProgress(showsProgress ? share : filter_->GetProgress());
+    }
   }
   return true;
 }

@@ -11,7 +11,7 @@ namespace winding
  * Runs the core's blocks on vtkSMPTools for a filter. The blocks go out in batches of about a tenth
  * of a second; between batches, on the calling thread, the filter's progress is updated, and before
  * each its abort flag is asked. Which blocks make a batch depends on the clock, what they compute
- * does not.
+ * does not. For no filter (null) there is no progress, and nothing interrupts.
  */
 class SmpExecutor final : public Executor
 {

@@ -4,6 +4,7 @@
 #include "SmpExecutor.h"
 #include "SourceField.h"
 #include "SourceParts.h"
+#include "SourceProperties.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -26,36 +27,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-winding::Method coreMethod(int method)
-{
-  switch (method)
-  {
-  case vtkWindingNumberAlgorithm::AUTOMATIC:
-    return winding::Method::automatic;
-  case vtkWindingNumberAlgorithm::ROWS:
-    return winding::Method::rows;
-  case vtkWindingNumberAlgorithm::HIERARCHICAL:
-    return winding::Method::hierarchical;
-  case vtkWindingNumberAlgorithm::DIRECT:
-    return winding::Method::direct;
-  case vtkWindingNumberAlgorithm::PARITY:
-    return winding::Method::parity;
-  }
-  throw winding::Refusal("the method is " + std::to_string(method) +
-                         "; it must be AUTOMATIC (0), ROWS (1), HIERARCHICAL (2), DIRECT (3) or "
-                         "PARITY (4)");
-}
-
-/// Throws Refusal unless it is one that there is.
-void checkPointAreaMethod(int method)
-{
-  if (method < vtkWindingNumberAlgorithm::VORONOI || method > vtkWindingNumberAlgorithm::ARRAY)
-  {
-    throw winding::Refusal("the point area method is " + std::to_string(method) +
-                           "; it must be VORONOI (0), MESH (1), CONSTANT (2) or ARRAY (3)");
-  }
 }
 
 winding::InsideRule coreRule(int rule)
@@ -82,11 +53,6 @@ int kindOf(vtkDataObject* source)
   default:
     return vtkWindingNumberAlgorithm::NO_SOURCE;
   }
-}
-
-std::string textOf(const char* text)
-{
-  return text ? text : "";
 }
 
 } // namespace
@@ -170,28 +136,9 @@ void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
-winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions() const
+winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 {
-  winding::SourceOptions options;
-  options.input.asPoints = this->SourceAsPoints != 0;
-  options.input.normalsArray = textOf(this->NormalsArray);
-  options.input.estimateNormals = this->EstimateNormals != 0;
-  checkPointAreaMethod(this->PointAreaMethod);
-  options.input.areas = this->PointAreaMethod == MESH    ? winding::AreaSource::mesh
-                        : this->PointAreaMethod == ARRAY ? winding::AreaSource::array
-                                                         : winding::AreaSource::none;
-  options.input.areaArray = textOf(this->AreaArray);
-  options.field.method = coreMethod(this->Method);
-  options.field.tolerance = this->Tolerance;
-  options.field.estimateNormals = this->EstimateNormals != 0;
-  options.field.pointAreaMethod = this->PointAreaMethod == CONSTANT
-                                    ? winding::PointAreaMethod::constant
-                                    : winding::PointAreaMethod::voronoi;
-  options.field.pointArea = this->PointArea;
-  options.field.neighbors = this->NumberOfNeighbors;
-  options.field.regularization = this->Regularization;
-  options.field.scattered = !this->EvaluatesGrid();
-  return options;
+  return winding::sourceOptions(*this, !this->EvaluatesGrid());
 }
 
 const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source,
@@ -255,7 +202,7 @@ winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) 
   options.withValues = this->GenerateWindingNumber != 0;
   options.withInside = this->GenerateInside != 0;
   options.scalarType = this->OutputScalarType;
-  options.name = textOf(this->ResultArrayName);
+  options.name = winding::textOf(this->ResultArrayName);
   return {samples, options};
 }
 
@@ -357,21 +304,12 @@ vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
 void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "SourceAsPoints: " << this->SourceAsPoints << "\n";
-  os << indent << "NormalsArray: " << textOf(this->NormalsArray) << "\n";
-  os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
-  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
-  os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
-  os << indent << "PointArea: " << this->PointArea << "\n";
-  os << indent << "AreaArray: " << textOf(this->AreaArray) << "\n";
-  os << indent << "Regularization: " << this->Regularization << "\n";
+  winding::printSourceProperties(*this, os, indent);
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
-  os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SourceKind: " << this->SourceKind << "\n";

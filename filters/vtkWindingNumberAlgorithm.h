@@ -348,7 +348,7 @@ protected:
   vtkIdType ExpectedMemory = 0;
 
 private:
-  winding::SourceOptions GetSourceOptions() const;
+  winding::SourceOptions GetSourceOptions();
   const winding::FieldInfo& GetSourceInfo() const;
 
   std::unique_ptr<winding::SourceField> Source;

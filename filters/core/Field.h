@@ -93,8 +93,8 @@ struct FieldInfo
  * Guaranteed: on a grid, the bits of a sample's value depend on the source and on the grid as a whole
  * only: not on the extent, the pieces that a grid is cut into, the executor or its threads. Scattered,
  * they depend on the source and the sample's position; where a far field is used, on the other
- * samples too, within the tolerance. On a grid and scattered, a sample has the same value up to
- * rounding and the tolerance, and the same bits with method direct or parity.
+ * samples too, within the tolerance, unless there is one only. On a grid and scattered, a sample has
+ * the same value up to rounding and the tolerance, and the same bits with method direct or parity.
  * A field without primitives is 0 everywhere.
  */
 class Field

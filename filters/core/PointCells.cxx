@@ -57,6 +57,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   : view_(view)
   , scale_(scale)
   , output_(output)
+  , depth_(view.size() > 1 ? deepest : 0)
 {
   if (view.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
@@ -107,7 +108,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   const double side = samples_.empty() ? 0 : std::max(all.sizes().maxCoeff(), 1e-12);
   low_ = samples_.empty() ? Eigen::Vector3d(0, 0, 0)
                           : Eigen::Vector3d(all.center() - Eigen::Vector3d::Constant(0.5 * side));
-  constexpr double cubes = 1 << depth;
+  const double cubes = 1 << depth_;
   runBlocks(
     samples_.size(), samplesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
@@ -124,16 +125,19 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
       }
     },
     executor);
-  sortByKey(samples_);
+  if (samples_.size() > 1)
+  {
+    sortByKey(samples_);
+  }
 
-  levels_.resize(depth + 1);
-  for (int number = depth; number >= 0; --number)
+  levels_.resize(static_cast<std::size_t>(depth_) + 1);
+  for (int number = depth_; number >= 0; --number)
   {
     TargetLevel& level = levels_[static_cast<std::size_t>(number)];
-    level.side = std::ldexp(side, number - depth);
+    level.side = std::ldexp(side, number - depth_);
     // The whole cube, and what rounding may put beside it.
     level.radius = 0.5 * std::sqrt(3.0) * level.side * (1 + 1e-9);
-    if (number < depth)
+    if (number < depth_)
     {
       this->setShifts(order, number, Eigen::Vector3d::Constant(0.5 * level.side));
     }
@@ -148,13 +152,13 @@ Eigen::Vector3d PointCells::positionOf(std::uint32_t number) const
 int PointCells::taskLevel() const
 {
   constexpr int belowRoot = 3;
-  return depth - belowRoot;
+  return std::max(depth_ - belowRoot, 0);
 }
 
 TargetCell PointCells::root() const
 {
   TargetCell cell;
-  cell.level = depth;
+  cell.level = depth_;
   cell.index = Eigen::Vector3i::Zero(); // where its samples begin
   cell.center = low_ + Eigen::Vector3d::Constant(0.5 * levels_.back().side);
   cell.samples = cell.allSamples = samples_.size();

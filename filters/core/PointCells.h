@@ -14,7 +14,8 @@ namespace winding
 
 /**
  * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not finite,
- * or lie outside the given region, are left out; `others` lists them.
+ * or lie outside the given region, are left out; `others` lists them. A sample alone is one cell of no
+ * size, so that its value costs little beside what acts on it.
  */
 class PointCells final : public TargetCells
 {
@@ -50,14 +51,15 @@ private:
     std::uint32_t key, number;
   };
 
-  /// Levels below the root: as many as 32 bits of a key hold.
-  static constexpr int depth = 10;
+  /// Levels below the root, of several samples: as many as 32 bits of a key hold.
+  static constexpr int deepest = 10;
 
   Eigen::Vector3d positionOf(std::uint32_t number) const;
 
   const VectorsView& view_;
   double scale_;
   FieldOutput output_;
+  int depth_;           ///< levels below the root
   Eigen::Vector3d low_; ///< corner of the root's cube
   std::vector<Sample> samples_;
   std::vector<std::uint32_t> others_;

@@ -48,6 +48,10 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
 std::shared_ptr<const FarField> TriangleFarField::suiting(
   const VectorsView& samples, Executor& executor) const
 {
+  if (samples.size() == 1)
+  {
+    return this->whole(executor);
+  }
   // Far away samples have no say in what is near, nor has how they are distributed: as if evenly.
   SplitRule rule;
   std::size_t count = 0;
@@ -74,23 +78,47 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(SplitRule rule, Execut
   {
     rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
   }
-  rule = leavesWhole(rule, vertices_, triangles_) ? SplitRule() : rule;
+  if (leavesWhole(rule, vertices_, triangles_))
+  {
+    return this->whole(executor);
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_ || !(rule == rule_))
   {
     last_ = nullptr; // the old and the new one need not fit into memory together
-    try
-    {
-      last_ = std::make_shared<const FarField>(
-        farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
-      rule_ = rule;
-    }
-    catch (const Interrupted&)
-    {
-      return nullptr;
-    }
+    last_ = this->build(rule, executor);
+    rule_ = rule;
   }
   return last_;
+}
+
+std::shared_ptr<const FarField> TriangleFarField::whole(Executor& executor) const
+{
+  if (!hasWhole_.load(std::memory_order_acquire))
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!whole_)
+    {
+      whole_ = this->build(SplitRule(), executor);
+      hasWhole_.store(whole_ != nullptr, std::memory_order_release);
+    }
+    return whole_; // null if interrupted
+  }
+  return whole_;
+}
+
+std::shared_ptr<const FarField> TriangleFarField::build(
+  const SplitRule& rule, Executor& executor) const
+{
+  try
+  {
+    return std::make_shared<const FarField>(
+      farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
+  }
+  catch (const Interrupted&)
+  {
+    return nullptr;
+  }
 }
 
 } // namespace winding

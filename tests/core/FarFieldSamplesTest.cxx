@@ -170,6 +170,32 @@ TEST(FarFieldSamples, MayBeEqualOrFew)
   }
 }
 
+TEST(FarFieldSamples, AloneAreRightAnywhere)
+{
+  SCOPED_TRACE("seeds 327, 328");
+  for (const auto& source : someSources())
+  {
+    std::vector<Point> samples = randomPoints(300, -1.5, 1.5, 327);
+    Random random(328);
+    for (const Point& place : source->places(300, 328))
+    {
+      samples.emplace_back(place + std::exp2(random(-20, -3)) * random.direction());
+    }
+    for (const double tolerance : {1e-2, 1e-3, 1e-6})
+    {
+      const FarField field = fieldOf(*source, tolerance);
+      std::vector<float> values;
+      for (const Point& q : samples)
+      {
+        const std::vector<float> value = valuesAt(field, {q});
+        EXPECT_EQ(valuesAt(field, {q}), value);
+        values.push_back(value[0]);
+      }
+      EXPECT_LT(largestError(*source, samples, values), tolerance); // measured: 0.41 of it
+    }
+  }
+}
+
 TEST(FarFieldSamples, FarAwayOrWithoutAPlaceDoNotSpoilTheOthers)
 {
   SCOPED_TRACE("seed 327");
@@ -339,4 +365,25 @@ TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
     EXPECT_TRUE(farField.suiting(view, serial)->evaluate(view, output, serial));
     EXPECT_TRUE(std::isfinite(values[0]));
   }
+}
+
+TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
+{
+  // Of samples in one place, cut triangles would be asked for.
+  const Mesh sphere = icosphere(2);
+  const winding::Surface surface = clean(sphere);
+  const winding::TriangleFarField farField(
+    surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
+  winding::SerialExecutor serial;
+  const std::vector<Point> samples(2, Point(0.1, 0.2, 0.3));
+  const winding::VectorsView one(samples[0].data(), 1), other(samples[1].data(), 1),
+    both(samples[0].data(), 2);
+  Interrupted interrupted(0);
+  EXPECT_EQ(farField.suiting(one, interrupted), nullptr);
+  const auto whole = farField.suiting(one, serial);
+  const auto cut = farField.suiting(both, serial);
+  ASSERT_NE(whole, nullptr);
+  EXPECT_NE(cut, whole);
+  EXPECT_EQ(farField.suiting(other, interrupted), whole) << "is there already";
+  EXPECT_EQ(farField.suiting(both, interrupted), cut) << "is still there";
 }

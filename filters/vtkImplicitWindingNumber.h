@@ -1,0 +1,166 @@
+/**
+ * @class   vtkImplicitWindingNumber
+ * @brief   implicit function of the winding number of a surface or an oriented point cloud
+ *
+ * The value at a point is WindingThreshold − w, w being the generalized winding number of the input
+ * there (see vtkWindingNumberAlgorithm, also for what an input may be): negative inside, positive
+ * outside. The gradient is −∇w. So VTK's own filters clip, cut, extract and sample with surfaces that
+ * need not be closed, with triangle soups and with clouds:
+ *
+ * @code
+ *   vtkNew<vtkImplicitWindingNumber> inside;
+ *   inside->SetInput(scan);
+ *   vtkNew<vtkClipDataSet> clip;
+ *   clip->SetInputConnection(grid->GetOutputPort());
+ *   clip->SetClipFunction(inside);
+ *   clip->InsideOutOn(); // keep what is inside
+ * @endcode
+ *
+ * It is no distance: across the surface the value jumps by one, and away from holes it is the same
+ * everywhere on a side. A filter that interpolates between its points therefore finds the surface in the
+ * right cells, about half way through them; fine cells make it smooth. The gradient is that off the
+ * surface, so 0 for closed ones. For a mesh it is exact, by a sum over the edges of its boundary.
+ *
+ * Like other implicit functions it has no pipeline: the input is a data object, which its producer
+ * must have updated. When it or a property is modified, GetMTime() says so, and the next call works
+ * with what there is then. With SetTransform() points are transformed first.
+ *
+ * What is needed of the input is built once, by the first call or before by BuildField(). After that,
+ * values and gradients may be asked for from any number of threads, without a lock, as long as nobody
+ * modifies the function or the input meanwhile; a value's bits depend on the input and the point only. A
+ * first call may come from many threads at once, too: one of them builds, alone if it runs in a parallel
+ * section of vtkSMPTools, and the others wait. BuildField() has all threads build, and must come before
+ * a parallel section if the input has volume cells: VTK's filter for their surface would start another
+ * section in it, in which TBB may give the thread that builds a call that waits for it.
+ *
+ * One call takes some microseconds for tolerances that leave an approximation: with AUTOMATIC that is
+ * a hierarchy for inputs of any size, as though HIERARCHICAL were asked for. With DIRECT and PARITY it
+ * asks every primitive, which takes a hundred times as long for large inputs. Arrays of points (FunctionValue(vtkDataArray*,
+ * vtkDataArray*)) are evaluated together, on the threads of vtkSMPTools: the values are the same up to
+ * the Tolerance, and with DIRECT and PARITY to the bit.
+ *
+ * Without an input, or with one that cannot be worked with (w is not defined for points without normals,
+ * say), an error is reported once, not again before input or properties change, and w counts as 0, so
+ * that everything is outside. Points that are NaN or infinite have the value NaN.
+ *
+ * @sa vtkWindingNumberProbe vtkWindingNumberField vtkImplicitPolyDataDistance
+ */
+#ifndef vtkImplicitWindingNumber_h
+#define vtkImplicitWindingNumber_h
+
+#include "vtkFiltersWindingModule.h" // for export macro
+#include "vtkImplicitFunction.h"
+#include "vtkSmartPointer.h"           // for the input
+#include "vtkWindingNumberAlgorithm.h" // for what the values of properties mean
+
+#include <memory> // for what was built
+#include <vector> // for values
+
+class vtkDataObject;
+
+class VTKFILTERSWINDING_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
+{
+public:
+  static vtkImplicitWindingNumber* New();
+  vtkTypeMacro(vtkImplicitWindingNumber, vtkImplicitFunction);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The surface or cloud: any vtkPointSet, or composite data of them.
+  void SetInput(vtkDataObject* input);
+  vtkDataObject* GetInput();
+  ///@}
+
+  ///@{
+  /// What is inside: vtkWindingNumberAlgorithm::SIGNED or ABSOLUTE, for which |w| takes the place of w.
+  /// (The rule ODD has no function that would tell how far from it a point is.) Default SIGNED.
+  vtkSetClampMacro(
+    InsideRule, int, vtkWindingNumberAlgorithm::SIGNED, vtkWindingNumberAlgorithm::ABSOLUTE);
+  vtkGetMacro(InsideRule, int);
+  ///@}
+
+  ///@{
+  /// Default 0.5.
+  vtkSetMacro(WindingThreshold, double);
+  vtkGetMacro(WindingThreshold, double);
+  ///@}
+
+  ///@{
+  /// How w is found: as vtkWindingNumberAlgorithm says of the properties of these names, with the same
+  /// values and defaults. ROWS is for grids and an error here.
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
+  vtkSetMacro(SourceAsPoints, vtkTypeBool);
+  vtkGetMacro(SourceAsPoints, vtkTypeBool);
+  vtkBooleanMacro(SourceAsPoints, vtkTypeBool);
+  vtkSetStringMacro(NormalsArray);
+  vtkGetStringMacro(NormalsArray);
+  vtkSetMacro(EstimateNormals, vtkTypeBool);
+  vtkGetMacro(EstimateNormals, vtkTypeBool);
+  vtkBooleanMacro(EstimateNormals, vtkTypeBool);
+  vtkSetMacro(PointAreaMethod, int);
+  vtkGetMacro(PointAreaMethod, int);
+  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkGetMacro(NumberOfNeighbors, int);
+  vtkSetMacro(PointArea, double);
+  vtkGetMacro(PointArea, double);
+  vtkSetStringMacro(AreaArray);
+  vtkGetStringMacro(AreaArray);
+  vtkSetMacro(Regularization, double);
+  vtkGetMacro(Regularization, double);
+  ///@}
+
+  /// Builds what the next call would build, unless it is there. False, after an error, where the input
+  /// cannot be worked with.
+  bool BuildField();
+
+  /// Also of the input.
+  vtkMTimeType GetMTime() override;
+
+  using vtkImplicitFunction::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override;
+  void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
+  void EvaluateGradient(double x[3], double g[3]) override;
+
+  using vtkImplicitFunction::FunctionValue;
+  /// Transforms all points, then evaluates them together; vtkImplicitFunction has those that are
+  /// transformed one by one.
+  void FunctionValue(vtkDataArray* input, vtkDataArray* output) override;
+
+protected:
+  vtkImplicitWindingNumber();
+  ~vtkImplicitWindingNumber() override;
+
+  vtkImplicitWindingNumber(const vtkImplicitWindingNumber&) = delete;
+  void operator=(const vtkImplicitWindingNumber&) = delete;
+
+  int InsideRule = vtkWindingNumberAlgorithm::SIGNED;
+  double WindingThreshold = 0.5;
+  int Method = vtkWindingNumberAlgorithm::AUTOMATIC;
+  double Tolerance = 1e-3;
+  vtkTypeBool SourceAsPoints = 0;
+  char* NormalsArray = nullptr;
+  vtkTypeBool EstimateNormals = 0;
+  int PointAreaMethod = vtkWindingNumberAlgorithm::VORONOI;
+  int NumberOfNeighbors = 20;
+  double PointArea = 0;
+  char* AreaArray = nullptr;
+  double Regularization = 0;
+
+private:
+  struct Built;
+  struct Internals;
+
+  bool IsCurrent(const Built* built);
+  const winding::Field* GetField();
+  const winding::Field* PrepareField();
+  bool EvaluateAll(vtkDataArray* positions, std::vector<double>& windingNumbers);
+  double ValueOf(double windingNumber) const;
+
+  vtkSmartPointer<vtkDataObject> Input;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
