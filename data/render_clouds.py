@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws an unevenly sampled cloud, and the surfaces that `winding` makes of it with one area for all
-points and with Voronoi areas, side by side, into one PNG.
+points, with Voronoi areas, and of the mesh that the points are of, side by side, into one PNG.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
 """
@@ -16,7 +16,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from panels import INK, SMOOTH, actor_of, read_surface, smooth_shaded, write_picture
+from panels import INK, SHELL, SMOOTH, actor_of, read_surface, smooth_shaded, write_picture
 
 SWOLLEN = (0.85, 0.55, 0.42)
 RESOLUTION = 128
@@ -49,12 +49,13 @@ def points_actor(cloud):
     return actor_of(glyphs, INK, PointSize=2, Lighting=False)
 
 
-def surface_of(program, cloud_file, areas, folder):
-    surface = os.path.join(folder, f"{areas}.vtp")
-    subprocess.run(
-        [program, "surface", cloud_file, "-o", surface, "--areas", areas, "--quiet",
-         "--resolution", str(RESOLUTION)], check=True)
-    return read_surface(surface)
+def surface_of(program, source, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        surface = os.path.join(folder, "surface.vtp")
+        subprocess.run(
+            [program, "surface", source, "-o", surface, "--quiet", "--resolution", str(RESOLUTION),
+             *options], check=True)
+        return read_surface(surface)
 
 
 def main():
@@ -72,12 +73,14 @@ def main():
         writer.SetInputData(cloud)
         writer.SetFileName(cloud_file)
         writer.Write()
-        constant = surface_of(arguments.program, cloud_file, "constant", folder)
-        voronoi = surface_of(arguments.program, cloud_file, "voronoi", folder)
+        constant = surface_of(arguments.program, cloud_file, "--areas", "constant")
+        voronoi = surface_of(arguments.program, cloud_file, "--areas", "voronoi")
+    whole = surface_of(arguments.program, arguments.mesh)
     panels = [
         (f"Input: {cloud.GetNumberOfPoints():,} points with normals", [points_actor(cloud)]),
         ("One area for all points", [actor_of(smooth_shaded(constant), SWOLLEN)]),
         ("Voronoi areas", [actor_of(smooth_shaded(voronoi), SMOOTH)]),
+        ("The mesh itself", [actor_of(smooth_shaded(whole), SHELL)]),
     ]
     write_picture(panels, mesh.GetBounds(), arguments.picture)
 

@@ -289,7 +289,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   if (this->TotalArea == 0 && !areas.empty())
   {
     vtkWarningMacro(
-      << "the areas of the points are 0; points at one place tell no area, so set a point area");
+      << "points at one place tell no area, so theirs are 0; set a point area");
   }
 }
 

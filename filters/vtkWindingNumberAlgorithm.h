@@ -172,8 +172,9 @@ public:
   ///@{
   /// Clouds: over which length each point is spread, in units of its spacing, the square root of its
   /// area. 0 is the winding number of points as it is defined, which grows without bounds beside them;
-  /// 0.5 to 1 keeps it about between 0 and 1 there, and changes nothing a few spacings away. At a point
-  /// itself the point adds 0 either way. 0 or more, default 0.
+  /// 1 keeps it about between 0 and 1 there, 0.5 within some tenths of that, and both change nothing a
+  /// few spacings away. At a point itself the point adds 0 either way. Method HIERARCHICAL takes about
+  /// 1.4, 4, 11 and 20 times as long with 1, 2, 3 and 4. 0 to 4, default 0.
   vtkSetMacro(Regularization, double);
   vtkGetMacro(Regularization, double);
   ///@}

@@ -2,9 +2,9 @@
 #include "BenchTools.h"
 #include "Failure.h"
 #include "Interrupt.h"
+#include "NaiveSums.h"
 #include "Options.h"
 
-#include "MeshVertices.h"
 #include "Refusal.h"
 
 #include "vtkCellArray.h"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace
@@ -115,16 +116,9 @@ Json compare(const std::vector<unsigned char>& isNear, const Measurement& exact,
   return row;
 }
 
-void addRows(BenchTable& table, const Triangles& triangles, int resolution)
+void addRows(
+  BenchTable& table, const Triangles& triangles, const winding::Surface& surface, int resolution)
 {
-  ThreadExecutor executor;
-  const winding::MeshVertices vertices =
-    winding::meshVertices({triangles.view()}, triangles.points());
-  double area = 0;
-  for (const double ofVertex : vertices.areas)
-  {
-    area += ofVertex;
-  }
   const auto measureOn =
     [](const winding::Grid& grid, const auto& views, const winding::FieldOptions& options)
   {
@@ -132,15 +126,17 @@ void addRows(BenchTable& table, const Triangles& triangles, int resolution)
       { return winding::Field::build(views, options, threads); },
       grid);
   };
-  const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
   const winding::Grid grid = benchGrid(surface.bounds, resolution);
   const Measurement exact = measureOn(grid, std::vector{triangles.view()}, winding::FieldOptions());
   const std::vector<unsigned char> isNear = nearVoxels(triangles, grid);
 
-  const winding::OrientedPointsView cloud = {{triangles.coordinates.data(), triangles.points()},
-    {vertices.normals.data(), triangles.points()}, {}};
+  const winding::PointCloud vertices = verticesOf(surface);
+  const std::size_t points = vertices.positions.size();
+  const winding::OrientedPointsView cloud = {
+    {vertices.positions[0].data(), points}, {vertices.normals[0].data(), points}, {}};
   winding::OrientedPointsView withAreas = cloud;
-  withAreas.areas = {vertices.areas.data(), vertices.areas.size()};
+  withAreas.areas = {vertices.areas.data(), points};
+  const double area = std::accumulate(vertices.areas.begin(), vertices.areas.end(), 0.0);
   winding::FieldOptions voronoi, constant;
   constant.pointAreaMethod = winding::PointAreaMethod::constant;
   for (const auto& [name, view, options] : {std::tuple("voronoi", cloud, voronoi),
@@ -167,7 +163,13 @@ std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
     const Triangles triangles = readTriangles(file, options, messages);
     try
     {
-      BenchTable table(file + ": " + std::to_string(triangles.points()) + " points, " +
+      ThreadExecutor executor;
+      const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
+      if (surface.vertices.empty())
+      {
+        throw winding::Refusal("no triangle bounds anything");
+      }
+      BenchTable table(file + ": " + std::to_string(surface.vertices.size()) + " points, " +
                          std::to_string(threadsOf(options)) + " threads",
         {"the vertices as a cloud, with the normals of the triangles around them",
           "area error: of all areas together, against the mesh",
@@ -176,7 +178,7 @@ std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
           "median w inside: of the far ones inside the mesh"});
       for (const int resolution : options.resolutionsOr({128}))
       {
-        addRows(table, triangles, resolution);
+        addRows(table, triangles, surface, resolution);
       }
       tables.push_back(table);
     }

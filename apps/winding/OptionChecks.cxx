@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "FarFieldAccuracy.h"
+#include "Field.h"
 
 #include "vtkWindingNumberAlgorithm.h"
 
@@ -56,8 +57,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--area is for --areas constant; say that, too, or leave it out");
   require(options.areas != Filter::MESH || options.asPoints,
     "--areas mesh is for meshes taken as points; say --points, too");
-  require(options.regularization >= 0 && std::isfinite(options.regularization),
-    "--regularization is " + shown(options.regularization) + "; give 0 (none) or more");
+  require(options.regularization >= 0 && options.regularization <= winding::mostRegularization,
+    "--regularization is " + shown(options.regularization) + "; give 0 (none) to 4 spacings");
   require(options.neighbors >= 3 && options.neighbors <= 1000,
     "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
   require(std::isfinite(options.threshold),

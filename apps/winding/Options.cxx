@@ -106,7 +106,7 @@ void addMethod(CLI::App* command, Options& options)
   command
     ->add_option("--regularization", options.regularization,
       "Spread each point of a cloud over so many spacings, so that values beside points stay about "
-      "between 0 and 1: 0.5 to 1 does; 0, not at all (0)")
+      "between 0 and 1: 1 does; up to 4; 0, not at all (0)")
     ->group(group);
   command
     ->add_flag("--estimate-normals", options.estimateNormals,

@@ -12,9 +12,28 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 
 namespace
 {
+
+/// A column's name in small letters, without quotes, and as it is here where ParaView has another one.
+std::string plainName(const std::string& column)
+{
+  std::string name;
+  for (const char letter : column)
+  {
+    if (letter != '"')
+    {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
+    {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
+  const auto other = others.find(name);
+  return other == others.end() ? name : other->second;
+}
 
 std::string_view trimmed(std::string_view field)
 {
@@ -60,7 +79,7 @@ std::vector<std::size_t> findAll(const Table& table, const std::vector<std::stri
   std::vector<std::size_t> columns;
   for (const std::string& name : names)
   {
-    const std::optional<std::size_t> column = table.find(name);
+    const std::optional<std::size_t> column = table.findMeaning(name);
     if (!column)
     {
       return {};
@@ -130,7 +149,18 @@ std::vector<std::string_view> Table::fieldsOf(std::string_view row) const
 
 std::optional<std::size_t> Table::find(const std::string& name) const
 {
-  const auto found = std::find(names_.begin(), names_.end(), name);
+  return this->findIf([&name](const std::string& column) { return column == name; });
+}
+
+std::optional<std::size_t> Table::findMeaning(const std::string& name) const
+{
+  return this->findIf([&name](const std::string& column) { return plainName(column) == name; });
+}
+
+std::optional<std::size_t> Table::findIf(
+  const std::function<bool(const std::string&)>& isWanted) const
+{
+  const auto found = std::find_if(names_.begin(), names_.end(), isWanted);
   if (found == names_.end())
   {
     return {};
@@ -208,7 +238,7 @@ vtkSmartPointer<vtkPolyData> cloudFrom(const Table& table)
     array->SetName("Normals");
     cloud->GetPointData()->SetNormals(array);
   }
-  if (const std::optional<std::size_t> area = table.find("area"))
+  if (const std::optional<std::size_t> area = table.findMeaning("area"))
   {
     const auto array = interleaved(table, {*area});
     array->SetName("Area");

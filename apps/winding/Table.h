@@ -2,6 +2,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ public:
   /// The column of that name, if there is one.
   std::optional<std::size_t> find(const std::string& name) const;
 
+  /// The column that means x, y, z, nx, ny, nz or area: in small letters or large ones, or as ParaView
+  /// names the components of points and normals ("Points:0", "Normals:2").
+  std::optional<std::size_t> findMeaning(const std::string& name) const;
+
   /// A column as numbers; throws Failure, naming the line, where a field is none.
   std::vector<double> numbers(std::size_t column) const;
 
@@ -51,6 +56,8 @@ private:
     std::size_t line;
   };
 
+  std::optional<std::size_t> findIf(
+    const std::function<bool(const std::string& column)>& isWanted) const;
   std::vector<std::string_view> fieldsOf(std::string_view row) const;
 
   std::string fileName_;

@@ -100,7 +100,8 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
                   "; it must be more than 0, or 0 to be estimated");
   }
   const std::size_t points = cloud_.positions.size();
-  if (cloud_.areas.empty())
+  const bool areAreasGiven = !cloud_.areas.empty();
+  if (!areAreasGiven)
   {
     if (options.pointAreaMethod == PointAreaMethod::voronoi)
     {
@@ -121,19 +122,22 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
   info_.pointArea = sum;
   if (sum == 0 && points > 0)
   {
-    this->warn("the areas of the points are 0, and so is the field; points at one place tell no "
-               "area, so set a point area");
+    this->warn(areAreasGiven ? "all areas of the points are 0, and so is the field"
+                             : "points at one place tell no area, so the field is 0; set a point "
+                               "area");
   }
 }
 
 /// Spreads every point over so many of its spacings.
 void CloudField::regularize(double spacings)
 {
-  if (!(spacings >= 0) || !std::isfinite(spacings))
+  if (!(spacings >= 0 && spacings <= mostRegularization))
   {
-    throw Refusal("the regularization is " + std::to_string(spacings) +
-                  "; it must be more than 0, or 0 for none");
+    throw Refusal(
+      "the regularization is " + std::to_string(spacings) + " spacings; it must be 0 (none) to 4");
   }
+  // Measured on 43 000 points at 128³ with 1, 2 and 3: 1.35, 3.6 and 11 times.
+  slowdown_ = 1 + 0.35 * spacings * spacings * spacings;
   if (spacings == 0)
   {
     return;
@@ -196,9 +200,14 @@ bool CloudField::usesFarField(std::size_t samples) const
 
 EvaluationCost CloudField::expectedCost(std::size_t samples) const
 {
-  return this->usesFarField(samples)
-           ? costOfFarField(Primitive::point, info_.primitives, samples, farField_->order())
-           : costOfDirectSum(Primitive::point, info_.primitives, samples);
+  if (!this->usesFarField(samples))
+  {
+    return costOfDirectSum(Primitive::point, info_.primitives, samples);
+  }
+  EvaluationCost cost =
+    costOfFarField(Primitive::point, info_.primitives, samples, farField_->order());
+  cost.seconds *= slowdown_;
+  return cost;
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

@@ -44,6 +44,7 @@ private:
 
   PointCloud cloud_;
   FieldInfo info_;
+  double slowdown_ = 1;                      ///< of the far field, by regularization
   bool isAskedFor_ = false;                  ///< the method, by the user
   std::unique_ptr<const FarField> farField_; ///< method hierarchical
   std::unique_ptr<const DipoleSum> sum_;

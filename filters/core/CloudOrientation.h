@@ -26,11 +26,12 @@ struct CloudOrientation
 
   bool isInward() const { return inward > outward; }
 
-  /// Whether the field tells inside from outside nearly everywhere. Of clouds of the vertices of closed
-  /// meshes 0.6 (few points, thin parts) to 1 of the points have the field that they should have.
+  /// Whether the field tells inside from outside nearly everywhere. Of the
+  /// vertices of scans with right normals 0.95 to 1 of the points have the field that they should have,
+  /// of a coarse bunny and a teapot, where one estimated normal in ten is wrong, 0.82.
   bool isClear() const { return std::max(outward, inward) >= clearShare; }
 
-  static constexpr double clearShare = 0.7;
+  static constexpr double clearShare = 0.85;
 };
 
 /**

@@ -167,7 +167,9 @@ CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& exe
       report.hasNormals ? sumsOfNormals(places, points.normals) : std::vector<Eigen::Vector3d>();
     lookAtNeighbors(places, normals, report, executor);
   }
-  if (report.hasNormals && report.points > report.nonFinite + report.zeroNormals)
+  // Points at one place have no areas, and so no field.
+  if (report.hasNormals && places.size() > 1 &&
+      report.points > report.nonFinite + report.zeroNormals)
   {
     PointCloud cloud = sanitize(views, executor);
     cloud.areas = voronoiAreas(cloud, executor, defaultNeighbors);

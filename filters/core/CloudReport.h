@@ -46,7 +46,7 @@ struct CloudReport
   Bounds bounds; ///< empty without finite points
 
   /// What the field itself says about the normals, with Voronoi areas; none where no point has a
-  /// usable normal.
+  /// usable normal, and for less than two places.
   std::optional<CloudOrientation> orientation;
 };
 

@@ -25,7 +25,7 @@ struct OrientedSite
 /**
  * The sites of an oriented cloud: at each place as many as its points have different orientations.
  * Every normal is similar to that of the first point of its site, and those of first points are not
- * similar to each other, so that a place has twelve at most. Guaranteed: the same for any executor.
+ * similar to each other, so that a place has nine at most. Guaranteed: the same for any executor.
  */
 class OrientedSites
 {

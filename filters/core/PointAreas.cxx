@@ -78,16 +78,24 @@ private:
   std::vector<double> areas_;       ///< by site: of its cell, scaled
 };
 
-/// Projects neighbours with similar normals into the tangent plane.
+/// Projects neighbours with similar normals into the tangent plane. Where nearly none are similar, the
+/// point's own normal is at fault, and without the others it would have the area of many: then all.
 void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space) const
 {
   const Eigen::Vector3d& normal = sites_[site].normal;
+  const auto isSimilar = [&](const Neighbor& neighbor)
+  {
+    return sites_.hasSimilar(neighbor.place, normal);
+  };
+  const auto similar = std::count_if(space.neighbors.begin(), space.neighbors.end(), isSimilar);
+  // A quarter: in thin parts, of which half belong to the other side, one point in 200 has fewer.
+  const bool takesAll = 4 * static_cast<std::size_t>(similar) < space.neighbors.size();
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   space.around.clear();
   space.reach = 0;
   for (const Neighbor& neighbor : space.neighbors)
   {
-    if (sites_.hasSimilar(neighbor.place, normal))
+    if (takesAll || isSimilar(neighbor))
     {
       const Eigen::Vector3d offset =
         places_.positions()[neighbor.place] - places_.positions()[place];

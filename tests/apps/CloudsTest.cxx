@@ -83,7 +83,8 @@ TEST_F(Clouds, OnOnePlaceAreRefusedForTheirGridOrWarnedOf)
 {
   const Cloud equal{std::vector<Point>(50, {1, 1, 1}), std::vector<Point>(50, {0, 0, 1})};
   EXPECT_EQ(run(equal).status, 2);
-  expectField(equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "areas of the points are 0");
+  expectField(
+    equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell no area");
 }
 
 TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
@@ -176,6 +177,21 @@ TEST_F(Clouds, MayBeSpread)
   const Outcome outcome = run(cloud, {"--regularization", "1"});
   EXPECT_EQ(outcome.status, 0) << outcome;
   EXPECT_LT(outcome.json()["near_max_error"], 1e-3) << outcome;
+}
+
+TEST_F(Clouds, OfTablesHaveColumnsByAnyUsualName)
+{
+  for (const std::string header :
+    {"x,y,z,nx,ny,nz,area", "X,Y,Z,NX,NY,NZ,Area",
+      "\"Points:0\",\"Points:1\",\"Points:2\",\"Normals:0\",\"Normals:1\",\"Normals:2\",\"Area\""})
+  {
+    const std::string cloud =
+      folder.write("cloud.csv", header + "\n0,0,1,0,0,1,0.25\n1,0,0,1,0,0,0.75\n");
+    const Outcome outcome = runProgram({"field", cloud, "-o", folder.path("out.vti"),
+      "--resolution", "4", "--areas", "array", "--json"});
+    ASSERT_EQ(outcome.status, 0) << header << outcome;
+    EXPECT_DOUBLE_EQ(outcome.json()["input"]["mean_area"], 0.5) << header;
+  }
 }
 
 TEST_F(Clouds, AreDescribedForPeople)

@@ -62,7 +62,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--area", "1"}, "--areas constant"},
     {{"field", in, "-o", vti, "--areas", "mesh"}, "--points"},
     {{"field", in, "-o", vti, "--neighbors", "2"}, "3 to 1000"},
-    {{"field", in, "-o", vti, "--regularization", "-1"}, "0 (none) or more"},
+    {{"field", in, "-o", vti, "--regularization", "-1"}, "0 (none) to 4"},
     {{"bench", "clouds"}, "needs files"},
     {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},
     {{"field", in, "-o", vti, "--pieces", "0"}, "--pieces is 0"},
