@@ -124,8 +124,8 @@ TEST(SurfaceCommand, IsAsSmoothAsItsInput)
     EXPECT_EQ(run.status, 0) << run;
     const nlohmann::json report = runProgram({"check", out, "--json"}).json();
     const nlohmann::json expected = runProgram({"check", in, "--json"}).json();
-    EXPECT_NEAR(report["area"] / expected["area"].get<double>(), 1, 0.01) << report;
-    EXPECT_NEAR(report["volume"] / expected["volume"].get<double>(), 1, 0.01) << report;
+    EXPECT_NEAR(report["area"].get<double>() / expected["area"].get<double>(), 1, 0.01) << report;
+    EXPECT_NEAR(report["volume"].get<double>() / expected["volume"].get<double>(), 1, 0.01) << report;
     const bool isDouble =
       contentsOf(out).find("type=\"Float64\" Name=\"Points\"") != std::string::npos;
     EXPECT_EQ(isDouble, std::string(more) == "--double");
