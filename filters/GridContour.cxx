@@ -1,20 +1,17 @@
 #include "GridContour.h"
 
-#include "SmpExecutor.h"
-
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkFlyingEdges3D.h"
-#include "vtkImageData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMarchingCubesTriangleCases.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace winding
 {
@@ -50,17 +47,215 @@ vtkSmartPointer<vtkUnsignedCharArray> withBorderOf(
   return result;
 }
 
-/// Where the contour of 0 and 1 at 0.5 has its vertices: in the middle of an edge.
-GridEdge edgeAround(const float* middle)
+/// Calls visit(i) for every i below count at which two rows of 0 and 1 differ, ascending.
+template <class Visit>
+void forEachDifference(
+  const unsigned char* one, const unsigned char* other, int count, const Visit& visit)
 {
-  GridEdge edge = {};
-  for (int axis = 0; axis < 3; ++axis)
+  // Most do not, and so many are compared at once, in a way that compilers turn into vectors.
+  constexpr int atOnce = 64;
+  for (int first = 0; first < count; first += atOnce)
   {
-    const float low = std::floor(middle[axis]);
-    edge.sample[axis] = static_cast<int>(low);
-    edge.axis = low < middle[axis] ? axis : edge.axis;
+    const int last = std::min(count, first + atOnce);
+    unsigned char differs = 0;
+    if (last - first == atOnce)
+    {
+      for (int i = 0; i < atOnce; ++i)
+      {
+        differs |= one[first + i] ^ other[first + i];
+      }
+      if (differs == 0)
+      {
+        continue;
+      }
+    }
+    for (int i = first; i < last; ++i)
+    {
+      if (one[i] != other[i])
+      {
+        visit(i);
+      }
+    }
   }
-  return edge;
+}
+
+/// The samples of an image of 0 and 1, and the vertices between them, by the rows that they begin in.
+class RowsOfVertices
+{
+public:
+  RowsOfVertices(
+    const unsigned char* samples, const Eigen::Vector3i& dimensions, Executor& executor)
+    : samples_(samples)
+    , n_(dimensions)
+    , starts_(this->lineOf(0, 0, n_[2]) + 1, 0)
+  {
+    std::vector<std::vector<GridEdge>> layers(static_cast<std::size_t>(n_[2]));
+    runBlocks(
+      layers.size(), 1,
+      [&](std::size_t k, std::size_t, std::size_t)
+      { this->findVertices(static_cast<int>(k), layers[k]); },
+      executor);
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    vertices_.resize(starts_.back());
+    runBlocks(
+      layers.size(), 1,
+      [&](std::size_t k, std::size_t, std::size_t)
+      {
+        std::copy(layers[k].begin(), layers[k].end(),
+          vertices_.begin() + starts_[this->lineOf(0, 0, static_cast<int>(k))]);
+      },
+      executor);
+  }
+
+  const unsigned char* row(int j, int k) const
+  {
+    return samples_ + (static_cast<std::size_t>(k) * n_[1] + j) * n_[0];
+  }
+
+  /// The vertices on the edges along an axis that begin in a row.
+  class Line
+  {
+  public:
+    Line(const RowsOfVertices& rows, int axis, int j, int k)
+      : reach_(axis == 0 ? 0 : 1)
+      , next_(rows.starts_[rows.lineOf(axis, j, k)])
+      , vertex_(rows.vertices_.data() + next_)
+      , end_(rows.vertices_.data() + rows.starts_[rows.lineOf(axis, j, k) + 1])
+    {
+    }
+
+    /// First cell from `cell` on that has a vertex of the line; `none` if there is none.
+    int firstCell(int cell, int none) const
+    {
+      return vertex_ == end_ ? none : std::max(cell, vertex_->sample[0] - reach_);
+    }
+
+    /// Numbers of the vertices at i and at i + 1, where there are these.
+    std::pair<std::size_t, std::size_t> at(int i) const
+    {
+      return {next_, next_ + (vertex_ != end_ && vertex_->sample[0] == i)};
+    }
+
+    /// Leaves those at i and before behind.
+    void pass(int i)
+    {
+      const bool isThere = vertex_ != end_ && vertex_->sample[0] == i;
+      vertex_ += isThere;
+      next_ += isThere;
+    }
+
+  private:
+    int reach_; ///< a vertex belongs to so many more cells before its own
+    std::size_t next_;
+    const GridEdge *vertex_, *end_;
+  };
+
+  std::vector<GridEdge>& vertices() { return vertices_; }
+
+private:
+  std::size_t lineOf(int axis, int j, int k) const
+  {
+    return 3 * (static_cast<std::size_t>(k) * n_[1] + j) + axis;
+  }
+
+  /// Those of a layer, and how many each of its lines has.
+  void findVertices(int k, std::vector<GridEdge>& vertices)
+  {
+    for (int j = 0; j < n_[1]; ++j)
+    {
+      const unsigned char* here = this->row(j, k);
+      const auto findAlong = [&](int axis, const unsigned char* there, int count)
+      {
+        const std::size_t before = vertices.size();
+        forEachDifference(here, there, count,
+          [&](int i) {
+            vertices.push_back(GridEdge{{i, j, k}, axis});
+          });
+        starts_[this->lineOf(axis, j, k) + 1] = vertices.size() - before;
+      };
+      findAlong(0, here + 1, n_[0] - 1);
+      if (j + 1 < n_[1])
+      {
+        findAlong(1, this->row(j + 1, k), n_[0]);
+      }
+      if (k + 1 < n_[2])
+      {
+        findAlong(2, this->row(j, k + 1), n_[0]);
+      }
+    }
+  }
+
+  const unsigned char* samples_;
+  Eigen::Vector3i n_;
+  std::vector<std::size_t> starts_; ///< of the vertices of each line
+  std::vector<GridEdge> vertices_;
+};
+
+/// Adds the corners of the triangles in the cells between four rows: those that have a vertex.
+void addTriangles(
+  const RowsOfVertices& rows, int width, int j, int k, std::vector<vtkIdType>& corners)
+{
+  const unsigned char* row[4] = {
+    rows.row(j, k), rows.row(j + 1, k), rows.row(j, k + 1), rows.row(j + 1, k + 1)};
+  // Four along x, then two along y and two along z.
+  RowsOfVertices::Line lines[8] = {{rows, 0, j, k}, {rows, 0, j + 1, k}, {rows, 0, j, k + 1},
+    {rows, 0, j + 1, k + 1}, {rows, 1, j, k}, {rows, 1, j, k + 1}, {rows, 2, j, k},
+    {rows, 2, j + 1, k}};
+  const vtkMarchingCubesTriangleCases* cases = vtkMarchingCubesTriangleCases::GetCases();
+  const int cells = width - 1;
+  for (int i = 0; i < cells; ++i)
+  {
+    int next = cells;
+    for (const RowsOfVertices::Line& line : lines)
+    {
+      next = std::min(next, line.firstCell(i, cells));
+    }
+    i = next;
+    if (i == cells)
+    {
+      break;
+    }
+    // Corners and edges in the order of VTK's table.
+    const int index = row[0][i] | row[0][i + 1] << 1 | row[1][i + 1] << 2 | row[1][i] << 3 |
+                      row[2][i] << 4 | row[2][i + 1] << 5 | row[3][i + 1] << 6 | row[3][i] << 7;
+    const auto y0 = lines[4].at(i), y1 = lines[5].at(i);
+    const auto z0 = lines[6].at(i), z1 = lines[7].at(i);
+    const std::size_t vertices[12] = {lines[0].at(i).first, y0.second, lines[1].at(i).first,
+      y0.first, lines[2].at(i).first, y1.second, lines[3].at(i).first, y1.first, z0.first,
+      z0.second, z1.first, z1.second};
+    for (const int* edge = cases[index].edges; *edge >= 0; ++edge)
+    {
+      corners.push_back(static_cast<vtkIdType>(vertices[*edge]));
+    }
+    for (RowsOfVertices::Line& line : lines)
+    {
+      line.pass(i);
+    }
+  }
+}
+
+vtkSmartPointer<vtkCellArray> trianglesOf(const std::vector<std::vector<vtkIdType>>& corners)
+{
+  std::size_t count = 0;
+  for (const std::vector<vtkIdType>& some : corners)
+  {
+    count += some.size();
+  }
+  vtkNew<vtkIdTypeArray> connectivity, offsets;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(count));
+  vtkIdType* next = connectivity->GetPointer(0);
+  for (const std::vector<vtkIdType>& some : corners)
+  {
+    next = std::copy(some.begin(), some.end(), next);
+  }
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(count / 3 + 1));
+  for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
+  {
+    offsets->SetValue(i, 3 * i);
+  }
+  auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  triangles->SetData(offsets, connectivity);
+  return triangles;
 }
 
 /// Adds twice the vector area of every triangle to its corners. unit: about the size of a triangle, so
@@ -92,36 +287,37 @@ void addAreas(
 } // namespace
 
 GridContour::GridContour(
-  const Grid& grid, vtkUnsignedCharArray* inside, bool withBorder, SmpExecutor& executor)
+  const Grid& grid, vtkUnsignedCharArray* inside, bool withBorder, Executor& executor)
   : grid_(grid)
 {
   const int border = withBorder ? 1 : 0;
   const Eigen::Vector3i dimensions = grid.dimensions + Eigen::Vector3i::Constant(2 * border);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(dimensions.data());
-  image->SetOrigin(-border, -border, -border);
-  image->GetPointData()->SetScalars(
-    withBorder ? withBorderOf(inside, grid.dimensions).Get() : inside);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.5);
-  contour->ComputeNormalsOff();
-  contour->ComputeScalarsOff();
-  executor.runOnBackend([&contour]() { contour->Update(); });
-  triangles_ = contour->GetOutput()->GetPolys();
-
-  auto* middles = vtkFloatArray::SafeDownCast(contour->GetOutput()->GetPoints()->GetData());
-  vertices_.resize(static_cast<std::size_t>(middles->GetNumberOfTuples()));
+  vtkSmartPointer<vtkUnsignedCharArray> samples = inside;
+  if (withBorder)
+  {
+    samples = withBorderOf(inside, grid.dimensions);
+  }
+  RowsOfVertices rows(samples->GetPointer(0), dimensions, executor);
+  std::vector<std::vector<vtkIdType>> corners(static_cast<std::size_t>(dimensions[2] - 1));
   runBlocks(
-    vertices_.size(), verticesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    corners.size(), 1,
+    [&](std::size_t layer, std::size_t, std::size_t)
     {
-      for (std::size_t i = first; i < last; ++i)
+      for (int j = 0; j + 1 < dimensions[1]; ++j)
       {
-        vertices_[i] = edgeAround(middles->GetPointer(static_cast<vtkIdType>(3 * i)));
+        addTriangles(rows, dimensions[0], j, static_cast<int>(layer), corners[layer]);
       }
     },
     executor);
+  triangles_ = trianglesOf(corners);
+  vertices_ = std::move(rows.vertices());
+  for (GridEdge& vertex : vertices_)
+  {
+    for (int& index : vertex.sample)
+    {
+      index -= border;
+    }
+  }
 }
 
 bool GridContour::isAtBorder(const GridEdge& vertex) const

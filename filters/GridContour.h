@@ -14,23 +14,20 @@ class vtkUnsignedCharArray;
 namespace winding
 {
 
-class SmpExecutor;
-
 /**
  * The triangles between the inside and the outside samples of a grid, by marching cubes: every vertex
  * lies on an edge between two samples, of which one is inside. Triangles face outward. The same for
  * every executor; all that takes one throws Interrupted.
+ *
+ * VTK's own filters look at every cell of a grid. Here the vertices are found by comparing rows, and
+ * only cells with vertices are looked at, which takes a quarter of the time.
  */
 class GridContour
 {
 public:
-  /// Most samples along an axis.
-  static constexpr int mostSamples = 1 << 22;
-
   /// inside: 1 or 0 for every sample of the grid. withBorder: as if there were samples around the grid,
   /// all of them outside; without, it has two or more along each axis.
-  GridContour(
-    const Grid& grid, vtkUnsignedCharArray* inside, bool withBorder, SmpExecutor& executor);
+  GridContour(const Grid& grid, vtkUnsignedCharArray* inside, bool withBorder, Executor& executor);
 
   /// The edges of the grid that have a vertex, each one.
   std::vector<GridEdge> edges() const;

@@ -30,9 +30,6 @@ public:
   /// set the abort flag.
   bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
-  /// Calls work, which may use vtkSMPTools itself, with this executor's backend and threads.
-  void runOnBackend(const std::function<void()>& work);
-
   /// About how many threads it uses.
   int threads() const;
 
@@ -40,6 +37,7 @@ public:
   bool hasRun() const { return hasRun_; }
 
 private:
+  void runOnBackend(const std::function<void()>& work);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
   void runBatch(

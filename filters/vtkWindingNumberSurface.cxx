@@ -33,32 +33,20 @@ winding::ResultArrays arraysOf(const winding::Grid& grid, bool ofValues)
   return {static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent())), options};
 }
 
-/// What the samples of edges say: of w, where there is that, or else of inside.
-std::vector<winding::LevelRoots::Ends> endsOf(const std::vector<winding::GridEdge>& edges,
-  const winding::Grid& grid, const winding::FieldOutput& samples, winding::Executor& executor)
+/// What the samples of an edge say: of w, where there is that, or else of inside.
+winding::LevelRoots::Ends endsOf(
+  const winding::GridEdge& edge, const winding::Extent& extent, const winding::FieldOutput& samples)
 {
-  const winding::Extent extent = grid.wholeExtent();
   const auto levelAt = [&samples](std::size_t n)
   {
     return samples.values ? winding::levelOf(samples.values[n], samples.rule, samples.threshold)
                           : samples.inside[n] - 0.5;
   };
-  std::vector<winding::LevelRoots::Ends> ends(edges.size());
-  winding::runBlocks(
-    edges.size(), 8192,
-    [&](std::size_t, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const auto& [sample, axis] = edges[i];
-        const std::size_t first = winding::sampleNumber(extent, sample[0], sample[1], sample[2]);
-        const std::size_t second = winding::sampleNumber(
-          extent, sample[0] + (axis == 0), sample[1] + (axis == 1), sample[2] + (axis == 2));
-        ends[i] = {samples.inside[first] != 0, {levelAt(first), levelAt(second)}};
-      }
-    },
-    executor);
-  return ends;
+  const auto& [sample, axis] = edge;
+  const std::size_t first = winding::sampleNumber(extent, sample[0], sample[1], sample[2]);
+  const std::size_t second = winding::sampleNumber(
+    extent, sample[0] + (axis == 0), sample[1] + (axis == 1), sample[2] + (axis == 2));
+  return {samples.inside[first] != 0, {levelAt(first), levelAt(second)}};
 }
 
 /// Whether the field of a grid is that of a closed surface, found exactly: inside says all of it.
@@ -104,13 +92,6 @@ void vtkWindingNumberSurface::CheckGrid() const
       throw winding::Refusal(
         "the grid has one voxel" + along +
         "; a surface needs two or more, so choose a finer grid or more padding");
-    }
-    if (dimensions[axis] > winding::GridContour::mostSamples)
-    {
-      throw winding::Refusal("the grid has " + std::to_string(dimensions[axis]) + " voxels" +
-                             along + "; a surface can be made of " +
-                             std::to_string(winding::GridContour::mostSamples) +
-                             ", so choose larger voxels");
     }
   }
 }
@@ -186,9 +167,11 @@ try
     return false;
   }
   const winding::GridContour contour(grid, inside, this->CloseBorder != 0, executor);
-  const std::vector<winding::GridEdge> edges = contour.edges();
-  winding::LevelRoots roots(field, grid, edges, endsOf(edges, grid, samples, executor),
-    samples.rule, samples.threshold, this->Tolerance, executor);
+  const winding::Extent extent = grid.wholeExtent();
+  winding::LevelRoots roots(
+    field, grid, contour.edges(),
+    [&](const winding::GridEdge& edge) { return endsOf(edge, extent, samples); }, samples.rule,
+    samples.threshold, this->Tolerance, executor);
   for (double progress = progressOfGrid; !roots.isDone();)
   {
     const double next = progress + (1 - progress) / 8;

@@ -13,7 +13,7 @@
  * @endcode
  *
  * The samples of a grid, which are inside or outside, give the triangles, as marching cubes does
- * (vtkFlyingEdges3D). Every vertex then goes to where the true w crosses the threshold on its edge
+ * (vtkMarchingCubes). Every vertex then goes to where the true w crosses the threshold on its edge
  * of the grid. So the steps that contouring a field of 0 and 1 shows do not come about: where the
  * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from it, so
  * that no two have the same place.

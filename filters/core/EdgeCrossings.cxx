@@ -91,6 +91,9 @@ private:
   std::vector<Item> items_;
 };
 
+/// So few are asked at once, rather than narrowed down.
+constexpr int fewRows = 4;
+
 struct Crossing
 {
   std::uint32_t edge;
@@ -125,7 +128,8 @@ public:
     const RowTriangle triangle(turnedCorners[0], turnedCorners[1], turnedCorners[2]);
     for (int k = firstK; k <= lastK; ++k)
     {
-      const RowTriangle::Range range = triangle.rowsIn(k, firstJ, lastJ);
+      const RowTriangle::Range range = lastJ - firstJ < fewRows ? RowTriangle::Range{firstJ, lastJ}
+                                                                : triangle.rowsIn(k, firstJ, lastJ);
       for (int j = range.first; j <= range.last; ++j)
       {
         const auto [first, last] = edges_.on(axis, j, k);
@@ -211,8 +215,11 @@ EdgeCrossings::EdgeCrossings(
   }
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
-    std::sort(fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
-      fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]));
+    if (starts_[edge + 1] - starts_[edge] > 1)
+    {
+      std::sort(fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
+        fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]));
+    }
   }
 }
 

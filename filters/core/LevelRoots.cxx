@@ -40,8 +40,8 @@ double nextByItp(double low, double high, double lowLevel, double highLevel, int
 } // namespace
 
 LevelRoots::LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
-  const std::vector<Ends>& ends, InsideRule rule, double threshold, double tolerance,
-  Executor& executor)
+  const std::function<Ends(const GridEdge&)>& endsOf, InsideRule rule, double threshold,
+  double tolerance, Executor& executor)
   : field_(field)
   , grid_(grid)
   , edges_(std::move(edges))
@@ -50,47 +50,69 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdg
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
   , fractions_(edges_.size())
-  , searches_(edges_.size())
 {
   if (field.surface())
   {
     crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges_, executor);
   }
+  // Of most edges of closed surfaces nothing else is asked, nor is memory taken for them.
+  std::vector<std::vector<Search>> found((edges_.size() + edgesPerBlock - 1) / edgesPerBlock);
   runBlocks(
     edges_.size(), edgesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        Search& search = searches_[i];
+        if (this->isFoundByCrossings(i, 0, 1))
+        {
+          continue;
+        }
+        const Ends ends = endsOf(edges_[i]);
+        Search search = {};
         search.edge = static_cast<std::uint32_t>(i);
-        search.firstIsInside = ends[i].firstIsInside;
-        search.lowLevel = ends[i].levels[0];
-        search.highLevel = ends[i].levels[1];
+        search.firstIsInside = ends.firstIsInside;
+        search.lowLevel = ends.levels[0];
+        search.highLevel = ends.levels[1];
+        found[block].push_back(search);
       }
     },
     executor);
+  for (const std::vector<Search>& some : found)
+  {
+    searches_.insert(searches_.end(), some.begin(), some.end());
+  }
   if (!this->dropFound(executor))
   {
     throw Interrupted();
   }
 }
 
-/// Whether what is known of a root is enough; then it is kept.
-bool LevelRoots::isFound(Search& search)
+/// Whether there is but one place where the field can change between two fractions of an edge; then it
+/// is kept.
+bool LevelRoots::isFoundByCrossings(std::size_t edge, double low, double high)
 {
-  double& root = fractions_[search.edge];
-  if (crossings_ && jumpsOnly_)
+  if (!crossings_ || !jumpsOnly_)
   {
-    const double* first =
-      std::lower_bound(crossings_->begin(search.edge), crossings_->end(search.edge), search.low);
-    const double* last = std::upper_bound(first, crossings_->end(search.edge), search.high);
-    if (last - first == 1)
-    {
-      root = *first;
-      return true;
-    }
+    return false;
   }
+  const double* end = crossings_->end(edge);
+  const double* first = std::lower_bound(crossings_->begin(edge), end, low);
+  if (std::upper_bound(first, end, high) - first != 1)
+  {
+    return false;
+  }
+  fractions_[edge] = *first;
+  return true;
+}
+
+/// Whether what is known of a root is enough; then it is kept.
+bool LevelRoots::isFound(const Search& search)
+{
+  if (this->isFoundByCrossings(search.edge, search.low, search.high))
+  {
+    return true;
+  }
+  double& root = fractions_[search.edge];
   if (search.high - search.low <= shortest)
   {
     root = 0.5 * (search.low + search.high);

@@ -4,6 +4,7 @@
 #include "Field.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,10 +37,11 @@ public:
     double levels[2]; ///< how far they are beyond the level (levelOf()); ±0.5 if that is not known
   };
 
-  /// Keeps references to field and grid. tolerance: as of the field. Throws Interrupted.
+  /// endsOf tells about an edge, where that is needed, from the executor's threads. Keeps references to
+  /// field and grid. tolerance: as of the field. Throws Interrupted.
   LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
-    const std::vector<Ends>& ends, InsideRule rule, double threshold, double tolerance,
-    Executor& executor);
+    const std::function<Ends(const GridEdge& edge)>& endsOf, InsideRule rule, double threshold,
+    double tolerance, Executor& executor);
 
   /// Whether every root is found.
   bool isDone() const { return searches_.empty(); }
@@ -62,7 +64,8 @@ private:
     double next = 0; ///< where to evaluate
   };
 
-  bool isFound(Search& search);
+  bool isFoundByCrossings(std::size_t edge, double low, double high);
+  bool isFound(const Search& search);
   void chooseNext(Search& search) const;
   void narrow(Search& search, double windingNumber) const;
   bool dropFound(Executor& executor);
