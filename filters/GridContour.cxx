@@ -53,7 +53,7 @@ void forEachDifference(
   const unsigned char* one, const unsigned char* other, int count, const Visit& visit)
 {
   // Most do not, and so many are compared at once, in a way that compilers turn into vectors.
-  constexpr int atOnce = 64;
+  constexpr int atOnce = 16;
   for (int first = 0; first < count; first += atOnce)
   {
     const int last = std::min(count, first + atOnce);

@@ -174,6 +174,17 @@ EdgeCrossings::EdgeCrossings(
   const EdgesByLine edgesByLine(grid, edges);
   const TriangleOnLines lines(edgesByLine, grid);
   constexpr std::size_t perBlock = 1024;
+  std::vector<Eigen::Vector3d> vertices(surface.vertices.size()); // in units of the grid
+  runBlocks(
+    vertices.size(), perBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        vertices[i] = (surface.vertices[i] - grid.firstSample).cwiseQuotient(grid.spacing);
+      }
+    },
+    executor);
   std::vector<std::vector<Crossing>> found((surface.triangles.size() + perBlock - 1) / perBlock);
   runBlocks(
     surface.triangles.size(), perBlock,
@@ -182,12 +193,8 @@ EdgeCrossings::EdgeCrossings(
       std::vector<Crossing>& crossings = found[block];
       for (std::size_t i = first; i < last; ++i)
       {
-        Eigen::Vector3d corners[3];
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          corners[corner] = (surface.vertices[surface.triangles[i][corner]] - grid.firstSample)
-                              .cwiseQuotient(grid.spacing);
-        }
+        const Triangle& ids = surface.triangles[i];
+        const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
         for (int axis = 0; axis < 3; ++axis)
         {
           lines.cross(corners, axis, crossings);

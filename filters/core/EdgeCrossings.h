@@ -26,7 +26,7 @@ struct GridEdge
  * the line; (3) the same bits for any executor.
  *
  * Time: linear in the triangles, the edges, the lines of the grid and the crossings of all of these.
- * Memory: 4 bytes per line of the grid, and about 40 for each edge.
+ * Memory: 4 bytes per line of the grid, 24 per vertex of the surface, and about 40 for each edge.
  */
 class EdgeCrossings
 {
