@@ -43,6 +43,9 @@ public:
   /// Null if there is no array of w.
   vtkDataArray* values() const { return values_; }
 
+  /// Null if it was not asked for.
+  vtkUnsignedCharArray* inside() const { return inside_; }
+
   /// Adds them; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 

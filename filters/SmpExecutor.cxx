@@ -90,7 +90,8 @@ bool SmpExecutor::runBatches(
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
     if (filter_)
     {
-      const double share = static_cast<double>(done) / static_cast<double>(count);
+      const double share = firstProgress_ + (lastProgress_ - firstProgress_) *
+                                              static_cast<double>(done) / static_cast<double>(count);
       filter_->UpdateProgress(showsProgress ? share : filter_->GetProgress());
     }
   }
@@ -99,33 +100,40 @@ bool SmpExecutor::runBatches(
 
 bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
-  return this->runOnBackend(count, work, true);
+  bool complete = false;
+  this->runOnBackend([&]() { complete = this->runBatches(count, work, true); });
+  return complete;
 }
 
 bool SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
 {
-  return this->runOnBackend(count, work, false);
+  bool complete = false;
+  this->runOnBackend([&]() { complete = this->runBatches(count, work, false); });
+  return complete;
 }
 
-bool SmpExecutor::runOnBackend(
-  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress)
+void SmpExecutor::setProgressRange(double first, double last)
+{
+  firstProgress_ = first;
+  lastProgress_ = last;
+}
+
+void SmpExecutor::runOnBackend(const std::function<void()>& work)
 {
   hasRun_ = true;
   const std::string backend = backendToUse();
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
   {
-    return this->runBatches(count, work, showsProgress);
+    work();
+    return;
   }
   const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
-  bool complete = false;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false),
-    [&]() { complete = this->runBatches(count, work, showsProgress); });
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), work);
   // With TBB the scope's limit outlives the scope (VTK 9.1).
   if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
   {
     vtkSMPTools::Initialize(before);
   }
-  return complete;
 }
 
 } // namespace winding

@@ -19,7 +19,11 @@ public:
   /// threads: the most to use, 0 for as many as vtkSMPTools would; never more than there are cores.
   SmpExecutor(vtkAlgorithm* filter, int threads);
 
-  /// Progress goes to 1.
+  /// Work that comes after this takes progress from `first` to `last`, where it is shown; at first
+  /// from 0 to 1.
+  void setProgressRange(double first, double last);
+
+  /// Progress goes to the end of its range.
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
   /// Progress stays. Observers hear of it after every batch all the same, for that is when they can
@@ -33,8 +37,7 @@ public:
   bool hasRun() const { return hasRun_; }
 
 private:
-  bool runOnBackend(
-    std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
+  void runOnBackend(const std::function<void()>& work);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
   void runBatch(
@@ -42,6 +45,8 @@ private:
 
   vtkAlgorithm* filter_;
   int threads_;
+  double firstProgress_ = 0;
+  double lastProgress_ = 1;
   bool hasRun_ = false;
 };
 

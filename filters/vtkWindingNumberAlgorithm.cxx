@@ -159,11 +159,8 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     return nullptr;
   }
   const winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
-  const vtkIdType bytesPerSample =
-    (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
-    (this->GenerateInside ? 1 : 0);
   this->ExpectedSeconds = cost.seconds / executor.threads();
-  this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + bytesPerSample * samples;
+  this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + this->GetBytesPerSample() * samples;
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -174,6 +171,12 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
   return field;
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetBytesPerSample() const
+{
+  return (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
+         (this->GenerateInside ? 1 : 0);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -215,6 +218,11 @@ void vtkWindingNumberAlgorithm::AddResults(
   const winding::ResultArrays& results, vtkDataSet* output, vtkDataSetAttributes* attributes) const
 {
   results.addTo(attributes);
+  this->DescribeMethod(output);
+}
+
+void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
+{
   const auto note = [output](const char* name, const char* text)
   {
     vtkNew<vtkStringArray> array;
@@ -226,7 +234,8 @@ void vtkWindingNumberAlgorithm::AddResults(
   note("WindingNumberMethodReason", this->GetMethodReason());
 }
 
-bool vtkWindingNumberAlgorithm::Evaluate(const std::function<bool(winding::Executor&)>& evaluation)
+bool vtkWindingNumberAlgorithm::Evaluate(
+  const std::function<bool(winding::SmpExecutor&)>& evaluation)
 {
   const Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);

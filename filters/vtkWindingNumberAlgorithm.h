@@ -42,6 +42,7 @@ namespace winding
 class Executor;
 class Field;
 class ResultArrays;
+class SmpExecutor;
 class SourceField;
 struct FieldInfo;
 struct FieldOutput;
@@ -314,15 +315,22 @@ protected:
 
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
-  /// into the output, together with field data that says how they came about.
+  /// into the output, together with what DescribeMethod() adds.
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
     vtkDataSetAttributes* attributes) const;
   ///@}
 
+  /// Field data that says how an output came about.
+  void DescribeMethod(vtkDataObject* output) const;
+
+  /// Bytes that the filter takes for the result at a sample, for ExpectedMemory: of result arrays,
+  /// unless a filter says otherwise.
+  virtual vtkIdType GetBytesPerSample() const;
+
   /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
-  bool Evaluate(const std::function<bool(winding::Executor&)>& evaluation);
+  bool Evaluate(const std::function<bool(winding::SmpExecutor&)>& evaluation);
 
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;

@@ -5,11 +5,9 @@
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
-#include "Verify.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -22,36 +20,11 @@
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-namespace
-{
-
-winding::Bounds toBounds(const double (&b)[6])
-{
-  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
-}
-
-} // namespace
-
 vtkStandardNewMacro(vtkWindingNumberField);
-
-vtkWindingNumberField::vtkWindingNumberField()
-  : Sampling(std::make_unique<winding::Grid>())
-{
-  this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(1);
-}
-
-vtkWindingNumberField::~vtkWindingNumberField() = default;
 
 vtkImageData* vtkWindingNumberField::GetOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
-}
-
-int vtkWindingNumberField::FillInputPortInformation(int, vtkInformation* info)
-{
-  FillSourcePortInformation(info);
-  return 1;
 }
 
 int vtkWindingNumberField::FillOutputPortInformation(int, vtkInformation* info)
@@ -89,25 +62,6 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   }
 }
 
-void vtkWindingNumberField::LayOutGrid(vtkDataObject* source)
-{
-  winding::GridRequest request;
-  double bounds[6];
-  if (this->UseInputBounds && this->GetSourceBounds(source, bounds))
-  {
-    request.bounds = toBounds(bounds);
-    request.padding = this->Padding;
-  }
-  else
-  {
-    request.bounds = toBounds(this->SamplingBounds);
-  }
-  request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
-  request.voxelSize = this->VoxelSize;
-  request.resolution = this->Resolution;
-  *this->Sampling = winding::layOutGrid(request);
-}
-
 void vtkWindingNumberField::GiveInformation(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -123,7 +77,7 @@ void vtkWindingNumberField::GiveInformation(
   this->LookAtSource(source);
   this->LayOutGrid(source);
 
-  const winding::Grid& grid = *this->Sampling;
+  const winding::Grid& grid = this->GetSampling();
   const bool asCells = this->OutputAssociation == CELLS;
   const Eigen::Vector3d origin = asCells ? grid.corner() : grid.firstSample;
   // An image of n cells has n + 1 points.
@@ -138,11 +92,6 @@ void vtkWindingNumberField::GiveInformation(
     vtkDataObject::SetPointDataActiveScalarInfo(
       outInfo, this->GenerateWindingNumber ? this->OutputScalarType : VTK_UNSIGNED_CHAR, 1);
   }
-}
-
-void vtkWindingNumberField::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)
-{
-  winding::askForAll(inputs[0]->GetInformationObject(0));
 }
 
 void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -160,15 +109,7 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
-  if (this->VerifySamples > 0 && this->Method == PARITY)
-  {
-    throw winding::Refusal(
-      "parity is no winding number, so it cannot be verified; choose another method");
-  }
-  if (this->VerifySamples > 0 && !this->GenerateWindingNumber)
-  {
-    throw winding::Refusal("only values can be verified; turn GenerateWindingNumber on");
-  }
+  this->CheckVerification(this->GenerateWindingNumber != 0);
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -180,13 +121,10 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
 
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
-  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[0]),
-    static_cast<vtkIdType>(winding::sampleCount(this->Sampling->wholeExtent())),
-    [this](const winding::Field& built, winding::Executor& executor)
-    { return built.prepare(*this->Sampling, executor); });
+  const winding::Field* field = this->PrepareGridField(vtkDataObject::GetData(inputs[0]));
   const auto evaluate = [&](winding::Executor& executor)
   {
-    return field->evaluate(*this->Sampling, samples, this->OutputTo(results), executor);
+    return field->evaluate(this->GetSampling(), samples, this->OutputTo(results), executor);
   };
   if (!field || !this->Evaluate(evaluate))
   {
@@ -204,46 +142,8 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   this->Verify(*field, samples.data(), results.values());
 }
 
-void vtkWindingNumberField::Verify(
-  const winding::Field& field, const int* samples, vtkDataArray* values)
-{
-  winding::Verification found;
-  if (this->VerifySamples > 0)
-  {
-    constexpr unsigned seed = 20260101;
-    winding::Extent extent;
-    std::copy_n(samples, 6, extent.begin());
-    winding::SmpExecutor executor(this, this->NumberOfThreads);
-    found = winding::verify(
-      field, *this->Sampling, extent,
-      [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); },
-      static_cast<std::size_t>(this->VerifySamples), seed, executor);
-  }
-  this->MaxError = found.everywhere.max;
-  this->RMSError = found.everywhere.rms();
-  this->NearMaxError = found.nearSurface.max;
-  this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
-  this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
-}
-
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const int* dimensions = this->SamplingDimensions;
-  const double* bounds = this->SamplingBounds;
-  os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "VoxelSize: " << this->VoxelSize << "\n";
-  os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
-     << dimensions[2] << "\n";
-  os << indent << "UseInputBounds: " << this->UseInputBounds << "\n";
-  os << indent << "SamplingBounds: " << bounds[0] << " " << bounds[1] << " " << bounds[2] << " "
-     << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
-  os << indent << "VerifySamples: " << this->VerifySamples << "\n";
-  os << indent << "MaxError: " << this->MaxError << "\n";
-  os << indent << "RMSError: " << this->RMSError << "\n";
-  os << indent << "NearMaxError: " << this->NearMaxError << "\n";
-  os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
-  os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
 }

@@ -1,13 +1,19 @@
 #include "Commands.h"
 #include "FieldRun.h"
+#include "FilterSettings.h"
 #include "Messages.h"
 #include "Options.h"
 #include "OutputFile.h"
 
+#include "vtkNew.h"
+#include "vtkWindingNumberField.h"
+
 void runField(const Options& options, Messages& messages)
 {
   OutputFile output(options.output);
-  FieldRun run(options, messages);
+  vtkNew<vtkWindingNumberField> field;
+  applyAssociation(options, field);
+  FieldRun run(*field, options, messages);
   if (options.pieces == 1)
   {
     run.update();

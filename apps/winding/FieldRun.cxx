@@ -9,17 +9,16 @@
 #include "WriteOutput.h"
 
 #include "vtkCommand.h"
-#include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkPointSet.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
 
-FieldRun::FieldRun(const Options& options, Messages& messages)
+FieldRun::FieldRun(
+  vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages)
   : options_(options)
   , messages_(messages)
+  , filter_(&filter)
 {
   const auto input = readInput(options.input, options, messages);
   readSeconds_ = stopwatch_.total();
@@ -38,12 +37,11 @@ FieldRun::~FieldRun()
   filter_->RemoveObserver(endObserver_);
 }
 
-vtkImageData* FieldRun::update()
+void FieldRun::update()
 {
   const Progress progress(filter_, "field", options_.quiet);
   filter_->Update();
   this->check();
-  return filter_->GetOutput();
 }
 
 void FieldRun::write(OutputFile& file)
@@ -109,24 +107,21 @@ void FieldRun::addExecution()
 
 Json FieldRun::describeGrid() const
 {
-  vtkInformation* information = filter_->GetOutputInformation(0);
-  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  const double* origin = information->Get(vtkDataObject::ORIGIN());
-  const double* spacing = information->Get(vtkDataObject::SPACING());
-  const bool cells = filter_->GetOutputAssociation() == vtkWindingNumberField::CELLS;
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
   Json dimensions, origins, spacings, bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int voxels = extent[2 * axis + 1] - extent[2 * axis] + (cells ? 0 : 1);
-    const double low = origin[axis] - (cells ? 0 : spacing[axis] / 2);
-    dimensions.push_back(voxels);
-    origins.push_back(origin[axis]);
+    const double low = firstSample[axis] - spacing[axis] / 2;
+    dimensions.push_back(voxels[axis]);
+    origins.push_back(options_.cells ? low : firstSample[axis]);
     spacings.push_back(spacing[axis]);
     bounds.push_back(low);
-    bounds.push_back(low + voxels * spacing[axis]);
+    bounds.push_back(low + voxels[axis] * spacing[axis]);
   }
   return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
-    {"bounds", bounds}, {"association", cells ? "cells" : "points"}};
+    {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"}};
 }
 
 void FieldRun::addErrors(Json& report) const

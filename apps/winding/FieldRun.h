@@ -2,33 +2,32 @@
 
 #include "Report.h"
 
-#include "vtkNew.h"
-#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberGridAlgorithm.h"
 
 class Messages;
 class OutputFile;
 struct Options;
-class vtkImageData;
 class vtkPolyData;
 
 /**
- * One run of the field filter over the input of a command, with the figures that it reports: what
- * field, surface and voxels have in common.
+ * One run of a filter that samples a grid over the input of a command, with the figures that it
+ * reports: what field, surface and voxels have in common.
  */
 class FieldRun
 {
 public:
-  /// Reads the input and lays out the grid.
-  FieldRun(const Options& options, Messages& messages);
+  /// Reads the input and gives it to the filter, with the options. References are kept.
+  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
   ~FieldRun();
 
-  /// Evaluates the whole field.
-  vtkImageData* update();
+  /// Makes the whole output of the filter.
+  void update();
 
-  /// Writes the field, and evaluates it piece by piece where update() was not called.
+  /// Writes the field that the filter gives, and evaluates it piece by piece where update() was not
+  /// called.
   void write(OutputFile& file);
 
-  /// Writes a surface that was made of the field.
+  /// Writes a surface that was made of the field or by the filter.
   void write(vtkPolyData* surface, OutputFile& file);
 
   /// The report so far; call it when the output is written.
@@ -47,7 +46,7 @@ private:
 
   const Options& options_;
   Messages& messages_;
-  vtkNew<vtkWindingNumberField> filter_;
+  vtkWindingNumberGridAlgorithm* filter_;
   unsigned long startObserver_ = 0;
   unsigned long endObserver_ = 0;
   Stopwatch stopwatch_;

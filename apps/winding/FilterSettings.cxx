@@ -26,7 +26,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetNumberOfThreads(options.threads);
 }
 
-void applyGrid(const Options& options, vtkWindingNumberField* filter)
+void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
 {
   filter->SetResolution(options.resolution);
   filter->SetVoxelSize(options.voxelSize);
@@ -40,9 +40,13 @@ void applyGrid(const Options& options, vtkWindingNumberField* filter)
     filter->SetSamplingBounds(options.bounds.data());
   }
   filter->SetPadding(options.padding);
+  filter->SetVerifySamples(options.verify);
+}
+
+void applyAssociation(const Options& options, vtkWindingNumberField* filter)
+{
   filter->SetOutputAssociation(
     options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
-  filter->SetVerifySamples(options.verify);
 }
 
 void checkFilter(int status, const std::string& fileName, Messages& messages)

@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "FieldRun.h"
+#include "FilterSettings.h"
 #include "Interrupt.h"
 #include "Messages.h"
 #include "Options.h"
@@ -10,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkWindingNumberField.h"
 #include "vtkWindingNumberVoxels.h"
 
 void runVoxels(const Options& given, Messages& messages)
@@ -19,10 +21,12 @@ void runVoxels(const Options& given, Messages& messages)
   // values can be verified.
   options.insideOnly = !options.asDouble && options.verify == 0;
   OutputFile output(options.output);
-  FieldRun run(options, messages);
-  vtkImageData* field = run.update();
+  vtkNew<vtkWindingNumberField> field;
+  applyAssociation(options, field);
+  FieldRun run(*field, options, messages);
+  run.update();
   vtkNew<vtkWindingNumberVoxels> voxels;
-  voxels->SetInputData(field);
+  voxels->SetInputData(field->GetOutput());
   voxels->SetInputArrayToProcess(0, 0, 0,
     options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
                   : vtkDataObject::FIELD_ASSOCIATION_POINTS,

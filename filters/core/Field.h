@@ -17,6 +17,7 @@ namespace winding
 
 class Evaluator;
 class GradientEvaluator;
+struct Surface;
 
 /// How w is found. Every method but parity gives the winding number.
 enum class Method
@@ -128,8 +129,8 @@ public:
   virtual bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples; where the method needs a grid, by the direct sum. False when the
-  /// executor was interrupted.
+  /// Evaluates scattered samples; where the method needs a grid, hierarchically as far as the tolerance
+  /// admits that. False when the executor was interrupted.
   virtual bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
@@ -147,6 +148,9 @@ public:
    * at scattered samples depend on.
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+
+  /// The triangles that it is the field of; null for points.
+  virtual const Surface* surface() const { return nullptr; }
 
   /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;

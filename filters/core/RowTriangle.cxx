@@ -111,6 +111,14 @@ double RowTriangle::crossingX(int j, int k, double& error) const
   return x;
 }
 
+double RowTriangle::crossingAt(int j, int k) const
+{
+  double error;
+  const double x = this->crossingX(j, k, error);
+  // Along the rows, any place of the triangle is as good as another.
+  return std::isfinite(error) ? std::clamp(x, lowX_, highX_) : 0.5 * (lowX_ + highX_);
+}
+
 int RowTriangle::firstBehind(int j, int k, int sign, int lowest, int highest) const
 {
   double error;

@@ -30,6 +30,9 @@ public:
   /// crossing, highest + 1 if there is none. Samples before it see the triangle along +x.
   int firstBehind(int j, int k, int sign, int lowest, int highest) const;
 
+  /// For a row that crosses: where, as far as rounding goes, and never beyond the triangle.
+  double crossingAt(int j, int k) const;
+
 private:
   double crossingX(int j, int k, double& error) const;
 

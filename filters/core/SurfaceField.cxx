@@ -91,6 +91,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
   info_.why = chain.edges.empty()
                 ? "closed after welding: integers, found for whole rows"
                 : "open: rows find the integer part, a cap of " + cap + " gives the rest";
+  this->makeFarField(options.tolerance); // takes nothing before scattered samples come
 }
 
 /// The far field where the tolerance admits it and it is faster than the direct sum, else that.
@@ -102,7 +103,6 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(options.tolerance);
   if (options.method == Method::automatic &&
       isCheaperDirectly(Primitive::triangle, info_.primitives, order_))
   {
@@ -110,14 +110,23 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
     return;
   }
   info_.method = Method::hierarchical;
-  farField_ = std::make_unique<TriangleFarField>(
-    surface_.vertices, surface_.triangles, surface_.bounds, accuracy);
+  this->makeFarField(options.tolerance);
+}
+
+/// Of all triangles, if the tolerance admits one.
+void SurfaceField::makeFarField(double tolerance)
+{
+  if (tolerance >= FarFieldAccuracy::finest)
+  {
+    farField_ = std::make_unique<TriangleFarField>(
+      surface_.vertices, surface_.triangles, surface_.bounds, FarFieldAccuracy::of(tolerance));
+  }
 }
 
 /// Few samples are not worth a tree, unless it was asked for.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
-  return farField_ && (isAskedFor_ ||
+  return farField_ && ((isAskedFor_ && info_.method == Method::hierarchical) ||
                         !isCheaperDirectly(Primitive::triangle, info_.primitives, samples, order_));
 }
 
@@ -149,13 +158,16 @@ bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 bool SurfaceField::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  if (farField_)
+  if (capped_)
   {
-    const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
-    return suiting && suiting->evaluate(grid, extent, output, executor);
+    return capped_->evaluate(grid, extent, output, executor);
   }
-  return capped_ ? capped_->evaluate(grid, extent, output, executor)
-                 : Field::evaluate(grid, extent, output, executor);
+  if (!farField_)
+  {
+    return Field::evaluate(grid, extent, output, executor);
+  }
+  const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
+  return suiting && suiting->evaluate(grid, extent, output, executor);
 }
 
 bool SurfaceField::evaluate(

@@ -28,6 +28,7 @@ public:
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
+  const Surface* surface() const override { return &surface_; }
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
@@ -39,6 +40,7 @@ protected:
 private:
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
   void chooseFarField(const FieldOptions& options, const std::string& why);
+  void makeFarField(double tolerance);
 
   bool usesFarField(std::size_t samples) const;
 
@@ -48,8 +50,8 @@ private:
   int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
-  std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical
-  std::unique_ptr<const Evaluator> evaluator_;       ///< for scattered samples, and other methods
+  std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical, and scattered samples
+  std::unique_ptr<const Evaluator> evaluator_;       ///< what these leave
 };
 
 } // namespace winding

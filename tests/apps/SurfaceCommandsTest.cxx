@@ -112,4 +112,24 @@ TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
   EXPECT_TRUE(run.saysInOneLine({"one voxel along y"})) << run;
 }
 
+/// Contouring 0 and 1 shows steps of half a voxel, which add a tenth to the area.
+TEST(SurfaceCommand, IsAsSmoothAsItsInput)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(3)));
+  for (const char* more : {"--json", "--double"})
+  {
+    const std::string out = folder.path("out.vtp");
+    const Outcome run = runProgram({"surface", in, "-o", out, "--resolution", "40", more});
+    EXPECT_EQ(run.status, 0) << run;
+    const nlohmann::json report = runProgram({"check", out, "--json"}).json();
+    const nlohmann::json expected = runProgram({"check", in, "--json"}).json();
+    EXPECT_NEAR(report["area"].get<double>() / expected["area"].get<double>(), 1, 0.01) << report;
+    EXPECT_NEAR(report["volume"].get<double>() / expected["volume"].get<double>(), 1, 0.01) << report;
+    const bool isDouble =
+      contentsOf(out).find("type=\"Float64\" Name=\"Points\"") != std::string::npos;
+    EXPECT_EQ(isDouble, std::string(more) == "--double");
+  }
+}
+
 } // namespace

@@ -1,18 +1,16 @@
+#include "filters/ReadMesh.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSTLReader.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <gtest/gtest.h>
 
@@ -71,23 +69,6 @@ std::map<std::string, bool> readManifest()
   return closed;
 }
 
-template <class Reader> vtkSmartPointer<vtkPolyData> readWith(const std::string& fileName)
-{
-  vtkNew<Reader> reader;
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> read(const std::string& fileName)
-{
-  const std::string suffix = fileName.substr(fileName.rfind('.'));
-  return suffix == ".obj"   ? readWith<vtkOBJReader>(fileName)
-         : suffix == ".ply" ? readWith<vtkPLYReader>(fileName)
-         : suffix == ".stl" ? readWith<vtkSTLReader>(fileName)
-                            : readWith<vtkXMLPolyDataReader>(fileName);
-}
-
 const double* valuesOf(vtkDataSet* data)
 {
   return vtkDoubleArray::SafeDownCast(data->GetPointData()->GetScalars("WindingNumber"))
@@ -123,7 +104,7 @@ protected:
     }
     ASSERT_EQ(manifest.count(GetParam()), 1u);
     isClosed_ = manifest.at(GetParam());
-    mesh_ = read(std::string(WINDING_SHARED_DATA "/") + GetParam());
+    mesh_ = readMesh(std::string(WINDING_SHARED_DATA "/") + GetParam());
     ASSERT_GT(mesh_->GetNumberOfCells(), 0);
     locator_->SetDataSet(mesh_);
     locator_->BuildLocator();

@@ -33,20 +33,30 @@ COMMON = {
     "OutputScalarType": (11, "11"),
     "NumberOfThreads": (3, "3"),
 }
+GRID = {
+    "Resolution": (17, "17"),
+    "VoxelSize": (0.5, "0.5"),
+    "SamplingDimensions": ((3, 4, 5), "3 4 5"),
+    "UseInputBounds": (0, "0"),
+    "SamplingBounds": ((-1, 2, -3, 4, -5, 6), "-1 2 -3 4 -5 6"),
+    "Padding": (0.5, "0.5"),
+    "VerifySamples": (100, "100"),
+}
 SETTABLE = {
     "SurfaceReport": {
         "NormalsArray": ("Orientation", "Orientation"),
     },
     "WindingNumberField": {
         **COMMON,
-        "Resolution": (17, "17"),
-        "VoxelSize": (0.5, "0.5"),
-        "SamplingDimensions": ((3, 4, 5), "3 4 5"),
-        "UseInputBounds": (0, "0"),
-        "SamplingBounds": ((-1, 2, -3, 4, -5, 6), "-1 2 -3 4 -5 6"),
-        "Padding": (0.5, "0.5"),
+        **GRID,
         "OutputAssociation": (1, "1"),
-        "VerifySamples": (100, "100"),
+    },
+    "WindingNumberSurface": {
+        **COMMON,
+        **GRID,
+        "CloseBorder": (1, "1"),
+        "GenerateNormals": (0, "0"),
+        "OutputPointsPrecision": (1, "1"),
     },
     "WindingNumberProbe": {
         **COMMON,
@@ -80,9 +90,11 @@ COMMON_REPORTED = {
     "PrepareSeconds",
     "EvaluateSeconds",
 }
+GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
 REPORTED = {
     "SurfaceReport": {"Advice"},
-    "WindingNumberField": COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"},
+    "WindingNumberField": GRID_REPORTED,
+    "WindingNumberSurface": GRID_REPORTED,
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
     "PointAreas": {"TotalArea"},
@@ -92,6 +104,7 @@ LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
 INPUTS = {
     "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
+    "WindingNumberSurface": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
     "PointAreas": {"Input"},
@@ -109,6 +122,7 @@ ENUMERATIONS = {
     "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
     "OutputAssociation": {"Points at Voxel Centres": 0, "Cells": 1},
+    "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centres": 1},
 }
 
@@ -369,6 +383,7 @@ class TestProxies(unittest.TestCase):
         labels = {
             "SurfaceReport": "Surface Report",
             "WindingNumberField": "Winding Number Field",
+            "WindingNumberSurface": "Winding Number Surface",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberVoxels": "Winding Number Voxels",
             "PointAreas": "Point Areas",
@@ -772,6 +787,29 @@ class TestVoxels(unittest.TestCase):
         self.assertEqual(volume_of(result(voxels)), volume)
         voxels.WindingThreshold = 2
         self.assertEqual(result(voxels).GetNumberOfCells(), 0)
+
+
+class TestSurface(unittest.TestCase):
+    def test_lies_on_the_input(self):
+        surface = WindingNumberSurface(Input=unit_sphere(), Resolution=32)
+        output = result(surface)
+        self.assertAlmostEqual(volume_of(output), volume_of(result(unit_sphere())), delta=0.02)
+        for index in range(output.GetNumberOfPoints()):
+            self.assertAlmostEqual(math.hypot(*output.GetPoint(index)), 1, delta=0.01)
+        self.assertIsNotNone(output.GetPointData().GetNormals())
+        self.assertEqual(information(surface, "MethodUsed"), "rows")
+
+    def test_closes_the_border_on_request(self):
+        box = {"UseInputBounds": 0, "SamplingBounds": [-0.1, 0.1] * 3}
+        surface = WindingNumberSurface(Input=unit_sphere(), Resolution=8, **box)
+        self.assertEqual(result(surface).GetNumberOfCells(), 0)
+        surface.CloseBorder = 1
+        self.assertAlmostEqual(volume_of(result(surface)), 0.008, delta=0.001)
+
+    def test_panel_shows_the_level_and_no_result_arrays(self):
+        surface = WindingNumberSurface(Input=unit_sphere())
+        self.assertEqual(shown(surface, "Inside and Outside"), {"WindingThreshold", "InsideRule"})
+        self.assertEqual(shown(surface, "Result"), set())
 
 
 class TestReaders(unittest.TestCase):

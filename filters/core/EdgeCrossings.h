@@ -1,0 +1,49 @@
+#pragma once
+
+#include "Executor.h"
+#include "Grid.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/// An edge of a grid: from a sample to the next one along an axis.
+struct GridEdge
+{
+  std::array<int, 3> sample;
+  int axis;
+};
+
+/**
+ * Where a surface crosses some edges of a grid: found from the triangles, each of which knows the
+ * lines of samples that it meets (RowTriangle.h), so that no triangle is asked about an edge that it
+ * is not near to.
+ *
+ * Guaranteed: (1) an edge whose line crosses the surface between its two samples has that crossing,
+ * whatever the rounding; where the line meets an edge or a vertex of the surface, one of the triangles
+ * there has it; (2) places are right up to rounding, or anywhere on the triangle where it lies along
+ * the line; (3) the same bits for any executor.
+ *
+ * Time: linear in the triangles, the edges, the lines of the grid and the crossings of all of these.
+ * Memory: 4 bytes per line of the grid, 24 per vertex of the surface, and about 40 for each edge.
+ */
+class EdgeCrossings
+{
+public:
+  /// No edge may be given twice. Throws Interrupted.
+  EdgeCrossings(const Surface& surface, const Grid& grid, const std::vector<GridEdge>& edges,
+    Executor& executor);
+
+  ///@{
+  /// Crossings of an edge, ascending: 0 at its first sample, 1 at its second.
+  const double* begin(std::size_t edge) const { return fractions_.data() + starts_[edge]; }
+  const double* end(std::size_t edge) const { return fractions_.data() + starts_[edge + 1]; }
+  ///@}
+
+private:
+  std::vector<std::size_t> starts_; ///< of each edge's, and the end
+  std::vector<double> fractions_;
+};
+
+} // namespace winding

@@ -1,0 +1,214 @@
+#include "LevelRoots.h"
+
+#include "FarFieldAccuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Brackets are halved until they are this long, as a fraction of an edge. A power of 2.
+constexpr int halvings = 14;
+constexpr double shortest = 1.0 / (1 << halvings);
+
+/// Where a crossing is asked for before and behind it. Far more than the rounding of crossings, far
+/// less than what matters.
+constexpr double besideCrossing = 1.0 / (1 << 20);
+
+constexpr std::size_t edgesPerBlock = 4096;
+
+/// Where ITP evaluates next, with κ₁ = 0.2, κ₂ = 2 and n₀ = 1, on a bracket that was of length 1.
+double nextByItp(double low, double high, double lowLevel, double highLevel, int step)
+{
+  const double middle = 0.5 * (low + high), width = high - low;
+  const double slope = highLevel - lowLevel;
+  const double secant =
+    slope != 0 ? std::clamp((highLevel * low - lowLevel * high) / slope, low, high) : middle;
+  const double towardsMiddle = std::copysign(1.0, middle - secant);
+  const double shift = 0.2 * width * width;
+  const double truncated =
+    shift <= std::abs(middle - secant) ? secant + towardsMiddle * shift : middle;
+  const double slack = std::max(0.0, std::ldexp(shortest, halvings - step) - 0.5 * width);
+  return std::abs(truncated - middle) <= slack ? truncated : middle - towardsMiddle * slack;
+}
+
+} // namespace
+
+LevelRoots::LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
+  const std::function<Ends(const GridEdge&)>& endsOf, InsideRule rule, double threshold,
+  double tolerance, Executor& executor)
+  : field_(field)
+  , grid_(grid)
+  , edges_(std::move(edges))
+  , rule_(rule)
+  , threshold_(threshold)
+  , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
+  , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
+  , fractions_(edges_.size())
+{
+  if (field.surface())
+  {
+    crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges_, executor);
+  }
+  // Of most edges of closed surfaces nothing else is asked, nor is memory taken for them.
+  std::vector<std::vector<Search>> found((edges_.size() + edgesPerBlock - 1) / edgesPerBlock);
+  runBlocks(
+    edges_.size(), edgesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (this->isFoundByCrossings(i, 0, 1))
+        {
+          continue;
+        }
+        const Ends ends = endsOf(edges_[i]);
+        Search search = {};
+        search.edge = static_cast<std::uint32_t>(i);
+        search.firstIsInside = ends.firstIsInside;
+        search.lowLevel = ends.levels[0];
+        search.highLevel = ends.levels[1];
+        found[block].push_back(search);
+      }
+    },
+    executor);
+  for (const std::vector<Search>& some : found)
+  {
+    searches_.insert(searches_.end(), some.begin(), some.end());
+  }
+  if (!this->dropFound(executor))
+  {
+    throw Interrupted();
+  }
+}
+
+/// Whether there is but one place where the field can change between two fractions of an edge; then it
+/// is kept.
+bool LevelRoots::isFoundByCrossings(std::size_t edge, double low, double high)
+{
+  if (!crossings_ || !jumpsOnly_)
+  {
+    return false;
+  }
+  const double* end = crossings_->end(edge);
+  const double* first = std::lower_bound(crossings_->begin(edge), end, low);
+  if (std::upper_bound(first, end, high) - first != 1)
+  {
+    return false;
+  }
+  fractions_[edge] = *first;
+  return true;
+}
+
+/// Whether what is known of a root is enough; then it is kept.
+bool LevelRoots::isFound(const Search& search)
+{
+  if (this->isFoundByCrossings(search.edge, search.low, search.high))
+  {
+    return true;
+  }
+  double& root = fractions_[search.edge];
+  if (search.high - search.low <= shortest)
+  {
+    root = 0.5 * (search.low + search.high);
+    return true;
+  }
+  const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
+  root = lowIsCloser ? search.low : search.high;
+  return std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
+}
+
+void LevelRoots::chooseNext(Search& search) const
+{
+  if (crossings_)
+  {
+    const double* first =
+      std::upper_bound(crossings_->begin(search.edge), crossings_->end(search.edge), search.low);
+    const double* last = std::lower_bound(first, crossings_->end(search.edge), search.high);
+    if (first != last)
+    {
+      const double crossing = first[(last - first) / 2];
+      const double before = crossing - besideCrossing, behind = crossing + besideCrossing;
+      search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
+      return;
+    }
+  }
+  search.next = nextByItp(search.low, search.high, search.lowLevel, search.highLevel, search.steps);
+  ++search.steps;
+}
+
+void LevelRoots::narrow(Search& search, double windingNumber) const
+{
+  const double level = levelOf(windingNumber, rule_, threshold_);
+  if (isInside(windingNumber, rule_, threshold_) == search.firstIsInside)
+  {
+    search.low = search.next;
+    search.lowLevel = level;
+  }
+  else
+  {
+    search.high = search.next;
+    search.highLevel = level;
+  }
+}
+
+/// Keeps the searches that go on, in their order. False when the executor was interrupted.
+bool LevelRoots::dropFound(Executor& executor)
+{
+  std::vector<unsigned char> goesOn(searches_.size());
+  const bool complete = executor.runBriefly((searches_.size() + edgesPerBlock - 1) / edgesPerBlock,
+    [&](std::size_t block)
+    {
+      const std::size_t first = block * edgesPerBlock;
+      const std::size_t last = std::min(searches_.size(), first + edgesPerBlock);
+      for (std::size_t i = first; i < last; ++i)
+      {
+        goesOn[i] = !this->isFound(searches_[i]);
+        if (goesOn[i])
+        {
+          this->chooseNext(searches_[i]);
+        }
+      }
+    });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    if (goesOn[i])
+    {
+      searches_[kept++] = searches_[i];
+    }
+  }
+  searches_.resize(kept);
+  return complete;
+}
+
+bool LevelRoots::advance(Executor& executor)
+{
+  std::vector<double> positions(3 * searches_.size()), values(searches_.size());
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    const GridEdge& edge = edges_[searches_[i].edge];
+    Eigen::Vector3d steps(edge.sample[0], edge.sample[1], edge.sample[2]);
+    steps[edge.axis] += searches_[i].next;
+    const Eigen::Vector3d position = grid_.firstSample + steps.cwiseProduct(grid_.spacing);
+    std::copy_n(position.data(), 3, &positions[3 * i]);
+  }
+  FieldOutput output;
+  output.doubleValues = values.data();
+  if (!field_.evaluate(VectorsView(positions.data(), searches_.size()), output, executor))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    this->narrow(searches_[i], values[i]);
+  }
+  return this->dropFound(executor);
+}
+
+} // namespace winding

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "EdgeCrossings.h"
+#include "Field.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * Where a level of a field crosses edges of a grid, whose two samples lie on different sides of it: all
+ * edges at once, in rounds, each of which evaluates one scattered sample for every edge that is not
+ * done.
+ *
+ * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
+ * first. Where the surface is closed the field changes nowhere else: an edge with one crossing needs no
+ * evaluation. Where it is open, the samples just before and behind a crossing tell whether the level is
+ * there. What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
+ * method average performance preserving minmax optimality, 2020), which takes a round more than
+ * bisection at most, and far fewer where the field is smooth.
+ *
+ * Guaranteed: a root is a crossing of the surface at which the field jumps over the level; or a place
+ * where it is off the level by a twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from
+ * samples on either side of the level.
+ */
+class LevelRoots
+{
+public:
+  /// What is known of the samples of an edge.
+  struct Ends
+  {
+    bool firstIsInside; ///< and the second is not, or the other way round
+    double levels[2]; ///< how far they are beyond the level (levelOf()); ±0.5 if that is not known
+  };
+
+  /// endsOf tells about an edge, where that is needed, from the executor's threads. Keeps references to
+  /// field and grid. tolerance: as of the field. Throws Interrupted.
+  LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
+    const std::function<Ends(const GridEdge& edge)>& endsOf, InsideRule rule, double threshold,
+    double tolerance, Executor& executor);
+
+  /// Whether every root is found.
+  bool isDone() const { return searches_.empty(); }
+
+  /// The next round; mostly there are less than 20. False when the executor was interrupted.
+  bool advance(Executor& executor);
+
+  /// The roots, one for each edge: 0 at its first sample, 1 at its second.
+  const std::vector<double>& fractions() const { return fractions_; }
+
+private:
+  /// The bracket of a root that is not found yet: fractions of an edge, and what is known there.
+  struct Search
+  {
+    std::uint32_t edge;
+    bool firstIsInside;
+    int steps = 0; ///< of ITP
+    double low = 0, high = 1;
+    double lowLevel, highLevel;
+    double next = 0; ///< where to evaluate
+  };
+
+  bool isFoundByCrossings(std::size_t edge, double low, double high);
+  bool isFound(const Search& search);
+  void chooseNext(Search& search) const;
+  void narrow(Search& search, double windingNumber) const;
+  bool dropFound(Executor& executor);
+
+  const Field& field_;
+  const Grid& grid_;
+  std::vector<GridEdge> edges_;
+  InsideRule rule_;
+  double threshold_;
+  double levelTolerance_;
+  bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
+  std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
+  std::vector<double> fractions_;
+  std::vector<Search> searches_; ///< those that are not done
+};
+
+} // namespace winding

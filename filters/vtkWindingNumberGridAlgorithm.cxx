@@ -1,0 +1,139 @@
+#include "vtkWindingNumberGridAlgorithm.h"
+
+#include "Grid.h"
+#include "Refusal.h"
+#include "SmpExecutor.h"
+#include "SourceParts.h"
+#include "Verify.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <algorithm>
+
+namespace
+{
+
+winding::Bounds toBounds(const double (&b)[6])
+{
+  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
+}
+
+} // namespace
+
+vtkWindingNumberGridAlgorithm::vtkWindingNumberGridAlgorithm()
+  : Sampling(std::make_unique<winding::Grid>())
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(1);
+}
+
+vtkWindingNumberGridAlgorithm::~vtkWindingNumberGridAlgorithm() = default;
+
+int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  FillSourcePortInformation(info);
+  return 1;
+}
+
+void vtkWindingNumberGridAlgorithm::AskForUpdate(
+  vtkInformationVector** inputs, vtkInformationVector*)
+{
+  winding::askForAll(inputs[0]->GetInformationObject(0));
+}
+
+void vtkWindingNumberGridAlgorithm::GetGrid(
+  int dimensions[3], double firstSample[3], double spacing[3]) const
+{
+  const winding::Grid& grid = *this->Sampling;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    dimensions[axis] = grid.dimensions[axis];
+    firstSample[axis] = grid.firstSample[axis];
+    spacing[axis] = grid.spacing[axis];
+  }
+}
+
+void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
+{
+  winding::GridRequest request;
+  double bounds[6];
+  if (this->UseInputBounds && this->GetSourceBounds(source, bounds))
+  {
+    request.bounds = toBounds(bounds);
+    request.padding = this->Padding;
+  }
+  else
+  {
+    request.bounds = toBounds(this->SamplingBounds);
+  }
+  request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
+  request.voxelSize = this->VoxelSize;
+  request.resolution = this->Resolution;
+  *this->Sampling = winding::layOutGrid(request);
+}
+
+const winding::Field* vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObject* source)
+{
+  return this->PrepareField(source,
+    static_cast<vtkIdType>(winding::sampleCount(this->Sampling->wholeExtent())),
+    [this](const winding::Field& built, winding::Executor& executor)
+    { return built.prepare(*this->Sampling, executor); });
+}
+
+void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
+{
+  if (this->VerifySamples > 0 && this->Method == PARITY)
+  {
+    throw winding::Refusal(
+      "parity is no winding number, so it cannot be verified; choose another method");
+  }
+  if (this->VerifySamples > 0 && !hasValues)
+  {
+    throw winding::Refusal("only values can be verified; turn GenerateWindingNumber on");
+  }
+}
+
+void vtkWindingNumberGridAlgorithm::Verify(
+  const winding::Field& field, const int* samples, vtkDataArray* values)
+{
+  winding::Verification found;
+  if (this->VerifySamples > 0)
+  {
+    constexpr unsigned seed = 20260101;
+    winding::Extent extent;
+    std::copy_n(samples, 6, extent.begin());
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    found = winding::verify(
+      field, *this->Sampling, extent,
+      [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); },
+      static_cast<std::size_t>(this->VerifySamples), seed, executor);
+  }
+  this->MaxError = found.everywhere.max;
+  this->RMSError = found.everywhere.rms();
+  this->NearMaxError = found.nearSurface.max;
+  this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
+  this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
+}
+
+void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* dimensions = this->SamplingDimensions;
+  const double* bounds = this->SamplingBounds;
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "VoxelSize: " << this->VoxelSize << "\n";
+  os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
+     << dimensions[2] << "\n";
+  os << indent << "UseInputBounds: " << this->UseInputBounds << "\n";
+  os << indent << "SamplingBounds: " << bounds[0] << " " << bounds[1] << " " << bounds[2] << " "
+     << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "VerifySamples: " << this->VerifySamples << "\n";
+  os << indent << "MaxError: " << this->MaxError << "\n";
+  os << indent << "RMSError: " << this->RMSError << "\n";
+  os << indent << "NearMaxError: " << this->NearMaxError << "\n";
+  os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
+  os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
+}

@@ -1,0 +1,136 @@
+/**
+ * @class   vtkWindingNumberGridAlgorithm
+ * @brief   what winding-number filters that sample a regular grid have in common: the grid
+ *
+ * **Grid.** The samples are the centres of voxels that fill a box: the input's bounds and a padding
+ * around them, or SamplingBounds. Voxels are cubic, their size given by VoxelSize or by Resolution,
+ * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
+ * says how many there are along each axis, and they fill the box exactly.
+ *
+ * Properties or bounds that give no grid are refused in one line through vtkErrorMacro.
+ *
+ * @sa vtkWindingNumberField vtkWindingNumberSurface
+ */
+#ifndef vtkWindingNumberGridAlgorithm_h
+#define vtkWindingNumberGridAlgorithm_h
+
+#include "vtkWindingNumberAlgorithm.h"
+
+namespace winding
+{
+struct Grid;
+}
+class vtkDataArray;
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberGridAlgorithm : public vtkWindingNumberAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWindingNumberGridAlgorithm, vtkWindingNumberAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Cubic voxels along the longest side. Used where neither SamplingDimensions nor VoxelSize is
+  /// set. At least 1, default 64.
+  vtkSetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /// Side of the cubic voxels, in the unit of the input; 0: from Resolution. Default 0.
+  vtkSetMacro(VoxelSize, double);
+  vtkGetMacro(VoxelSize, double);
+  ///@}
+
+  ///@{
+  /// Voxels along each axis, which need not be cubic then; 0 0 0: cubic voxels. Default 0 0 0.
+  vtkSetVector3Macro(SamplingDimensions, int);
+  vtkGetVector3Macro(SamplingDimensions, int);
+  ///@}
+
+  ///@{
+  /// Lay the grid over the bounds of the input, with Padding, instead of SamplingBounds. Default
+  /// on.
+  vtkSetMacro(UseInputBounds, vtkTypeBool);
+  vtkGetMacro(UseInputBounds, vtkTypeBool);
+  vtkBooleanMacro(UseInputBounds, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The outer faces of the voxels: xmin, xmax, ymin, ymax, zmin, zmax. Used as they are, without
+  /// padding, where UseInputBounds is off or the input is empty. Default 0 1 0 1 0 1.
+  vtkSetVector6Macro(SamplingBounds, double);
+  vtkGetVector6Macro(SamplingBounds, double);
+  ///@}
+
+  ///@{
+  /// Margin around the input's bounds on each side, as a fraction of their longest side. 0 or more,
+  /// default 0.05.
+  vtkSetMacro(Padding, double);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /// Compare this many random samples, and as many within two voxels of the source, with the direct
+  /// sum done one triangle after the other in double precision; not for parity. Default 0.
+  vtkSetClampMacro(VerifySamples, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VerifySamples, int);
+  ///@}
+
+  ///@{
+  /// What the last execution's verification found: largest and root-mean-square error over the
+  /// random samples, and the largest over those near the source; and how many samples there were,
+  /// of the two together. When streaming: those of the extent that was executed last.
+  vtkGetMacro(MaxError, double);
+  vtkGetMacro(RMSError, double);
+  vtkGetMacro(NearMaxError, double);
+  vtkGetMacro(NumberOfVerifiedSamples, vtkIdType);
+  vtkGetMacro(NumberOfNearVerifiedSamples, vtkIdType);
+  ///@}
+
+  /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the samples.
+  /// 0 voxels before the first.
+  void GetGrid(int dimensions[3], double firstSample[3], double spacing[3]) const;
+
+protected:
+  vtkWindingNumberGridAlgorithm();
+  ~vtkWindingNumberGridAlgorithm() override;
+
+  vtkWindingNumberGridAlgorithm(const vtkWindingNumberGridAlgorithm&) = delete;
+  void operator=(const vtkWindingNumberGridAlgorithm&) = delete;
+
+  bool EvaluatesGrid() const override { return true; }
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  /// Lays the grid that the properties want over a source.
+  void LayOutGrid(vtkDataObject* source);
+  const winding::Grid& GetSampling() const { return *this->Sampling; }
+
+  /// The field of a source, prepared for the whole grid. Null, with Status set, if aborted.
+  const winding::Field* PrepareGridField(vtkDataObject* source);
+
+  /// Throws what keeps the samples from being verified, if that is asked for; hasValues: whether there
+  /// will be an array of w.
+  void CheckVerification(bool hasValues) const;
+
+  /// Verifies the values of an extent, if that is asked for.
+  void Verify(const winding::Field& field, const int samples[6], vtkDataArray* values);
+
+  int Resolution = 64;
+  double VoxelSize = 0;
+  int SamplingDimensions[3] = {0, 0, 0};
+  vtkTypeBool UseInputBounds = 1;
+  double SamplingBounds[6] = {0, 1, 0, 1, 0, 1};
+  double Padding = 0.05;
+  int VerifySamples = 0;
+  double MaxError = 0;
+  double RMSError = 0;
+  double NearMaxError = 0;
+  vtkIdType NumberOfVerifiedSamples = 0;
+  vtkIdType NumberOfNearVerifiedSamples = 0;
+
+private:
+  std::unique_ptr<winding::Grid> Sampling;
+};
+
+#endif

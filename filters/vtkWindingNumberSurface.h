@@ -1,0 +1,104 @@
+/**
+ * @class   vtkWindingNumberSurface
+ * @brief   smooth surface of a winding-number field: w = WindingThreshold
+ *
+ * Takes a source (see vtkWindingNumberAlgorithm) and gives the surface of what is inside, as
+ * triangles: where w crosses WindingThreshold or, more generally, where InsideRule changes its
+ * answer. Holes of the source are closed by the level set of w, which is smooth there.
+ *
+ * @code
+ *   vtkNew<vtkWindingNumberSurface> surface;
+ *   surface->SetInputConnection(reader->GetOutputPort());
+ *   surface->SetResolution(128);
+ * @endcode
+ *
+ * The samples of a grid, which are inside or outside, give the triangles, as marching cubes does
+ * (vtkMarchingCubes). Every vertex then goes to where the true w crosses the threshold on its edge
+ * of the grid. So the steps that contouring a field of 0 and 1 shows do not come about: where the
+ * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from it, so
+ * that no two have the same place.
+ *
+ * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid, where
+ * what is inside may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
+ * finer than a voxel may be lost, and edges of the source are cut off inside of voxels.
+ *
+ * Of the properties that are inherited, those about result arrays (GenerateWindingNumber,
+ * GenerateInside, ResultArrayName, OutputScalarType) have no effect.
+ *
+ * **Pipeline.** The grid is laid over the source as it is at each execution. Works as a whole: with
+ * several pieces, all is in the first. Progress and abort are those of vtkWindingNumberField. The same
+ * bits for any number of threads. Memory: the field of the whole grid, a byte for each voxel and, unless
+ * the source is a closed surface, 4 more for w; a byte more with CloseBorder.
+ *
+ * Errors, each one line through vtkErrorMacro: those of vtkWindingNumberField, and grids that have one
+ * voxel only along an axis.
+ *
+ * @sa vtkWindingNumberField vtkWindingNumberVoxels
+ */
+#ifndef vtkWindingNumberSurface_h
+#define vtkWindingNumberSurface_h
+
+#include "vtkWindingNumberGridAlgorithm.h"
+
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberGridAlgorithm
+{
+public:
+  static vtkWindingNumberSurface* New();
+  vtkTypeMacro(vtkWindingNumberSurface, vtkWindingNumberGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Close the surface where what is inside reaches the border of the grid, by faces on the outer
+  /// sides of the voxels, as vtkWindingNumberVoxels does. Default off: all of the surface is the level
+  /// set, and what SamplingBounds cut off is missing.
+  vtkSetMacro(CloseBorder, vtkTypeBool);
+  vtkGetMacro(CloseBorder, vtkTypeBool);
+  vtkBooleanMacro(CloseBorder, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Add point normals: the mean of the triangles around a vertex, weighted by area. They point
+  /// outward. Default on.
+  vtkSetMacro(GenerateNormals, vtkTypeBool);
+  vtkGetMacro(GenerateNormals, vtkTypeBool);
+  vtkBooleanMacro(GenerateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION, which takes double only
+  /// where single could not tell places apart to a ten-thousandth of a voxel: far from the origin, on
+  /// very fine grids, and beyond the range of single precision. Default DEFAULT_PRECISION.
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  vtkPolyData* GetOutput();
+
+protected:
+  vtkWindingNumberSurface() = default;
+  ~vtkWindingNumberSurface() override = default;
+
+  vtkWindingNumberSurface(const vtkWindingNumberSurface&) = delete;
+  void operator=(const vtkWindingNumberSurface&) = delete;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  vtkIdType GetBytesPerSample() const override;
+
+  vtkTypeBool CloseBorder = 0;
+  vtkTypeBool GenerateNormals = 1;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+
+private:
+  void CheckGrid() const;
+  bool NeedsDoublePoints() const;
+  bool MakeSurface(const winding::Field& field, const winding::FieldOutput& samples,
+    vtkUnsignedCharArray* inside, vtkPolyData* output, winding::SmpExecutor& executor);
+};
+
+#endif

@@ -1,0 +1,635 @@
+#include "filters/ErrorLog.h"
+#include "filters/ReadMesh.h"
+#include "filters/SphereCloud.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkFeatureEdges.h"
+#include "vtkMassProperties.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkStringArray.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct EdgeCounts
+{
+  vtkIdType open, nonManifold;
+};
+
+EdgeCounts countEdges(vtkPolyData* surface)
+{
+  const auto count = [surface](bool open)
+  {
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(surface);
+    edges->SetBoundaryEdges(open);
+    edges->SetNonManifoldEdges(!open);
+    edges->FeatureEdgesOff();
+    edges->ManifoldEdgesOff();
+    edges->Update();
+    return edges->GetOutput()->GetNumberOfLines();
+  };
+  return {count(true), count(false)};
+}
+
+/// More than 0 for a closed surface whose triangles face outward.
+double signedVolume(vtkPolyData* surface)
+{
+  double sum = 0, a[3], b[3], c[3], cross[3];
+  vtkIdType corners;
+  const vtkIdType* ids;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetPolys()->GetCellAtId(cell, corners, ids);
+    surface->GetPoint(ids[0], a);
+    surface->GetPoint(ids[1], b);
+    surface->GetPoint(ids[2], c);
+    vtkMath::Cross(b, c, cross);
+    sum += vtkMath::Dot(a, cross) / 6;
+  }
+  return sum;
+}
+
+vtkIdType countDuplicatePoints(vtkPolyData* surface)
+{
+  std::set<std::array<double, 3>> different;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    surface->GetPoint(i, p.data());
+    different.insert(p);
+  }
+  return surface->GetNumberOfPoints() - static_cast<vtkIdType>(different.size());
+}
+
+double voxelOf(vtkWindingNumberSurface* filter)
+{
+  int dimensions[3];
+  double first[3], spacing[3];
+  filter->GetGrid(dimensions, first, spacing);
+  return *std::max_element(spacing, spacing + 3);
+}
+
+/// How far the points of one are from the other, in voxels, ascending.
+std::vector<double> distances(vtkPolyData* surface, vtkPolyData* mesh, double voxel)
+{
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(mesh);
+  locator->BuildLocator();
+  std::vector<double> found;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double point[3], closest[3], distance2;
+    vtkIdType cell;
+    int subId;
+    surface->GetPoint(i, point);
+    locator->FindClosestPoint(point, closest, cell, subId, distance2);
+    found.push_back(std::sqrt(distance2) / voxel);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// |w - 0.5| at points, by the direct sum.
+std::vector<double> distancesFromLevel(vtkPoints* points, vtkDataObject* source)
+{
+  vtkNew<vtkPolyData> queries;
+  queries->SetPoints(points);
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputData(queries);
+  probe->SetSourceData(source);
+  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
+  probe->SetOutputScalarTypeToDouble();
+  probe->Update();
+  vtkDataArray* values = probe->GetOutput()->GetPointData()->GetScalars();
+  std::vector<double> found;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    found.push_back(values->GetTuple1(i) - 0.5);
+  }
+  return found;
+}
+
+/// Vertices, at most `most` of them, at which w is neither the level nor jumps over it within a
+/// thousandth of a voxel along an axis.
+int countOffLevel(
+  vtkWindingNumberSurface* filter, vtkDataObject* source, vtkIdType most, double tolerance)
+{
+  vtkPolyData* surface = filter->GetOutput();
+  const vtkIdType step = std::max<vtkIdType>(1, surface->GetNumberOfPoints() / most);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += step)
+  {
+    double point[3];
+    surface->GetPoint(i, point);
+    points->InsertNextPoint(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const double shift : {-1e-3, 1e-3})
+      {
+        double moved[3] = {point[0], point[1], point[2]};
+        moved[axis] += shift * voxelOf(filter);
+        points->InsertNextPoint(moved);
+      }
+    }
+  }
+  const std::vector<double> levels = distancesFromLevel(points, source);
+  int off = 0;
+  for (std::size_t i = 0; i < levels.size(); i += 7)
+  {
+    bool isAtLevel = std::abs(levels[i]) <= tolerance;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      isAtLevel = isAtLevel || levels[i + 2 * axis + 1] * levels[i + 2 * axis + 2] <= 0;
+    }
+    off += !isAtLevel;
+  }
+  return off;
+}
+
+class Surfaces : public testing::Test
+{
+protected:
+  Surfaces()
+  {
+    sphere->SetRadius(1);
+    sphere->SetThetaResolution(32);
+    sphere->SetPhiResolution(32);
+    filter->SetInputConnection(sphere->GetOutputPort());
+    filter->SetResolution(20);
+  }
+
+  void expectRefused(const std::string& part)
+  {
+    ErrorLog log(filter);
+    filter->Update();
+    EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
+    EXPECT_EQ(filter->GetStatus(), vtkWindingNumberSurface::REFUSED);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    filter->RemoveAllObservers();
+  }
+
+  vtkPolyData* update()
+  {
+    filter->Update();
+    EXPECT_EQ(filter->GetStatus(), vtkWindingNumberSurface::DONE);
+    return filter->GetOutput();
+  }
+
+  void expectClosed(vtkPolyData* surface)
+  {
+    EXPECT_GT(surface->GetNumberOfCells(), 0);
+    const EdgeCounts edges = countEdges(surface);
+    EXPECT_EQ(edges.open, 0);
+    EXPECT_EQ(edges.nonManifold, 0);
+    EXPECT_EQ(countDuplicatePoints(surface), 0);
+  }
+
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkWindingNumberSurface> filter;
+};
+
+TEST_F(Surfaces, DefaultsAreTheDocumentedOnes)
+{
+  vtkNew<vtkWindingNumberSurface> fresh;
+  EXPECT_EQ(fresh->GetResolution(), 64);
+  EXPECT_EQ(fresh->GetUseInputBounds(), 1);
+  EXPECT_EQ(fresh->GetPadding(), 0.05);
+  EXPECT_EQ(fresh->GetWindingThreshold(), 0.5);
+  EXPECT_EQ(fresh->GetCloseBorder(), 0);
+  EXPECT_EQ(fresh->GetGenerateNormals(), 1);
+  EXPECT_EQ(fresh->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+}
+
+TEST_F(Surfaces, OfAClosedMeshLieOnIt)
+{
+  vtkPolyData* surface = this->update();
+  this->expectClosed(surface);
+  // Measured: 2e-6, the locator's own error among it.
+  EXPECT_LT(distances(surface, sphere->GetOutput(), voxelOf(filter)).back(), 1e-3);
+  EXPECT_NEAR(signedVolume(surface), signedVolume(sphere->GetOutput()), 0.03);
+  EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_FLOAT);
+  vtkFieldData* data = surface->GetFieldData();
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(data->GetAbstractArray("WindingNumberMethod"))->GetValue(0),
+    "rows");
+
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_GT(vtkMath::Dot(normals->GetTuple3(i), surface->GetPoint(i)), 0.95);
+    EXPECT_NEAR(vtkMath::Norm(normals->GetTuple3(i)), 1, 1e-6);
+  }
+  filter->GenerateNormalsOff();
+  EXPECT_EQ(this->update()->GetPointData()->GetNormals(), nullptr);
+}
+
+/// Samples are on the faces of the cube, rows in them.
+TEST_F(Surfaces, OfFacesInPlanesOfTheGridAreClosedAndLieOnThem)
+{
+  vtkNew<vtkCubeSource> cube;
+  filter->SetInputConnection(cube->GetOutputPort());
+  filter->SetPadding(0.15);
+  filter->SetResolution(13); // voxels of 0.1, samples at -0.5 and 0.5
+  for (const int method : {vtkWindingNumberSurface::ROWS, vtkWindingNumberSurface::HIERARCHICAL,
+         vtkWindingNumberSurface::DIRECT, vtkWindingNumberSurface::PARITY})
+  {
+    filter->SetMethod(method);
+    vtkPolyData* surface = this->update();
+    this->expectClosed(surface);
+    EXPECT_LT(distances(surface, cube->GetOutput(), voxelOf(filter)).back(), 3e-4) << method;
+    EXPECT_NEAR(signedVolume(surface), 1, 0.04) << "only the cube's edges are cut off";
+  }
+}
+
+TEST_F(Surfaces, OfAnOpenMeshLieOnItOrAtTheLevel)
+{
+  sphere->SetEndPhi(120);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (const double tolerance : {1e-3, 0.0})
+  {
+    filter->SetTolerance(tolerance);
+    vtkPolyData* surface = this->update();
+    this->expectClosed(surface);
+    EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_DOUBLE);
+    EXPECT_EQ(countOffLevel(filter, sphere->GetOutput(), 2000, 1e-3), 0);
+    const double exact = 2 * vtkMath::Pi() / 3 * (1 + 0.5 + 0.5 * 0.25); // of the part of a ball
+    EXPECT_GT(signedVolume(surface), exact);
+  }
+}
+
+TEST_F(Surfaces, OfACloudLieAtTheLevel)
+{
+  const vtkSmartPointer<vtkPolyData> cloud = sphereCloud(2000, 1);
+  filter->SetInputData(cloud);
+  filter->SetRegularization(1); // without, w is steep beside points
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkPolyData* surface = this->update();
+  EXPECT_FALSE(filter->GetSourceIsSurface());
+  this->expectClosed(surface);
+  EXPECT_NEAR(signedVolume(surface), 4.19, 0.5);
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputData(surface);
+  probe->SetSourceData(cloud);
+  probe->SetRegularization(1);
+  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
+  probe->Update();
+  vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_NEAR(values->GetTuple1(i), 0.5, 1e-3);
+  }
+}
+
+TEST_F(Surfaces, FollowRuleAndThreshold)
+{
+  vtkNew<vtkSphereSource> inner;
+  inner->SetThetaResolution(32);
+  inner->SetPhiResolution(32);
+  inner->Update();
+  sphere->Update();
+  vtkNew<vtkMultiBlockDataSet> both;
+  both->SetBlock(0, sphere->GetOutput());
+  both->SetBlock(1, inner->GetOutput());
+  filter->SetInputData(both);
+  filter->SetResolution(30);
+  const double outerVolume = signedVolume(sphere->GetOutput());
+  const double innerVolume = signedVolume(inner->GetOutput());
+  EXPECT_NEAR(signedVolume(this->update()), outerVolume, 0.03);
+  filter->SetWindingThreshold(1.5);
+  EXPECT_NEAR(signedVolume(this->update()), innerVolume, 0.03);
+  filter->SetInsideRule(vtkWindingNumberSurface::ODD);
+  EXPECT_NEAR(signedVolume(this->update()), outerVolume - innerVolume, 0.03);
+  this->expectClosed(filter->GetOutput());
+
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputConnection(sphere->GetOutputPort());
+  filter->SetInputConnection(reversed->GetOutputPort());
+  filter->SetWindingThreshold(0.5);
+  filter->SetInsideRule(vtkWindingNumberSurface::ABSOLUTE);
+  EXPECT_NEAR(signedVolume(this->update()), outerVolume, 0.03) << "outward all the same";
+  filter->SetInsideRule(vtkWindingNumberSurface::SIGNED);
+  EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST_F(Surfaces, EndAtTheBorderOfTheGridOrAreClosedThere)
+{
+  filter->UseInputBoundsOff();
+  filter->SetSamplingBounds(-1.1, 1.1, -1.1, 1.1, 0, 1.1);
+  vtkPolyData* surface = this->update();
+  EXPECT_GT(countEdges(surface).open, 0);
+  EXPECT_LT(distances(surface, sphere->GetOutput(), voxelOf(filter)).back(), 1e-3);
+
+  filter->CloseBorderOn();
+  surface = this->update();
+  this->expectClosed(surface);
+  EXPECT_NEAR(surface->GetBounds()[4], 0, 1e-7) << "on the outer faces of the voxels";
+  EXPECT_NEAR(signedVolume(surface), 0.5 * signedVolume(sphere->GetOutput()), 0.05);
+
+  filter->SetSamplingBounds(-0.1, 0.1, -0.1, 0.1, -0.1, 0.1);
+  surface = this->update();
+  this->expectClosed(surface);
+  EXPECT_NEAR(signedVolume(surface), 0.008, 0.0008) << "all is inside";
+  filter->CloseBorderOff();
+  EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
+}
+
+TEST_F(Surfaces, GridsOfOneLayerNeedABorder)
+{
+  filter->SetSamplingDimensions(8, 1, 8);
+  this->expectRefused("the grid has one voxel along y");
+  filter->CloseBorderOn();
+  this->expectClosed(this->update());
+}
+
+TEST_F(Surfaces, PointsAreSingleUnlessThatLosesThem)
+{
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  EXPECT_EQ(this->update()->GetPoints()->GetDataType(), VTK_FLOAT);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  EXPECT_EQ(this->update()->GetPoints()->GetDataType(), VTK_DOUBLE);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+
+  sphere->SetCenter(1e5, 0, 0);
+  vtkPolyData* surface = this->update();
+  EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_DOUBLE);
+  this->expectClosed(surface);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  EXPECT_EQ(this->update()->GetPoints()->GetDataType(), VTK_FLOAT);
+}
+
+TEST_F(Surfaces, AreTheSameInAnyUnitOfLength)
+{
+  const vtkIdType points = this->update()->GetNumberOfPoints();
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (const double unit : {1e-30, 1e-100, 1e30, 1e100})
+  {
+    vtkNew<vtkTransform> scaling;
+    scaling->Scale(unit, unit, unit);
+    vtkNew<vtkTransformPolyDataFilter> scaled;
+    scaled->SetInputConnection(sphere->GetOutputPort());
+    scaled->SetTransform(scaling);
+    scaled->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    filter->SetInputConnection(scaled->GetOutputPort());
+    vtkPolyData* surface = this->update();
+    EXPECT_EQ(surface->GetNumberOfPoints(), points) << unit;
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double* p = surface->GetPoint(i);
+      ASSERT_NEAR(std::hypot(p[0] / unit, p[1] / unit, p[2] / unit), 1, 0.01);
+      ASSERT_NEAR(vtkMath::Norm(surface->GetPointData()->GetNormals()->GetTuple3(i)), 1, 1e-6);
+    }
+  }
+}
+
+TEST_F(Surfaces, HaveTheSameBitsOnAnyThreads)
+{
+  sphere->SetEndPhi(120); // where there is something to search for
+  const auto bits = [this]()
+  {
+    vtkPolyData* surface = this->update();
+    vtkDataArray* points = surface->GetPoints()->GetData();
+    vtkDataArray* ids = surface->GetPolys()->GetConnectivityArray();
+    std::vector<double> all;
+    for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
+    {
+      all.push_back(points->GetVariantValue(i).ToDouble());
+      all.push_back(surface->GetPointData()->GetNormals()->GetVariantValue(i).ToDouble());
+    }
+    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+    {
+      all.push_back(ids->GetVariantValue(i).ToDouble());
+    }
+    return all;
+  };
+  filter->SetNumberOfThreads(1);
+  const std::vector<double> expected = bits();
+  const std::string before = vtkSMPTools::GetBackend();
+  for (const char* backend : {"Sequential", "STDThread", "TBB", "OpenMP"})
+  {
+    if (!vtkSMPTools::SetBackend(backend))
+    {
+      continue; // not in this VTK
+    }
+    for (const int threads : {0, 2, 3})
+    {
+      filter->SetNumberOfThreads(threads);
+      filter->Modified();
+      EXPECT_EQ(bits(), expected) << backend << " " << threads;
+    }
+  }
+  vtkSMPTools::SetBackend(before.c_str());
+}
+
+TEST_F(Surfaces, AreInTheFirstPieceAndOfTheWholeSource)
+{
+  const vtkIdType cells = this->update()->GetNumberOfCells();
+  filter->Modified();
+  filter->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  filter->UpdatePiece(0, 2, 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), cells);
+  EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 0) << "half a sphere would be open";
+}
+
+TEST_F(Surfaces, KeepWhatWasBuiltAndFollowTheirSource)
+{
+  this->update();
+  filter->SetResolution(25);
+  this->update();
+  EXPECT_EQ(filter->GetPrepareSeconds(), 0) << "nothing was built";
+  sphere->SetRadius(3);
+  EXPECT_NEAR(this->update()->GetBounds()[1], 3, 0.1) << "and so does the grid";
+  EXPECT_GT(filter->GetPrepareSeconds(), 0);
+}
+
+TEST_F(Surfaces, ProgressRisesToOneAndAbortLeavesAnEmptyOutput)
+{
+  sphere->SetEndPhi(120);
+  struct Log
+  {
+    double last = 0;
+    bool rising = true;
+    double abortAt = 2;
+  } log;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&log);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void* amount)
+    {
+      auto* seen = static_cast<Log*>(data);
+      const double progress = *static_cast<double*>(amount);
+      seen->rising = seen->rising && progress >= seen->last;
+      seen->last = progress;
+      if (progress >= seen->abortAt)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->update();
+  EXPECT_TRUE(log.rising);
+  EXPECT_EQ(log.last, 1);
+
+  for (const double share : {0.0, 0.2, 0.6})
+  {
+    log.last = 0;
+    log.abortAt = share;
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(filter->GetStatus(), vtkWindingNumberSurface::ABORTED) << share;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+    filter->SetAbortExecute(0);
+  }
+  log.abortAt = 2;
+  filter->Modified();
+  EXPECT_GT(this->update()->GetNumberOfCells(), 0);
+}
+
+TEST_F(Surfaces, BadInputIsRefusedAndTheFilterGoesOnWorking)
+{
+  filter->SetResolution(0);
+  this->expectRefused("the resolution is 0");
+  filter->SetResolution(8);
+  filter->SetPadding(-1);
+  this->expectRefused("the padding is -1");
+  filter->SetPadding(0.05);
+  filter->SetMethod(17);
+  this->expectRefused("the method is 17");
+  filter->SetMethod(vtkWindingNumberSurface::PARITY);
+  filter->SetVerifySamples(10);
+  this->expectRefused("parity is no winding number");
+  filter->SetMethod(vtkWindingNumberSurface::AUTOMATIC);
+  vtkNew<vtkPolyData> cloud;
+  sphere->Update();
+  cloud->SetPoints(sphere->GetOutput()->GetPoints());
+  filter->SetInputData(cloud);
+  this->expectRefused("normals");
+  filter->SetInputConnection(sphere->GetOutputPort());
+  {
+    ErrorLog log(filter);
+    filter->SetResolution(60000);
+    filter->Update();
+    EXPECT_NE(log.errors().find("GiB"), std::string::npos) << log.errors();
+    EXPECT_EQ(filter->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
+    filter->RemoveAllObservers();
+  }
+  filter->SetResolution(8);
+  EXPECT_GT(this->update()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetNumberOfVerifiedSamples(), 10);
+  EXPECT_LT(filter->GetMaxError(), 1e-6);
+}
+
+TEST_F(Surfaces, OfNothingAreEmptyWithAWarning)
+{
+  vtkNew<vtkPolyData> nothing;
+  filter->SetInputData(nothing);
+  ErrorLog log(filter);
+  EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
+  EXPECT_EQ(log.errors(), "");
+  EXPECT_NE(log.warnings().find("no triangles"), std::string::npos) << log.warnings();
+}
+
+/// On meshes and clouds that were made elsewhere.
+class SurfacesOfSharedData : public testing::TestWithParam<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
+    if (!std::ifstream(name))
+    {
+      GTEST_SKIP() << "there is no " << name;
+    }
+    mesh = readMesh(name);
+    filter->SetInputData(mesh);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  }
+
+  vtkSmartPointer<vtkPolyData> mesh;
+  vtkNew<vtkWindingNumberSurface> filter;
+};
+
+using SurfacesOfClosedMeshes = SurfacesOfSharedData;
+
+TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
+{
+  for (const int resolution : {33, 64, 128})
+  {
+    filter->SetResolution(resolution);
+    filter->Update();
+    const std::vector<double> found = distances(filter->GetOutput(), mesh, voxelOf(filter));
+    ASSERT_GT(found.size(), 500u);
+    EXPECT_LT(found[found.size() * 99 / 100], 1e-3); // measured: 4e-6, the locator's error
+    EXPECT_LT(found.back(), 3e-4);                   // measured: 2.4e-4, beside samples
+    const EdgeCounts edges = countEdges(filter->GetOutput());
+    EXPECT_EQ(edges.open, 0);
+    EXPECT_EQ(edges.nonManifold, 0);
+    EXPECT_GT(signedVolume(filter->GetOutput()), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfClosedMeshes,
+  testing::Values("bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"),
+  [](const auto& mesh)
+  {
+    std::string name = mesh.param;
+    return name.replace(name.rfind('.'), 1, "_");
+  });
+
+using SurfacesOfOpenData = SurfacesOfSharedData;
+
+TEST_P(SurfacesOfOpenData, LieAtTheLevelOrOnAJumpOverIt)
+{
+  filter->SetResolution(64);
+  filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 1000);
+  const EdgeCounts edges = countEdges(filter->GetOutput());
+  EXPECT_EQ(edges.open, 0);
+  EXPECT_EQ(edges.nonManifold, 0);
+  EXPECT_EQ(countOffLevel(filter, mesh, 600, 1e-3), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfOpenData,
+  testing::Values(
+    "bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"),
+  [](const auto& mesh)
+  {
+    std::string name = mesh.param;
+    return name.replace(name.rfind('.'), 1, "_");
+  });
+
+} // namespace
