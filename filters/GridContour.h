@@ -20,7 +20,7 @@ namespace winding
  * every executor; all that takes one throws Interrupted.
  *
  * VTK's own filters look at every cell of a grid. Here the vertices are found by comparing rows, and
- * only cells with vertices are looked at, which takes a quarter of the time.
+ * only cells with vertices are looked at.
  */
 class GridContour
 {
