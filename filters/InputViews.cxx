@@ -9,7 +9,6 @@
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -196,11 +195,7 @@ vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
   vtkSmartPointer<vtkPolyData>& skin = skins_[leaf];
   if (!skin)
   {
-    checkCellIds(leaf);
-    vtkNew<vtkDataSetSurfaceFilter> filter;
-    filter->SetInputData(leaf);
-    filter->Update();
-    skin = filter->GetOutput();
+    skin = outerSurfaceOf(leaf);
   }
   return skin;
 }

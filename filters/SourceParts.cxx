@@ -40,6 +40,26 @@ bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
   return false;
 }
 
+/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts the
+/// ids of cells, and crashes on such.
+void checkCellIds(vtkPointSet* leaf)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
+  {
+    leaf->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
+      {
+        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
+                      std::to_string(ids->GetId(i)) + " of " +
+                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
+      }
+    }
+  }
+}
+
 vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
@@ -48,11 +68,7 @@ vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
   }
   if (leaf->GetNumberOfPoints() > 0 && hasFaces(leaf))
   {
-    checkCellIds(leaf);
-    vtkNew<vtkDataSetSurfaceFilter> skin;
-    skin->SetInputData(leaf);
-    skin->Update();
-    return skin->GetOutput();
+    return outerSurfaceOf(leaf);
   }
   auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(leaf->GetPoints());
@@ -110,22 +126,13 @@ SourceKind kindOf(vtkDataObject* source)
   return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
 }
 
-void checkCellIds(vtkPointSet* leaf)
+vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf)
 {
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
-  {
-    leaf->GetCellPoints(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
-      {
-        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
-                      std::to_string(ids->GetId(i)) + " of " +
-                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
-      }
-    }
-  }
+  checkCellIds(leaf);
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(leaf);
+  filter->Update();
+  return filter->GetOutput();
 }
 
 vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)

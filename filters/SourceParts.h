@@ -24,9 +24,9 @@ enum class SourceKind
 /// array, and never throws: what is no source is nothing.
 SourceKind kindOf(vtkDataObject* source);
 
-/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts the
-/// ids of cells, and crashes on such.
-void checkCellIds(vtkPointSet* leaf);
+/// The outer surface of a mesh of any cells. Throws Refusal if a cell refers to a point that does not
+/// exist.
+vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf);
 
 /**
  * What a data set has in its own right: cells and points that another piece of the data has too, or
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh);
 /**
  * A source, of the kinds that InputViews takes, as polydata: polydata as it is, other meshes as their
  * outer surface, other clouds as points with a vertex cell each; leaves of composites appended to each
- * other, with the arrays that all have. Throws Refusal as checkCellIds() does.
+ * other, with the arrays that all have. Throws Refusal as outerSurfaceOf() does.
  */
 vtkSmartPointer<vtkPolyData> asPolyData(vtkDataObject* source);
 

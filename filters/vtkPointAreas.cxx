@@ -6,6 +6,7 @@
 #include "PointAreas.h"
 #include "Refusal.h"
 #include "SmpExecutor.h"
+#include "SourceProperties.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -20,7 +21,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <numeric>
 #include <string>
@@ -192,11 +192,6 @@ void addArray(const std::string& name, const double* values, vtkPointSet* pointS
   pointSet->GetPointData()->AddArray(array);
 }
 
-std::string textOf(const char* text)
-{
-  return text ? text : "";
-}
-
 } // namespace
 
 vtkPointAreas::vtkPointAreas()
@@ -256,10 +251,9 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   const NumberedPoints points(pointSets);
   winding::InputOptions options;
   options.asPoints = true;
-  options.normalsArray = textOf(this->NormalsArray);
+  options.normalsArray = winding::textOf(this->NormalsArray);
   options.estimateNormals = this->EstimateNormals != 0;
-  options.areas =
-    this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
+  options.areas = winding::areaSource(this->PointAreaMethod);
   winding::InputViews input(data, options);
   const std::vector<winding::OrientedPointsView> views = input.orientedPoints();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -267,7 +261,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   this->ChooseAreas(cloud, executor);
 
   const auto [areas, lost] = areasByNumber(points, input, views, cloud.areas);
-  const std::string name = textOf(this->ResultArrayName);
+  const std::string name = winding::textOf(this->ResultArrayName);
   for (std::size_t i = 0; i < pointSets.size(); ++i)
   {
     addArray(name.empty() ? "Area" : name, areas.data() + points.start(i), pointSets[i]);
@@ -288,41 +282,28 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   }
   if (this->TotalArea == 0 && !areas.empty())
   {
-    vtkWarningMacro(
-      << "points at one place tell no area, so theirs are 0; set a point area");
+    vtkWarningMacro(<< "points at one place tell no area, so theirs are 0; set a point area");
   }
 }
 
 void vtkPointAreas::ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const
 {
   const bool isConstant = this->PointAreaMethod == CONSTANT;
-  if (isConstant && (!(this->PointArea >= 0) || !std::isfinite(this->PointArea)))
+  if (isConstant)
   {
-    throw winding::Refusal("the point area is " + std::to_string(this->PointArea) +
-                           "; it must be more than 0, or 0 to be estimated");
-  }
-  const std::size_t points = cloud.positions.size();
-  if (isConstant && this->PointArea > 0)
-  {
-    cloud.areas.assign(points, this->PointArea);
-    return;
+    winding::checkPointArea(this->PointArea);
   }
   if (this->PointAreaMethod == MESH)
   {
     return; // as they came in
   }
-  if (cloud.normals.empty())
+  const bool needsNormals = !isConstant || this->PointArea == 0;
+  if (needsNormals && cloud.normals.empty())
   {
     cloud.normals = winding::estimateNormals(cloud.positions, this->NumberOfNeighbors, executor);
   }
-  if (isConstant)
-  {
-    cloud.areas.assign(points, winding::meanPointArea(cloud, executor, this->NumberOfNeighbors));
-  }
-  else
-  {
-    cloud.areas = winding::voronoiAreas(cloud, executor, this->NumberOfNeighbors);
-  }
+  cloud.areas = winding::pointAreas(cloud, winding::corePointAreaMethod(this->PointAreaMethod),
+    this->PointArea, this->NumberOfNeighbors, executor);
 }
 
 void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
@@ -331,9 +312,9 @@ void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "PointArea: " << this->PointArea << "\n";
-  os << indent << "NormalsArray: " << textOf(this->NormalsArray) << "\n";
+  os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
   os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
-  os << indent << "ResultArrayName: " << textOf(this->ResultArrayName) << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "TotalArea: " << this->TotalArea << "\n";
 }

@@ -94,25 +94,13 @@ void CloudField::turnOutward(Executor& executor)
 
 void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
 {
-  if (!(options.pointArea >= 0) || !std::isfinite(options.pointArea))
-  {
-    throw Refusal("the point area is " + std::to_string(options.pointArea) +
-                  "; it must be more than 0, or 0 to be estimated");
-  }
+  checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
   if (!areAreasGiven)
   {
-    if (options.pointAreaMethod == PointAreaMethod::voronoi)
-    {
-      cloud_.areas = voronoiAreas(cloud_, executor, options.neighbors);
-    }
-    else
-    {
-      cloud_.areas.assign(points, options.pointArea > 0
-                                    ? options.pointArea
-                                    : meanPointArea(cloud_, executor, options.neighbors));
-    }
+    cloud_.areas =
+      pointAreas(cloud_, options.pointAreaMethod, options.pointArea, options.neighbors, executor);
   }
   double sum = 0;
   for (const double area : cloud_.areas)

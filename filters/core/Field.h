@@ -34,13 +34,6 @@ const char* nameOf(Method method);
 /// The largest regularization: beyond, sums near points take over what the far field is for.
 constexpr double mostRegularization = 4;
 
-/// Where the areas of a cloud's points come from, if the cloud has none of its own.
-enum class PointAreaMethod
-{
-  voronoi, ///< each point's cell among its neighbours (PointAreas.h)
-  constant ///< one for all points
-};
-
 struct FieldOptions
 {
   Method method = Method::automatic;

@@ -3,12 +3,14 @@
 #include "DistinctPoints.h"
 #include "NeighborSearch.h"
 #include "OrientedSites.h"
+#include "Refusal.h"
 #include "UnitScale.h"
 #include "VoronoiCell.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 namespace winding
 {
@@ -274,6 +276,26 @@ double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
   std::sort(areas.begin(), areas.end());
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   return areas.empty() ? 0 : sum / static_cast<double>(areas.size());
+}
+
+void checkPointArea(double pointArea)
+{
+  if (!(pointArea >= 0) || !std::isfinite(pointArea))
+  {
+    throw Refusal("the point area is " + std::to_string(pointArea) +
+                  "; it must be more than 0, or 0 to be estimated");
+  }
+}
+
+std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
+  int neighbors, Executor& executor)
+{
+  if (method == PointAreaMethod::voronoi)
+  {
+    return voronoiAreas(cloud, executor, neighbors);
+  }
+  const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, neighbors);
+  return std::vector<double>(cloud.positions.size(), area);
 }
 
 } // namespace winding

@@ -8,6 +8,13 @@
 namespace winding
 {
 
+/// Where the areas of a cloud's points come from, if the cloud has none of its own.
+enum class PointAreaMethod
+{
+  voronoi, ///< each point's cell among its neighbours
+  constant ///< one for all points
+};
+
 /// How many neighbours of a point are looked at unless the user says otherwise.
 constexpr int defaultNeighbors = 20;
 
@@ -41,5 +48,13 @@ std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, in
 /// The mean of those: one area for every point, such that all together have the right one. It suits
 /// evenly sampled surfaces without strays, whose areas would raise it.
 double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors);
+
+/// Throws Refusal unless it is an area for all points, or 0 for the mean.
+void checkPointArea(double pointArea);
+
+/// One area for each point, by a method; pointArea and neighbors as in FieldOptions. An area that is
+/// given for all points needs no normals. Throws Interrupted.
+std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
+  int neighbors, Executor& executor);
 
 } // namespace winding

@@ -1,4 +1,5 @@
 #include "filters/ErrorLog.h"
+#include "filters/PointProbe.h"
 #include "filters/SphereCloud.h"
 
 #include "vtkDoubleArray.h"
@@ -13,31 +14,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
-class Clouds : public testing::Test
+class Clouds : public PointProbe
 {
-protected:
-  Clouds() { probe->SetOutputScalarTypeToDouble(); }
-
-  double windingNumber(vtkDataObject* source, double x = 0, double y = 0, double z = 0)
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint(x, y, z);
-    vtkNew<vtkPolyData> query;
-    query->SetPoints(points);
-    probe->SetInputData(query);
-    probe->SetSourceData(source);
-    probe->Update();
-    vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
-    return values ? values->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
-  }
-
-  vtkNew<vtkWindingNumberProbe> probe;
 };
 
 TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)

@@ -1,4 +1,5 @@
 #include "filters/ErrorLog.h"
+#include "filters/PointProbe.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -33,26 +34,9 @@ namespace
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The winding number of a source at one point.
-class SourceKinds : public testing::Test
+class SourceKinds : public PointProbe
 {
 protected:
-  SourceKinds() { probe->SetOutputScalarTypeToDouble(); }
-
-  double windingNumber(vtkDataObject* source, double x, double y, double z)
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint(x, y, z);
-    vtkNew<vtkPolyData> query;
-    query->SetPoints(points);
-    probe->SetInputData(query);
-    probe->SetSourceData(source);
-    probe->Update();
-    vtkDataArray* values = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
-    return values ? values->GetTuple1(0) : nan;
-  }
-
   void expectRefused(vtkDataObject* source, const std::string& part)
   {
     ErrorLog log(probe);
@@ -60,8 +44,6 @@ protected:
     EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
     EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::REFUSED);
   }
-
-  vtkNew<vtkWindingNumberProbe> probe;
 };
 
 vtkSmartPointer<vtkPolyData> sphere(double radius = 0.5, bool normals = true)
