@@ -1,5 +1,6 @@
 #include "vtkWindingNumberAlgorithm.h"
 
+#include "FreeMemory.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceField.h"
@@ -27,19 +28,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-winding::InsideRule coreRule(int rule)
-{
-  switch (rule)
-  {
-  case vtkWindingNumberAlgorithm::ABSOLUTE:
-    return winding::InsideRule::absoluteThreshold;
-  case vtkWindingNumberAlgorithm::ODD:
-    return winding::InsideRule::odd;
-  default:
-    return winding::InsideRule::signedThreshold;
-  }
 }
 
 int kindOf(vtkDataObject* source)
@@ -160,7 +148,8 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   }
   const winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
   this->ExpectedSeconds = cost.seconds / executor.threads();
-  this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + this->GetBytesPerSample() * samples;
+  this->ExpectedMemory =
+    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -173,10 +162,12 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   return field;
 }
 
-vtkIdType vtkWindingNumberAlgorithm::GetBytesPerSample() const
+double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
 {
-  return (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
-         (this->GenerateInside ? 1 : 0);
+  const int perSample =
+    (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
+    (this->GenerateInside ? 1 : 0);
+  return static_cast<double>(perSample) * static_cast<double>(samples);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -209,9 +200,22 @@ winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) 
   return {samples, options};
 }
 
+winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const
+{
+  switch (this->InsideRule)
+  {
+  case ABSOLUTE:
+    return winding::InsideRule::absoluteThreshold;
+  case ODD:
+    return winding::InsideRule::odd;
+  default:
+    return winding::InsideRule::signedThreshold;
+  }
+}
+
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
 {
-  return results.output(coreRule(this->InsideRule), this->WindingThreshold);
+  return results.output(this->GetCoreInsideRule(), this->WindingThreshold);
 }
 
 void vtkWindingNumberAlgorithm::AddResults(

@@ -39,6 +39,7 @@
 
 namespace winding
 {
+enum class InsideRule;
 class Executor;
 class Field;
 class ResultArrays;
@@ -313,6 +314,9 @@ protected:
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
+  /// InsideRule for the core.
+  winding::InsideRule GetCoreInsideRule() const;
+
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
   /// into the output, together with what DescribeMethod() adds.
@@ -325,9 +329,9 @@ protected:
   /// Field data that says how an output came about.
   void DescribeMethod(vtkDataObject* output) const;
 
-  /// Bytes that the filter takes for the result at a sample, for ExpectedMemory: of result arrays,
-  /// unless a filter says otherwise.
-  virtual vtkIdType GetBytesPerSample() const;
+  /// Bytes that the filter takes for the result at so many samples, for ExpectedMemory: of result
+  /// arrays, unless a filter says otherwise.
+  virtual double GetResultBytes(vtkIdType samples) const;
 
   /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
   bool Evaluate(const std::function<bool(winding::SmpExecutor&)>& evaluation);

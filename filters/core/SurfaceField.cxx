@@ -181,6 +181,11 @@ bool SurfaceField::evaluate(
   return suiting && suiting->evaluate(samples, output, executor);
 }
 
+std::unique_ptr<const RowCrossings::OnGrid> SurfaceField::integerRows(const Grid& grid) const
+{
+  return capped_ ? capped_->integerRows(grid) : nullptr;
+}
+
 double SurfaceField::reference(const Eigen::Vector3d& sample) const
 {
   return referenceSum<double>(surface_, sample);

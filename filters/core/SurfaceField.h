@@ -28,6 +28,7 @@ public:
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
+  std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const override;
   const Surface* surface() const override { return &surface_; }
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
