@@ -9,6 +9,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -71,7 +72,7 @@ private:
 
 /// Adds the corners of the triangles in the cells between four rows.
 void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endOfCells,
-  std::vector<vtkIdType>& corners)
+  std::vector<std::uint32_t>& corners)
 {
   // Four along x, then two along y and two along z.
   Line lines[8] = {{edges, 0, j, k}, {edges, 0, j + 1, k}, {edges, 0, j, k + 1},
@@ -111,17 +112,17 @@ void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endO
     }
     for (const int* edge = cases[index].edges; *edge >= 0; ++edge)
     {
-      corners.push_back(static_cast<vtkIdType>(vertices[*edge]));
+      corners.push_back(static_cast<std::uint32_t>(vertices[*edge]));
     }
   }
 }
 
 /// Triangles of these corners, and where those of each list begin.
-vtkSmartPointer<vtkCellArray> trianglesOf(const std::vector<std::vector<vtkIdType>>& corners,
+vtkSmartPointer<vtkCellArray> trianglesOf(const std::vector<std::vector<std::uint32_t>>& corners,
   std::vector<vtkIdType>& starts, Executor& executor)
 {
   starts.assign(1, 0);
-  for (const std::vector<vtkIdType>& some : corners)
+  for (const std::vector<std::uint32_t>& some : corners)
   {
     starts.push_back(starts.back() + static_cast<vtkIdType>(some.size() / 3));
   }
@@ -154,12 +155,16 @@ GridContour::GridContour(const Grid& grid, const LevelEdges& edges, Executor& ex
 {
   const int first = -edges.border();
   const Eigen::Vector3i end = grid.dimensions - Eigen::Vector3i::Constant(1 + first);
-  std::vector<std::vector<vtkIdType>> corners(static_cast<std::size_t>(end[2] - first));
+  std::vector<std::vector<std::uint32_t>> corners(static_cast<std::size_t>(end[2] - first));
   runBlocks(
     corners.size(), 1,
     [&](std::size_t layer, std::size_t, std::size_t)
     {
       const int k = first + static_cast<int>(layer);
+      // Closed surfaces have about twice as many triangles as vertices.
+      const std::size_t vertices =
+        edges.inRow(0, first, k + 1).first - edges.inRow(0, first, k).first;
+      corners[layer].reserve(6 * vertices + vertices / 2);
       for (int j = first; j < end[1]; ++j)
       {
         addTriangles(edges, j, k, first, end[0], corners[layer]);

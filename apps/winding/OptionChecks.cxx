@@ -161,6 +161,4 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   require(std::all_of(options.array.begin(), options.array.end(),
             [](char c) { return c >= ' ' && c <= '~' && !std::strchr("<>&\"'", c); }),
     "--array has characters that a file cannot hold; use letters, digits and blanks");
-  require(options.command != "surface" || options.rule != Filter::ODD,
-    "--rule odd has no level to draw a surface at; use voxels, or another rule");
 }

@@ -1,5 +1,6 @@
 #include "EdgeCrossings.h"
 
+#include "BucketSort.h"
 #include "RowTriangle.h"
 
 #include <algorithm>
@@ -27,7 +28,24 @@ struct Crossing
   double fraction;
 };
 
-/// The crossings of one triangle with the edges along one axis.
+/// First and last index along an axis of the samples between a triangle's lowest and highest corner;
+/// none if the first is the larger one.
+using Range = std::pair<int, int>;
+
+Range samplesBetween(const Eigen::Vector3d (&corners)[3], int axis, int samples)
+{
+  const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+  if (!(high >= 0 && low <= samples - 1))
+  {
+    return {0, -1};
+  }
+  // Both are 0 or more, where a cast rounds down.
+  const double from = std::max(low, 0.0), to = std::min<double>(high, samples - 1);
+  const int first = static_cast<int>(from);
+  return {first + (first < from), static_cast<int>(to)};
+}
+
+/// The crossings of triangles with the edges.
 class TriangleOnLines
 {
 public:
@@ -38,22 +56,37 @@ public:
   }
 
   /// Corners in units of the grid.
-  void cross(const Eigen::Vector3d (&corners)[3], int axis, std::vector<Crossing>& crossings) const
+  void cross(const Eigen::Vector3d (&corners)[3], std::vector<Crossing>& crossings) const
+  {
+    Range ranges[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ranges[axis] = samplesBetween(corners, axis, dimensions_[axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Range &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
+      if (rows.first <= rows.second && layers.first <= layers.second)
+      {
+        this->crossLines(corners, axis, rows, layers, crossings);
+      }
+    }
+  }
+
+private:
+  /// Those with the lines along an axis, taken for x.
+  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const Range& rows,
+    const Range& layers, std::vector<Crossing>& crossings) const
   {
     const int y = turned(axis, 1), z = turned(axis, 2);
-    const auto [firstJ, lastJ] = this->samplesBetween(corners, y);
-    const auto [firstK, lastK] = this->samplesBetween(corners, z);
-    if (firstJ > lastJ || firstK > lastK)
-    {
-      return;
-    }
     Eigen::Vector3d turnedCorners[3];
     for (int corner = 0; corner < 3; ++corner)
     {
       turnedCorners[corner] = {corners[corner][axis], corners[corner][y], corners[corner][z]};
     }
     const RowTriangle triangle(turnedCorners[0], turnedCorners[1], turnedCorners[2]);
-    for (int k = firstK; k <= lastK; ++k)
+    const auto [firstJ, lastJ] = rows;
+    for (int k = layers.first; k <= layers.second; ++k)
     {
       const RowTriangle::Range range = lastJ - firstJ < fewRows ? RowTriangle::Range{firstJ, lastJ}
                                                                 : triangle.rowsIn(k, firstJ, lastJ);
@@ -83,18 +116,6 @@ public:
     }
   }
 
-private:
-  /// First and last index along an axis of samples between a triangle's lowest and highest corner;
-  /// none if the first is the larger one.
-  std::pair<int, int> samplesBetween(const Eigen::Vector3d (&corners)[3], int axis) const
-  {
-    const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
-    const double first = std::max(std::ceil(low), 0.0);
-    const double last = std::min<double>(std::floor(high), dimensions_[axis] - 1);
-    return first <= last ? std::pair(static_cast<int>(first), static_cast<int>(last))
-                         : std::pair(0, -1);
-  }
-
   const LevelEdges& edges_;
   Eigen::Vector3i dimensions_;
 };
@@ -117,6 +138,23 @@ EdgeCrossings::EdgeCrossings(
       }
     },
     executor);
+  // From layer to layer, as the edges are, so that few of these are at work at a time.
+  const int layers = grid.dimensions[2];
+  const int shift = bucketShift(static_cast<std::size_t>(layers), 1);
+  const auto emit = [&](std::size_t first, std::size_t last, const auto& put)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Triangle& ids = surface.triangles[i];
+      const double lowest =
+        std::min({vertices[ids[0]][2], vertices[ids[1]][2], vertices[ids[2]][2]});
+      const double layer = std::clamp<double>(lowest, 0, layers - 1);
+      put(static_cast<std::size_t>(layer) >> shift, ids);
+    }
+  };
+  const Buckets<Triangle> triangles =
+    distribute<Triangle>(surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
+  const Triangle* const firstTriangle = triangles.begin(0);
   std::vector<std::vector<Crossing>> found((surface.triangles.size() + perBlock - 1) / perBlock);
   runBlocks(
     surface.triangles.size(), perBlock,
@@ -125,12 +163,9 @@ EdgeCrossings::EdgeCrossings(
       std::vector<Crossing>& crossings = found[block];
       for (std::size_t i = first; i < last; ++i)
       {
-        const Triangle& ids = surface.triangles[i];
+        const Triangle& ids = firstTriangle[i];
         const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          lines.cross(corners, axis, crossings);
-        }
+        lines.cross(corners, crossings);
       }
     },
     executor);

@@ -11,12 +11,10 @@ namespace
 
 constexpr double bytesPerSample = sizeof(float) + 1;
 
-/// So many layers make a slab, unless they are very large: enough for what slabs share not to count.
-int layersPerSlab(const Grid& grid)
+int layersOfSlab(const Grid& grid, double bytes)
 {
-  constexpr double mostBytes = 96.0 * 1024 * 1024;
-  constexpr int few = 16; // and a multiple of these suits the cells of far fields
-  const double layers = mostBytes / (bytesPerSample * grid.dimensions[0] * grid.dimensions[1]);
+  constexpr int few = 16; // what slabs share counts little then, and multiples suit far fields
+  const double layers = bytes / (bytesPerSample * grid.dimensions[0] * grid.dimensions[1]);
   return layers < grid.dimensions[2] ? std::max(few, static_cast<int>(layers) / few * few)
                                      : grid.dimensions[2];
 }
@@ -144,13 +142,14 @@ private:
   std::vector<std::uint8_t> inside_;
 };
 
-LevelEdges::LevelEdges(
-  const Field& field, const Grid& grid, InsideRule rule, double threshold, bool withBorder)
+LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+  bool withBorder, double slabBytes)
   : field_(field)
   , grid_(grid)
   , rule_(rule)
   , threshold_(threshold)
   , border_(withBorder ? 1 : 0)
+  , layersPerSlab_(layersOfSlab(grid, slabBytes))
   , rows_(field.integerRows(grid))
   , lastLayer_(std::make_unique<Layer>(border_))
   , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
@@ -167,12 +166,13 @@ double LevelEdges::bytesOfRows(const Grid& grid)
 
 double LevelEdges::bytesOfSlab(const Grid& grid)
 {
-  return bytesPerSample * (layersPerSlab(grid) + 1) * grid.dimensions[0] * grid.dimensions[1];
+  return bytesPerSample * (layersOfSlab(grid, usualSlabBytes) + 1) * grid.dimensions[0] *
+         grid.dimensions[1];
 }
 
 int LevelEdges::endOfNext() const
 {
-  const int layers = rows_ ? grid_.dimensions[2] : layersPerSlab(grid_);
+  const int layers = rows_ ? grid_.dimensions[2] : layersPerSlab_;
   return std::min(nextLayer_ + layers, grid_.dimensions[2]);
 }
 

@@ -31,21 +31,24 @@ struct GridEdge
  * Guaranteed: the same for every executor, and what the field of the whole grid, as floats, would give.
  *
  * Time: as the field's, but linear in the rows and edges where rows are integers. Memory: 13 bytes per
- * row, 16 or 24 per edge, and at most about 100 MB for a slab, if it is of more than 16 layers.
+ * row, 16 or 24 per edge, and that of a slab.
  */
 class LevelEdges
 {
 public:
+  /// What a slab may take if it has more than 16 layers.
+  static constexpr double usualSlabBytes = 96.0 * 1024 * 1024;
+
   /// withBorder: as if there were samples around the grid, all of them outside. Keeps references to
   /// field and grid.
-  LevelEdges(
-    const Field& field, const Grid& grid, InsideRule rule, double threshold, bool withBorder);
+  LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+    bool withBorder, double slabBytes = usualSlabBytes);
   ~LevelEdges();
 
   /// Bytes of the tables of rows that a grid needs.
   static double bytesOfRows(const Grid& grid);
 
-  /// Bytes for the slabs of a grid, unless whole rows are integers.
+  /// Bytes of a usual slab, which is not needed where whole rows are integers.
   static double bytesOfSlab(const Grid& grid);
 
   bool isDone() const { return nextLayer_ == grid_.dimensions[2]; }
@@ -117,7 +120,8 @@ private:
   const Grid& grid_;
   InsideRule rule_;
   double threshold_;
-  int border_;                                       ///< layers of samples around the grid: 1 or 0
+  int border_; ///< layers of samples around the grid: 1 or 0
+  int layersPerSlab_;
   std::unique_ptr<const RowCrossings::OnGrid> rows_; ///< null unless whole rows are integers
   int nextLayer_ = 0;
   std::unique_ptr<Layer> lastLayer_; ///< the one before nextLayer_

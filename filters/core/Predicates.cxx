@@ -129,17 +129,9 @@ int exactSideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const E
 
 } // namespace
 
-int sideOfEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q)
+int sideOfEdgeExactly(
+  const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q)
 {
-  const double left = (to[0] - from[0]) * (q[1] - from[1]);
-  const double right = (to[1] - from[1]) * (q[0] - from[0]);
-  const double area = left - right;
-  // Each difference, product and the last subtraction round once: (3 + 16ε)ε with ε = 2^−53.
-  constexpr double errorBound = 3.3306690738754716e-16;
-  if (std::abs(area) > errorBound * (std::abs(left) + std::abs(right)))
-  {
-    return signOf(area);
-  }
   const int side = exactSign({to[0], from[0]}, {q[1], from[1]}, {to[1], from[1]}, {q[0], from[0]});
   if (side != 0)
   {

@@ -40,11 +40,29 @@ void addIntersection(
   high = std::max(high, std::min(y + margin, edgeHigh));
 }
 
-int toIndex(double value, int lowest, int highest)
+///@{
+/// Rounded down and up, within a range. Not std::clamp, which would let NaN pass: coordinates may be
+/// huge in units of the grid. And not std::floor, which is a call on processors of any age.
+int floorIndex(double value, int lowest, int highest)
 {
-  // Not std::clamp, which would let NaN pass: coordinates may be huge in units of the grid.
-  return value >= highest ? highest : value > lowest ? static_cast<int>(value) : lowest;
+  if (!(value > lowest))
+  {
+    return lowest;
+  }
+  const int truncated = value >= highest ? highest : static_cast<int>(value);
+  return truncated - (truncated > value);
 }
+
+int ceilIndex(double value, int lowest, int highest)
+{
+  if (!(value > lowest))
+  {
+    return lowest;
+  }
+  const int truncated = value >= highest ? highest : static_cast<int>(value);
+  return truncated + (truncated < value && truncated < highest);
+}
+///@}
 
 } // namespace
 
@@ -73,13 +91,11 @@ RowTriangle::Range RowTriangle::rowsIn(int k, int lowest, int highest) const
   addIntersection(a_, b_, k, low, high);
   addIntersection(b_, c_, k, low, high);
   addIntersection(c_, a_, k, low, high);
-  low = std::ceil(low);
-  high = std::floor(high);
   if (!(low <= high) || low > highest || high < lowest)
   {
     return {0, -1};
   }
-  return {toIndex(low, lowest, highest), toIndex(high, lowest, highest)};
+  return {ceilIndex(low, lowest, highest), floorIndex(high, lowest, highest)};
 }
 
 int RowTriangle::crossingSign(int j, int k) const
@@ -104,10 +120,11 @@ double RowTriangle::crossingX(int j, int k, double& error) const
   const double dy = j - a_[1], dz = k - a_[2];
   const double shift = normal_[1] * dy + normal_[2] * dz;
   const double magnitude = normalMagnitude_[1] * std::abs(dy) + normalMagnitude_[2] * std::abs(dz);
-  const double x = a_[0] - shift / nx;
+  const double step = shift / nx;
+  const double x = a_[0] - step;
   error = 8 * epsilon *
-          (magnitude / std::abs(nx) + std::abs(shift / nx) * normalMagnitude_[0] / std::abs(nx) +
-            std::abs(a_[0]) + std::abs(x));
+          ((magnitude + std::abs(step) * normalMagnitude_[0]) / std::abs(nx) + std::abs(a_[0]) +
+            std::abs(x));
   return x;
 }
 
@@ -126,8 +143,9 @@ int RowTriangle::firstBehind(int j, int k, int sign, int lowest, int highest) co
   // The crossing lies in [low, high] for certain; samples in between are asked one by one.
   const double low = std::isfinite(error) ? std::max(x - error, lowX_) : lowX_;
   const double high = std::isfinite(error) ? std::min(x + error, highX_) : highX_;
-  int before = toIndex(std::ceil(low), lowest, highest + 1);       // may or may not be behind
-  int behind = toIndex(std::floor(high) + 1, lowest, highest + 1); // behind, or beyond the extent
+  int before = ceilIndex(low, lowest, highest + 1); // may or may not be behind
+  int behind =
+    !(high >= lowest) ? lowest : floorIndex(high, lowest, highest) + 1; // or beyond the extent
   while (before < behind)
   {
     const int middle = before + (behind - before) / 2;

@@ -69,6 +69,31 @@ TEST_P(SurfaceCommands, RuleAbsoluteTakesEitherOrientation)
   EXPECT_NEAR(report["volume"], volumeOfSphere, 0.1 * volumeOfSphere);
 }
 
+TEST_P(SurfaceCommands, RuleOddLeavesOutWhatIsInsideTwice)
+{
+  Mesh mesh = sphere(3);
+  const auto points = mesh.points.size();
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const std::array<double, 3> p = mesh.points[i];
+    mesh.points.push_back({0.6 * p[0], 0.6 * p[1], 0.6 * p[2]});
+  }
+  for (std::size_t i = mesh.triangles.size(); i-- > 0;)
+  {
+    std::array<int, 3> inner = mesh.triangles[i];
+    for (int& id : inner)
+    {
+      id += static_cast<int>(points);
+    }
+    mesh.triangles.push_back(inner);
+  }
+  in = folder.write("nested.off", asOff(mesh));
+  const nlohmann::json report = checked(GetParam(), "ply", {"--rule", "odd"});
+  EXPECT_EQ(report["closed"], true);
+  const double volume = volumeOfSphere * (1 - 0.6 * 0.6 * 0.6);
+  EXPECT_NEAR(report["volume"], volume, 0.1 * volume);
+}
+
 TEST_P(SurfaceCommands, EmptyResultsAreWarnedOf)
 {
   const Outcome run = runProgram({GetParam(), in, "-o", folder.path("out.vtp"), "--resolution", "8",
@@ -125,7 +150,8 @@ TEST(SurfaceCommand, IsAsSmoothAsItsInput)
     const nlohmann::json report = runProgram({"check", out, "--json"}).json();
     const nlohmann::json expected = runProgram({"check", in, "--json"}).json();
     EXPECT_NEAR(report["area"].get<double>() / expected["area"].get<double>(), 1, 0.01) << report;
-    EXPECT_NEAR(report["volume"].get<double>() / expected["volume"].get<double>(), 1, 0.01) << report;
+    EXPECT_NEAR(report["volume"].get<double>() / expected["volume"].get<double>(), 1, 0.01)
+      << report;
     const bool isDouble =
       contentsOf(out).find("type=\"Float64\" Name=\"Points\"") != std::string::npos;
     EXPECT_EQ(isDouble, std::string(more) == "--double");
