@@ -235,7 +235,8 @@ void GridContour::addAreas(
   }
 }
 
-vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(vtkPoints* points, Executor& executor) const
+/// For every vertex, the sum of its triangles' vector areas.
+std::vector<Eigen::Vector3d> GridContour::areasAround(vtkPoints* points, Executor& executor) const
 {
   std::vector<Eigen::Vector3d> sums(edges_.size(), Eigen::Vector3d::Zero());
   if (points->GetDataType() == VTK_DOUBLE)
@@ -246,25 +247,58 @@ vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(vtkPoints* points, Executo
   {
     this->addAreas(static_cast<const float*>(points->GetVoidPointer(0)), sums, executor);
   }
+  return sums;
+}
+
+vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(
+  vtkPoints* points, const DirectionAt& directionAt, Executor& executor) const
+{
   auto normals = vtkSmartPointer<vtkFloatArray>::New();
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(points->GetNumberOfPoints());
+  const auto set = [&normals](std::size_t vertex, const Eigen::Vector3d& vector)
+  {
+    const Eigen::Vector3f normal = vector.stableNormalized().cast<float>();
+    std::copy_n(normal.data(), 3, normals->GetPointer(3 * static_cast<vtkIdType>(vertex)));
+  };
+  std::vector<std::vector<std::size_t>> left(
+    (edges_.size() + verticesPerBlock - 1) / verticesPerBlock);
   runBlocks(
-    sums.size(), verticesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    edges_.size(), verticesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const Eigen::Vector3d normal = sums[i].stableNormalized();
-        for (int axis = 0; axis < 3; ++axis)
+        Eigen::Vector3d direction;
+        const GridEdge& edge = edges_[i];
+        if (directionAt(i, direction) && direction[edge.axis] != 0)
         {
-          normals->SetTypedComponent(
-            static_cast<vtkIdType>(i), axis, static_cast<float>(normal[axis]));
+          // The surface is left along its edge, from the sample inside to that outside.
+          const bool pointsOutward = (direction[edge.axis] > 0) == edge.firstIsInside;
+          set(i, pointsOutward ? direction : Eigen::Vector3d(-direction));
+        }
+        else
+        {
+          left[block].push_back(i);
         }
       }
     },
     executor);
+  if (std::any_of(left.begin(), left.end(), [](const auto& some) { return !some.empty(); }))
+  {
+    const std::vector<Eigen::Vector3d> areas = this->areasAround(points, executor);
+    runBlocks(
+      left.size(), 1,
+      [&](std::size_t block, std::size_t, std::size_t)
+      {
+        for (const std::size_t i : left[block])
+        {
+          set(i, areas[i]);
+        }
+      },
+      executor);
+  }
   return normals;
 }
 

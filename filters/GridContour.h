@@ -4,6 +4,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <vector>
 
 class vtkCellArray;
@@ -33,11 +34,16 @@ public:
 
   vtkCellArray* triangles() const { return triangles_; }
 
-  /// Unit normals of placed vertices: the mean of the triangles around, weighted by area; 0 0 0 where
-  /// these cancel.
-  vtkSmartPointer<vtkFloatArray> normalsOf(vtkPoints* points, Executor& executor) const;
+  /// Gives the direction across the surface at a vertex, of any length and either sense, if it knows that.
+  using DirectionAt = std::function<bool(std::size_t vertex, Eigen::Vector3d& direction)>;
+
+  /// Unit normals of placed vertices, outward. Where there is no direction, the mean of the triangles
+  /// around, weighted by area; 0 0 0 where these cancel.
+  vtkSmartPointer<vtkFloatArray> normalsOf(
+    vtkPoints* points, const DirectionAt& directionAt, Executor& executor) const;
 
 private:
+  std::vector<Eigen::Vector3d> areasAround(vtkPoints* points, Executor& executor) const;
   template <class Real>
   void addAreas(
     const Real* coordinates, std::vector<Eigen::Vector3d>& sums, Executor& executor) const;

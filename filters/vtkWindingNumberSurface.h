@@ -60,8 +60,10 @@ public:
   ///@}
 
   ///@{
-  /// Add point normals: the mean of the triangles around a vertex, weighted by area. They point
-  /// outward. Default on.
+  /// Add point normals, which point outward: that of the source's triangle on which a vertex lies, so
+  /// that edges and details which voxels blur show in the shading; where the level is off the source's
+  /// triangles, and of clouds, the mean of the surface's own around the vertex, weighted by area. Default
+  /// on.
   vtkSetMacro(GenerateNormals, vtkTypeBool);
   vtkGetMacro(GenerateNormals, vtkTypeBool);
   vtkBooleanMacro(GenerateNormals, vtkTypeBool);

@@ -17,7 +17,6 @@ void runSurface(const Options& given, Messages& messages)
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
-  filter->GenerateNormalsOff(); // a solid is what is asked for, not how to shade it
   FieldRun run(*filter, options, messages);
   run.update();
   vtkPolyData* surface = filter->GetOutput();

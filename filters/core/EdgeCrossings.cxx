@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace winding
 {
@@ -22,10 +23,16 @@ int turned(int axis, int by)
 /// So few are asked at once, rather than narrowed down.
 constexpr int fewRows = 4;
 
-struct Crossing
+struct FoundCrossing
 {
-  std::uint32_t edge;
+  std::uint32_t edge, triangle;
   double fraction;
+};
+
+struct NumberedTriangle
+{
+  Triangle ids;
+  std::uint32_t number;
 };
 
 /// First and last index along an axis of the samples between a triangle's lowest and highest corner;
@@ -56,7 +63,8 @@ public:
   }
 
   /// Corners in units of the grid.
-  void cross(const Eigen::Vector3d (&corners)[3], std::vector<Crossing>& crossings) const
+  void cross(const Eigen::Vector3d (&corners)[3], std::uint32_t number,
+    std::vector<FoundCrossing>& crossings) const
   {
     Range ranges[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -68,15 +76,15 @@ public:
       const Range &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
       if (rows.first <= rows.second && layers.first <= layers.second)
       {
-        this->crossLines(corners, axis, rows, layers, crossings);
+        this->crossLines(corners, number, axis, rows, layers, crossings);
       }
     }
   }
 
 private:
   /// Those with the lines along an axis, taken for x.
-  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const Range& rows,
-    const Range& layers, std::vector<Crossing>& crossings) const
+  void crossLines(const Eigen::Vector3d (&corners)[3], std::uint32_t number, int axis,
+    const Range& rows, const Range& layers, std::vector<FoundCrossing>& crossings) const
   {
     const int y = turned(axis, 1), z = turned(axis, 2);
     Eigen::Vector3d turnedCorners[3];
@@ -110,7 +118,7 @@ private:
         if (edge != edges_.size())
         {
           const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
-          crossings.push_back({static_cast<std::uint32_t>(edge), fraction});
+          crossings.push_back({static_cast<std::uint32_t>(edge), number, fraction});
         }
       }
     }
@@ -149,50 +157,56 @@ EdgeCrossings::EdgeCrossings(
       const double lowest =
         std::min({vertices[ids[0]][2], vertices[ids[1]][2], vertices[ids[2]][2]});
       const double layer = std::clamp<double>(lowest, 0, layers - 1);
-      put(static_cast<std::size_t>(layer) >> shift, ids);
+      put(static_cast<std::size_t>(layer) >> shift,
+        NumberedTriangle{ids, static_cast<std::uint32_t>(i)});
     }
   };
-  const Buckets<Triangle> triangles =
-    distribute<Triangle>(surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
-  const Triangle* const firstTriangle = triangles.begin(0);
-  std::vector<std::vector<Crossing>> found((surface.triangles.size() + perBlock - 1) / perBlock);
+  const Buckets<NumberedTriangle> triangles = distribute<NumberedTriangle>(
+    surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
+  const NumberedTriangle* const firstTriangle = triangles.begin(0);
+  std::vector<std::vector<FoundCrossing>> found(
+    (surface.triangles.size() + perBlock - 1) / perBlock);
   runBlocks(
     surface.triangles.size(), perBlock,
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
-      std::vector<Crossing>& crossings = found[block];
+      std::vector<FoundCrossing>& crossings = found[block];
       for (std::size_t i = first; i < last; ++i)
       {
-        const Triangle& ids = firstTriangle[i];
+        const auto& [ids, number] = firstTriangle[i];
         const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
-        lines.cross(corners, crossings);
+        lines.cross(corners, number, crossings);
       }
     },
     executor);
 
   starts_.assign(edges.size() + 2, 0);
-  for (const std::vector<Crossing>& crossings : found)
+  for (const std::vector<FoundCrossing>& crossings : found)
   {
-    for (const Crossing& crossing : crossings)
+    for (const FoundCrossing& crossing : crossings)
     {
       ++starts_[crossing.edge + 2];
     }
   }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  fractions_.resize(starts_.back());
-  for (const std::vector<Crossing>& crossings : found)
+  crossings_.resize(starts_.back());
+  for (const std::vector<FoundCrossing>& crossings : found)
   {
-    for (const Crossing& crossing : crossings)
+    for (const FoundCrossing& crossing : crossings)
     {
-      fractions_[starts_[crossing.edge + 1]++] = crossing.fraction;
+      crossings_[starts_[crossing.edge + 1]++] = {crossing.fraction, crossing.triangle};
     }
   }
+  const auto isBefore = [](const Crossing& a, const Crossing& b)
+  {
+    return std::pair(a.fraction, a.triangle) < std::pair(b.fraction, b.triangle);
+  };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
     if (starts_[edge + 1] - starts_[edge] > 1)
     {
-      std::sort(fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
-        fractions_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]));
+      std::sort(crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
+        crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]), isBefore);
     }
   }
 }

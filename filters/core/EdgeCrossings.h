@@ -25,15 +25,21 @@ public:
   EdgeCrossings(
     const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor);
 
+  struct Crossing
+  {
+    double fraction;        ///< 0 at the edge's first sample, 1 at its second
+    std::uint32_t triangle; ///< of the surface
+  };
+
   ///@{
-  /// Crossings of an edge, ascending: 0 at its first sample, 1 at its second.
-  const double* begin(std::size_t edge) const { return fractions_.data() + starts_[edge]; }
-  const double* end(std::size_t edge) const { return fractions_.data() + starts_[edge + 1]; }
+  /// Crossings of an edge, ascending.
+  const Crossing* begin(std::size_t edge) const { return crossings_.data() + starts_[edge]; }
+  const Crossing* end(std::size_t edge) const { return crossings_.data() + starts_[edge + 1]; }
   ///@}
 
 private:
   std::vector<std::size_t> starts_; ///< of each edge's, and the end
-  std::vector<double> fractions_;
+  std::vector<Crossing> crossings_;
 };
 
 } // namespace winding

@@ -48,6 +48,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
   , fractions_(edges.size(), 0.5)
+  , triangles_(edges.size(), noTriangle)
 {
   if (field.surface())
   {
@@ -89,21 +90,37 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   }
 }
 
+/// The crossings of an edge from a fraction to another, both included; none of clouds.
+LevelRoots::CrossingRange LevelRoots::crossingsBetween(
+  std::size_t edge, double low, double high) const
+{
+  if (!crossings_)
+  {
+    return {};
+  }
+  const EdgeCrossings::Crossing *first = crossings_->begin(edge), *last = crossings_->end(edge);
+  while (first != last && first->fraction < low)
+  {
+    ++first;
+  }
+  while (first != last && last[-1].fraction > high)
+  {
+    --last;
+  }
+  return {first, last};
+}
+
 /// Whether there is but one place where the field can change between two fractions of an edge; then it
 /// is kept.
 bool LevelRoots::isFoundByCrossings(std::size_t edge, double low, double high)
 {
-  if (!crossings_ || !jumpsOnly_)
+  const auto [first, last] = this->crossingsBetween(edge, low, high);
+  if (!jumpsOnly_ || last - first != 1)
   {
     return false;
   }
-  const double* end = crossings_->end(edge);
-  const double* first = std::lower_bound(crossings_->begin(edge), end, low);
-  if (std::upper_bound(first, end, high) - first != 1)
-  {
-    return false;
-  }
-  fractions_[edge] = *first;
+  fractions_[edge] = first->fraction;
+  triangles_[edge] = first->triangle;
   return true;
 }
 
@@ -118,6 +135,11 @@ bool LevelRoots::isFound(const Search& search)
   if (search.high - search.low <= shortest)
   {
     root = 0.5 * (search.low + search.high);
+    const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+    if (first != last)
+    {
+      triangles_[search.edge] = first[(last - first) / 2].triangle;
+    }
     return true;
   }
   const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
@@ -127,18 +149,21 @@ bool LevelRoots::isFound(const Search& search)
 
 void LevelRoots::chooseNext(Search& search) const
 {
-  if (crossings_)
+  auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+  while (first != last && first->fraction == search.low)
   {
-    const double* first =
-      std::upper_bound(crossings_->begin(search.edge), crossings_->end(search.edge), search.low);
-    const double* last = std::lower_bound(first, crossings_->end(search.edge), search.high);
-    if (first != last)
-    {
-      const double crossing = first[(last - first) / 2];
-      const double before = crossing - besideCrossing, behind = crossing + besideCrossing;
-      search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
-      return;
-    }
+    ++first;
+  }
+  while (first != last && last[-1].fraction == search.high)
+  {
+    --last;
+  }
+  if (first != last)
+  {
+    const double crossing = first[(last - first) / 2].fraction;
+    const double before = crossing - besideCrossing, behind = crossing + besideCrossing;
+    search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
+    return;
   }
   search.next = nextByItp(search.low, search.high, search.lowLevel, search.highLevel, search.steps);
   ++search.steps;

@@ -3,7 +3,9 @@
 #include "EdgeCrossings.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -41,6 +43,11 @@ public:
   /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
   const std::vector<double>& fractions() const { return fractions_; }
 
+  /// The triangle of the field's surface() that a root lies on; noTriangle where the level is off the
+  /// surface, at the border, and of clouds.
+  std::uint32_t triangleAt(std::size_t root) const { return triangles_[root]; }
+  static constexpr std::uint32_t noTriangle = std::numeric_limits<std::uint32_t>::max();
+
 private:
   /// The bracket of a root that is not found yet: fractions of an edge, and what is known there.
   struct Search
@@ -52,6 +59,8 @@ private:
     double next = 0; ///< where to evaluate
   };
 
+  using CrossingRange = std::pair<const EdgeCrossings::Crossing*, const EdgeCrossings::Crossing*>;
+  CrossingRange crossingsBetween(std::size_t edge, double low, double high) const;
   bool isFoundByCrossings(std::size_t edge, double low, double high);
   bool isFound(const Search& search);
   void chooseNext(Search& search) const;
@@ -67,6 +76,7 @@ private:
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
   std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
   std::vector<double> fractions_;
+  std::vector<std::uint32_t> triangles_;
   std::vector<Search> searches_; ///< those that are not done
 };
 

@@ -273,6 +273,51 @@ TEST_F(Surfaces, OfFacesInPlanesOfTheGridAreClosedAndLieOnThem)
   }
 }
 
+TEST_F(Surfaces, HaveTheNormalsOfTheSourceWhereTheyLieOnIt)
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputConnection(cube->GetOutputPort());
+  filter->SetInsideRule(vtkWindingNumberSurface::ABSOLUTE);
+  const std::array<vtkAlgorithmOutput*, 2> sources = {
+    cube->GetOutputPort(), reversed->GetOutputPort()};
+  for (vtkAlgorithmOutput* source : sources)
+  {
+    filter->SetInputConnection(source);
+    vtkPolyData* surface = this->update();
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double* point = surface->GetPoint(i);
+      const double* normal = surface->GetPointData()->GetNormals()->GetTuple3(i);
+      const int axis =
+        static_cast<int>(std::max_element(normal, normal + 3,
+                           [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+                         normal);
+      EXPECT_EQ(std::abs(normal[axis]), 1) << "beside edges, too";
+      EXPECT_NEAR(point[axis], 0.5 * normal[axis], 1e-6);
+    }
+  }
+
+  // The ball's lower half, seen from whose rim's plane it fills half of all directions.
+  filter->SetInputConnection(sphere->GetOutputPort());
+  sphere->SetStartPhi(90);
+  vtkPolyData* surface = this->update();
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  int offSource = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double* point = surface->GetPoint(i);
+    EXPECT_NEAR(vtkMath::Norm(normals->GetTuple3(i)), 1, 1e-6);
+    if (std::hypot(point[0], point[1]) < 0.9 && point[2] > -0.1)
+    {
+      ++offSource;
+      EXPECT_NEAR(point[2], 0, 1e-3); // measured: 5e-5
+      EXPECT_GT(normals->GetComponent(i, 2), 0.999);
+    }
+  }
+  EXPECT_GT(offSource, 50);
+}
+
 TEST_F(Surfaces, OfAnOpenMeshLieOnItOrAtTheLevel)
 {
   sphere->SetEndPhi(120);
