@@ -251,15 +251,14 @@ std::vector<Eigen::Vector3d> GridContour::areasAround(vtkPoints* points, Executo
 }
 
 vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(
-  vtkPoints* points, const DirectionAt& directionAt, Executor& executor) const
+  vtkPoints* points, const std::vector<Eigen::Vector3f>& known, Executor& executor) const
 {
   auto normals = vtkSmartPointer<vtkFloatArray>::New();
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(points->GetNumberOfPoints());
-  const auto set = [&normals](std::size_t vertex, const Eigen::Vector3d& vector)
+  const auto set = [&normals](std::size_t vertex, const Eigen::Vector3f& normal)
   {
-    const Eigen::Vector3f normal = vector.stableNormalized().cast<float>();
     std::copy_n(normal.data(), 3, normals->GetPointer(3 * static_cast<vtkIdType>(vertex)));
   };
   std::vector<std::vector<std::size_t>> left(
@@ -270,13 +269,13 @@ vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        Eigen::Vector3d direction;
         const GridEdge& edge = edges_[i];
-        if (directionAt(i, direction) && direction[edge.axis] != 0)
+        const float along = known[i][edge.axis];
+        if (along != 0)
         {
           // The surface is left along its edge, from the sample inside to that outside.
-          const bool pointsOutward = (direction[edge.axis] > 0) == edge.firstIsInside;
-          set(i, pointsOutward ? direction : Eigen::Vector3d(-direction));
+          const float sense = (along > 0) == edge.firstIsInside ? 1.0f : -1.0f;
+          set(i, sense * known[i]);
         }
         else
         {
@@ -294,7 +293,7 @@ vtkSmartPointer<vtkFloatArray> GridContour::normalsOf(
       {
         for (const std::size_t i : left[block])
         {
-          set(i, areas[i]);
+          set(i, areas[i].stableNormalized().cast<float>());
         }
       },
       executor);

@@ -4,7 +4,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <vector>
 
 class vtkCellArray;
@@ -34,13 +33,10 @@ public:
 
   vtkCellArray* triangles() const { return triangles_; }
 
-  /// Gives the direction across the surface at a vertex, of any length and either sense, if it knows that.
-  using DirectionAt = std::function<bool(std::size_t vertex, Eigen::Vector3d& direction)>;
-
-  /// Unit normals of placed vertices, outward. Where there is no direction, the mean of the triangles
-  /// around, weighted by area; 0 0 0 where these cancel.
+  /// Unit normals of placed vertices, outward: these of the vertices, turned if need be; where they are 0,
+  /// the mean of the triangles around, weighted by area, or 0 where those cancel.
   vtkSmartPointer<vtkFloatArray> normalsOf(
-    vtkPoints* points, const DirectionAt& directionAt, Executor& executor) const;
+    vtkPoints* points, const std::vector<Eigen::Vector3f>& known, Executor& executor) const;
 
 private:
   std::vector<Eigen::Vector3d> areasAround(vtkPoints* points, Executor& executor) const;

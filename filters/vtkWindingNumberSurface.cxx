@@ -149,24 +149,7 @@ try
   output->SetPolys(contour.triangles());
   if (this->GenerateNormals)
   {
-    const winding::Surface* surface = field.surface();
-    const auto normalOfSource = [&](std::size_t vertex, Eigen::Vector3d& direction)
-    {
-      const std::uint32_t triangle = roots.triangleAt(vertex);
-      if (triangle == winding::LevelRoots::noTriangle)
-      {
-        return false;
-      }
-      const winding::Triangle& ids = surface->triangles[triangle];
-      // In units of a voxel, so that no unit of length leaves the range of numbers.
-      const auto side = [&](int end) -> Eigen::Vector3d
-      {
-        return (surface->vertices[ids[end]] - surface->vertices[ids[0]]) / grid.spacing.maxCoeff();
-      };
-      direction = side(1).cross(side(2));
-      return true;
-    };
-    output->GetPointData()->SetNormals(contour.normalsOf(points, normalOfSource, executor));
+    output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
   }
   this->UpdateProgress(1);
   return true;

@@ -25,14 +25,8 @@ constexpr int fewRows = 4;
 
 struct FoundCrossing
 {
-  std::uint32_t edge, triangle;
-  double fraction;
-};
-
-struct NumberedTriangle
-{
-  Triangle ids;
-  std::uint32_t number;
+  std::uint32_t edge;
+  EdgeCrossings::Crossing crossing;
 };
 
 /// First and last index along an axis of the samples between a triangle's lowest and highest corner;
@@ -59,12 +53,12 @@ public:
   TriangleOnLines(const LevelEdges& edges, const Grid& grid)
     : edges_(edges)
     , dimensions_(grid.dimensions)
+    , stretching_(grid.spacing.maxCoeff() * grid.spacing.cwiseInverse())
   {
   }
 
   /// Corners in units of the grid.
-  void cross(const Eigen::Vector3d (&corners)[3], std::uint32_t number,
-    std::vector<FoundCrossing>& crossings) const
+  void cross(const Eigen::Vector3d (&corners)[3], std::vector<FoundCrossing>& crossings) const
   {
     Range ranges[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -76,15 +70,15 @@ public:
       const Range &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
       if (rows.first <= rows.second && layers.first <= layers.second)
       {
-        this->crossLines(corners, number, axis, rows, layers, crossings);
+        this->crossLines(corners, axis, rows, layers, crossings);
       }
     }
   }
 
 private:
   /// Those with the lines along an axis, taken for x.
-  void crossLines(const Eigen::Vector3d (&corners)[3], std::uint32_t number, int axis,
-    const Range& rows, const Range& layers, std::vector<FoundCrossing>& crossings) const
+  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const Range& rows,
+    const Range& layers, std::vector<FoundCrossing>& crossings) const
   {
     const int y = turned(axis, 1), z = turned(axis, 2);
     Eigen::Vector3d turnedCorners[3];
@@ -118,14 +112,28 @@ private:
         if (edge != edges_.size())
         {
           const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
-          crossings.push_back({static_cast<std::uint32_t>(edge), number, fraction});
+          crossings.push_back(
+            {static_cast<std::uint32_t>(edge), {fraction, this->normalOf(triangle, axis)}});
         }
       }
     }
   }
 
+  /// In the unit of length, of a triangle with an axis for x.
+  Eigen::Vector3f normalOf(const RowTriangle& triangle, int axis) const
+  {
+    Eigen::Vector3d normal;
+    for (int by = 0; by < 3; ++by)
+    {
+      normal[turned(axis, by)] = triangle.areaVector()[by];
+    }
+    return normal.cwiseProduct(stretching_).stableNormalized().cast<float>();
+  }
+
   const LevelEdges& edges_;
   Eigen::Vector3i dimensions_;
+  Eigen::Vector3d
+    stretching_; ///< of normals, from units of the grid; 1 along the longest side of a voxel
 };
 
 } // namespace
@@ -157,13 +165,12 @@ EdgeCrossings::EdgeCrossings(
       const double lowest =
         std::min({vertices[ids[0]][2], vertices[ids[1]][2], vertices[ids[2]][2]});
       const double layer = std::clamp<double>(lowest, 0, layers - 1);
-      put(static_cast<std::size_t>(layer) >> shift,
-        NumberedTriangle{ids, static_cast<std::uint32_t>(i)});
+      put(static_cast<std::size_t>(layer) >> shift, ids);
     }
   };
-  const Buckets<NumberedTriangle> triangles = distribute<NumberedTriangle>(
-    surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
-  const NumberedTriangle* const firstTriangle = triangles.begin(0);
+  const Buckets<Triangle> triangles =
+    distribute<Triangle>(surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
+  const Triangle* const firstTriangle = triangles.begin(0);
   std::vector<std::vector<FoundCrossing>> found(
     (surface.triangles.size() + perBlock - 1) / perBlock);
   runBlocks(
@@ -173,9 +180,9 @@ EdgeCrossings::EdgeCrossings(
       std::vector<FoundCrossing>& crossings = found[block];
       for (std::size_t i = first; i < last; ++i)
       {
-        const auto& [ids, number] = firstTriangle[i];
+        const Triangle& ids = firstTriangle[i];
         const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
-        lines.cross(corners, number, crossings);
+        lines.cross(corners, crossings);
       }
     },
     executor);
@@ -194,18 +201,18 @@ EdgeCrossings::EdgeCrossings(
   {
     for (const FoundCrossing& crossing : crossings)
     {
-      crossings_[starts_[crossing.edge + 1]++] = {crossing.fraction, crossing.triangle};
+      crossings_[starts_[crossing.edge + 1]++] = crossing.crossing;
     }
   }
   const auto isBefore = [](const Crossing& a, const Crossing& b)
   {
-    return std::pair(a.fraction, a.triangle) < std::pair(b.fraction, b.triangle);
+    return a.fraction < b.fraction;
   };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
     if (starts_[edge + 1] - starts_[edge] > 1)
     {
-      std::sort(crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
+      std::stable_sort(crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
         crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]), isBefore);
     }
   }

@@ -16,7 +16,7 @@ namespace winding
  * the line; (3) the same bits for any executor.
  *
  * Time: linear in the triangles, the edges and the crossings of the lines of the grid. Memory: 24 bytes
- * per vertex of the surface, and about 40 for each edge.
+ * per vertex of the surface, and about 70 for each edge.
  */
 class EdgeCrossings
 {
@@ -28,7 +28,7 @@ public:
   struct Crossing
   {
     double fraction;        ///< 0 at the edge's first sample, 1 at its second
-    std::uint32_t triangle; ///< of the surface
+    Eigen::Vector3f normal; ///< of the triangle, of unit length, or 0 where rounding leaves none
   };
 
   ///@{

@@ -48,7 +48,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
   , fractions_(edges.size(), 0.5)
-  , triangles_(edges.size(), noTriangle)
+  , normals_(edges.size(), Eigen::Vector3f::Zero())
 {
   if (field.surface())
   {
@@ -120,7 +120,7 @@ bool LevelRoots::isFoundByCrossings(std::size_t edge, double low, double high)
     return false;
   }
   fractions_[edge] = first->fraction;
-  triangles_[edge] = first->triangle;
+  normals_[edge] = first->normal;
   return true;
 }
 
@@ -138,7 +138,7 @@ bool LevelRoots::isFound(const Search& search)
     const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
     if (first != last)
     {
-      triangles_[search.edge] = first[(last - first) / 2].triangle;
+      normals_[search.edge] = first[(last - first) / 2].normal;
     }
     return true;
   }

@@ -3,7 +3,6 @@
 #include "EdgeCrossings.h"
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -43,10 +42,9 @@ public:
   /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
   const std::vector<double>& fractions() const { return fractions_; }
 
-  /// The triangle of the field's surface() that a root lies on; noTriangle where the level is off the
-  /// surface, at the border, and of clouds.
-  std::uint32_t triangleAt(std::size_t root) const { return triangles_[root]; }
-  static constexpr std::uint32_t noTriangle = std::numeric_limits<std::uint32_t>::max();
+  /// For each root, the unit normal of the triangle that it lies on, 0 where that is not known: where the
+  /// level is off the surface, at the border, and of clouds.
+  const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
 
 private:
   /// The bracket of a root that is not found yet: fractions of an edge, and what is known there.
@@ -76,7 +74,7 @@ private:
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
   std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
   std::vector<double> fractions_;
-  std::vector<std::uint32_t> triangles_;
+  std::vector<Eigen::Vector3f> normals_;
   std::vector<Search> searches_; ///< those that are not done
 };
 

@@ -33,6 +33,9 @@ public:
   /// For a row that crosses: where, as far as rounding goes, and never beyond the triangle.
   double crossingAt(int j, int k) const;
 
+  /// Twice its area, in the direction of its normal.
+  const Eigen::Vector3d& areaVector() const { return normal_; }
+
 private:
   double crossingX(int j, int k, double& error) const;
 
