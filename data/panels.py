@@ -3,22 +3,32 @@
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
 """
 
+import math
+
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything)
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkProperty, vtkRenderer, vtkRenderWindow,
+    vtkTextActor, vtkWindowToImageFilter)
 
-SIZE = (1600, 450)
-CAPTION_SHARE = 0.11  # of the height, below each picture
+WIDTH, ROW_HEIGHT = 1600, 450
+CAPTION_SHARE = 0.11  # of a row's height, below each picture
 
 SHELL = (0.93, 0.90, 0.85)
+INNER_SIDE = (0.85, 0.42, 0.25)
 SMOOTH = (0.45, 0.63, 0.80)
+SWOLLEN = (0.85, 0.55, 0.42)
+VOXELS = (0.60, 0.76, 0.62)
+VOXEL_EDGES = (0.32, 0.44, 0.34)
 INK = (0.15, 0.15, 0.18)
+FIELD_COLORS = [(0, (0.97, 0.97, 0.98)), (0.5, (0.99, 0.76, 0.48)), (1, (0.80, 0.30, 0.22))]
 
 
 def read_off(path):
@@ -42,14 +52,16 @@ def read_off(path):
     return mesh
 
 
-def read_xml(reader, path):
+def read(reader, path):
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
 
 
 def read_surface(path):
-    return read_off(path) if path.endswith(".off") else read_xml(vtkXMLPolyDataReader(), path)
+    if path.endswith(".off"):
+        return read_off(path)
+    return read(vtkOBJReader() if path.endswith(".obj") else vtkXMLPolyDataReader(), path)
 
 
 def actor_of(source, color, **properties):
@@ -74,6 +86,9 @@ def actor_of(source, color, **properties):
 
 
 def smooth_shaded(surface):
+    """With the normals that it has, or else with those of its triangles."""
+    if surface.GetPointData().GetNormals():
+        return surface
     normals = vtkPolyDataNormals()
     normals.SetInputData(surface)
     normals.SplittingOff()
@@ -81,10 +96,84 @@ def smooth_shaded(surface):
     return normals
 
 
-def add_panel(window, index, count, caption, actors, bounds):
-    left, right = index / count, (index + 1) / count
+def two_sided(actor):
+    """The actor, with its inner side in another colour."""
+    inner = vtkProperty()
+    inner.SetColor(INNER_SIDE)
+    inner.SetAmbient(0.3)
+    actor.SetBackfaceProperty(inner)
+    return actor
+
+
+def mesh_actors(mesh):
+    """The mesh with its inner side in another colour, and a line along the rims of its holes."""
+    rims = vtkFeatureEdges()
+    rims.SetInputData(mesh)
+    rims.BoundaryEdgesOn()
+    rims.FeatureEdgesOff()
+    rims.NonManifoldEdgesOff()
+    rims.ManifoldEdgesOff()
+    shell = two_sided(actor_of(smooth_shaded(mesh), SHELL))
+    return [shell, actor_of(rims, INK, LineWidth=1.5, Lighting=False)]
+
+
+def ghost_of(mesh):
+    """The mesh as a hint of itself. Front faces alone are translucent without any sorting."""
+    return actor_of(smooth_shaded(mesh), SHELL, Opacity=0.16, BackfaceCulling=True)
+
+
+def slice_actors(field, plane, stops=FIELD_COLORS):
+    """The winding number on a plane, with a bar of its colours."""
+    cut = vtkCutter()
+    cut.SetInputData(field)
+    cut.SetCutFunction(plane)
+
+    colors = vtkColorTransferFunction()
+    colors.SetColorSpaceToLab()
+    for value, color in stops:
+        colors.AddRGBPoint(value, *color)
+    cut_actor = actor_of(cut, INK, Lighting=False)
+    mapper = cut_actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("WindingNumber")
+    mapper.SetLookupTable(colors)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(colors)
+    bar.SetNumberOfLabels(3)
+    bar.SetLabelFormat("%.1f")
+    bar.UnconstrainedFontSizeOn()
+    bar.GetLabelTextProperty().SetFontSize(13)
+    bar.GetLabelTextProperty().SetColor(INK)
+    bar.GetLabelTextProperty().ItalicOff()
+    bar.GetLabelTextProperty().BoldOff()
+    bar.GetLabelTextProperty().ShadowOff()
+    bar.SetPosition(0.88, 0.30)
+    bar.SetWidth(0.1)
+    bar.SetHeight(0.45)
+    return [cut_actor, bar]
+
+
+def line_actor(surface, plane):
+    """Where a surface meets a plane."""
+    line = vtkCutter()
+    line.SetInputData(surface)
+    line.SetCutFunction(plane)
+    return actor_of(line, INK, LineWidth=1.5, Lighting=False)
+
+
+def voxel_actor(voxels):
+    return actor_of(voxels, VOXELS, Interpolation=0, EdgeVisibility=True, EdgeColor=VOXEL_EDGES)
+
+
+def add_panel(window, place, caption, actors, bounds):
+    left, bottom, right, top = place
+    captions_top = bottom + CAPTION_SHARE * (top - bottom)
     picture = vtkRenderer()
-    picture.SetViewport(left, CAPTION_SHARE, right, 1)
+    picture.SetViewport(left, captions_top, right, top)
     picture.SetBackground(1, 1, 1)
     for actor in actors:
         picture.AddViewProp(actor)
@@ -97,11 +186,13 @@ def add_panel(window, index, count, caption, actors, bounds):
     camera.Elevation(26)
     camera.SetViewAngle(20)
     picture.ResetCamera(bounds)
-    camera.Zoom(1.3)
+    # That leaves room to turn around; what is wide needs some of it.
+    sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
+    camera.Zoom(min(1.3, 0.94 * math.hypot(*sides) / max(sides[:2])))
     picture.ResetCameraClippingRange()
 
     strip = vtkRenderer()
-    strip.SetViewport(left, 0, right, CAPTION_SHARE)
+    strip.SetViewport(left, bottom, right, captions_top)
     strip.SetBackground(1, 1, 1)
     text = vtkTextActor()
     text.SetInput(caption)
@@ -116,14 +207,17 @@ def add_panel(window, index, count, caption, actors, bounds):
     window.AddRenderer(strip)
 
 
-def write_picture(panels, bounds, path):
-    """Panels, (caption, actors) each, side by side into a PNG."""
+def write_picture(rows, path):
+    """Rows of panels, (caption, actors, bounds to look at) each, into a PNG."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
-    for index, (caption, actors) in enumerate(panels):
-        add_panel(window, index, len(panels), caption, actors, bounds)
+    window.SetSize(WIDTH, ROW_HEIGHT * len(rows))
+    for row, panels in enumerate(rows):
+        top, bottom = 1 - row / len(rows), 1 - (row + 1) / len(rows)
+        for column, panel in enumerate(panels):
+            place = column / len(panels), bottom, (column + 1) / len(panels), top
+            add_panel(window, place, *panel)
     window.Render()
 
     pixels = vtkWindowToImageFilter()

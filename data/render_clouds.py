@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws an unevenly sampled cloud, and the surfaces that `winding` makes of it with one area for all
+"""Draws an uneven cloud, points of a mesh, and the surfaces that `winding` makes of it with one area for all
 points, with Voronoi areas, and of the mesh that the points are of, side by side, into one PNG.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
@@ -16,15 +16,14 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from panels import INK, SHELL, SMOOTH, actor_of, read_surface, smooth_shaded, write_picture
+from panels import (
+    INK, SHELL, SMOOTH, SWOLLEN, actor_of, read_surface, smooth_shaded, write_picture)
 
-SWOLLEN = (0.85, 0.55, 0.42)
 RESOLUTION = 128
-SPARSER = 12  # below the head one vertex in so many is left
 
 
-def uneven_cloud(mesh):
-    """The vertices of a mesh with their normals: all of the upper third, few of the rest."""
+def cloud_of(mesh, sparser):
+    """The vertices of a mesh with their normals: all of the upper third, of the rest one in so many."""
     with_normals = vtkPolyDataNormals()
     with_normals.SetInputData(mesh)
     with_normals.SplittingOff()
@@ -38,7 +37,7 @@ def uneven_cloud(mesh):
     attributes.CopyAllocate(normals)
     for number in range(vertices.GetNumberOfPoints()):
         point = vertices.GetPoint(number)
-        if number % SPARSER == 0 or point[1] > low + 2 / 3 * (high - low):
+        if number % sparser == 0 or point[1] > low + 2 / 3 * (high - low):
             attributes.CopyData(normals, number, points.InsertNextPoint(point))
     return cloud
 
@@ -61,12 +60,14 @@ def surface_of(program, source, *options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("program", help="the program winding")
-    parser.add_argument("mesh", help="the mesh to take points of: .off or .vtp")
+    parser.add_argument("mesh", help="the mesh to take points of: .off, .obj or .vtp")
     parser.add_argument("picture", help="the .png to write")
+    parser.add_argument("--sparser", type=int, default=12, metavar="N",
+                        help="take one vertex in N below the upper third (12)")
     arguments = parser.parse_args()
 
     mesh = read_surface(arguments.mesh)
-    cloud = uneven_cloud(mesh)
+    cloud = cloud_of(mesh, arguments.sparser)
     with tempfile.TemporaryDirectory() as folder:
         cloud_file = os.path.join(folder, "cloud.vtp")
         writer = vtkXMLPolyDataWriter()
@@ -82,7 +83,7 @@ def main():
         ("Voronoi areas", [actor_of(smooth_shaded(voronoi), SMOOTH)]),
         ("The mesh itself", [actor_of(smooth_shaded(whole), SHELL)]),
     ]
-    write_picture(panels, mesh.GetBounds(), arguments.picture)
+    write_picture([[(*panel, mesh.GetBounds()) for panel in panels]], arguments.picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Draws the pictures of GALLERY.md: runs `winding` on a mesh and shows what came out.
+
+Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
+"""
+
+import argparse
+import os
+import subprocess
+import tempfile
+
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
+
+from panels import (
+    SHELL, SMOOTH, SWOLLEN, actor_of, ghost_of, line_actor, mesh_actors, read, read_surface,
+    slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
+
+OVERLAP_COLORS = [(0, (0.97, 0.97, 0.98)), (1, (0.80, 0.30, 0.22)), (2, (0.35, 0.08, 0.20))]
+
+
+class Winding:
+    """The program, its results read."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+
+    def run(self, command, source, suffix, *options):
+        result = os.path.join(self.folder, "result" + suffix)
+        subprocess.run(
+            [self.program, command, source, "-o", result, "--quiet", *map(str, options)], check=True)
+        return result
+
+    def surface(self, source, *options):
+        return read_surface(self.run("surface", source, ".vtp", *options))
+
+    def voxels(self, source, *options):
+        return read_surface(self.run("voxels", source, ".vtp", *options))
+
+    def field(self, source, *options):
+        return read(vtkXMLImageDataReader(), self.run("field", source, ".vti", *options))
+
+
+def middle_plane(mesh):
+    plane = vtkPlane()
+    plane.SetOrigin(mesh.GetCenter())
+    plane.SetNormal(0, 0, 1)
+    return plane
+
+
+def draw_resolutions(winding, source, picture):
+    bounds = read_surface(source).GetBounds()
+    rows = [[], []]
+    for resolution in (24, 48, 128):
+        options = "--resolution", resolution
+        voxels, surface = winding.voxels(source, *options), winding.surface(source, *options)
+        actor = voxel_actor(voxels)
+        if resolution > 100:
+            actor.GetProperty().EdgeVisibilityOff()  # they would hide the faces
+        rows[0].append((f"Voxels, {resolution} along the longest side", [actor], bounds))
+        smooth = [actor_of(smooth_shaded(surface), SMOOTH)]
+        rows[1].append((f"Surface, {surface.GetNumberOfCells():,} triangles", smooth, bounds))
+    write_picture(rows, picture)
+
+
+def draw_opening(winding, source, picture):
+    mesh = read_surface(source)
+    bounds, plane = mesh.GetBounds(), middle_plane(mesh)
+    field = winding.field(source, "--resolution", 192)
+    levels = (0.1, 0.3, 0.5, 0.7, 0.9)
+    surfaces = {
+        level: winding.surface(source, "--resolution", 192, "--threshold", level)
+        for level in levels
+    }
+    lines = [line_actor(surface, plane) for surface in surfaces.values()]
+    panels = [
+        ("Input: a mesh with holes", mesh_actors(mesh)),
+        ("w, and its levels 0.1, 0.3 … 0.9", [*slice_actors(field, plane), *lines, ghost_of(mesh)]),
+        ("Surface w = 0.1", [actor_of(smooth_shaded(surfaces[0.1]), SWOLLEN)]),
+        ("Surface w = 0.9", [actor_of(smooth_shaded(surfaces[0.9]), SMOOTH)]),
+    ]
+    write_picture([[(*panel, bounds) for panel in panels]], picture)
+
+
+def overlapping(mesh):
+    """Two of it that reach into each other."""
+    moved = vtkTransform()
+    moved.Translate(0.28 * mesh.GetLength() / 3**0.5, 0, 0.05 * mesh.GetLength())
+    second = vtkTransformPolyDataFilter()
+    second.SetInputData(mesh)
+    second.SetTransform(moved)
+    both = vtkAppendPolyData()
+    both.AddInputData(mesh)
+    both.AddInputConnection(second.GetOutputPort())
+    both.Update()
+    return both.GetOutput()
+
+
+def cut_open(surface, plane, color):
+    """What lies behind the plane, its inner side in another colour."""
+    behind = vtkClipPolyData()
+    behind.SetInputData(surface)
+    behind.SetClipFunction(plane)
+    behind.InsideOutOn()
+    return [two_sided(actor_of(behind, color)), line_actor(surface, plane)]
+
+
+def draw_overlap(winding, source, picture):
+    mesh = overlapping(read_surface(source))
+    both = os.path.join(winding.folder, "both.vtp")
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(mesh)
+    writer.SetFileName(both)
+    writer.Write()
+    bounds, plane = mesh.GetBounds(), middle_plane(mesh)
+    options = "--resolution", 160
+    field = winding.field(both, *options)
+    surface = winding.surface(both, *options)
+    # What rays count, for surfaces without holes; method parity finds the same, slowly.
+    by_parity = winding.surface(both, *options, "--rule", "odd")
+    panels = [
+        ("Input: two solids that overlap", [actor_of(smooth_shaded(mesh), SHELL)]),
+        ("By ray parity, cut open", cut_open(by_parity, plane, SWOLLEN)),
+        ("By winding number, cut open", cut_open(surface, plane, SMOOTH)),
+        ("Winding number w", [*slice_actors(field, plane, OVERLAP_COLORS), line_actor(surface, plane)]),
+    ]
+    write_picture([[(*panel, bounds) for panel in panels]], picture)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("program", help="the program winding")
+    parser.add_argument("closed", help="a closed mesh: .off or .vtp")
+    parser.add_argument("open", help="the same with holes")
+    parser.add_argument("folder", help="where the pictures go")
+    arguments = parser.parse_args()
+
+    os.makedirs(arguments.folder, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        winding = Winding(arguments.program, folder)
+        for draw, source in (
+            (draw_resolutions, arguments.closed),
+            (draw_opening, arguments.open),
+            (draw_overlap, arguments.closed),
+        ):
+            name = draw.__name__.removeprefix("draw_") + ".png"
+            draw(winding, source, os.path.join(arguments.folder, name))
+
+
+if __name__ == "__main__":
+    main()
