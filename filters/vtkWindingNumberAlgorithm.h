@@ -46,6 +46,7 @@ class SmpExecutor;
 class SourceField;
 struct FieldInfo;
 struct FieldOutput;
+struct ResultOptions;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
@@ -312,6 +313,9 @@ protected:
 
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
+
+  /// What result arrays the properties want.
+  virtual winding::ResultOptions GetResultOptions() const;
 
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way

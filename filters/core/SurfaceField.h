@@ -29,6 +29,7 @@ public:
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
   const Surface* surface() const override { return &surface_; }
+  const RowCrossings* integerRows() const override;
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;
