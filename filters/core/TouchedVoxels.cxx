@@ -110,14 +110,35 @@ public:
     gridMargin_ =
       rounding * (grid.firstSample.cwiseAbs().cwiseQuotient(grid.spacing).array() + 1).matrix();
 
+    std::vector<Range> reaches(this->count());
+    runBlocks(
+      reaches.size(), perBlock,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          reaches[i] = this->layersOf(this->primitive(static_cast<std::uint32_t>(i)));
+        }
+      },
+      executor);
+    const auto forEachPlace = [&](const auto& visit)
+    {
+      for (std::size_t i = 0; i < reaches.size(); ++i)
+      {
+        for (int k = reaches[i].first; k <= reaches[i].last; ++k)
+        {
+          visit(static_cast<std::size_t>(k - extent_[4]), static_cast<std::uint32_t>(i));
+        }
+      }
+    };
     // Counted two places up, so that filling leaves each start where it belongs.
-    this->forEachPlace([&](std::size_t layer, std::uint32_t) { ++starts_[layer + 2]; });
+    forEachPlace([&](std::size_t layer, std::uint32_t) { ++starts_[layer + 2]; });
     for (std::size_t i = 2; i < starts_.size(); ++i)
     {
       starts_[i] += starts_[i - 1];
     }
     primitives_.resize(starts_.back());
-    this->forEachPlace(
+    forEachPlace(
       [&](std::size_t layer, std::uint32_t number) { primitives_[starts_[layer + 1]++] = number; });
   }
 
@@ -184,19 +205,12 @@ private:
     return voxelsMeeting(low - margin, high + margin, extent_[2 * axis], extent_[2 * axis + 1]);
   }
 
-  template <class Visit> void forEachPlace(const Visit& visit) const
+  /// None, too, if it reaches no row of the extent.
+  Range layersOf(const Polygon& primitive) const
   {
-    for (std::size_t number = 0; number < this->count(); ++number)
-    {
-      const Polygon primitive = this->primitive(static_cast<std::uint32_t>(number));
-      const Eigen::Vector3d margin = this->marginOf(primitive);
-      const Range rows = this->reachOf(primitive, 1, margin[1]);
-      const Range layers = this->reachOf(primitive, 2, margin[2]);
-      for (int k = layers.first; rows.first <= rows.last && k <= layers.last; ++k)
-      {
-        visit(static_cast<std::size_t>(k - extent_[4]), static_cast<std::uint32_t>(number));
-      }
-    }
+    const Eigen::Vector3d margin = this->marginOf(primitive);
+    const Range rows = this->reachOf(primitive, 1, margin[1]);
+    return rows.first <= rows.last ? this->reachOf(primitive, 2, margin[2]) : rows;
   }
 
   /// Marks the voxels of layer k that the part of a primitive touches that lies in it.
