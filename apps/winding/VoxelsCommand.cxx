@@ -44,7 +44,9 @@ void runVoxels(const Options& given, Messages& messages)
   vtkPolyData* surface = voxels->GetOutput();
   if (surface->GetNumberOfCells() == 0)
   {
-    messages.warn(options.input + ": no voxel is inside, so the surface is empty");
+    const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
+    messages.warn(options.input + ": no voxel is inside, so the surface is empty" +
+                  (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
   }
   run.write(surface, output);
   printSurfaceReport(run, surface, options);

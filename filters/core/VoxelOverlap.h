@@ -12,12 +12,11 @@ namespace winding
  *
  * The field of a closed surface is one value throughout a voxel that no triangle touches, so its
  * sample tells all. That of an open surface or a cloud reaches the threshold between triangles or
- * points, too: of a voxel where it does, a corner tells, unless the solid enters through the middle of
- * a face only.
+ * points, too; where it does, a voxel's corners tell, unless the solid comes into it between them only.
  *
- * Guaranteed: what is inside stays so, no triangle and no usable point lies outside the voxels that
- * are, and the same bits for any extent, executor and number of threads. Memory: that of
- * markTouched(), and a byte per sample where corners are asked. Throws Interrupted.
+ * Guaranteed: (1) what is inside stays so; (2) what of the triangles and usable points lies in the grid
+ * lies in voxels that are inside; (3) the same bits for any extent, executor and number of threads.
+ * Memory: that of markTouched(), and a byte per sample where corners are asked. Throws Interrupted.
  */
 void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
   double threshold, unsigned char* inside, Executor& executor);
