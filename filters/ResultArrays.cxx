@@ -4,7 +4,6 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 
 #include <cstdint>
 
@@ -48,6 +47,12 @@ vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkId
 
 } // namespace
 
+vtkIdType bytesPerSample(const ResultOptions& options)
+{
+  return (options.withValues ? vtkDataArray::GetDataTypeSize(options.scalarType) : 0) +
+         (options.withInside ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+}
+
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
   if (options.scalarType != VTK_FLOAT && options.scalarType != VTK_DOUBLE)
@@ -59,14 +64,14 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   {
     throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
   }
-  if (options.withValues && options.withInside && options.name == "Inside")
+  if (options.withValues && ((options.withInside && options.name == "Inside") ||
+                              (options.withCoverage && options.name == "Coverage")))
   {
-    throw Refusal("the array of w cannot have the name 'Inside' of the array beside it; rename it");
+    throw Refusal("the array of w cannot have the name '" + options.name +
+                  "' of the array beside it; rename it");
   }
-  const double bytesPerValue = options.scalarType == VTK_DOUBLE ? 8 : 4;
-  const double bytesPerSample =
-    (options.withValues ? bytesPerValue : 0) + (options.withInside ? 1 : 0);
-  refuseBeyondFreeMemory(bytesPerSample * static_cast<double>(samples),
+  refuseBeyondFreeMemory(
+    static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
     "the result of " + std::to_string(samples) + " samples",
     "choose larger voxels or write it in pieces");
   if (options.withValues)
@@ -77,6 +82,10 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   if (options.withInside)
   {
     inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, "Inside", samples));
+  }
+  if (options.withCoverage)
+  {
+    coverage_ = vtkFloatArray::SafeDownCast(makeArray(VTK_FLOAT, "Coverage", samples));
   }
 }
 
@@ -100,6 +109,10 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.
+  if (coverage_)
+  {
+    attributes->AddArray(coverage_);
+  }
   if (inside_)
   {
     attributes->AddArray(inside_);

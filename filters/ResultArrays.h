@@ -3,6 +3,7 @@
 #include "Field.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -17,9 +18,13 @@ struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
   bool withInside = false;    ///< the array "Inside"
+  bool withCoverage = false;  ///< the array "Coverage", of floats
   int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< of the array of w; empty: "WindingNumber"
 };
+
+/// What the arrays take for each sample.
+vtkIdType bytesPerSample(const ResultOptions& options);
 
 /// The arrays that a filter adds to its output.
 class ResultArrays
@@ -37,6 +42,7 @@ public:
 
   /// Null if it was not asked for.
   vtkUnsignedCharArray* inside() const { return inside_; }
+  vtkFloatArray* coverage() const { return coverage_; }
 
   /// Adds them; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
@@ -44,6 +50,7 @@ public:
 private:
   vtkSmartPointer<vtkDataArray> values_;
   vtkSmartPointer<vtkUnsignedCharArray> inside_;
+  vtkSmartPointer<vtkFloatArray> coverage_;
 };
 
 } // namespace winding

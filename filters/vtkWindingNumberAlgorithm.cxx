@@ -164,10 +164,8 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
 
 double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
 {
-  const int perSample =
-    (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
-    (this->GenerateInside ? 1 : 0);
-  return static_cast<double>(perSample) * static_cast<double>(samples);
+  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
+         static_cast<double>(samples);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -190,14 +188,19 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
   return !found.isEmpty();
 }
 
-winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
 {
   winding::ResultOptions options;
   options.withValues = this->GenerateWindingNumber != 0;
   options.withInside = this->GenerateInside != 0;
   options.scalarType = this->OutputScalarType;
   options.name = winding::textOf(this->ResultArrayName);
-  return {samples, options};
+  return options;
+}
+
+winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+{
+  return {samples, this->GetResultOptions()};
 }
 
 winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const

@@ -47,6 +47,7 @@ class SmpExecutor;
 class SourceField;
 struct FieldInfo;
 struct FieldOutput;
+struct ResultOptions;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
@@ -316,6 +317,9 @@ protected:
 
   /// InsideRule for the core.
   winding::InsideRule GetCoreInsideRule() const;
+
+  /// What result arrays the properties want.
+  virtual winding::ResultOptions GetResultOptions() const;
 
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way

@@ -5,6 +5,7 @@
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
+#include "VoxelEvaluation.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
@@ -122,9 +123,9 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
   const winding::Field* field = this->PrepareGridField(vtkDataObject::GetData(inputs[0]));
-  const auto evaluate = [&](winding::Executor& executor)
+  const auto evaluate = [&](winding::SmpExecutor& executor)
   {
-    return field->evaluate(this->GetSampling(), samples, this->OutputTo(results), executor);
+    return this->EvaluateVoxels(*field, samples.data(), results, executor);
   };
   if (!field || !this->Evaluate(evaluate))
   {
@@ -142,8 +143,39 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   this->Verify(*field, samples.data(), results.values());
 }
 
+winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
+{
+  winding::ResultOptions options = this->Superclass::GetResultOptions();
+  options.withInside |= this->Coverage != CENTER;
+  options.withCoverage = this->Coverage == FRACTION;
+  return options;
+}
+
+/// False when the executor was interrupted.
+bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const int samples[6],
+  const winding::ResultArrays& results, winding::SmpExecutor& executor)
+{
+  winding::VoxelEvaluation voxels;
+  voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
+  voxels.samplesPerAxis = this->CoverageSamples;
+  voxels.output = this->OutputTo(results);
+  voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
+
+  const winding::Grid& grid = this->GetSampling();
+  const winding::EvaluationCost cost =
+    voxels.additionalCost(field, winding::sampleCount(grid.wholeExtent()));
+  this->ExpectedSeconds += cost.seconds / executor.threads();
+  this->ExpectedMemory += static_cast<vtkIdType>(cost.bytes);
+
+  winding::Extent extent;
+  std::copy_n(samples, 6, extent.begin());
+  return voxels.run(field, grid, extent, executor);
+}
+
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
+  os << indent << "Coverage: " << this->Coverage << "\n";
+  os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
 }

@@ -10,6 +10,7 @@
 #include "vtkDataArrayRange.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -70,6 +71,9 @@ public:
     upper_.assign(corners, -1);
   }
 
+  /// The voxels that the quads are faces of.
+  vtkIdList* voxels() const { return voxels_; }
+
   /// False if the filter was aborted.
   bool build(vtkAlgorithm* filter)
   {
@@ -101,7 +105,12 @@ private:
     {
       return false;
     }
-    return inside_[(static_cast<std::size_t>(k) * n_[1] + j) * n_[0] + i] != 0;
+    return inside_[static_cast<std::size_t>(this->number(i, j, k))] != 0;
+  }
+
+  vtkIdType number(int i, int j, int k) const
+  {
+    return (static_cast<vtkIdType>(k) * n_[1] + j) * n_[0] + i;
   }
 
   /// The three faces on the low sides of voxel (i, j, k).
@@ -111,18 +120,22 @@ private:
     const bool left = this->isInside(i - 1, j, k);
     const bool front = this->isInside(i, j - 1, k);
     const bool below = this->isInside(i, j, k - 1);
+    const vtkIdType voxel = this->number(i, j, k);
     if (here != left)
     {
+      voxels_->InsertNextId(here ? voxel : this->number(i - 1, j, k));
       this->addQuad(left, {this->id(i, j, k, 0), this->id(i, j + 1, k, 0), this->id(i, j + 1, k, 1),
                             this->id(i, j, k, 1)});
     }
     if (here != front)
     {
+      voxels_->InsertNextId(here ? voxel : this->number(i, j - 1, k));
       this->addQuad(front, {this->id(i, j, k, 0), this->id(i, j, k, 1), this->id(i + 1, j, k, 1),
                              this->id(i + 1, j, k, 0)});
     }
     if (here != below)
     {
+      voxels_->InsertNextId(here ? voxel : this->number(i, j, k - 1));
       this->addQuad(below, {this->id(i, j, k, 0), this->id(i + 1, j, k, 0),
                              this->id(i + 1, j + 1, k, 0), this->id(i, j + 1, k, 0)});
     }
@@ -162,6 +175,7 @@ private:
   vtkPoints* points_;
   vtkCellArray* quads_;
   std::vector<vtkIdType> lower_, upper_;
+  vtkNew<vtkIdList> voxels_;
 };
 
 } // namespace
@@ -256,6 +270,21 @@ int vtkWindingNumberVoxels::RequestData(
   {
     output->SetPoints(points);
     output->SetPolys(quads);
+    vtkDataSetAttributes* attributes = image->GetPointData();
+    if (asCells)
+    {
+      attributes = image->GetCellData();
+    }
+    vtkDataArray* coverage = attributes->GetArray("Coverage");
+    if (coverage && coverage->GetNumberOfTuples() == voxelCount)
+    {
+      const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
+      shares->SetName(coverage->GetName());
+      shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
+      shares->SetNumberOfTuples(surface.voxels()->GetNumberOfIds());
+      coverage->GetTuples(surface.voxels(), shares);
+      output->GetCellData()->SetScalars(shares);
+    }
   }
   return 1;
 }

@@ -8,11 +8,12 @@
  * faces inside, no duplicate points and no unused points.
  *
  * Samples may be the image's points (a voxel around each, of the size of the spacing) or its cells.
- * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside.
+ * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside. Where the image has an array
+ * "Coverage", quads carry that of their voxel, as cell data to colour them by.
  *
  * The array is picked by SetInputArrayToProcess(0, …); where it picks none, the active scalars of
  * the points are taken, or else of the cells. Time is linear in voxels and quads; working memory is
- * a byte for each voxel. The order of points and quads depends on the input only. Works on the whole
+ * a byte for each voxel and 8 for each quad. The order of points and quads depends on the input only. Works on the whole
  * image: with several pieces, all is in the first. Aborted, the output is empty.
  *
  * @sa vtkWindingNumberField vtkThreshold

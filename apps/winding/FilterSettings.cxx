@@ -43,10 +43,11 @@ void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
   filter->SetVerifySamples(options.verify);
 }
 
-void applyAssociation(const Options& options, vtkWindingNumberField* filter)
+void applyVoxels(const Options& options, vtkWindingNumberField* filter)
 {
   filter->SetOutputAssociation(
     options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
+  filter->SetCoverage(options.coverage);
 }
 
 void checkFilter(int status, const std::string& fileName, Messages& messages)

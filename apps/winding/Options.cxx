@@ -2,7 +2,7 @@
 
 #include "Failure.h"
 
-#include "vtkWindingNumberAlgorithm.h"
+#include "vtkWindingNumberField.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +13,7 @@
 namespace
 {
 
-using Filter = vtkWindingNumberAlgorithm;
+using Filter = vtkWindingNumberField;
 
 using Choices = std::vector<std::pair<std::string, int>>;
 
@@ -132,6 +132,21 @@ void addThreshold(CLI::App* command, Options& options)
     ->group("Output");
 }
 
+void addCoverage(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--coverage", options.coverage,
+      std::string("A voxel is inside if: center, its centre is | any, it overlaps the solid or its "
+                  "surface | fraction, half of it is, by 64 samples (center)") +
+        (options.command == "field" ? ". The latter two add the array Inside, fraction the array "
+                                      "Coverage, the share of each voxel"
+                                    : ""))
+    ->transform(
+      oneOf({{"center", Filter::CENTER}, {"any", Filter::ANY}, {"fraction", Filter::FRACTION}}))
+    ->type_name("NAME")
+    ->group("Output");
+}
+
 void addArrayName(CLI::App* command, Options& options)
 {
   command
@@ -232,6 +247,7 @@ void addCommands(CLI::App& app, Options& options)
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
   addOutput(field, options, ".vti");
   addThreshold(field, options);
+  addCoverage(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
   CLI::Option* insideOnly =
     field
@@ -256,6 +272,7 @@ void addCommands(CLI::App& app, Options& options)
   CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
   addOutput(voxels, options, ".vtp .ply .stl .obj");
   addThreshold(voxels, options);
+  addCoverage(voxels, options);
   addDouble(voxels, options);
   addFieldLike(voxels, options);
 

@@ -34,6 +34,7 @@ struct Options
   // The output.
   double threshold = 0.5;
   int rule = 0;
+  int coverage = 0;
   bool inside = false;
   bool insideOnly = false;
   bool asDouble = false;

@@ -20,9 +20,10 @@ void runVoxels(const Options& given, Messages& messages)
   // "Inside" says all and takes a quarter of the memory; but it is what floats make it, and only
   // values can be verified.
   options.insideOnly = !options.asDouble && options.verify == 0;
+  const bool byInside = options.insideOnly || options.coverage != vtkWindingNumberField::CENTER;
   OutputFile output(options.output);
   vtkNew<vtkWindingNumberField> field;
-  applyAssociation(options, field);
+  applyVoxels(options, field);
   FieldRun run(*field, options, messages);
   run.update();
   vtkNew<vtkWindingNumberVoxels> voxels;
@@ -30,10 +31,10 @@ void runVoxels(const Options& given, Messages& messages)
   voxels->SetInputArrayToProcess(0, 0, 0,
     options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
                   : vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    options.insideOnly ? "Inside" : options.array.c_str());
-  voxels->SetWindingThreshold(options.insideOnly ? 0.5 : options.threshold);
+    byInside ? "Inside" : options.array.c_str());
+  voxels->SetWindingThreshold(byInside ? 0.5 : options.threshold);
   voxels->SetInsideRule(
-    options.insideOnly ? static_cast<int>(vtkWindingNumberAlgorithm::SIGNED) : options.rule);
+    byInside ? static_cast<int>(vtkWindingNumberAlgorithm::SIGNED) : options.rule);
   {
     const Progress progress(voxels, "voxels", options.quiet);
     voxels->Update();
@@ -43,7 +44,9 @@ void runVoxels(const Options& given, Messages& messages)
   vtkPolyData* surface = voxels->GetOutput();
   if (surface->GetNumberOfCells() == 0)
   {
-    messages.warn(options.input + ": no voxel is inside, so the surface is empty");
+    const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
+    messages.warn(options.input + ": no voxel is inside, so the surface is empty" +
+                  (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
   }
   run.write(surface, output);
   printSurfaceReport(run, surface, options);

@@ -49,6 +49,9 @@ public:
   /// 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
+  /// Of the surface and its cap: χ.
+  const RowCrossings& rows() const { return rows_; }
+
   /// Whether w_C comes from the far field.
   bool usesFarField() const { return capFarField_ != nullptr; }
 

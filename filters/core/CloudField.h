@@ -25,6 +25,7 @@ public:
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
+  const PointCloud* cloud() const override { return &cloud_; }
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;

@@ -18,6 +18,8 @@ namespace winding
 
 class Evaluator;
 class GradientEvaluator;
+class RowCrossings;
+struct PointCloud;
 struct Surface;
 
 /// How w is found. Every method but parity gives the winding number.
@@ -149,6 +151,13 @@ public:
 
   /// The triangles that it is the field of; null for points.
   virtual const Surface* surface() const { return nullptr; }
+
+  /// The points that it is the field of; null for triangles.
+  virtual const PointCloud* cloud() const { return nullptr; }
+
+  /// The rows that are all there is to the values on grids: those of a closed surface with method rows;
+  /// null for any other.
+  virtual const RowCrossings* integerRows() const { return nullptr; }
 
   /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;

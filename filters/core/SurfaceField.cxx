@@ -130,6 +130,11 @@ bool SurfaceField::usesFarField(std::size_t samples) const
                         !isCheaperDirectly(Primitive::triangle, info_.primitives, samples, order_));
 }
 
+const RowCrossings* SurfaceField::integerRows() const
+{
+  return capped_ && capped_->capTriangles() == 0 ? &capped_->rows() : nullptr;
+}
+
 EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
 {
   const auto triangle = Primitive::triangle;

@@ -30,6 +30,7 @@ public:
 
   std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const override;
   const Surface* surface() const override { return &surface_; }
+  const RowCrossings* integerRows() const override;
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   PointOnSource pointOnSource() const override;

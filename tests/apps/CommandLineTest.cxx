@@ -57,6 +57,8 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--padding", "-1"}, "--padding is -1"},
     {{"field", in, "-o", vti, "--resolution", "8", "--voxel-size", "1"}, "excludes"},
     {{"field", in, "-o", vti, "--method", "tree"}, "auto | rows | hierarchical | direct | parity"},
+    {{"field", in, "-o", vti, "--coverage", "all"}, "center | any | fraction"},
+    {{"surface", in, "-o", vtp, "--coverage", "any"}, "--coverage"},
     {{"field", in, "-o", vti, "--areas", "delaunay"}, "voronoi | mesh | constant | array"},
     {{"field", in, "-o", vti, "--areas", "array", "--area", "1"}, "--area"},
     {{"field", in, "-o", vti, "--area", "1"}, "--areas constant"},

@@ -55,6 +55,32 @@ std::vector<std::string> namesOf(const nlohmann::json& object)
   return names;
 }
 
+TEST_F(FieldCommand, CoverageAddsItsArrays)
+{
+  run("any.vti", {"--resolution", "9", "--coverage", "any"});
+  run("whole.vti", {"--resolution", "9", "--coverage", "fraction"});
+  run("pieces.vti", {"--resolution", "9", "--coverage", "fraction", "--pieces", "4"});
+  run("only.vti", {"--resolution", "9", "--coverage", "fraction", "--inside-only"});
+  const auto arrayOf = [this](const char* file, const char* array)
+  {
+    return vtkSmartPointer<vtkDataArray>(image(file)->GetPointData()->GetArray(array));
+  };
+  const auto any = arrayOf("any.vti", "Inside"), onlyInside = arrayOf("only.vti", "Inside"),
+             whole = arrayOf("whole.vti", "Coverage"), pieces = arrayOf("pieces.vti", "Coverage"),
+             only = arrayOf("only.vti", "Coverage");
+  EXPECT_EQ(image("any.vti")->GetPointData()->GetNumberOfArrays(), 2);
+  EXPECT_EQ(image("whole.vti")->GetPointData()->GetNumberOfArrays(), 3);
+  EXPECT_EQ(image("only.vti")->GetPointData()->GetNumberOfArrays(), 2);
+  for (vtkIdType i = 0; i < 9 * 9 * 9; ++i)
+  {
+    const double share = whole->GetTuple1(i);
+    ASSERT_EQ(pieces->GetTuple1(i), share);
+    ASSERT_EQ(only->GetTuple1(i), share);
+    ASSERT_EQ(onlyInside->GetTuple1(i), share >= 0.5);
+    ASSERT_GE(any->GetTuple1(i), share > 0);
+  }
+}
+
 TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
 {
   const nlohmann::json report =

@@ -127,6 +127,35 @@ TEST(VoxelsCommand, SameVoxelsFromInsideAndFromValues)
   }
 }
 
+/// Voxels of any overlap hold the whole sphere, those with half of them inside are as large as it.
+TEST(VoxelsCommand, CoverageSaysWhichVoxels)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(3)));
+  const std::string out = folder.path("out.vtp");
+  const double volumeOfMesh = runProgram({"check", in, "--json"}).json()["volume"];
+  std::vector<double> volumes;
+  for (const char* coverage : {"center", "any", "fraction"})
+  {
+    std::vector<nlohmann::json> reports;
+    for (const char* more : {"--json", "--double", "--verify=5", "--cells"})
+    {
+      const Outcome run = runProgram(
+        {"voxels", in, "-o", out, "--resolution", "12", "--coverage", coverage, more, "--quiet"});
+      EXPECT_EQ(run.status, 0) << run;
+      reports.push_back(runProgram({"check", out, "--json"}).json());
+      EXPECT_EQ(reports.back()["triangles"], reports.front()["triangles"]) << coverage << more;
+    }
+    EXPECT_EQ(reports.front()["closed"], true);
+    volumes.push_back(reports.front()["volume"]);
+    EXPECT_EQ(contentsOf(out).find("\"Coverage\"") != std::string::npos,
+      std::string(coverage) == "fraction")
+      << "shares to colour faces by";
+  }
+  EXPECT_GT(volumes[1], 1.2 * volumeOfMesh);
+  EXPECT_NEAR(volumes[2], volumeOfMesh, 0.05 * volumeOfMesh);
+}
+
 TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
 {
   const TemporaryFolder folder;

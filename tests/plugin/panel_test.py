@@ -90,6 +90,13 @@ class TestPanel(unittest.TestCase):
                         proxy.PointAreaMethod = method
                         self.assertEqual(shown(proxy, "Point Clouds"), for_cloud | {also})
 
+    def test_samples_of_shares_are_shown_for_shares_only(self):
+        field = simple.WindingNumberField(Input=self.mesh)
+        self.assertIn("Coverage", shown(field, "Inside and Outside"))
+        self.assertNotIn("CoverageSamples", shown(field, "Inside and Outside"))
+        field.Coverage = "Half Inside"
+        self.assertIn("CoverageSamples", shown(field, "Inside and Outside"))
+
     def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
         proxy = simple.WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
         proxy.UpdatePipelineInformation()

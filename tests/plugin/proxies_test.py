@@ -46,6 +46,8 @@ SETTABLE = {
         **COMMON,
         **GRID,
         "OutputAssociation": (1, "1"),
+        "Coverage": (2, "2"),
+        "CoverageSamples": (2, "2"),
     },
     "WindingNumberSurface": {
         **COMMON,
@@ -117,6 +119,7 @@ ENUMERATIONS = {
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
     "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
+    "Coverage": {"Centre Inside": 0, "Any Overlap": 1, "Half Inside": 2},
     "OutputAssociation": {"Points at Voxel Centres": 0, "Cells": 1},
     "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centres": 1},

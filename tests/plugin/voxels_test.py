@@ -32,6 +32,25 @@ class TestVoxels(unittest.TestCase):
         voxels.WindingThreshold = 2
         self.assertEqual(result(voxels).GetNumberOfCells(), 0)
 
+    def test_coverage(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=12)
+        voxels = simple.WindingNumberVoxels(Input=field)
+        volumes = []
+        for field.Coverage in ("Half Inside", "Any Overlap"):
+            field.UpdatePipeline()
+            voxels.Scalars = ["POINTS", "Inside"]
+            volumes.append(volume_of(result(voxels)))
+        self.assertAlmostEqual(volumes[0], 4 / 3 * math.pi, delta=0.2)
+        self.assertGreater(volumes[1], volumes[0] + 1)
+
+        field.Coverage = "Half Inside"
+        field.UpdatePipeline()
+        voxels.Scalars = ["POINTS", "Coverage"]
+        voxels.WindingThreshold = 0.9
+        surface = result(voxels)
+        self.assertLess(volume_of(surface), volumes[0])
+        self.assertGreaterEqual(surface.GetCellData().GetArray("Coverage").GetRange()[0], 0.9)
+
 
 if __name__ == "__main__":
     run_tests()
