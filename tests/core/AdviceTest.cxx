@@ -16,8 +16,7 @@ using winding::CloudReport;
 std::string adviceOnSurface(const winding::Surface& surface)
 {
   winding::SerialExecutor serial;
-  return adviceOn(
-    surface, winding::reportOn(surface, winding::edgesOf(surface, serial), serial));
+  return adviceOn(surface, winding::reportOn(surface, winding::edgesOf(surface, serial), serial));
 }
 
 std::string adviceOnMesh(const shapes::Mesh& mesh)
