@@ -319,4 +319,5 @@ void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
   os << indent << "FixOrientation: " << this->FixOrientation << "\n";
   os << indent << "Advice: " << this->GetAdvice() << "\n";
+  os << indent << "FractionalShare: " << this->GetFractionalShare() << "\n";
 }

@@ -39,12 +39,10 @@ BlocksFile::BlocksFile(const std::string& name)
   folder_ = folder.string();
   std::error_code error;
   isNew_ = std::filesystem::create_directory(folder, error);
-  if (!std::filesystem::is_directory(folder))
+  if (error || !std::filesystem::is_directory(folder))
   {
     throw Failure(REFUSED, name,
-      "needs the folder " + folder_ + " for its blocks" +
-        (error ? ", which cannot be made: " + error.message()
-               : std::string(", and a file has that name")) +
+      "needs the folder " + folder_ + " for its blocks, which cannot be made: " + error.message() +
         "; give another name");
   }
   try

@@ -143,7 +143,8 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
         capAreas[component] += areaOf(surface, triangle, scale);
       }
     });
-  constexpr double mostOfArea = 0.25;
+  // The larger the cap, the less w differs behind the surface and before it, and the less the side tells.
+  constexpr double mostOfArea = 0.5;
   const auto isNearlyClosed = [&](std::int32_t component)
   {
     return capAreas[component] <= mostOfArea * areas[component];

@@ -112,6 +112,16 @@ vtkSmartPointer<vtkPolyData> inverted(vtkPolyData* surface)
   return reverse->GetOutput();
 }
 
+/// Polygons turned round by others than the filter may start elsewhere.
+std::vector<Polygon> fromTheirLowestPoint(std::vector<Polygon> polygons)
+{
+  for (Polygon& polygon : polygons)
+  {
+    std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  }
+  return polygons;
+}
+
 class FixOrientation : public PointProbe
 {
 protected:
@@ -207,6 +217,7 @@ TEST_F(FixOrientation, MakesTrianglesOfStripsWhereItTurnsThem)
   auto strips = vtkSmartPointer<vtkPolyData>::New();
   strips->ShallowCopy(stripper->GetOutput());
   ASSERT_GT(strips->GetNumberOfStrips(), 5);
+  ErrorLog log(filter);
   vtkNew<vtkIdTypeArray> numbers;
   numbers->SetName("Number");
   for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
@@ -263,6 +274,7 @@ TEST_F(FixOrientation, KeepsCavitiesAndTurnsSolidsOutward)
   EXPECT_EQ(filter->GetNumberOfInvertedComponents(), 2);
   EXPECT_EQ(filter->GetNumberOfNestedSolids(), 1);
 
+  ErrorLog log(filter);
   filter->FixOrientationOn();
   vtkPolyData* output = this->fixed(source);
   EXPECT_EQ(filter->GetNumberOfInvertedComponents(), 0);
@@ -304,6 +316,7 @@ TEST_F(FixOrientation, SaysWhatHasNoOrientation)
 
 TEST_F(FixOrientation, OrientsTheLeavesOfACompositeTogether)
 {
+  ErrorLog log(filter);
   // A sphere in two halves that only together are closed, each with points of its own.
   auto whole = sphere();
   const std::vector<Polygon> polygons = polygonsOf(whole->GetPolys());
@@ -323,6 +336,7 @@ TEST_F(FixOrientation, OrientsTheLeavesOfACompositeTogether)
 
 TEST_F(FixOrientation, LeavesGhostsAlone)
 {
+  ErrorLog log(filter);
   auto source = shuffled(sphere(), 3);
   vtkNew<vtkUnsignedCharArray> flags;
   flags->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -404,14 +418,14 @@ TEST_F(FixOrientation, MakesTheFieldOfRealMeshesRight)
   {
     GTEST_SKIP() << "there are no meshes in " << WINDING_SHARED_DATA;
   }
+  ErrorLog log(filter);
   // As it comes, a third of its triangles are flipped.
   auto conrod = readMesh(WINDING_SHARED_DATA "/conrod_flipped.stl");
   vtkPolyData* output = this->fixed(conrod);
   EXPECT_TRUE(filter->GetClosed());
   EXPECT_NEAR(filter->GetVolume(), 29.6, 0.01);
-  // Measured: all but 3 of 10⁴, where the mesh intersects itself.
-  EXPECT_GT(agreementWithParity(output, conrod), 0.999);
-  EXPECT_LT(agreementWithParity(conrod, conrod), 0.8);
+  EXPECT_EQ(agreementWithParity(output, conrod), 1);
+  EXPECT_LT(agreementWithParity(conrod, conrod), 0.1); // nearly no w is an integer
 
   for (const char* name : {"bunny_10k.obj", "teapot.obj", "sphere_quads.obj", "armadillo_86k.obj",
          "tray_thin_cad.stl", "self_intersectA.obj", "icosahedron.stl"})
@@ -420,14 +434,15 @@ TEST_F(FixOrientation, MakesTheFieldOfRealMeshesRight)
     auto right = readMesh(std::string(WINDING_SHARED_DATA "/") + name);
     auto found = this->fixed(shuffled(right, 5));
     EXPECT_TRUE(filter->GetClosed());
-    EXPECT_EQ(polygonsOf(found->GetPolys()), polygonsOf(right->GetPolys()));
+    EXPECT_TRUE(polygonsOf(found->GetPolys()) == polygonsOf(right->GetPolys()));
   }
   for (const char* name : {"maxplanck_open_90k.obj", "aneurysm_open.stl"})
   {
     SCOPED_TRACE(std::string(name) + ", seed 6");
     auto right = readMesh(std::string(WINDING_SHARED_DATA "/") + name);
     auto found = this->fixed(shuffled(inverted(right), 6));
-    EXPECT_EQ(polygonsOf(found->GetPolys()), polygonsOf(right->GetPolys()));
+    EXPECT_TRUE(fromTheirLowestPoint(polygonsOf(found->GetPolys())) ==
+                fromTheirLowestPoint(polygonsOf(right->GetPolys())));
   }
 }
 
