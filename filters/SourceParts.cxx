@@ -12,6 +12,7 @@
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -181,25 +182,45 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
   return clean;
 }
 
-vtkSmartPointer<vtkPolyData> asPolyData(vtkDataObject* source)
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(source);
   if (!composite)
   {
-    return leafAsPolyData(vtkPointSet::SafeDownCast(source));
+    return {leafAsPolyData(vtkPointSet::SafeDownCast(source))};
   }
-  vtkNew<vtkAppendPolyData> append;
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    append->AddInputData(
-      leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject())));
+    leaves.push_back(leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject())));
   }
-  if (append->GetNumberOfInputConnections(0) > 0)
+  return leaves;
+}
+
+vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& leaf : leaves)
+  {
+    append->AddInputData(leaf);
+  }
+  if (!leaves.empty())
   {
     append->Update();
   }
   return append->GetOutput();
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const auto& leaf : leaves)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), leaf);
+  }
+  return blocks;
 }
 
 void askForAll(vtkInformation* source)

@@ -2,8 +2,11 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 class vtkDataObject;
 class vtkInformation;
+class vtkMultiBlockDataSet;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -36,11 +39,18 @@ vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf);
 vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh);
 
 /**
- * A source, of the kinds that InputViews takes, as polydata: polydata as it is, other meshes as their
- * outer surface, other clouds as points with a vertex cell each; leaves of composites appended to each
- * other, with the arrays that all have. Throws Refusal as outerSurfaceOf() does.
+ * The leaves of a source, of the kinds that InputViews takes, as polydata: polydata as it is, other
+ * meshes as their outer surface, other clouds as points with a vertex cell each. A source that is no
+ * composite is its own leaf. Throws Refusal as outerSurfaceOf() does.
  */
-vtkSmartPointer<vtkPolyData> asPolyData(vtkDataObject* source);
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source);
+
+/// Leaves appended to each other, with the arrays that all have.
+vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves);
+
+/// Leaves as one composite source.
+vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves);
 
 /// Asks upstream for all of a source, whatever piece of the result was asked for.
 void askForAll(vtkInformation* source);

@@ -1,15 +1,21 @@
 #include "SourceReport.h"
 
 #include "Advice.h"
+#include "FaultBlocks.h"
+#include "Field.h"
+#include "FractionalShare.h"
 #include "InputViews.h"
+#include "PolygonOrientation.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <memory>
 #include <optional>
 
 namespace winding
@@ -70,10 +76,18 @@ private:
   vtkFieldData* report_;
 };
 
-void reportOnSurface(InputViews& source, Writer& writer, Executor& executor)
+vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, int pointType,
+  const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
-  const Surface surface = sanitize(source.triangles(), executor);
-  const SurfaceReport report = reportOn(surface);
+  const std::shared_ptr<const Field> field =
+    Field::build(source.triangles(), FieldOptions(), executor);
+  if (!field)
+  {
+    throw Interrupted();
+  }
+  const Surface& surface = *field->surface();
+  const SurfaceEdges edgeLists = edgesOf(surface, executor);
+  const SurfaceReport report = reportOn(surface, edgeLists, executor);
   const VertexCounts vertices = countVertices(source.points(), surface, executor);
   const EdgeCounts& edges = report.edges;
   writer.text("kind", "surface");
@@ -88,6 +102,10 @@ void reportOnSurface(InputViews& source, Writer& writer, Executor& executor)
   writer.count("net_boundary_edges", edges.netBoundary);
   writer.count("components_vertex", report.vertexComponents);
   writer.count("components_edge", edges.components);
+  writer.count("closed_components", report.orientation.closed);
+  writer.count("inverted_components", report.orientation.inverted);
+  writer.count("nested_solids", report.orientation.nestedSolids);
+  writer.count("one_sided_components", report.orientation.oneSided);
   writer.count("duplicate_faces", report.duplicateTriangles);
   writer.count("degenerate", surface.collapsedTriangles);
   writer.count("zero_area", report.zeroAreaTriangles);
@@ -95,10 +113,17 @@ void reportOnSurface(InputViews& source, Writer& writer, Executor& executor)
   writer.count("euler", report.eulerCharacteristic);
   writer.measure("volume", report.volume);
   writer.measure("area", report.area);
+  writer.measure("fractional_share", fractionalShare(*field, executor));
+  if (fix)
+  {
+    writer.count("flipped_triangles", fix->triangles);
+    writer.count("flipped_components", fix->components);
+  }
   writer.box("bbox", surface.bounds);
   writer.count("non_finite", surface.nonFiniteTriangles);
   writer.count("invalid_ids", surface.invalidIdTriangles);
   writer.text("advice", adviceOn(surface, report));
+  return faultBlocks(surface, edgeLists, pointType, executor);
 }
 
 void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
@@ -131,17 +156,20 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
 
 } // namespace
 
-vtkSmartPointer<vtkFieldData> reportOn(InputViews& source, Executor& executor)
+SourceReport reportOn(
+  InputViews& source, int pointType, const OrientedPolygons* fix, Executor& executor)
 {
-  auto report = vtkSmartPointer<vtkFieldData>::New();
-  Writer writer(report);
+  SourceReport report;
+  report.arrays = vtkSmartPointer<vtkFieldData>::New();
+  Writer writer(report.arrays);
   if (source.isSurface())
   {
-    reportOnSurface(source, writer, executor);
+    report.faults = reportOnSurface(source, pointType, fix, writer, executor);
   }
   else
   {
     reportOnCloud(source, writer, executor);
+    report.faults = noFaults();
   }
   return report;
 }

@@ -1,6 +1,7 @@
 #include "vtkSurfaceReport.h"
 
 #include "InputViews.h"
+#include "PolygonOrientation.h"
 #include "Refusal.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
@@ -8,19 +9,51 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
+#include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSurfaceReport);
 
-vtkSurfaceReport::vtkSurfaceReport() = default;
+namespace
+{
+
+/// What has been turned, and what could not be: a line for the user, or nothing.
+std::string notice(const winding::OrientedPolygons& fix, vtkIdType oneSided)
+{
+  std::string text;
+  if (fix.triangles > 0)
+  {
+    text = "turned " + std::to_string(fix.triangles) + " triangles round, in " +
+           std::to_string(fix.components) + (fix.components == 1 ? " part" : " parts");
+  }
+  if (oneSided > 0)
+  {
+    text += (text.empty() ? "" : "; ") + std::to_string(oneSided) +
+            (oneSided == 1 ? " part has" : " parts have") + " one side only, and stay as they are";
+  }
+  return text;
+}
+
+} // namespace
+
+vtkSurfaceReport::vtkSurfaceReport()
+{
+  this->SetNumberOfOutputPorts(2);
+}
 
 vtkSurfaceReport::~vtkSurfaceReport()
 {
@@ -34,6 +67,12 @@ int vtkSurfaceReport::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkSurfaceReport::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkMultiBlockDataSet");
+  return 1;
+}
+
 int vtkSurfaceReport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -42,25 +81,19 @@ int vtkSurfaceReport::RequestUpdateExtent(
 }
 
 int vtkSurfaceReport::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Report->Initialize();
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  const int asked = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  if (outputs->GetInformationObject(asked)->Get(
+        vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1;
   }
-  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  winding::InputOptions options;
-  options.estimateNormals = true; // points without any are no error: the report says so
-  options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   try
   {
-    winding::SmpExecutor executor(this, 0);
-    winding::InputViews views(source, options);
-    this->Report->ShallowCopy(winding::reportOn(views, executor));
-    output->ShallowCopy(winding::asPolyData(source));
+    this->MakeReport(vtkDataObject::GetData(inputs[0]), output);
   }
   catch (const winding::Interrupted&)
   {
@@ -81,6 +114,46 @@ int vtkSurfaceReport::RequestData(
     output->GetFieldData()->AddArray(this->Report->GetAbstractArray(i));
   }
   return 1;
+}
+
+void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
+{
+  winding::InputOptions options;
+  options.estimateNormals = true; // points without any are no error: the report says so
+  options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  winding::SmpExecutor executor(this, 0);
+  auto views = std::make_unique<winding::InputViews>(source, options);
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
+  const bool fixes = this->FixOrientation && views->isSurface();
+  winding::OrientedPolygons fix;
+  if (fixes)
+  {
+    fix = winding::orientPolygons(leaves, executor);
+    leaves = fix.leaves;
+    views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
+  }
+  const bool isComposite = source->IsA("vtkCompositeDataSet") != 0;
+  const vtkSmartPointer<vtkPolyData> surface =
+    isComposite ? winding::appended(leaves) : leaves.front();
+  const bool isDouble = surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const winding::SourceReport report =
+    winding::reportOn(*views, isDouble ? VTK_DOUBLE : VTK_FLOAT, fixes ? &fix : nullptr, executor);
+  this->Report->ShallowCopy(report.arrays);
+  if (fixes)
+  {
+    const std::string text = notice(fix, this->GetNumberOfOneSidedComponents());
+    if (!text.empty())
+    {
+      vtkWarningMacro(<< text);
+    }
+  }
+  this->GetFaults()->ShallowCopy(report.faults);
+  output->ShallowCopy(surface);
+}
+
+vtkMultiBlockDataSet* vtkSurfaceReport::GetFaults()
+{
+  return vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 vtkFieldData* vtkSurfaceReport::GetReport()
@@ -143,6 +216,41 @@ vtkIdType vtkSurfaceReport::GetNumberOfInconsistentEdges()
 vtkIdType vtkSurfaceReport::GetNumberOfComponents()
 {
   return this->GetCount("components_edge");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfClosedComponents()
+{
+  return this->GetCount("closed_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfInvertedComponents()
+{
+  return this->GetCount("inverted_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfNestedSolids()
+{
+  return this->GetCount("nested_solids");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfOneSidedComponents()
+{
+  return this->GetCount("one_sided_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfFlippedTriangles()
+{
+  return this->GetCount("flipped_triangles");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfFlippedComponents()
+{
+  return this->GetCount("flipped_components");
+}
+
+double vtkSurfaceReport::GetFractionalShare()
+{
+  return this->GetNumber("fractional_share");
 }
 
 vtkIdType vtkSurfaceReport::GetNumberOfDuplicateFaces()
@@ -209,5 +317,7 @@ void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
+  os << indent << "FixOrientation: " << this->FixOrientation << "\n";
   os << indent << "Advice: " << this->GetAdvice() << "\n";
+  os << indent << "FractionalShare: " << this->GetFractionalShare() << "\n";
 }

@@ -4,13 +4,33 @@
  *
  * Takes a source as vtkWindingNumberAlgorithm does (polydata, the outer surface of any other mesh, a
  * cloud of points, or composite data of these, of which all leaves are one source) and counts what is
- * wrong with it. The output is the source as polydata, with the counts as field data:
+ * wrong with it. The first output is the source as polydata, with the counts as field data:
  * - polydata comes out as it is (a shallow copy),
  * - of another mesh its outer surface, and of a cloud that is no polydata its points, each with a
  *   vertex cell and its point data,
  * - the leaves of a composite, each as above, appended to each other, with the arrays that all have.
  *
  * Ghost cells and points pass through, but are not counted.
+ *
+ * The second output shows what is wrong with a surface: a multi-block dataset with the blocks Boundary
+ * (the loops of edges that do not cancel, as closed polylines, with the cell data Loop, Edges and
+ * Multiplicity), Caps (the triangles that the field closes these loops with, with the cell data Loop),
+ * NonManifoldEdges (lines, with the cell data Triangles: how many meet there), and InconsistentEdges
+ * (lines). For clouds, and where nothing is wrong, they are empty.
+ *
+ * With FixOrientation, the polygons of a surface are turned round so that it has an outside, and the
+ * report and both outputs are about the surface that comes out:
+ * -# Polygons that share an edge with no third one are made to agree about it. Parts that admit it are
+ *    turned such that less than half of their area is; those that do not, Möbius strips say, stay as
+ *    they are. Where more than two polygons meet, parts are turned as long as that makes more of them
+ *    cancel.
+ * -# Closed components then get a positive volume: they are turned outward. Those that lie inside an
+ *    odd number of other closed components are cavities, and are turned inward. What a cap of at most half
+ *    of its own area closes counts as closed here.
+ *
+ * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips of a
+ * surface in which something is turned become triangles, each with the cell data of its strip. A warning
+ * says what has been turned, and what could not be.
  *
  * The arrays of the field data have one value each, unless said otherwise. For all sources:
  * | array       | |
@@ -35,6 +55,10 @@
  * | net_boundary_edges    | used more often in one direction than in the other |
  * | components_vertex     | pieces connected through vertices |
  * | components_edge       | pieces connected through edges |
+ * | closed_components     | parts with no boundary of their own. Parts are what is connected through edges that two triangles share; those that are open are joined where more than two meet |
+ * | inverted_components   | of these, those with negative volume, unless they are the walls of cavities: inside an odd number of others, which wind round each of their vertices |
+ * | nested_solids         | of these, those with positive volume inside an odd number of others: w is 2 there, or a cavity is inside out |
+ * | one_sided_components  | connected through edges that two triangles share, and impossible to orient |
  * | duplicate_faces       | triangles beyond the first with the same vertices |
  * | degenerate            | triangles left out: two of their vertices are one |
  * | zero_area             | triangles with three vertices on a line |
@@ -42,6 +66,9 @@
  * | euler                 | vertices − edges + triangles |
  * | volume                | enclosed, negative if inside out; means nothing for open surfaces |
  * | area                  | |
+ * | fractional_share      | the share (0 to 1) of samples whose w is farther than 0.1 from an integer: how open it is. 0 if it is closed. The samples: cubic voxels, 32 along the longest side of the bounds with a twentieth added on each side; no tuple if the bounds admit none |
+ * | flipped_triangles     | with FixOrientation only: turned round; polygons are fans |
+ * | flipped_components    | with FixOrientation only: parts with a triangle that is turned round |
  *
  * Clouds:
  * | array             | |
@@ -69,6 +96,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkFieldData;
+class vtkMultiBlockDataSet;
 
 class VTKFILTERSWINDING_EXPORT vtkSurfaceReport : public vtkPolyDataAlgorithm
 {
@@ -82,6 +110,16 @@ public:
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}
+
+  ///@{
+  /// Whether to turn polygons round, see above. Default: off.
+  vtkSetMacro(FixOrientation, bool);
+  vtkGetMacro(FixOrientation, bool);
+  vtkBooleanMacro(FixOrientation, bool);
+  ///@}
+
+  /// The second output.
+  vtkMultiBlockDataSet* GetFaults();
 
   /// The arrays above, in the order in which people read them, and none that the source had. Empty
   /// before the first execution, and after one that failed or was aborted.
@@ -98,6 +136,13 @@ public:
   vtkIdType GetNumberOfNonManifoldEdges();
   vtkIdType GetNumberOfInconsistentEdges();
   vtkIdType GetNumberOfComponents(); ///< connected through edges
+  vtkIdType GetNumberOfClosedComponents();
+  vtkIdType GetNumberOfInvertedComponents();
+  vtkIdType GetNumberOfNestedSolids();
+  vtkIdType GetNumberOfOneSidedComponents();
+  vtkIdType GetNumberOfFlippedTriangles();
+  vtkIdType GetNumberOfFlippedComponents();
+  double GetFractionalShare();
   vtkIdType GetNumberOfDuplicateFaces();
   double GetVolume();
   double GetArea();
@@ -120,16 +165,21 @@ protected:
   void operator=(const vtkSurfaceReport&) = delete;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  /// Sets the report and both outputs. Throws what the core throws, and has set nothing then.
+  void MakeReport(vtkDataObject* source, vtkPolyData* output);
 
   /// The only value of an array of the report.
   double GetNumber(const char* name);
   vtkIdType GetCount(const char* name);
 
   char* NormalsArray = nullptr;
+  bool FixOrientation = false;
   vtkNew<vtkFieldData> Report;
 };
 

@@ -1,22 +1,30 @@
+#include "BlocksFile.h"
 #include "Commands.h"
 #include "Failure.h"
 #include "Interrupt.h"
 #include "Messages.h"
 #include "Options.h"
+#include "OutputFile.h"
 #include "Progress.h"
 #include "ReadInput.h"
 #include "Report.h"
+#include "WriteOutput.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace
 {
@@ -71,13 +79,13 @@ std::string textOf(const Json& value)
   return value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : value.dump();
 }
 
-/// A line for each value, then the advice.
+/// A line for each value, then the files, then the advice.
 std::string aligned(const Json& report)
 {
   std::string text;
   for (const auto& [name, value] : report.items())
   {
-    if (name != "advice")
+    if (!value.is_object() && name != "advice")
     {
       std::string label = name;
       std::replace(label.begin(), label.end(), '_', ' ');
@@ -85,26 +93,83 @@ std::string aligned(const Json& report)
       text += label + " " + textOf(value) + "\n";
     }
   }
+  for (const char* written : {"output", "blocks"})
+  {
+    if (report.contains(written))
+    {
+      text += "wrote " + report[written]["file"].get<std::string>() + "\n";
+    }
+  }
   return text + report["advice"].get<std::string>();
+}
+
+void requireSurface(bool isSurface, const Options& options)
+{
+  if (!isSurface && (options.fixOrientation || !options.faults.empty()))
+  {
+    throw Failure(REFUSED, options.input,
+      std::string("has no faces, and ") +
+        (options.fixOrientation ? "--fix-orientation" : "--blocks") +
+        " is for surfaces; leave it out");
+  }
+}
+
+Json describe(vtkPolyData* surface, const std::string& file)
+{
+  return {{"file", file}, {"points", surface->GetNumberOfPoints()},
+    {"cells", surface->GetNumberOfCells()}};
+}
+
+Json describe(vtkMultiBlockDataSet* blocks, const std::string& file)
+{
+  Json cells;
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    cells[blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())] =
+      vtkPolyData::SafeDownCast(blocks->GetBlock(i))->GetNumberOfCells();
+  }
+  return {{"file", file}, {"cells", cells}};
 }
 
 } // namespace
 
 void runCheck(const Options& options, Messages& messages)
 {
+  std::optional<OutputFile> output;
+  std::optional<BlocksFile> faults;
+  if (!options.faults.empty())
+  {
+    faults.emplace(options.faults);
+  }
+  if (!options.output.empty())
+  {
+    output.emplace(options.output);
+  }
   vtkNew<vtkSurfaceReport> filter;
   filter->SetInputDataObject(readInput(options.input, options, messages));
+  filter->SetFixOrientation(options.fixOrientation);
   {
     const Progress progress(filter, "check", options.quiet);
     filter->Update();
   }
   interrupt::check();
   messages.throwIfError(options.input);
+  requireSurface(filter->GetSourceIsSurface(), options);
   Json report = {{"file", options.input}};
   vtkFieldData* arrays = filter->GetReport();
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     report[arrays->GetArrayName(i)] = valueOf(arrays->GetAbstractArray(i));
+  }
+  if (output)
+  {
+    writeSurface(filter->GetOutput(), *output, options, messages);
+    report["output"] = describe(filter->GetOutput(), options.output);
+  }
+  if (faults)
+  {
+    faults->write(filter->GetFaults(), options, messages);
+    report["blocks"] = describe(filter->GetFaults(), options.faults);
   }
   if (options.json)
   {

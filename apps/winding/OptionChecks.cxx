@@ -18,6 +18,8 @@ using Filter = vtkWindingNumberAlgorithm;
 
 using WasGiven = std::function<bool(const char* option)>;
 
+const std::vector<std::string> surfaceSuffixes = {".vtp", ".ply", ".stl", ".obj"};
+
 void require(bool condition, const std::string& message)
 {
   if (!condition)
@@ -65,17 +67,18 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--threshold is " + shown(options.threshold) + "; give a finite number");
 }
 
-void checkOutput(const Options& options, const std::vector<std::string>& suffixes)
+void checkOutput(const std::string& output, const std::string& whatWrites,
+  const std::vector<std::string>& suffixes)
 {
-  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(options.output)) == suffixes.end())
+  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(output)) == suffixes.end())
   {
     std::string names;
     for (const std::string& suffix : suffixes)
     {
       names += " " + suffix;
     }
-    throw Failure(USAGE, options.output,
-      options.command + " writes" + names + "; give the output one of these suffixes");
+    throw Failure(
+      USAGE, output, whatWrites + " writes" + names + "; give the output one of these suffixes");
   }
 }
 
@@ -90,6 +93,18 @@ void checkFieldLike(const Options& options, const WasGiven& wasGiven)
     "--verify compares winding numbers, which --inside-only does not make; leave one out");
   require(
     options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
+}
+
+void checkCheck(const Options& options, const WasGiven& wasGiven)
+{
+  if (wasGiven("--output"))
+  {
+    checkOutput(options.output, options.command, surfaceSuffixes);
+  }
+  if (wasGiven("--blocks"))
+  {
+    checkOutput(options.faults, "--blocks", {".vtm"});
+  }
 }
 
 void checkBench(const Options& options)
@@ -132,6 +147,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
 {
   if (options.command == "check")
   {
+    checkCheck(options, wasGiven);
     return;
   }
   require(options.threads >= 0,
@@ -144,16 +160,16 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   checkMethod(options, wasGiven);
   if (options.command == "probe")
   {
-    checkOutput(options, {".vtp", ".vtu", ".csv", ".tsv"});
+    checkOutput(options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv"});
   }
   else if (options.command == "field")
   {
-    checkOutput(options, {".vti"});
+    checkOutput(options.output, options.command, {".vti"});
     checkFieldLike(options, wasGiven);
   }
   else
   {
-    checkOutput(options, {".vtp", ".ply", ".stl", ".obj"});
+    checkOutput(options.output, options.command, surfaceSuffixes);
     checkFieldLike(options, wasGiven);
   }
   require(!options.array.empty(), "--array is empty; give the array a name");

@@ -203,6 +203,25 @@ void addOutput(CLI::App* command, Options& options, const char* suffixes)
     ->group("Output");
 }
 
+void addCheck(CLI::App* command, Options& options)
+{
+  CLI::Option* fix = command->add_flag("--fix-orientation", options.fixOrientation,
+    "Turn polygons round so that neighbours agree, and closed components so that they are outward, "
+    "those inside an odd number of others inward; then report on the result");
+  CLI::Option* output = command->add_option("-o,--output", options.output,
+    "With --fix-orientation: the surface that results, .vtp .ply .stl .obj");
+  CLI::Option* faults = command->add_option("--blocks", options.faults,
+    "Write what is wrong with a surface, to look at, .vtm: the blocks Boundary, Caps, "
+    "NonManifoldEdges and InconsistentEdges");
+  output->needs(fix);
+  output->type_name("OUT");
+  faults->type_name("OUT");
+  for (CLI::Option* option : {fix, output, faults})
+  {
+    option->group("Output");
+  }
+}
+
 CLI::App* addBench(CLI::App& app, Options& options)
 {
   CLI::App* bench =
@@ -288,6 +307,7 @@ void addCommands(CLI::App& app, Options& options)
   addMethod(probe, options);
 
   CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
+  addCheck(check, options);
 
   CLI::App* bench = addBench(app, options);
 

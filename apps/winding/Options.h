@@ -40,6 +40,10 @@ struct Options
   bool asDouble = false;
   std::string array = "WindingNumber";
 
+  // What check does with a surface.
+  bool fixOrientation = false;
+  std::string faults; ///< the file of faulty edges and caps; empty: none
+
   // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without.
   std::vector<std::string> subjects;
   std::vector<int> resolutions; ///< empty: those that suit what is measured

@@ -22,6 +22,30 @@ std::string clause(
   return count > 0 ? "; " + counted(count, one, many) + " " + statement : "";
 }
 
+/// Whether all solids are inverted, and their cavities with them.
+bool isInsideOut(const OrientationCounts& counts)
+{
+  return counts.inverted > 0 && counts.inverted + counts.nestedSolids == counts.closed;
+}
+
+/// What is wrong with some components.
+std::string orientationAdviceOn(const SurfaceReport& report)
+{
+  const OrientationCounts& counts = report.orientation;
+  std::string advice;
+  if (!report.edges.isClosed() || !isInsideOut(counts))
+  {
+    advice =
+      clause(counts.inverted, "closed component is", "closed components are",
+        "inside out: FixOrientation (--fix-orientation) turns what is") +
+      clause(counts.nestedSolids, "closed component is", "closed components are",
+        "oriented outward inside others: solids in solids, with winding numbers of 2, or "
+        "cavities turned inside out, which FixOrientation (--fix-orientation) takes them for");
+  }
+  return advice +
+         clause(counts.oneSided, "part has", "parts have", "one side only, and no orientation");
+}
+
 std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
 {
   const EdgeCounts& edges = report.edges;
@@ -31,16 +55,18 @@ std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   }
   if (edges.isClosed())
   {
-    return report.volume < 0
+    return isInsideOut(report.orientation)
              ? "closed, but inside out (negative volume): every winding number is an "
-               "integer; turn the faces round, or use the inside rule absolute "
-               "(--rule absolute)"
+               "integer; have the faces turned round (FixOrientation, --fix-orientation), or use "
+               "the "
+               "inside rule absolute (--rule absolute)"
              : "closed: every winding number is an integer";
   }
   if (edges.inconsistent > 0)
   {
     return counted(edges.inconsistent, "edge is", "edges are") +
-           " inconsistently oriented: parts cancel each other; orient the faces first";
+           " inconsistently oriented: parts cancel each other; FixOrientation (--fix-orientation) "
+           "orients what can be";
   }
   if (edges.boundary == 0)
   {
@@ -121,7 +147,7 @@ bool hasOutlier(const CloudReport& report)
 
 std::string adviceOn(const Surface& surface, const SurfaceReport& report)
 {
-  return mainAdviceOn(surface, report) +
+  return mainAdviceOn(surface, report) + orientationAdviceOn(report) +
          clause(report.edges.nonManifold, "edge is", "edges are",
            "non-manifold (more than two triangles meet there): where parts overlap, winding "
            "numbers may be other than 0 and 1") +

@@ -310,6 +310,11 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
   return cloud;
 }
 
+bool isUsable(const TrianglesView& view, std::size_t triangle)
+{
+  return faultOf(view, triangle) == TriangleFault::none;
+}
+
 bool isUsable(const OrientedPointsView& view, std::size_t point)
 {
   return faultOf(view, point) == PointFault::none;

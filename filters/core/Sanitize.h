@@ -73,9 +73,12 @@ void checkLengths(const OrientedPointsView& view);
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor);
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor);
 
-/// Whether sanitize() keeps a point of a view. The points of its cloud are those that it keeps, in
-/// their order: so what has been found for them goes back to the points of the input.
+///@{
+/// Whether sanitize() keeps a triangle or a point of a view. Those of its surface or cloud are the ones
+/// that it keeps, in their order: so what has been found for them goes back to those of the input.
+bool isUsable(const TrianglesView& view, std::size_t triangle);
 bool isUsable(const OrientedPointsView& view, std::size_t point);
+///@}
 
 /// The bounds that sanitize() would find, without building anything; empty for no valid primitive.
 Bounds boundsOf(const std::vector<TrianglesView>& views);

@@ -1,50 +1,18 @@
 #include "SurfaceReport.h"
 
+#include "ClosedComponents.h"
+#include "DisjointSets.h"
 #include "DistinctPoints.h"
-#include "Edges.h"
+#include "Orientation.h"
 #include "UnitScale.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace winding
 {
 
 namespace
 {
-
-/// Disjoint sets of 0 … n − 1.
-class UnionFind
-{
-public:
-  explicit UnionFind(std::size_t count)
-    : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  std::int32_t find(std::int32_t item)
-  {
-    while (parent_[item] != item)
-    {
-      parent_[item] = parent_[parent_[item]];
-      item = parent_[item];
-    }
-    return item;
-  }
-
-  /// Returns whether they were apart.
-  bool unite(std::int32_t a, std::int32_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<std::int32_t> parent_;
-};
 
 std::size_t countDuplicates(const Surface& surface)
 {
@@ -60,7 +28,7 @@ std::size_t countDuplicates(const Surface& surface)
 
 std::size_t countVertexComponents(const Surface& surface)
 {
-  UnionFind pieces(surface.vertices.size());
+  DisjointSets pieces(surface.vertices.size());
   std::size_t count = surface.vertices.size();
   for (const Triangle& triangle : surface.triangles)
   {
@@ -70,38 +38,54 @@ std::size_t countVertexComponents(const Surface& surface)
   return count;
 }
 
+OrientationCounts countOrientations(
+  const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+{
+  OrientationCounts counts;
+  for (const ClosedComponent& component :
+    closedComponents(surface, componentsOf(surface, edges), executor))
+  {
+    ++counts.closed;
+    counts.inverted += component.isInverted();
+    counts.nestedSolids += component.isNestedSolid();
+  }
+  counts.oneSided = countOneSided(surface, edges);
+  return counts;
+}
+
 } // namespace
 
-EdgeCounts countEdges(const Surface& surface)
+EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges)
 {
   EdgeCounts counts;
+  counts.edges = edges.size();
+  counts.boundary = counts.netBoundary = edges.rims.size();
+  counts.nonManifold = edges.crowds.size();
   counts.components = surface.triangles.size();
-  UnionFind pieces(surface.triangles.size());
-  UnionFind rims(surface.vertices.size());
+  DisjointSets pieces(surface.triangles.size());
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    counts.components -= pieces.unite(pair.triangles[0], pair.triangles[1]);
+    counts.inconsistent += !pair.agrees;
+  }
+  counts.netBoundary += counts.inconsistent;
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    std::ptrdiff_t net = 0;
+    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+    {
+      net += use->sense;
+      counts.components -= pieces.unite(edges.begin(crowd)->triangle, use->triangle);
+    }
+    counts.netBoundary += net != 0;
+  }
+  DisjointSets rims(surface.vertices.size());
   std::vector<std::int32_t> rimVertices;
-  SerialExecutor executor;
-  EdgeUses(surface, executor)
-    .forEachEdge(
-      [&](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
-      {
-        std::ptrdiff_t net = 0;
-        for (const EdgeUse* use = first; use != last; ++use)
-        {
-          net += use->sense();
-          counts.components -= pieces.unite(first->triangle(), use->triangle());
-        }
-        const std::ptrdiff_t used = last - first;
-        ++counts.edges;
-        counts.netBoundary += net != 0;
-        counts.nonManifold += used > 2;
-        counts.inconsistent += used == 2 && net != 0;
-        if (used == 1)
-        {
-          ++counts.boundary;
-          rims.unite(low, first->high());
-          rimVertices.push_back(low);
-        }
-      });
+  for (const SurfaceEdges::Rim& rim : edges.rims)
+  {
+    rims.unite(rim.low, rim.high);
+    rimVertices.push_back(rim.low);
+  }
   for (std::int32_t& vertex : rimVertices)
   {
     vertex = rims.find(vertex);
@@ -112,10 +96,11 @@ EdgeCounts countEdges(const Surface& surface)
   return counts;
 }
 
-SurfaceReport reportOn(const Surface& surface)
+SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
 {
   SurfaceReport report;
-  report.edges = countEdges(surface);
+  report.edges = countEdges(surface, edges);
+  report.orientation = countOrientations(surface, edges, executor);
   report.vertexComponents = countVertexComponents(surface);
   report.duplicateTriangles = countDuplicates(surface);
   const Eigen::Vector3d center =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Sanitize.h"
+#include "SurfaceEdges.h"
 
 namespace winding
 {
@@ -20,13 +20,22 @@ struct EdgeCounts
   bool isClosed() const { return netBoundary == 0; }
 };
 
-/// O(n log n) time, 48 bytes per triangle while it runs.
-EdgeCounts countEdges(const Surface& surface);
+EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
+
+/// How the components of a surface are oriented (Components.h, ClosedComponents.h, Orientation.h).
+struct OrientationCounts
+{
+  std::size_t closed = 0;       ///< components whose edges cancel
+  std::size_t inverted = 0;     ///< of these, inward with nothing around
+  std::size_t nestedSolids = 0; ///< of these, outward inside an odd number of others
+  std::size_t oneSided = 0;     ///< parts that no turning could make agree
+};
 
 /// The health of a surface. The counts of what was dropped are in the Surface.
 struct SurfaceReport
 {
   EdgeCounts edges;
+  OrientationCounts orientation;
   std::size_t vertexComponents = 0;   ///< pieces connected through vertices
   std::size_t duplicateTriangles = 0; ///< beyond the first with the same three vertices
   std::size_t zeroAreaTriangles = 0;  ///< three different vertices on a line
@@ -37,7 +46,8 @@ struct SurfaceReport
   long long eulerCharacteristic = 0;
 };
 
-SurfaceReport reportOn(const Surface& surface);
+/// The same for every executor. Throws Interrupted.
+SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
 
 /// The points that a surface was made from, triangles or no triangles.
 struct VertexCounts

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <tuple>
+#include <vector>
 
 namespace
 {
@@ -165,6 +167,153 @@ TEST_F(CheckCommand, SurfacesWithBadTrianglesOnlyAreRefused)
     runProgram({"check", folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\nnan 0 1\n3 0 1 2\n")});
   EXPECT_EQ(run.status, 2);
   EXPECT_TRUE(run.saysInOneLine({"a.off", "all 1 triangles are unusable"})) << run;
+}
+
+/// The names in a folder, in alphabetical order.
+std::vector<std::string> namesIn(const std::string& path)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path))
+  {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Mesh shuffledSphere()
+{
+  Mesh mesh = sphere(3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (i * i % 7 < 4)
+    {
+      std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
+    }
+  }
+  return mesh;
+}
+
+TEST_F(CheckCommand, InvertedSurfaces)
+{
+  Mesh mesh = sphere(2);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const nlohmann::json report = check("a.off", asOff(mesh));
+  EXPECT_EQ(report["closed_components"], 1);
+  EXPECT_EQ(report["inverted_components"], 1);
+  EXPECT_EQ(report["nested_solids"], 0);
+  EXPECT_EQ(report["one_sided_components"], 0);
+  EXPECT_EQ(report["fractional_share"], 0);
+  EXPECT_FALSE(report.contains("flipped_triangles"));
+  EXPECT_NE(report["advice"].get<std::string>().find("--fix-orientation"), std::string::npos);
+}
+
+TEST_F(CheckCommand, FixesTheOrientationAndWritesTheResult)
+{
+  const std::string in = folder.write("in.off", asOff(shuffledSphere()));
+  for (const std::string name : {"out.vtp", "out.ply", "out.stl", "out.obj"})
+  {
+    const std::string out = folder.path(name);
+    const Outcome run = runProgram({"check", in, "--fix-orientation", "-o", out, "--json"});
+    ASSERT_EQ(run.status, 0) << run;
+    const nlohmann::json fixed = run.json();
+    EXPECT_EQ(fixed["closed"], true);
+    EXPECT_GT(fixed["flipped_triangles"], 100);
+    EXPECT_EQ(fixed["flipped_components"], 1);
+    EXPECT_EQ(fixed["output"]["file"], out);
+    EXPECT_EQ(fixed["output"]["cells"], sphere(3).triangles.size());
+    EXPECT_NE(run.err.find("warning: " + in + ": turned "), std::string::npos) << run;
+
+    const nlohmann::json again = runProgram({"check", out, "--json"}).json();
+    EXPECT_EQ(again["closed"], true);
+    EXPECT_EQ(again["inverted_components"], 0);
+    EXPECT_NEAR(again["volume"].get<double>(), fixed["volume"].get<double>(), 1e-4);
+  }
+  const Outcome dry = runProgram({"check", in, "--fix-orientation"});
+  EXPECT_EQ(dry.status, 0) << dry;
+  EXPECT_NE(dry.out.find("\nflipped components     1\n"), std::string::npos) << dry;
+}
+
+TEST_F(CheckCommand, WritesFaultsAsBlocks)
+{
+  Mesh mesh = sphere(3);
+  mesh.triangles.erase(mesh.triangles.begin() + 40);
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  const std::string in = folder.write("in.off", asOff(mesh));
+  const std::string out = folder.path("what is <wrong>.vtm"),
+                    blocks = folder.path("what is <wrong>");
+  const Outcome run = runProgram({"check", in, "--blocks", out, "--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  const nlohmann::json cells = run.json()["blocks"]["cells"];
+  EXPECT_EQ(run.json()["blocks"]["file"], out);
+  EXPECT_EQ(cells["InconsistentEdges"], 3);
+  EXPECT_EQ(cells["NonManifoldEdges"], 0);
+  EXPECT_GE(cells["Boundary"], 2);
+  EXPECT_EQ(namesIn(blocks), (std::vector<std::string>{"Boundary.vtp", "Caps.vtp",
+                               "InconsistentEdges.vtp", "NonManifoldEdges.vtp"}));
+  const std::string index = contentsOf(out);
+  EXPECT_NE(index.find("name=\"Caps\" file=\"what is &lt;wrong&gt;/Caps.vtp\""), std::string::npos)
+    << index;
+  // The caps close the surface.
+  const nlohmann::json caps = runProgram({"check", blocks + "/Caps.vtp", "--json"}).json();
+  EXPECT_EQ(caps["triangles"], cells["Caps"]);
+
+  // Again, over what is there; and a text that says so.
+  const Outcome again = runProgram({"check", in, "--blocks", out});
+  EXPECT_EQ(again.status, 0) << again;
+  EXPECT_NE(again.out.find("\nwrote " + out + "\n"), std::string::npos) << again;
+  EXPECT_EQ(contentsOf(out), index);
+  EXPECT_EQ(namesIn(blocks).size(), 4u);
+}
+
+TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
+{
+  const std::string in = folder.write("in.off", asOff(sphere(2)));
+  folder.write("taken", "a file");
+  const Outcome taken = runProgram({"check", in, "--blocks", folder.path("taken.vtm")});
+  EXPECT_EQ(taken.status, 2) << taken;
+  EXPECT_TRUE(taken.saysInOneLine({"taken.vtm", "cannot be made"})) << taken;
+  const Outcome nowhere = runProgram({"check", in, "--blocks", "/proc/out.vtm"});
+  EXPECT_EQ(nowhere.status, 2) << nowhere;
+  EXPECT_TRUE(nowhere.saysInOneLine({"/proc/out.vtm", "cannot be made"})) << nowhere;
+
+  Mesh open = sphere(5);
+  for (std::size_t i = 0; i + 3 < open.triangles.size(); i += 3)
+  {
+    std::swap(open.triangles[i][0], open.triangles[i][1]);
+  }
+  const std::string large = folder.write("large.off", asOff(open));
+  const Outcome full =
+    runProgram({"check", large, "--blocks", folder.path("out.vtm")}, "ulimit -f 8; ");
+  EXPECT_EQ(full.status, 2) << full;
+  EXPECT_TRUE(full.saysInOneLine({"Boundary.vtp", "cannot be written"})) << full;
+  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "taken"}));
+}
+
+TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)
+{
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const std::string cloud = folder.write("in.xyz", asXyz(sphere(1)));
+  const std::string vtp = folder.path("out.vtp"), vtm = folder.path("out.vtm");
+  for (const auto& [arguments, status, part] :
+    {std::make_tuple(std::vector<std::string>{in, "-o", vtp}, 1, "--fix-orientation"),
+      std::make_tuple(
+        std::vector<std::string>{in, "--fix-orientation", "-o", "out.vti"}, 1, ".vtp .ply"),
+      std::make_tuple(std::vector<std::string>{in, "--blocks", vtp}, 1, ".vtm"),
+      std::make_tuple(std::vector<std::string>{cloud, "--blocks", vtm}, 2, "has no faces"),
+      std::make_tuple(
+        std::vector<std::string>{cloud, "--fix-orientation", "-o", vtp}, 2, "has no faces")})
+  {
+    std::vector<std::string> command = {"check"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome run = runProgram(command);
+    EXPECT_EQ(run.status, status) << run;
+    EXPECT_TRUE(run.saysInOneLine({part})) << run;
+  }
+  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "in.xyz"}));
 }
 
 TEST_F(CheckCommand, TextEndsWithAdvice)

@@ -13,10 +13,16 @@ namespace
 using winding::adviceOn;
 using winding::CloudReport;
 
+std::string adviceOnSurface(const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return adviceOn(surface, winding::reportOn(surface, winding::edgesOf(surface, serial), serial));
+}
+
 std::string adviceOnMesh(const shapes::Mesh& mesh)
 {
-  const winding::Surface surface = shapes::clean(mesh);
-  return adviceOn(surface, winding::reportOn(surface));
+  winding::SerialExecutor serial;
+  return adviceOnSurface(winding::sanitize({mesh.view()}, serial));
 }
 
 /// A cloud without faults.
@@ -68,7 +74,7 @@ TEST(Advice, OnSurfacesCountsWhatIsLeftOut)
   mesh.triangles.push_back({0, 1, 8});
   winding::SerialExecutor serial;
   const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
-  EXPECT_EQ(adviceOn(surface, winding::reportOn(surface)),
+  EXPECT_EQ(adviceOnSurface(surface),
     "closed: every winding number is an integer; 1 triangle is left out for NaN or infinite "
     "coordinates; 1 triangle is left out for points that do not exist");
 }

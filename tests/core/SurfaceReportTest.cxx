@@ -15,7 +15,9 @@ using winding::SurfaceReport;
 
 SurfaceReport report(const Mesh& mesh)
 {
-  return winding::reportOn(clean(mesh));
+  winding::SerialExecutor serial;
+  const winding::Surface surface = clean(mesh);
+  return winding::reportOn(surface, winding::edgesOf(surface, serial), serial);
 }
 
 struct Expected
@@ -25,7 +27,7 @@ struct Expected
 
 void expectEdges(const Mesh& mesh, const Expected& expected)
 {
-  const EdgeCounts counts = winding::countEdges(clean(mesh));
+  const EdgeCounts counts = report(mesh).edges;
   EXPECT_EQ(counts.edges, expected.edges);
   EXPECT_EQ(counts.boundary, expected.boundary);
   EXPECT_EQ(counts.netBoundary, expected.netBoundary);

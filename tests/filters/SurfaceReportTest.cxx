@@ -117,6 +117,7 @@ protected:
     EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
     EXPECT_TRUE(this->names().empty());
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(filter->GetFaults()->GetNumberOfBlocks(), 0u);
     EXPECT_EQ(std::string(filter->GetAdvice()), "");
   }
 
@@ -136,9 +137,10 @@ TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
   EXPECT_EQ(this->names(),
     (std::vector<std::string>{"kind", "triangles", "vertices", "vertices_merged", "closed",
       "boundary_edges", "boundary_loops", "nonmanifold_edges", "inconsistent_edges",
-      "net_boundary_edges", "components_vertex", "components_edge", "duplicate_faces", "degenerate",
-      "zero_area", "unreferenced_vertices", "euler", "volume", "area", "bbox", "non_finite",
-      "invalid_ids", "advice"}));
+      "net_boundary_edges", "components_vertex", "components_edge", "closed_components",
+      "inverted_components", "nested_solids", "one_sided_components", "duplicate_faces",
+      "degenerate", "zero_area", "unreferenced_vertices", "euler", "volume", "area",
+      "fractional_share", "bbox", "non_finite", "invalid_ids", "advice"}));
   for (const std::string& name : this->names())
   {
     EXPECT_TRUE(output->GetFieldData()->HasArray(name.c_str())) << name;
@@ -191,6 +193,14 @@ TEST_F(SurfaceReport, HasGettersForASurface)
   EXPECT_EQ(filter->GetNumberOfInconsistentEdges(), 3);
   EXPECT_EQ(filter->GetNumberOfComponents(), 1);
   EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 1);
+  EXPECT_EQ(filter->GetNumberOfClosedComponents(), 0);
+  EXPECT_EQ(filter->GetNumberOfInvertedComponents(), 0);
+  EXPECT_EQ(filter->GetNumberOfNestedSolids(), 0);
+  EXPECT_EQ(filter->GetNumberOfOneSidedComponents(), 0);
+  EXPECT_EQ(filter->GetNumberOfFlippedTriangles(), 0);
+  EXPECT_EQ(filter->GetNumberOfFlippedComponents(), 0);
+  EXPECT_GT(filter->GetFractionalShare(), 0);
+  EXPECT_LT(filter->GetFractionalShare(), 0.01);
   EXPECT_EQ(filter->GetNumberOfNonFinite(), 0);
   EXPECT_NEAR(filter->GetArea(), 3.14, 0.1);
   EXPECT_NEAR(filter->GetVolume(), 0.52, 0.05);
@@ -353,6 +363,7 @@ TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
   ErrorLog log(filter);
   auto source = cloud();
   EXPECT_EQ(this->reportOn(source)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetFaults()->GetNumberOfBlocks(), 0u);
   EXPECT_TRUE(this->names().empty());
   EXPECT_EQ(log.errors(), "");
 

@@ -41,6 +41,7 @@ GRID = {
 SETTABLE = {
     "SurfaceReport": {
         "NormalsArray": ("Orientation", "Orientation"),
+        "FixOrientation": (1, "1"),
     },
     "WindingNumberField": {
         **COMMON,
@@ -90,7 +91,7 @@ COMMON_REPORTED = {
 }
 GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
 REPORTED = {
-    "SurfaceReport": {"Advice"},
+    "SurfaceReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED,
     "WindingNumberSurface": GRID_REPORTED,
     "WindingNumberProbe": COMMON_REPORTED,

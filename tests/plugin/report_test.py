@@ -1,7 +1,8 @@
 """The filter Surface Report in ParaView."""
 import unittest
 
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from support import information, points_source, result, run_tests, unit_sphere
 
@@ -36,6 +37,44 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(self.count(data, "spacing_max"), 2)
         group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
         self.assertEqual(self.count(result(simple.SurfaceReport(Input=group)), "components_edge"), 2)
+
+    def faults(self, report):
+        """The blocks of the second output, by their names."""
+        report.UpdatePipeline()
+        blocks = servermanager.Fetch(report, idx=1)
+        name = vtkCompositeDataSet.NAME()
+        count = blocks.GetNumberOfBlocks()
+        return {blocks.GetMetaData(i).Get(name): blocks.GetBlock(i) for i in range(count)}
+
+    def test_outputs_have_names(self):
+        report = simple.SurfaceReport(Input=unit_sphere())
+        names = [report.SMProxy.GetOutputPortName(i) for i in range(2)]
+        self.assertEqual(names, ["Surface", "Faults"])
+
+    def test_faults_are_blocks(self):
+        half = simple.Sphere(EndPhi=90)
+        report = simple.SurfaceReport(Input=half)
+        faults = self.faults(report)
+        self.assertEqual(
+            list(faults), ["Boundary", "Caps", "NonManifoldEdges", "InconsistentEdges"]
+        )
+        self.assertEqual(faults["Boundary"].GetNumberOfLines(), 1)
+        edges = self.count(result(report), "boundary_edges")
+        self.assertEqual(faults["Caps"].GetNumberOfPolys(), edges - 2)
+        self.assertEqual(faults["InconsistentEdges"].GetNumberOfCells(), 0)
+        self.assertGreater(information(report, "FractionalShare"), 0.1)
+
+    def test_orientation_is_fixed_on_request(self):
+        inverted = simple.ReverseSense(Input=unit_sphere())
+        report = simple.SurfaceReport(Input=inverted)
+        data = result(report)
+        self.assertEqual(self.count(data, "inverted_components"), 1)
+        self.assertLess(self.count(data, "volume"), 0)
+        report.FixOrientation = 1
+        data = result(report)
+        self.assertEqual(self.count(data, "inverted_components"), 0)
+        self.assertEqual(self.count(data, "flipped_triangles"), data.GetNumberOfPolys())
+        self.assertGreater(self.count(data, "volume"), 0)
 
 
 if __name__ == "__main__":

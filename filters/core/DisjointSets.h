@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace winding
+{
+
+/// Disjoint sets of 0 … n − 1. The representative of a set is its lowest item, however it came about.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t count)
+    : parent_(count)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  std::int32_t find(std::int32_t item)
+  {
+    while (parent_[item] != item)
+    {
+      parent_[item] = parent_[parent_[item]];
+      item = parent_[item];
+    }
+    return item;
+  }
+
+  /// Returns whether they were apart.
+  bool unite(std::int32_t a, std::int32_t b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<std::int32_t> parent_;
+};
+
+/// The same of items that have one of two senses, of which those of a set are known relative to each
+/// other.
+class SensedSets
+{
+public:
+  explicit SensedSets(std::size_t count)
+    : sets_(count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      sets_[i] = {static_cast<std::int32_t>(i), false};
+    }
+  }
+
+  struct Place
+  {
+    std::int32_t representative; ///< the lowest item of the set
+    bool isOpposite;             ///< to the representative
+  };
+
+  Place find(std::int32_t item)
+  {
+    Place place = {item, false};
+    while (sets_[place.representative].representative != place.representative)
+    {
+      Place& here = sets_[place.representative];
+      const Place& above = sets_[here.representative];
+      here = {above.representative, here.isOpposite != above.isOpposite};
+      place = {here.representative, place.isOpposite != here.isOpposite};
+    }
+    return place;
+  }
+
+  /// Two items have the same sense, or opposite ones. Returns false, and changes nothing, where that
+  /// contradicts what is known.
+  bool unite(std::int32_t a, std::int32_t b, bool areOpposite)
+  {
+    const Place first = this->find(a), second = this->find(b);
+    const bool rootsAreOpposite = areOpposite != (first.isOpposite != second.isOpposite);
+    if (first.representative == second.representative)
+    {
+      return !rootsAreOpposite;
+    }
+    const auto [low, high] = std::minmax(first.representative, second.representative);
+    sets_[high] = {low, rootsAreOpposite};
+    return true;
+  }
+
+private:
+  std::vector<Place> sets_; ///< of each item, one that stands above it, at last its representative
+};
+
+} // namespace winding
