@@ -62,7 +62,8 @@ public:
   enum MethodType
   {
     AUTOMATIC = 0,    ///< the fastest that keeps the tolerance
-    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes
+    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes;
+                      ///< closed surfaces at scattered samples, too
     HIERARCHICAL = 2, ///< near primitives summed, far ones through expansions, within Tolerance
     DIRECT = 3,       ///< sum over all primitives, exact up to rounding
     PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
