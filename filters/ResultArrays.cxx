@@ -86,9 +86,11 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   {
     throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
   }
-  if (options.withValues && options.withInside && options.name == "Inside")
+  const std::string name = options.name.empty() ? "WindingNumber" : options.name;
+  if (options.withValues && options.withInside && name == options.insideName)
   {
-    throw Refusal("the array of w cannot have the name 'Inside' of the array beside it; rename it");
+    throw Refusal("the array of w cannot have the name '" + name +
+                  "' of the array of what is inside; rename one of them");
   }
   const double bytesPerValue = options.scalarType == VTK_DOUBLE ? 8 : 4;
   const double bytesPerSample =
@@ -96,12 +98,12 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   refuseBeyondMemory(samples, bytesPerSample * static_cast<double>(samples));
   if (options.withValues)
   {
-    values_ =
-      makeArray(options.scalarType, options.name.empty() ? "WindingNumber" : options.name, samples);
+    values_ = makeArray(options.scalarType, name, samples);
   }
   if (options.withInside)
   {
-    inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, "Inside", samples));
+    inside_ =
+      vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
   }
 }
 

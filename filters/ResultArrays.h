@@ -24,9 +24,10 @@ public:
 struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
-  bool withInside = false;    ///< the array "Inside"
+  bool withInside = false;    ///< the array of what is inside
   int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< of the array of w; empty: "WindingNumber"
+  std::string insideName = "Inside";
 };
 
 /// The arrays that a filter adds to its output.

@@ -199,14 +199,19 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
   return !found.isEmpty();
 }
 
-winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
 {
   winding::ResultOptions options;
   options.withValues = this->GenerateWindingNumber != 0;
   options.withInside = this->GenerateInside != 0;
   options.scalarType = this->OutputScalarType;
   options.name = winding::textOf(this->ResultArrayName);
-  return {samples, options};
+  return options;
+}
+
+winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+{
+  return {samples, this->GetResultOptions()};
 }
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const

@@ -46,6 +46,7 @@ class SmpExecutor;
 class SourceField;
 struct FieldInfo;
 struct FieldOutput;
+struct ResultOptions;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
@@ -317,6 +318,7 @@ protected:
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
   /// into the output, together with what DescribeMethod() adds.
+  winding::ResultOptions GetResultOptions() const;
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
