@@ -36,13 +36,17 @@ struct Options
   int rule = 0;
   bool inside = false;
   bool insideOnly = false;
+  bool insideOut = false;
+  bool extract = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
 
-  // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without.
+  // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without;
+  // "clouds" or "vtk" with files.
   std::vector<std::string> subjects;
   std::vector<int> resolutions; ///< empty: those that suit what is measured
   std::vector<double> tolerances = {1e-3};
+  std::vector<int> points = {1000, 10'000, 100'000};
   std::vector<int> sources = {1000, 10'000, 100'000, 1'000'000};
   std::string data = "../shared/data";
 
