@@ -244,6 +244,64 @@ private:
   double scale_;
 };
 
+/// The triangles that reach the rays of each column, and behind those the wide ones.
+Buckets<std::uint32_t> trianglesByColumn(const RayCounter& counter, std::size_t triangles,
+  const Buckets<Ray>& rays, const Columns& columns, Executor& executor)
+{
+  constexpr std::size_t columnsPerBlock = 64;
+  std::vector<RayBox> boxes(columns.count());
+  runBlocks(
+    boxes.size(), columnsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t column = first; column < last; ++column)
+      {
+        for (const Ray* ray = rays.begin(column); ray != rays.end(column); ++ray)
+        {
+          boxes[column].add(ray->start());
+        }
+      }
+    },
+    executor);
+  RayBox all;
+  for (const RayBox& box : boxes)
+  {
+    all.add(box);
+  }
+  return distribute<std::uint32_t>(
+    triangles, columns.count() + 1,
+    [&](std::size_t first, std::size_t last, const auto& put)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const auto id = static_cast<std::uint32_t>(i);
+        const TriangleBox ours = counter.box(id);
+        if (!all.isReachedBy(ours))
+        {
+          continue;
+        }
+        const ColumnRange range = columns.of(ours);
+        if (range.size() > wideColumns)
+        {
+          put(columns.count(), id);
+          continue;
+        }
+        for (int z = range.firstZ; z <= range.lastZ; ++z)
+        {
+          for (int y = range.firstY; y <= range.lastY; ++y)
+          {
+            const std::size_t column = columns.number(y, z);
+            if (boxes[column].isReachedBy(ours))
+            {
+              put(column, id);
+            }
+          }
+        }
+      }
+    },
+    executor);
+}
+
 } // namespace
 
 PointCrossings::PointCrossings(const Surface& surface)
@@ -309,34 +367,8 @@ try
 
   const RayCounter counter(surface_, scale);
   const std::size_t wide = columns.count();
-  const Buckets<std::uint32_t> triangles = distribute<std::uint32_t>(
-    surface_.triangles.size(), wide + 1,
-    [&](std::size_t first, std::size_t last, const auto& put)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const auto id = static_cast<std::uint32_t>(i);
-        const TriangleBox ours = counter.box(id);
-        if (!box.isReachedBy(ours))
-        {
-          continue;
-        }
-        const ColumnRange range = columns.of(ours);
-        if (range.size() > wideColumns)
-        {
-          put(wide, id);
-          continue;
-        }
-        for (int z = range.firstZ; z <= range.lastZ; ++z)
-        {
-          for (int y = range.firstY; y <= range.lastY; ++y)
-          {
-            put(columns.number(y, z), id);
-          }
-        }
-      }
-    },
-    executor);
+  const Buckets<std::uint32_t> triangles =
+    trianglesByColumn(counter, surface_.triangles.size(), rays, columns, executor);
 
   return executor.run(columns.count(),
     [&](std::size_t column)
