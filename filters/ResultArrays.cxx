@@ -64,11 +64,12 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   {
     throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
   }
-  if (options.withValues && ((options.withInside && options.name == "Inside") ||
-                              (options.withCoverage && options.name == "Coverage")))
+  const std::string name = options.name.empty() ? "WindingNumber" : options.name;
+  if (options.withValues && ((options.withInside && name == options.insideName) ||
+                              (options.withCoverage && name == "Coverage")))
   {
-    throw Refusal("the array of w cannot have the name '" + options.name +
-                  "' of the array beside it; rename it");
+    throw Refusal("the array of w cannot have the name '" + name +
+                  "' of the array beside it; rename one of them");
   }
   refuseBeyondFreeMemory(
     static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
@@ -76,12 +77,12 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
     "choose larger voxels or write it in pieces");
   if (options.withValues)
   {
-    values_ =
-      makeArray(options.scalarType, options.name.empty() ? "WindingNumber" : options.name, samples);
+    values_ = makeArray(options.scalarType, name, samples);
   }
   if (options.withInside)
   {
-    inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, "Inside", samples));
+    inside_ =
+      vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
   }
   if (options.withCoverage)
   {

@@ -17,10 +17,11 @@ namespace winding
 struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
-  bool withInside = false;    ///< the array "Inside"
+  bool withInside = false;    ///< the array of what is inside
   bool withCoverage = false;  ///< the array "Coverage", of floats
   int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< of the array of w; empty: "WindingNumber"
+  std::string insideName = "Inside";
 };
 
 /// What the arrays take for each sample.

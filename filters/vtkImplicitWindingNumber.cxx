@@ -189,6 +189,12 @@ const winding::Field* vtkImplicitWindingNumber::PrepareField()
       // come one by one, in unknown number.
       options.field.method = winding::Method::hierarchical;
     }
+    else if (options.field.method == winding::Method::rows)
+    {
+      throw winding::Refusal(
+        "rows needs all samples at once and an implicit function gets them one "
+        "by one; choose another method");
+    }
     const auto executor = newExecutor();
     const winding::Field* field = this->Internal->Source.prepare(this->Input, options, *executor);
     const double anywhere[3] = {0, 0, 0};

@@ -64,7 +64,8 @@ public:
   enum MethodType
   {
     AUTOMATIC = 0,    ///< the fastest that keeps the tolerance
-    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes
+    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes;
+                      ///< closed surfaces at scattered samples, too
     HIERARCHICAL = 2, ///< near primitives summed, far ones through expansions, within Tolerance
     DIRECT = 3,       ///< sum over all primitives, exact up to rounding
     PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
@@ -324,6 +325,7 @@ protected:
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
   /// into the output, together with what DescribeMethod() adds.
+  winding::ResultOptions GetResultOptions() const;
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,

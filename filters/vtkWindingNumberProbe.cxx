@@ -1,56 +1,44 @@
 #include "vtkWindingNumberProbe.h"
 
 #include "Field.h"
+#include "InsidePart.h"
+#include "ProbeQueries.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
+#include "SourceProperties.h"
 
-#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <vector>
+#include <cstring>
 
 namespace
 {
 
-std::vector<double> pointsOf(vtkDataSet* queries)
+vtkSmartPointer<vtkDataObject> newInstance(vtkDataObject* data)
 {
-  std::vector<double> positions(3 * static_cast<std::size_t>(queries->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < queries->GetNumberOfPoints(); ++i)
-  {
-    queries->GetPoint(i, &positions[3 * static_cast<std::size_t>(i)]);
-  }
-  return positions;
+  return vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
 }
 
-std::vector<double> cellCentersOf(vtkDataSet* queries)
+/// What is nowhere stays not selected.
+void turnInsideOut(const winding::VectorsView& samples, unsigned char* inside)
 {
-  std::vector<double> positions(3 * static_cast<std::size_t>(queries->GetNumberOfCells()));
-  std::vector<double> weights(static_cast<std::size_t>(queries->GetMaxCellSize()));
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < queries->GetNumberOfCells(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    queries->GetCell(i, cell);
-    double* center = &positions[3 * static_cast<std::size_t>(i)];
-    if (cell->GetCellType() == VTK_EMPTY_CELL)
-    {
-      center[0] = center[1] = center[2] = vtkMath::Nan();
-      continue;
-    }
-    double parametric[3];
-    int subId = cell->GetParametricCenter(parametric);
-    cell->EvaluateLocation(subId, parametric, center, weights.data());
+    inside[i] = !inside[i] && samples[i].allFinite();
   }
-  return positions;
 }
 
 } // namespace
@@ -61,6 +49,12 @@ vtkWindingNumberProbe::vtkWindingNumberProbe()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(1);
+  this->SetInsideArrayName("Inside");
+}
+
+vtkWindingNumberProbe::~vtkWindingNumberProbe()
+{
+  this->SetInsideArrayName(nullptr);
 }
 
 void vtkWindingNumberProbe::SetSourceConnection(vtkAlgorithmOutput* source)
@@ -78,11 +72,19 @@ vtkDataSet* vtkWindingNumberProbe::GetOutput()
   return vtkDataSet::SafeDownCast(this->GetOutputDataObject(0));
 }
 
+int vtkWindingNumberProbe::IsInside(vtkIdType queryId)
+{
+  const bool isThere =
+    this->InsideFlags && queryId >= 0 && queryId < this->InsideFlags->GetNumberOfTuples();
+  return isThere && this->InsideFlags->GetValue(queryId) != 0;
+}
+
 int vtkWindingNumberProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   }
   else
   {
@@ -93,19 +95,35 @@ int vtkWindingNumberProbe::FillInputPortInformation(int port, vtkInformation* in
 
 int vtkWindingNumberProbe::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataSet");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
 }
 
-/// The output is of the very class of the queries.
+/// The output is of the very class of the queries, unless it is a part of a data set.
 void vtkWindingNumberProbe::GiveDataObject(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* queries = vtkDataSet::GetData(inputs[0]);
-  vtkDataSet* output = vtkDataSet::GetData(outputs);
-  if (queries && (!output || !output->IsA(queries->GetClassName())))
+  vtkDataObject* queries = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (!queries)
   {
-    auto fresh = vtkSmartPointer<vtkDataSet>::Take(queries->NewInstance());
+    return;
+  }
+  vtkSmartPointer<vtkDataObject> fresh;
+  if (this->ExtractInside && vtkPolyData::SafeDownCast(queries))
+  {
+    fresh = vtkSmartPointer<vtkPolyData>::New();
+  }
+  else if (this->ExtractInside && vtkDataSet::SafeDownCast(queries))
+  {
+    fresh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  else
+  {
+    fresh = newInstance(queries);
+  }
+  if (!output || std::strcmp(output->GetClassName(), fresh->GetClassName()) != 0)
+  {
     outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
   }
 }
@@ -136,17 +154,22 @@ void vtkWindingNumberProbe::AskForUpdate(vtkInformationVector** inputs, vtkInfor
 
 void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* queries = vtkDataSet::GetData(inputs[0]);
-  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
   const bool atCells = this->ProbeAssociation == CELLS;
+  this->InsideFlags = nullptr;
 
-  const vtkIdType count = atCells ? queries->GetNumberOfCells() : queries->GetNumberOfPoints();
-  const winding::ResultArrays results = this->MakeResults(count);
-  const std::vector<double> positions = atCells ? cellCentersOf(queries) : pointsOf(queries);
-  const winding::VectorsView samples(positions.data(), static_cast<std::size_t>(count));
-  const winding::Field* field = this->PrepareField(vtkDataObject::GetData(inputs[1]), count,
-    [&samples](const winding::Field& built, winding::Executor& executor)
-    { return built.prepare(samples, executor); });
+  winding::ResultOptions options = this->GetResultOptions();
+  // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
+  options.insideName = options.withInside ? winding::textOf(this->InsideArrayName) : "";
+  options.withInside = options.withInside || options.withValues || this->ExtractInside;
+  const winding::ProbeQueries queries(input, atCells);
+  const winding::VectorsView samples = queries.samples();
+  const winding::ResultArrays results(queries.size(), options);
+  const winding::Field* field =
+    this->PrepareField(vtkDataObject::GetData(inputs[1]), queries.size(),
+      [&samples](const winding::Field& built, winding::Executor& executor)
+      { return built.prepare(samples, executor); });
   const auto evaluate = [&](winding::Executor& executor)
   {
     return field->evaluate(samples, this->OutputTo(results), executor);
@@ -156,17 +179,74 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
     output->Initialize();
     return;
   }
-  output->ShallowCopy(queries);
-  vtkDataSetAttributes* attributes = output->GetPointData();
+  if (this->InsideOut)
+  {
+    turnInsideOut(samples, results.inside()->GetPointer(0));
+  }
+  this->InsideFlags = results.inside();
+  this->WriteOutput(input, queries, results, output);
+}
+
+vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(
+  const winding::ProbeQueries& queries, const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll)
+{
+  const bool atCells = this->ProbeAssociation == CELLS;
+  auto answer = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
+  answer->ShallowCopy(leaf.data);
+  vtkDataSetAttributes* attributes = answer->GetPointData();
   if (atCells)
   {
-    attributes = output->GetCellData();
+    attributes = answer->GetCellData();
   }
-  this->AddResults(results, output, attributes);
+  queries.addPart(leaf, ofAll, attributes);
+  if (this->ExtractInside)
+  {
+    answer = winding::insidePart(answer, this->InsideFlags->GetPointer(0) + leaf.first, atCells);
+    if (!answer)
+    {
+      throw winding::Refusal(
+        "the data set to extract from has cells with ids of points that do not exist");
+    }
+  }
+  this->DescribeMethod(answer);
+  return answer;
+}
+
+void vtkWindingNumberProbe::WriteOutput(vtkDataObject* input, const winding::ProbeQueries& queries,
+  const winding::ResultArrays& results, vtkDataObject* output)
+{
+  vtkNew<vtkPointData> ofAll;
+  results.addTo(ofAll);
+  if (!this->GenerateInside)
+  {
+    ofAll->RemoveArray(results.inside()->GetName());
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    output->ShallowCopy(this->AnswerTo(queries, queries.leaves().front(), ofAll));
+    return;
+  }
+  auto* outputTree = vtkDataObjectTree::SafeDownCast(output);
+  outputTree->CopyStructure(tree);
+  outputTree->GetFieldData()->PassData(tree->GetFieldData());
+  auto leaf = queries.leaves().begin();
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* data = iterator->GetCurrentDataObject();
+    const bool isProbed = vtkDataSet::SafeDownCast(data) != nullptr;
+    outputTree->SetDataSet(
+      iterator, isProbed ? this->AnswerTo(queries, *leaf++, ofAll).Get() : data);
+  }
+  this->DescribeMethod(output);
 }
 
 void vtkWindingNumberProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ProbeAssociation: " << this->ProbeAssociation << "\n";
+  os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "ExtractInside: " << this->ExtractInside << "\n";
+  os << indent << "InsideArrayName: " << winding::textOf(this->InsideArrayName) << "\n";
 }

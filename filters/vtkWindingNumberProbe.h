@@ -2,11 +2,11 @@
  * @class   vtkWindingNumberProbe
  * @brief   winding number at the points or cells of any data set
  *
- * Port 0 takes the data set that says where (any vtkDataSet); port 1 the source, a surface or an
- * oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow copy of port 0 with
- * the array "WindingNumber" and, if asked for, "Inside". The ports are those of
- * vtkPointInterpolator; what the filter is for is what vtkSelectEnclosedPoints is for, on surfaces
- * that need not be closed.
+ * Port 0 takes the data set that says where, any vtkDataSet or a composite one of them; port 1 the
+ * source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow
+ * copy of port 0 with the array "WindingNumber" and, if asked for, "Inside"; or, with ExtractInside,
+ * what of it is inside. The ports are those of vtkPointInterpolator; what the filter is for is what
+ * vtkSelectEnclosedPoints is for, on surfaces that need not be closed.
  *
  * @code
  *   vtkNew<vtkWindingNumberProbe> probe;
@@ -15,18 +15,47 @@
  *   probe->GenerateInsideOn();
  * @endcode
  *
- * The value of a point depends on the other points within the Tolerance only; with method DIRECT, or
- * Tolerance 0, not at all. Points that are NaN or infinite get
- * NaN, and are not inside.
+ * For a closed surface values are integers, and right ones off the surface (method ROWS, which AUTOMATIC
+ * takes then). Else the value of a point depends on the other points within the Tolerance only; with
+ * method DIRECT, or Tolerance 0, not at all. Points that are NaN or infinite get NaN, and are neither
+ * inside nor outside.
  *
- * @sa vtkWindingNumberField vtkSelectEnclosedPoints
+ * Of a composite data set the output has the same structure: every vtkDataSet in it gets its arrays, all
+ * of them evaluated at once; what is empty, or another kind of data, stays. Field data that says how
+ * the result came about is added to the output and to every data set in it. (AMR data goes through the
+ * filter block by block.)
+ *
+ * **Instead of vtkSelectEnclosedPoints.** These edits make it a replacement, for whatever reads the
+ * output, IsInside() included:
+ * @code
+ *   vtkNew<vtkWindingNumberProbe> select;         // another class
+ *   select->SetInputConnection(points->GetOutputPort());
+ *   select->SetSurfaceConnection(surface->GetOutputPort());
+ *   select->InsideOutOn();                        // if there was one
+ *   select->GenerateInsideOn();                   // the array of 0 and 1 ...
+ *   select->SetInsideArrayName("SelectedPoints"); // ... has this name there ...
+ *   select->GenerateWindingNumberOff();           // ... and is the only one, and the active scalars
+ * @endcode
+ * CheckSurface has no counterpart, for the surface need not be closed. Take SetTolerance() out: here it
+ * bounds the error of w, and the default is good. Instead of Initialize(), IsInsideSurface() and
+ * Complete() there is vtkImplicitWindingNumber. Surfaces whose triangles are oriented inward have w = −1
+ * inside; use InsideRule ABSOLUTE where that may be so.
+ *
+ * @sa vtkWindingNumberField vtkImplicitWindingNumber vtkSelectEnclosedPoints
  */
 #ifndef vtkWindingNumberProbe_h
 #define vtkWindingNumberProbe_h
 
+#include "vtkSmartPointer.h" // for what IsInside() knows
 #include "vtkWindingNumberAlgorithm.h"
 
+namespace winding
+{
+class ProbeQueries;
+struct ProbeLeaf;
+} // namespace winding
 class vtkDataSet;
+class vtkUnsignedCharArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberAlgorithm
 {
@@ -49,6 +78,12 @@ public:
   ///@}
 
   ///@{
+  /// The same, by the names that vtkSelectEnclosedPoints has for it.
+  void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetSourceConnection(surface); }
+  void SetSurfaceData(vtkDataObject* surface) { this->SetSourceData(surface); }
+  ///@}
+
+  ///@{
   /// Default POINTS.
   vtkSetClampMacro(ProbeAssociation, int, POINTS, CELLS);
   vtkGetMacro(ProbeAssociation, int);
@@ -56,11 +91,40 @@ public:
   void SetProbeAssociationToCells() { this->SetProbeAssociation(CELLS); }
   ///@}
 
+  ///@{
+  /// Take what is outside for inside, and the other way round: in the array "Inside", for IsInside()
+  /// and for ExtractInside. w stays what it is. Default off.
+  vtkSetMacro(InsideOut, vtkTypeBool);
+  vtkGetMacro(InsideOut, vtkTypeBool);
+  vtkBooleanMacro(InsideOut, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Keep only what is inside: cells whose points are all inside, or, with CELLS, whose centre is. A
+  /// data set without cells, or with poly-vertices only, is taken as points, which get a vertex each.
+  /// Polydata stays vtkPolyData, any other data set becomes vtkUnstructuredGrid; arrays are kept.
+  /// Default off.
+  vtkSetMacro(ExtractInside, vtkTypeBool);
+  vtkGetMacro(ExtractInside, vtkTypeBool);
+  vtkBooleanMacro(ExtractInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Name of the array of GenerateInside. Default "Inside".
+  vtkSetStringMacro(InsideArrayName);
+  vtkGetStringMacro(InsideArrayName);
+  ///@}
+
+  /// Whether a point of the last input (with CELLS: a cell) is inside, whatever arrays were asked for;
+  /// 0 for one that there is not. In composite data, numbers go on from one data set to the next.
+  int IsInside(vtkIdType queryId);
+
+  /// Null for composite data, which GetOutputDataObject(0) has.
   vtkDataSet* GetOutput();
 
 protected:
   vtkWindingNumberProbe();
-  ~vtkWindingNumberProbe() override = default;
+  ~vtkWindingNumberProbe() override;
 
   vtkWindingNumberProbe(const vtkWindingNumberProbe&) = delete;
   void operator=(const vtkWindingNumberProbe&) = delete;
@@ -75,6 +139,18 @@ protected:
   void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int ProbeAssociation = POINTS;
+  vtkTypeBool InsideOut = 0;
+  vtkTypeBool ExtractInside = 0;
+  char* InsideArrayName = nullptr;
+
+private:
+  /// Of one data set, with its part of the arrays of all.
+  vtkSmartPointer<vtkDataSet> AnswerTo(const winding::ProbeQueries& queries,
+    const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll);
+  void WriteOutput(vtkDataObject* input, const winding::ProbeQueries& queries,
+    const winding::ResultArrays& results, vtkDataObject* output);
+
+  vtkSmartPointer<vtkUnsignedCharArray> InsideFlags; ///< of all queries; null before the first
 };
 
 #endif

@@ -7,10 +7,8 @@
 
 #include "Refusal.h"
 
-#include "vtkCellArray.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
@@ -21,27 +19,6 @@
 
 namespace
 {
-
-/// What tells near voxels from far ones.
-vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t i = 0; i < triangles.points(); ++i)
-  {
-    points->InsertNextPoint(&triangles.coordinates[3 * i]);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (std::size_t i = 0; i < triangles.triangles(); ++i)
-  {
-    const std::int64_t* const ids = &triangles.ids[3 * i];
-    cells->InsertNextCell({ids[0], ids[1], ids[2]});
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(cells);
-  return surface;
-}
 
 /// For each voxel, whether the surface is no farther than a voxel's side.
 std::vector<unsigned char> nearVoxels(const Triangles& triangles, const winding::Grid& grid)

@@ -8,6 +8,7 @@ void runBench(const Options& options, Messages& messages)
   const std::vector<BenchTable> tables = subject == "seed"      ? benchSeed(options, messages)
                                          : subject == "kernels" ? benchKernels(options)
                                          : subject == "clouds"  ? benchClouds(options, messages)
+                                         : subject == "vtk"     ? benchVtk(options, messages)
                                          : subject == "hierarchical"
                                            ? benchHierarchical(options, messages)
                                            : benchFiles(options, messages);

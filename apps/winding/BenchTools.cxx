@@ -5,7 +5,11 @@
 #include "Messages.h"
 #include "ReadInput.h"
 
+#include "vtkCellArray.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <ctime>
@@ -87,6 +91,27 @@ Triangles readTriangles(const std::string& file, const Options& options, Message
     throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
   }
   return triangles;
+}
+
+vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(triangles.points()));
+  for (std::size_t i = 0; i < triangles.points(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), &triangles.coordinates[3 * i]);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i < triangles.triangles(); ++i)
+  {
+    const std::int64_t* const ids = &triangles.ids[3 * i];
+    cells->InsertNextCell({ids[0], ids[1], ids[2]});
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  return surface;
 }
 
 std::unique_ptr<float[]> freshArray(std::size_t size)

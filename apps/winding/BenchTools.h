@@ -6,12 +6,15 @@
 #include "Field.h"
 #include "Verify.h"
 
+#include "vtkSmartPointer.h"
+
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 class Messages;
+class vtkPolyData;
 struct Options;
 
 /**
@@ -40,6 +43,9 @@ std::unique_ptr<float[]> freshArray(std::size_t size);
 
 /// The triangles of a file; throws Failure where there are none.
 Triangles readTriangles(const std::string& file, const Options& options, Messages& messages);
+
+/// The triangles as a new data set.
+vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles);
 
 /// Seconds that work() takes: the least of up to `runs` runs, fewer where they take long together.
 template <class Work> double secondsOf(const Work& work, int runs = 5)

@@ -125,8 +125,12 @@ void checkBench(const Options& options)
     require(sources >= 100,
       "--sources is " + std::to_string(sources) + "; give 100 or more, the spheres are round");
   }
+  for (const int points : options.points)
+  {
+    require(points >= 1, "--points is " + std::to_string(points) + "; give 1 or more");
+  }
   const auto& subjects = options.subjects;
-  for (const char* name : {"hierarchical", "clouds"})
+  for (const char* name : {"hierarchical", "clouds", "vtk"})
   {
     require(std::count(subjects.begin() + 1, subjects.end(), name) == 0,
       std::string("bench ") + name + " comes before its files; for a file of that name give ./" +
@@ -134,6 +138,8 @@ void checkBench(const Options& options)
   }
   require(subjects.front() != "clouds" || subjects.size() > 1,
     "bench clouds needs files: meshes, whose vertices are taken as clouds");
+  require(subjects.front() != "vtk" || subjects.size() > 1,
+    "bench vtk needs files: surfaces, which VTK's filters are compared at");
   for (const char* name : {"seed", "kernels"})
   {
     require(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

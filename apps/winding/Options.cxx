@@ -72,7 +72,8 @@ void addMethod(CLI::App* command, Options& options)
   command
     ->add_option("--method", options.method,
       command->get_name() == "probe"
-        ? "auto | hierarchical | direct | parity (auto). Parity is ray casting, for closed surfaces"
+        ? "auto | rows | hierarchical | direct | parity (auto). Rows counts signed crossings, for "
+          "closed surfaces; parity is ray casting, for the same"
         : "auto | rows | hierarchical | direct | parity (auto). Rows is for surfaces; parity is "
           "ray "
           "casting, for closed ones")
@@ -231,7 +232,9 @@ CLI::App* addBench(CLI::App& app, Options& options)
       "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
       "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
       "with "
-      "each kind of areas, beside the surfaces | hierarchical FILE..., the far field of surfaces, "
+      "each kind of areas, beside the surfaces | vtk FILE..., VTK's own filters at the same "
+      "samples | "
+      "hierarchical FILE..., the far field of surfaces, "
       "of "
       "their vertices and of their caps, in its parts | hierarchical, the same of spheres with few "
       "and many sources")
@@ -239,8 +242,13 @@ CLI::App* addBench(CLI::App& app, Options& options)
     ->type_name("");
   bench
     ->add_option("--resolution", options.resolutions,
-      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; hierarchical: 64 "
-      "128 256 512 for files, 128 for spheres)")
+      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; vtk: 64; "
+      "hierarchical: 64 128 256 512 for files, 128 for spheres)")
+    ->type_name("N...")
+    ->group("Grid");
+  bench
+    ->add_option("--points", options.points,
+      "vtk: scattered points to ask about, one or more (1000 10000 100000)")
     ->type_name("N...")
     ->group("Grid");
   bench
@@ -303,6 +311,15 @@ void addCommands(CLI::App& app, Options& options)
     ->type_name("");
   addOutput(probe, options, ".vtp .vtu .csv .tsv");
   addThreshold(probe, options);
+  probe
+    ->add_flag("--inside-out", options.insideOut,
+      "Take what is outside for inside; the winding numbers stay what they are")
+    ->group("Output");
+  probe
+    ->add_flag("--extract", options.extract,
+      "Write only what is inside: cells with all their points, points without cells, rows of "
+      "tables")
+    ->group("Output");
   addArrayName(probe, options);
   addMethod(probe, options);
 

@@ -37,6 +37,8 @@ struct Options
   int coverage = 0;
   bool inside = false;
   bool insideOnly = false;
+  bool insideOut = false;
+  bool extract = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
 
@@ -44,10 +46,12 @@ struct Options
   bool fixOrientation = false;
   std::string faults; ///< the file of faulty edges and caps; empty: none
 
-  // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without.
+  // What bench measures: files, or "seed", "kernels" or "hierarchical", the last with files or without;
+  // "clouds" or "vtk" with files.
   std::vector<std::string> subjects;
   std::vector<int> resolutions; ///< empty: those that suit what is measured
   std::vector<double> tolerances = {1e-3};
+  std::vector<int> points = {1000, 10'000, 100'000};
   std::vector<int> sources = {1000, 10'000, 100'000, 1'000'000};
   std::string data = "../shared/data";
 

@@ -49,22 +49,6 @@ void checkColumns(const Table& table, const Options& options)
   }
 }
 
-Queries readQueries(const Options& options, Messages& messages)
-{
-  Queries queries;
-  if (isTable(options.queries))
-  {
-    queries.table.emplace(options.queries);
-    checkColumns(*queries.table, options);
-    queries.points = queries.table->points();
-  }
-  else
-  {
-    queries.points = readInput(options.queries, options, messages);
-  }
-  return queries;
-}
-
 /// The columns of a table that the points do not hold already, as arrays.
 void addColumns(const Table& table, vtkDataSet* points)
 {
@@ -99,6 +83,26 @@ void addColumns(const Table& table, vtkDataSet* points)
   }
 }
 
+Queries readQueries(const Options& options, Messages& messages)
+{
+  Queries queries;
+  if (isTable(options.queries))
+  {
+    queries.table.emplace(options.queries);
+    checkColumns(*queries.table, options);
+    queries.points = queries.table->points();
+    if (!isTable(options.output))
+    {
+      addColumns(*queries.table, queries.points);
+    }
+  }
+  else
+  {
+    queries.points = readInput(options.queries, options, messages);
+  }
+  return queries;
+}
+
 /// 17 significant digits: enough for every double to come back with the same bits.
 std::string exact(double value)
 {
@@ -108,10 +112,11 @@ std::string exact(double value)
 }
 
 /// The rows as they came in, or the coordinates of points that came in otherwise, with two columns
-/// more.
+/// more; all of them, or those that are inside.
 void writeTable(
-  const Queries& queries, vtkDataSet* answer, const Options& options, OutputFile& file)
+  const Queries& queries, vtkWindingNumberProbe& probe, const Options& options, OutputFile& file)
 {
+  vtkDataSet* answer = probe.GetOutput();
   const char own = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
   const char separator = queries.table ? queries.table->separator() : own;
   const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
@@ -129,6 +134,10 @@ void writeTable(
          << separator << options.array << separator << "Inside" << lineEnd;
   for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
   {
+    if (options.extract && !probe.IsInside(i))
+    {
+      continue;
+    }
     if (queries.table)
     {
       stream << queries.table->row(static_cast<std::size_t>(i));
@@ -150,30 +159,20 @@ void writeTable(
   file.commit();
 }
 
-void writeAnswer(const Queries& queries, vtkDataSet* answer, const Options& options,
-  OutputFile& file, Messages& messages)
-{
-  if (isTable(options.output))
-  {
-    writeTable(queries, answer, options, file);
-    return;
-  }
-  if (queries.table)
-  {
-    addColumns(*queries.table, answer);
-  }
-  writePoints(answer, file, options, messages);
-}
-
 void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType queries,
   double readSeconds, double totalSeconds)
 {
+  vtkIdType inside = 0;
+  for (vtkIdType i = 0; i < queries; ++i)
+  {
+    inside += probe.IsInside(i);
+  }
   const double prepare = probe.GetPrepareSeconds(), evaluate = probe.GetEvaluateSeconds();
   const Json report = {{"input", describeInput(options.input, probe)},
     {"method", probe.GetMethodUsed()}, {"why", probe.GetMethodReason()},
     {"tolerance", options.tolerance},
     {"expected", {{"seconds", probe.GetExpectedSeconds()}, {"memory", probe.GetExpectedMemory()}}},
-    {"queries", {{"file", options.queries}, {"count", queries}}},
+    {"queries", {{"file", options.queries}, {"count", queries}, {"inside", inside}}},
     {"output", {{"file", options.output}}},
     {"seconds", {{"read", readSeconds}, {"prepare", prepare}, {"evaluate", evaluate},
                   {"write", std::max(0.0, totalSeconds - readSeconds - prepare - evaluate)},
@@ -186,7 +185,8 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
   else if (!options.quiet)
   {
     print(options.input + ": method " + probe.GetMethodUsed() + " (" + probe.GetMethodReason() +
-          "), " + std::to_string(queries) + " queries, " + shown(totalSeconds, 3) + " s\nwrote " +
+          "), " + std::to_string(queries) + " queries, " + std::to_string(inside) +
+          (options.insideOut ? " outside, " : " inside, ") + shown(totalSeconds, 3) + " s\nwrote " +
           options.output);
   }
 }
@@ -207,11 +207,20 @@ void runProbe(const Options& options, Messages& messages)
   applyMethod(options, probe);
   probe->GenerateInsideOn();
   probe->SetOutputScalarTypeToDouble();
+  probe->SetInsideOut(options.insideOut);
+  probe->SetExtractInside(options.extract && !isTable(options.output)); // a table has its own rows
   {
     const Progress progress(probe, "probe", options.quiet);
     probe->Update();
   }
   checkFilter(probe->GetStatus(), options.input, messages);
-  writeAnswer(queries, probe->GetOutput(), options, output, messages);
+  if (isTable(options.output))
+  {
+    writeTable(queries, *probe, options, output);
+  }
+  else
+  {
+    writePoints(probe->GetOutput(), output, options, messages);
+  }
   printReport(options, *probe, queries.points->GetNumberOfPoints(), readSeconds, stopwatch.total());
 }

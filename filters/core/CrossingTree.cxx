@@ -1,6 +1,6 @@
 #include "CrossingTree.h"
 
-#include "RayTarget.h"
+#include "RayTriangle.h"
 #include "UnitScale.h"
 
 #include <algorithm>
@@ -73,9 +73,9 @@ std::int32_t CrossingTree::makeNode(std::int32_t begin, std::int32_t end)
 int CrossingTree::crossingOf(std::int32_t triangle, const Eigen::Vector3d& from) const
 {
   const Triangle& corners = surface_.triangles[triangle];
-  return RayTarget(surface_.vertices[corners[0]] * scale_, surface_.vertices[corners[1]] * scale_,
+  return RayTriangle(surface_.vertices[corners[0]] * scale_, surface_.vertices[corners[1]] * scale_,
     surface_.vertices[corners[2]] * scale_)
-    .crossingFrom(from[0] * scale_, from[1] * scale_, from[2] * scale_);
+    .crossing(from * scale_);
 }
 
 } // namespace winding

@@ -23,7 +23,7 @@ public:
 
   /**
    * Calls visit(part, crossing) for the triangles that the ray from a vertex meets, with a crossing of
-   * +1 or −1 (RayTarget.h); in no particular order. The vertex itself counts as moved by the
+   * +1 or −1 (RayTriangle.h); in no particular order. The vertex itself counts as moved by the
    * infinitesimal steps of sideOfPlane(), so what it is a corner of may be among them.
    */
   template <class Visit> void forEachCrossing(std::int32_t vertex, const Visit& visit) const

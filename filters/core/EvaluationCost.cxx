@@ -42,6 +42,12 @@ EvaluationCost costOfRows(std::size_t triangles, std::size_t samples)
     (bytesPerPrimitive + 20) * triangles};
 }
 
+EvaluationCost costOfCrossings(std::size_t triangles, std::size_t samples)
+{
+  return {150e-9 * static_cast<double>(triangles) + 80e-9 * static_cast<double>(samples),
+    (bytesPerPrimitive + 64) * triangles + 40 * samples};
+}
+
 EvaluationCost costOfDirectSum(Primitive kind, std::size_t primitives, std::size_t samples)
 {
   const auto count = static_cast<double>(primitives);

@@ -28,6 +28,9 @@ enum class Primitive
 /// Welding, boundary, crossings and filling of runs.
 EvaluationCost costOfRows(std::size_t triangles, std::size_t samples);
 
+/// Welding, boundary, and the crossings ahead of scattered samples.
+EvaluationCost costOfCrossings(std::size_t triangles, std::size_t samples);
+
 /// A sum over all primitives at each sample.
 EvaluationCost costOfDirectSum(Primitive kind, std::size_t primitives, std::size_t samples);
 

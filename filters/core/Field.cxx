@@ -152,11 +152,6 @@ bool Field::evaluate(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
-std::unique_ptr<const RowCrossings::OnGrid> Field::integerRows(const Grid&) const
-{
-  return nullptr;
-}
-
 bool Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
   const FieldInfo& info = this->info();

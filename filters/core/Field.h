@@ -25,8 +25,10 @@ struct Surface;
 /// How w is found. Every method but parity gives the winding number.
 enum class Method
 {
-  automatic,    ///< the fastest that keeps the tolerance
-  rows,         ///< whole grid rows at once, a cap over holes (CappedSurface.h); triangles only
+  automatic, ///< the fastest that keeps the tolerance
+  /// Crossings, of triangles only: whole grid rows at once, a cap over holes (CappedSurface.h); closed
+  /// surfaces at scattered samples, too (PointCrossings.h).
+  rows,
   hierarchical, ///< a far field of all primitives (FarField.h)
   direct,       ///< the sum over all primitives, exact up to rounding
   parity        ///< ray casting, the baseline; triangles only
@@ -125,8 +127,8 @@ public:
   virtual bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples; where the method needs a grid, hierarchically as far as the tolerance
-  /// admits that. False when the executor was interrupted.
+  /// Evaluates scattered samples; where the method needs a grid, as open surfaces by rows do,
+  /// hierarchically as far as the tolerance admits that. False when the executor was interrupted.
   virtual bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
@@ -144,10 +146,6 @@ public:
    * at scattered samples depend on.
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
-
-  /// Whole rows of a grid, all those of a layer in one band: null unless w is an integer and found in
-  /// rows. Valid as long as the field.
-  virtual std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const;
 
   /// The triangles that it is the field of; null for points.
   virtual const Surface* surface() const { return nullptr; }

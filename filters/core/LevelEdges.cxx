@@ -150,11 +150,15 @@ LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, do
   , threshold_(threshold)
   , border_(withBorder ? 1 : 0)
   , layersPerSlab_(layersOfSlab(grid, slabBytes))
-  , rows_(field.integerRows(grid))
   , lastLayer_(std::make_unique<Layer>(border_))
   , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
   , beginsInside_(starts_.size() / 3, 0)
 {
+  if (const RowCrossings* rows = field.integerRows())
+  {
+    // Those of a layer are one band.
+    rows_ = rows->on(grid, grid.wholeExtent(), {0, grid.dimensions[1]});
+  }
 }
 
 LevelEdges::~LevelEdges() = default;

@@ -1,6 +1,6 @@
 #include "RayParity.h"
 
-#include "RayTarget.h"
+#include "RayTriangle.h"
 #include "UnitScale.h"
 
 #include <algorithm>
@@ -21,11 +21,11 @@ void RayParity::evaluate(const SampleBlock& block, double* values) const
   bool odd[SampleBlock::capacity] = {};
   for (const Triangle& triangle : surface_.triangles)
   {
-    const RayTarget target(surface_.vertices[triangle[0]] * scale_,
+    const RayTriangle target(surface_.vertices[triangle[0]] * scale_,
       surface_.vertices[triangle[1]] * scale_, surface_.vertices[triangle[2]] * scale_);
     for (std::size_t i = 0; i < scaled.count; ++i)
     {
-      odd[i] ^= target.crossingFrom(scaled.x[i], scaled.y[i], scaled.z[i]) != 0;
+      odd[i] ^= target.crossing({scaled.x[i], scaled.y[i], scaled.z[i]}) != 0;
     }
   }
   std::copy_n(odd, scaled.count, values);

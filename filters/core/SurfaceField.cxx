@@ -29,11 +29,13 @@ SurfaceField::SurfaceField(
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
       " with ids of points that do not exist)";
   }
-  if (options.method == Method::rows && options.scattered)
-  {
-    throw Refusal("rows needs a grid and these are scattered samples; choose another method");
-  }
   BoundaryChain chain = boundaryChain(surface_, executor);
+  if (options.method == Method::rows && options.scattered && !chain.edges.empty())
+  {
+    throw Refusal(
+      "rows needs a grid, or a closed surface; these are scattered samples and there are " +
+      std::to_string(chain.edges.size()) + " boundary edges; choose another method");
+  }
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
   this->chooseMethod(options, chain);
@@ -69,9 +71,19 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     return;
   }
   const std::string triangles = std::to_string(surface_.triangles.size()) + " triangles";
-  if (options.scattered)
+  if (chain.edges.empty())
+  {
+    crossings_ = std::make_unique<PointCrossings>(surface_);
+  }
+  if (options.scattered && !crossings_)
   {
     this->chooseFarField(options, "scattered samples of " + triangles);
+    return;
+  }
+  if (options.scattered)
+  {
+    info_.method = Method::rows;
+    info_.why = "closed after welding: integers, by counting what lies ahead of each sample";
     return;
   }
 
@@ -91,7 +103,10 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
   info_.why = chain.edges.empty()
                 ? "closed after welding: integers, found for whole rows"
                 : "open: rows find the integer part, a cap of " + cap + " gives the rest";
-  this->makeFarField(options.tolerance); // takes nothing before scattered samples come
+  if (!crossings_)
+  {
+    this->makeFarField(options.tolerance); // takes nothing before scattered samples come
+  }
 }
 
 /// The far field where the tolerance admits it and it is faster than the direct sum, else that.
@@ -138,6 +153,10 @@ const RowCrossings* SurfaceField::integerRows() const
 EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
 {
   const auto triangle = Primitive::triangle;
+  if (info_.method == Method::rows && !capped_)
+  {
+    return costOfCrossings(info_.primitives, samples);
+  }
   if (info_.method == Method::rows)
   {
     EvaluationCost cost = costOfRows(info_.primitives + info_.capTriangles, samples);
@@ -157,7 +176,8 @@ bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 {
-  return !this->usesFarField(samples.size()) || farField_->suiting(samples, executor) != nullptr;
+  return crossings_ || !this->usesFarField(samples.size()) ||
+         farField_->suiting(samples, executor) != nullptr;
 }
 
 bool SurfaceField::evaluate(
@@ -178,17 +198,16 @@ bool SurfaceField::evaluate(
 bool SurfaceField::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
+  if (crossings_)
+  {
+    return crossings_->evaluate(samples, output, executor);
+  }
   if (!this->usesFarField(samples.size()))
   {
     return Field::evaluate(samples, output, executor);
   }
   const std::shared_ptr<const FarField> suiting = farField_->suiting(samples, executor);
   return suiting && suiting->evaluate(samples, output, executor);
-}
-
-std::unique_ptr<const RowCrossings::OnGrid> SurfaceField::integerRows(const Grid& grid) const
-{
-  return capped_ ? capped_->integerRows(grid) : nullptr;
 }
 
 double SurfaceField::reference(const Eigen::Vector3d& sample) const

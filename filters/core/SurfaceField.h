@@ -4,6 +4,7 @@
 #include "CappedSurface.h"
 #include "Evaluator.h"
 #include "Field.h"
+#include "PointCrossings.h"
 #include "TriangleFarField.h"
 
 namespace winding
@@ -28,7 +29,6 @@ public:
   bool evaluate(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
-  std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const override;
   const Surface* surface() const override { return &surface_; }
   const RowCrossings* integerRows() const override;
   EvaluationCost expectedCost(std::size_t samples) const override;
@@ -52,6 +52,7 @@ private:
   int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
+  std::unique_ptr<const PointCrossings> crossings_;  ///< method rows, closed: for scattered samples
   std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical, and scattered samples
   std::unique_ptr<const Evaluator> evaluator_;       ///< what these leave
 };

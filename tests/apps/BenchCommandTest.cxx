@@ -109,6 +109,41 @@ TEST_F(BenchCommand, SeedMeasuresWhatThereIs)
   EXPECT_EQ(measured, 7);
 }
 
+TEST_F(BenchCommand, BesideTheFiltersOfVtk)
+{
+  Mesh open = sphere(3);
+  open.triangles.resize(open.triangles.size() / 2);
+  const nlohmann::json found = tables({"vtk", in, folder.write("open.off", asOff(open)), "--points",
+    "100", "300", "--resolution", "8"});
+  ASSERT_EQ(found.size(), 2u);
+  const char* filters[] = {"vtkWindingNumberProbe", "vtkSelectEnclosedPoints",
+    "vtkWindingNumberProbe", "vtkSelectEnclosedPoints", "vtkWindingNumberProbe",
+    "vtkExtractEnclosedPoints", "vtkWindingNumberField", "vtkPolyDataToImageStencil"};
+  const char* samples[] = {"100 points", "300 points", "300 points", "8 x 8 x 8"};
+  for (std::size_t table = 0; table < 2; ++table)
+  {
+    const nlohmann::json& rows = found[table]["rows"];
+    ASSERT_EQ(rows.size(), 8u);
+    int wrong = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      EXPECT_EQ(rows[i]["filter"], filters[i]);
+      EXPECT_EQ(rows[i]["question"], i == 4 || i == 5 ? "extract" : "inside");
+      if (i < 6)
+      {
+        EXPECT_EQ(rows[i]["samples"], samples[i / 2]);
+      }
+      EXPECT_GT(rows[i]["s"], 0);
+      EXPECT_EQ(rows[i]["times ours"].is_null(), i % 2 == 0);
+      EXPECT_GE(rows[i]["checked"], 100);
+      const int ofThis = rows[i]["wrong"];
+      EXPECT_TRUE(i % 2 == 1 || ofThis == 0) << rows[i];
+      wrong += ofThis;
+    }
+    EXPECT_EQ(wrong > 0, table == 1) << "half a sphere is no closed surface";
+  }
+}
+
 TEST_F(BenchCommand, Kernels)
 {
   const nlohmann::json found = tables({"kernels"});

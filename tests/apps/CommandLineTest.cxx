@@ -66,6 +66,8 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--neighbors", "2"}, "3 to 1000"},
     {{"field", in, "-o", vti, "--regularization", "-1"}, "0 (none) to 4"},
     {{"bench", "clouds"}, "needs files"},
+    {{"bench", "vtk"}, "needs files"},
+    {{"bench", "vtk", "a.obj", "--points", "0"}, "--points is 0"},
     {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},
     {{"field", in, "-o", vti, "--pieces", "0"}, "--pieces is 0"},
     {{"field", in, "-o", vti, "--threads", "-1"}, "--threads is -1"},

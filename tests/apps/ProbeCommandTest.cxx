@@ -160,6 +160,84 @@ TEST_F(ProbeCommand, DataSetsKeepTheirCells)
   EXPECT_EQ(lines.size(), 19u);
 }
 
+TEST_F(ProbeCommand, ExtractsTheRowsThatAreInside)
+{
+  const std::string queries =
+    folder.write("q.csv", "name,x,y,z\na,0,0,0\nb,5,0,0\nc,nan,0,0\nd,0.1,0,0.1\n");
+  const Outcome run = probe(queries, "in.csv", {"--extract", "--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["queries"]["count"], 4);
+  EXPECT_EQ(run.json()["queries"]["inside"], 2);
+  auto lines = split(contentsOf(folder.path("in.csv")), '\n');
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "name,x,y,z,WindingNumber,Inside");
+  EXPECT_EQ(lines[1], "a,0,0,0,1,1");
+  EXPECT_EQ(lines[2], "d,0.1,0,0.1,1,1");
+  ASSERT_EQ(probe(queries, "out.csv", {"--extract", "--inside-out"}).status, 0);
+  lines = split(contentsOf(folder.path("out.csv")), '\n');
+  ASSERT_EQ(lines.size(), 2u) << "what is nowhere is on neither side";
+  EXPECT_EQ(lines[1], "b,5,0,0,0,1");
+  ASSERT_EQ(probe(queries, "all.csv", {"--inside-out"}).status, 0);
+  lines = split(contentsOf(folder.path("all.csv")), '\n');
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[1], "a,0,0,0,1,0");
+}
+
+TEST_F(ProbeCommand, ExtractsRowsToPointsWithTheirColumns)
+{
+  const std::string queries =
+    folder.write("q.csv", "x,y,z,t,name\n0,0,0,7,a\n3,0,0,8,b\n0,0.1,0,9,c\n");
+  ASSERT_EQ(probe(queries, "out.vtp", {"--extract"}).status, 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("out.vtp").c_str());
+  reader->Update();
+  vtkPolyData* points = reader->GetOutput();
+  ASSERT_EQ(points->GetNumberOfPoints(), 2);
+  EXPECT_EQ(points->GetNumberOfVerts(), 2);
+  EXPECT_EQ(points->GetPointData()->GetArray("t")->GetTuple1(1), 9);
+  EXPECT_EQ(points->GetPointData()->GetAbstractArray("name")->GetNumberOfValues(), 2);
+  EXPECT_EQ(points->GetPointData()->GetArray("Inside")->GetTuple1(0), 1);
+}
+
+TEST_F(ProbeCommand, ExtractsCells)
+{
+  // Two spheres of 32 triangles, one of them out of the other's reach.
+  Mesh both = sphere(1);
+  const std::size_t corners = both.points.size();
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    both.points[i] = {0.5 * both.points[i][0], 0.5 * both.points[i][1], 0.5 * both.points[i][2]};
+    both.points.push_back({both.points[i][0] + 9, both.points[i][1], both.points[i][2]});
+  }
+  const std::size_t triangles = both.triangles.size();
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    auto triangle = both.triangles[i];
+    for (auto& corner : triangle)
+    {
+      corner += static_cast<int>(corners);
+    }
+    both.triangles.push_back(triangle);
+  }
+  const std::string mesh = folder.write("both.off", asOff(both));
+  ASSERT_EQ(probe(mesh, "out.vtp", {"--extract"}).status, 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("out.vtp").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), static_cast<vtkIdType>(triangles));
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(corners));
+  // In a table there are no cells: its rows are points.
+  ASSERT_EQ(probe(mesh, "out.csv", {"--extract"}).status, 0);
+  EXPECT_EQ(split(contentsOf(folder.path("out.csv")), '\n').size(), 1 + corners);
+  const std::string grid = folder.write("both.vtu", asVtu(both));
+  ASSERT_EQ(probe(grid, "out.vtu", {"--extract", "--inside-out"}).status, 0);
+  vtkNew<vtkXMLUnstructuredGridReader> gridReader;
+  gridReader->SetFileName(folder.path("out.vtu").c_str());
+  gridReader->Update();
+  EXPECT_EQ(gridReader->GetOutput()->GetNumberOfCells(), static_cast<vtkIdType>(triangles));
+  EXPECT_GT(gridReader->GetOutput()->GetBounds()[0], 8);
+}
+
 /// Independent values, from long-double sums of another program over the same float coordinates.
 TEST(ProbeReference, EveryMesh)
 {

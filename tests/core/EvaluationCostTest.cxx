@@ -28,6 +28,11 @@ TEST(EvaluationCost, GrowsWithWhatThereIsToDo)
       before = seconds;
     }
   }
+  for (const std::size_t samples : {1000, 100'000, 1'000'000})
+  {
+    EXPECT_LT(winding::costOfCrossings(100'000, samples).seconds,
+      winding::costOfFarField(Primitive::triangle, 100'000, samples, 5).seconds);
+  }
   EXPECT_LT(winding::costOfRows(100'000, 10'000'000).seconds,
     winding::costOfFarField(Primitive::triangle, 100'000, 10'000'000, 3).seconds);
 }

@@ -222,13 +222,16 @@ TEST_F(Rows, NothingToGenerateIsRefused)
   EXPECT_NE(log.errors().find("only values can be verified"), std::string::npos) << log.errors();
 }
 
-TEST_F(Rows, NeedAGridAndTriangles)
+TEST_F(Rows, NeedAGridOrAClosedSurfaceAndTriangles)
 {
   vtkNew<vtkWindingNumberProbe> probe;
   ErrorLog log(probe);
   probe->SetMethod(vtkWindingNumberProbe::ROWS);
   probe->SetInputConnection(sphere->GetOutputPort());
   probe->SetSourceConnection(sphere->GetOutputPort());
+  probe->Update();
+  EXPECT_EQ(log.errors(), "");
+  sphere->SetEndPhi(150);
   probe->Update();
   EXPECT_NE(log.errors().find("rows needs a grid"), std::string::npos) << log.errors();
   field->SetSourceAsPoints(1);

@@ -106,6 +106,19 @@ class TestPanel(unittest.TestCase):
         proxy.UpdatePipeline()
         self.assert_kind(proxy, 1)
 
+    def test_probe_shows_what_inside_means_where_that_counts(self):
+        proxy = simple.WindingNumberProbe(Input=self.mesh, Source=self.mesh)
+        meaning = {"WindingThreshold", "InsideRule", "InsideOut"}
+        always = {"GenerateInside", "ExtractInside"}
+        for proxy.GenerateInside in (0, 1):
+            for proxy.ExtractInside in (0, 1):
+                expected = set(always)
+                if proxy.GenerateInside or proxy.ExtractInside:
+                    expected |= meaning
+                if proxy.GenerateInside:
+                    expected.add("InsideArrayName")
+                self.assertEqual(shown(proxy, "Inside and Outside"), expected)
+
     def test_areas_show_what_their_method_needs(self):
         areas = simple.PointAreas(Input=self.cloud)
         needed = {

@@ -1,4 +1,5 @@
 """The filter Winding Number Probe in ParaView."""
+import math
 import unittest
 
 from paraview import simple
@@ -38,6 +39,51 @@ class TestProbe(unittest.TestCase):
             values.append(round(array.GetTuple1(0), 5))
             iterator.GoToNextItem()
         self.assertEqual(values, [1, 1, 0])
+
+    def test_inside_out(self):
+        points = points_source((0, 0, 0), (2, 0, 0))
+        probe = simple.WindingNumberProbe(
+            Input=points,
+            Source=unit_sphere(),
+            GenerateInside=1,
+            InsideOut=1,
+            InsideArrayName="SelectedPoints",
+        )
+        data = result(probe).GetPointData()
+        self.assertIsNone(data.GetArray("Inside"))
+        self.assertEqual([data.GetArray("SelectedPoints").GetTuple1(i) for i in range(2)], [0, 1])
+        self.assertAlmostEqual(data.GetArray("WindingNumber").GetTuple1(0), 1, places=6)
+
+    def test_extraction(self):
+        wavelet = simple.Wavelet()  # voxels of side 1 from -10 to 10
+        ball = unit_sphere(Radius=6)
+        probe = simple.WindingNumberProbe(Input=wavelet, Source=ball, ExtractInside=1)
+        part = result(probe)
+        self.assertTrue(part.IsA("vtkUnstructuredGrid"))
+        self.assertIsNotNone(part.GetPointData().GetArray("RTData"))
+        self.assertGreater(part.GetNumberOfCells(), 400)
+        self.assertLess(part.GetNumberOfCells(), 4 / 3 * math.pi * 6**3)
+        probe.ProbeAssociation = "Cell Centres"
+        inside = result(probe).GetNumberOfCells()
+        self.assertAlmostEqual(inside, 4 / 3 * math.pi * 6**3, delta=60)
+        probe.InsideOut = 1
+        self.assertEqual(result(probe).GetNumberOfCells(), 8000 - inside)
+        probe.ExtractInside = 0
+        self.assertTrue(result(probe).IsA("vtkImageData"))
+
+    def test_extraction_from_blocks(self):
+        blocks = simple.GroupDatasets(Input=[unit_sphere(Radius=0.5), simple.Wavelet()])
+        probe = simple.WindingNumberProbe(Input=blocks, Source=unit_sphere(), ExtractInside=1)
+        output = result(probe)
+        classes, cells = [], []
+        iterator = output.NewIterator()
+        while not iterator.IsDoneWithTraversal():
+            classes.append(iterator.GetCurrentDataObject().GetClassName())
+            cells.append(iterator.GetCurrentDataObject().GetNumberOfCells())
+            iterator.GoToNextItem()
+        self.assertEqual(classes, ["vtkPolyData", "vtkUnstructuredGrid"])
+        self.assertGreater(cells[0], 1000)
+        self.assertEqual(cells[1], 0)
 
 
 if __name__ == "__main__":

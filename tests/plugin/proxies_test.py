@@ -60,6 +60,9 @@ SETTABLE = {
     "WindingNumberProbe": {
         **COMMON,
         "ProbeAssociation": (1, "1"),
+        "InsideOut": (1, "1"),
+        "ExtractInside": (1, "1"),
+        "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
     },
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),

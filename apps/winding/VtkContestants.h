@@ -1,0 +1,48 @@
+#pragma once
+
+#include "Grid.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+/**
+ * @file
+ * Questions about samples around a surface that both a filter of this project and one of VTK answer.
+ */
+
+/// A filter, set up as its users would.
+struct Contestant
+{
+  std::string name;
+  /// Makes the filter and runs it, which is what is timed, on a surface that it has not seen before.
+  std::function<vtkSmartPointer<vtkDataObject>(vtkPolyData* surface)> run;
+  /// The answer at each sample, from what that gave.
+  std::function<std::vector<double>(vtkDataObject* output)> answers;
+};
+
+/// A question, and who answers it; the first one is ours.
+struct Contest
+{
+  std::string question;
+  std::string samples; ///< what they are, for the table
+  std::size_t count;
+  std::function<Eigen::Vector3d(std::size_t number)> sample;
+  /// Whether an answer is wrong where the winding number is w.
+  std::function<bool(double answer, double w)> isWrong;
+  std::vector<Contestant> contestants;
+};
+
+/// Which points are inside? Random ones in the bounds and a margin of a twentieth.
+Contest insideContest(const winding::Bounds& bounds, std::size_t points);
+
+/// The same, answered by the points that are inside alone.
+Contest extractionContest(const winding::Bounds& bounds, std::size_t points);
+
+/// Which voxels of a grid are inside?
+Contest voxelContest(const winding::Bounds& bounds, int resolution);
