@@ -20,13 +20,8 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
-  using Field::evaluate;
   bool prepare(const Grid& grid, Executor& executor) const override;
   bool prepare(const VectorsView& samples, Executor& executor) const override;
-  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
-    Executor& executor) const override;
-  bool evaluate(
-    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
   const Surface* surface() const override { return &surface_; }
   EvaluationCost expectedCost(std::size_t samples) const override;
@@ -34,6 +29,11 @@ public:
   PointOnSource pointOnSource() const override;
 
 protected:
+  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 
