@@ -160,6 +160,14 @@ void DistanceTree::findNearest(
   }
 }
 
+void DistanceTree::keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
+  const double* squaredLimits, std::vector<NearItems>& kept) const
+{
+  points_.empty()
+    ? winding::keepNearer(triangles_.data(), runs, samples, squaredLimits, kept)
+    : winding::keepNearer(points_.data(), runs, samples, squaredLimits, kept);
+}
+
 void DistanceTree::lowerSquaredDistances(
   const std::vector<NearItems>& runs, const SampleBlock& samples, double* squared) const
 {

@@ -41,6 +41,10 @@ public:
   void findNearest(
     const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
 
+  /// Of the items of leaves: those that are nearer than limits to any of 8 samples.
+  void keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
+    const double* squaredLimits, std::vector<NearItems>& kept) const;
+
   /// Of the items of leaves, for samples in scaled coordinates; see NearestKernels.h.
   void lowerSquaredDistances(
     const std::vector<NearItems>& runs, const SampleBlock& samples, double* squared) const;

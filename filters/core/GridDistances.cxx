@@ -12,8 +12,8 @@ namespace winding
 namespace
 {
 
-/// Measured at 128³ and 256³: 4 and 32 are 20 % slower.
-constexpr std::size_t samplesPerCell = 8;
+/// Measured at 128³ and 256³: 32 and 128 take up to twice as long.
+constexpr std::size_t samplesPerCell = 64;
 
 /// As many samples as make some tasks of small grids, too.
 constexpr double samplesPerTask = 4096;
@@ -120,13 +120,14 @@ private:
   void keepNear(const Cell& cell, std::size_t firstNode, std::size_t lastNode);
   bool isBeyond(const Cell& cell, const Bounds& box) const;
   bool canBeNearest(const Cell& cell, const Bounds& box) const;
+  void keepNearItems(const Cell& cell);
   void evaluate(const Cell& cell, std::size_t firstNode);
 
   const GridDistances& of_;
   const double limit_;               ///< scaled; infinite: none
   std::vector<std::uint32_t> nodes_; ///< of the cell at work and, before them, of those around it
   std::vector<std::uint32_t> opened_;
-  std::vector<NearItems> runs_;
+  std::vector<NearItems> runs_, kept_;
 };
 
 Eigen::Vector3d GridDistances::Descent::positionOf(int i, int j, int k) const
@@ -265,7 +266,7 @@ void GridDistances::Descent::keepNear(
       const std::uint32_t number = opened_.back();
       opened_.pop_back();
       const Bounds& box = of_.tree_.box(number);
-      if (this->isBeyond(cell, box) || !this->canBeNearest(cell, box))
+      if ((limit_ < std::numeric_limits<double>::infinity() && this->isBeyond(cell, box)) || !this->canBeNearest(cell, box))
       {
         continue;
       }
@@ -283,6 +284,22 @@ void GridDistances::Descent::keepNear(
   }
 }
 
+/// As canBeNearest(), but exactly.
+void GridDistances::Descent::keepNearItems(const Cell& cell)
+{
+  SampleBlock corners;
+  corners.count = 8;
+  alignas(64) double squared[8];
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    const Eigen::Vector3d corner((i & 1 ? cell.high : cell.low)[0],
+      (i & 2 ? cell.high : cell.low)[1], (i & 4 ? cell.high : cell.low)[2]);
+    corners.set(i, corner);
+    squared[i] = (corner - cell.nearest).squaredNorm();
+  }
+  of_.tree_.keepNearer(runs_, corners, squared, kept_);
+}
+
 /// From the nodes that are left: leaves, or none where all of the source is beyond the limit.
 void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
 {
@@ -292,6 +309,11 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
   {
     const SourceNode& node = of_.tree_.node(nodes_[n]);
     runs_.push_back({node.begin, node.end});
+  }
+  kept_.clear();
+  if (!runs_.empty())
+  {
+    this->keepNearItems(cell);
   }
   SampleBlock block;
   alignas(64) double squared[SampleBlock::capacity];
@@ -305,7 +327,7 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
       const Eigen::Vector3i index = sampleIndex(s, first + n);
       block.set(n, this->positionOf(index[0], index[1], index[2]));
     }
-    of_.tree_.lowerSquaredDistances(runs_, block, squared);
+    of_.tree_.lowerSquaredDistances(kept_, block, squared);
     for (std::size_t n = 0; n < block.count; ++n)
     {
       const Eigen::Vector3i index = sampleIndex(s, first + n);

@@ -127,6 +127,63 @@ HWY_INLINE void lower(const Item* HWY_RESTRICT items, const NearItems* HWY_RESTR
   }
 }
 
+HWY_INLINE const double* beginOf(const NearTriangle& triangle)
+{
+  return triangle.a;
+}
+
+HWY_INLINE const double* beginOf(const NearPoint& point)
+{
+  return point.position;
+}
+
+template <class Item>
+HWY_INLINE bool isNearer(const Item& item, const SampleBlock& samples, const double* squaredLimits)
+{
+  using D = hn::CappedTag<double, 8>;
+  const D d;
+  // A distance is that far from exact where the offset from the item's beginning is that long.
+  const hn::Vec<D> rounding = hn::Set(d, 64 * std::numeric_limits<double>::epsilon());
+  for (std::size_t s = 0; s < 8; s += hn::Lanes(d))
+  {
+    const Offsets<D> sample = {
+      hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
+    const Offsets<D> offset = difference(d, sample, broadcast(d, beginOf(item)));
+    NearestOffsets<D> nearest = {product(d, offset, offset), offset};
+    const hn::Vec<D> limit =
+      hn::MulAdd(rounding, nearest.squared, hn::Load(d, squaredLimits + s));
+    takeNearer(d, item, sample, nearest);
+    if (!hn::AllFalse(d, hn::Le(nearest.squared, limit)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Item>
+HWY_INLINE void keep(const Item* HWY_RESTRICT items, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* HWY_RESTRICT squaredLimits,
+  std::vector<NearItems>& kept)
+{
+  for (const NearItems& run : runs)
+  {
+    for (std::uint32_t i = run.first; i != run.last; ++i)
+    {
+      if (!isNearer(items[i], samples, squaredLimits))
+      {
+        continue;
+      }
+      if (!kept.empty() && kept.back().last == i)
+      {
+        ++kept.back().last;
+        continue;
+      }
+      kept.push_back({i, i + 1});
+    }
+  }
+}
+
 template <class Item>
 HWY_INLINE void find(
   const Item* HWY_RESTRICT items, const NearItems& run, const double* at, Nearest& nearest)
@@ -155,6 +212,18 @@ void lowerByPoints(const NearPoint* points, const NearItems* runs, std::size_t c
   lower(points, runs, count, samples, squared);
 }
 
+void keepTriangles(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  keep(triangles, runs, samples, squaredLimits, kept);
+}
+
+void keepPoints(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  keep(points, runs, samples, squaredLimits, kept);
+}
+
 void findAmongTriangles(
   const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest)
 {
@@ -177,6 +246,8 @@ namespace winding
 
 HWY_EXPORT(lowerByTriangles);
 HWY_EXPORT(lowerByPoints);
+HWY_EXPORT(keepTriangles);
+HWY_EXPORT(keepPoints);
 HWY_EXPORT(findAmongTriangles);
 HWY_EXPORT(findAmongPoints);
 
@@ -224,6 +295,18 @@ void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::
   const SampleBlock& samples, double* squared)
 {
   HWY_DYNAMIC_DISPATCH(lowerByPoints)(points, runs, count, samples, squared);
+}
+
+void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  HWY_DYNAMIC_DISPATCH(keepTriangles)(triangles, runs, samples, squaredLimits, kept);
+}
+
+void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  HWY_DYNAMIC_DISPATCH(keepPoints)(points, runs, samples, squaredLimits, kept);
 }
 
 void findNearest(

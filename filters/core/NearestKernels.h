@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 /**
  * @file
@@ -55,6 +56,17 @@ void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs,
   const SampleBlock& samples, double* squared);
 void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
   const SampleBlock& samples, double* squared);
+///@}
+
+///@{
+/**
+ * Appends to `kept`, as runs, the items that are nearer than a limit to any of 8 samples, or would be but
+ * for rounding. squaredLimits: aligned as the block is, and padded to 8.
+ */
+void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
+void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
 ///@}
 
 /// The nearest point found so far.
