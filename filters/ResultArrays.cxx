@@ -19,6 +19,9 @@ namespace winding
 namespace
 {
 
+constexpr const char* insideName = "Inside";
+constexpr const char* distanceName = "SignedDistance";
+
 std::string inGiB(double bytes)
 {
   char text[64];
@@ -73,7 +76,28 @@ vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkId
   return array;
 }
 
+void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
+{
+  if (auto* ofFloats = vtkFloatArray::SafeDownCast(array))
+  {
+    floats = ofFloats->GetPointer(0);
+  }
+  else if (auto* ofDoubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    doubles = ofDoubles->GetPointer(0);
+  }
+}
+
 } // namespace
+
+vtkIdType ResultArrays::bytesPerSample(const ResultOptions& options)
+{
+  const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
+  // Signs have to be kept somewhere until distances are there.
+  const bool hasSides = options.withInside || !options.withValues;
+  return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
+         (hasSides ? 1 : 0);
+}
 
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
@@ -82,18 +106,22 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
     throw Refusal("the output scalar type is " + std::to_string(options.scalarType) +
                   "; it must be VTK_FLOAT or VTK_DOUBLE");
   }
-  if (!options.withValues && !options.withInside)
+  if (!options.withValues && !options.withInside && !options.withDistances)
   {
-    throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
+    throw Refusal("neither the winding number nor Inside nor the signed distance is to be generated; "
+                  "turn one of them on");
   }
-  if (options.withValues && options.withInside && options.name == "Inside")
+  for (const auto& [isThere, name] :
+    {std::pair(options.withInside, insideName), std::pair(options.withDistances, distanceName)})
   {
-    throw Refusal("the array of w cannot have the name 'Inside' of the array beside it; rename it");
+    if (options.withValues && isThere && options.name == name)
+    {
+      throw Refusal(std::string("the array of w cannot have the name '") + name +
+                    "' of the array beside it; rename it");
+    }
   }
-  const double bytesPerValue = options.scalarType == VTK_DOUBLE ? 8 : 4;
-  const double bytesPerSample =
-    (options.withValues ? bytesPerValue : 0) + (options.withInside ? 1 : 0);
-  refuseBeyondMemory(samples, bytesPerSample * static_cast<double>(samples));
+  refuseBeyondMemory(
+    samples, static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples));
   if (options.withValues)
   {
     values_ =
@@ -101,21 +129,19 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   }
   if (options.withInside)
   {
-    inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, "Inside", samples));
+    inside_ = vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, insideName, samples));
+  }
+  if (options.withDistances)
+  {
+    distances_ = makeArray(options.scalarType, distanceName, samples);
   }
 }
 
 FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 {
   FieldOutput output;
-  if (auto* floats = vtkFloatArray::SafeDownCast(values_))
-  {
-    output.values = floats->GetPointer(0);
-  }
-  else if (auto* doubles = vtkDoubleArray::SafeDownCast(values_))
-  {
-    output.doubleValues = doubles->GetPointer(0);
-  }
+  pointInto(values_, output.values, output.doubleValues);
+  pointInto(distances_, output.distances, output.doubleDistances);
   output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
   output.rule = rule;
   output.threshold = threshold;
@@ -125,15 +151,13 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.
-  if (inside_)
+  for (vtkDataArray* array : {distances_.Get(), static_cast<vtkDataArray*>(inside_), values_.Get()})
   {
-    attributes->AddArray(inside_);
-    attributes->SetActiveScalars(inside_->GetName());
-  }
-  if (values_)
-  {
-    attributes->AddArray(values_);
-    attributes->SetActiveScalars(values_->GetName());
+    if (array)
+    {
+      attributes->AddArray(array);
+      attributes->SetActiveScalars(array->GetName());
+    }
   }
 }
 

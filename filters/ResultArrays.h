@@ -25,7 +25,8 @@ struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
   bool withInside = false;    ///< the array "Inside"
-  int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
+  bool withDistances = false; ///< the array "SignedDistance"
+  int scalarType = VTK_FLOAT; ///< of w and of distances: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< of the array of w; empty: "WindingNumber"
 };
 
@@ -33,9 +34,12 @@ struct ResultOptions
 class ResultArrays
 {
 public:
-  /// Throws Refusal for options that make no array, OutOfMemory, with the numbers, for too many
-  /// samples.
+  /// Throws Refusal for options that make no array or two of one name; OutOfMemory, with the numbers, for
+  /// too many samples.
   ResultArrays(vtkIdType samples, const ResultOptions& options);
+
+  /// What they take for a sample, and, meanwhile, what evaluates them.
+  static vtkIdType bytesPerSample(const ResultOptions& options);
 
   /// Pointers into the arrays.
   FieldOutput output(InsideRule rule, double threshold) const;
@@ -52,6 +56,7 @@ public:
 private:
   vtkSmartPointer<vtkDataArray> values_;
   vtkSmartPointer<vtkUnsignedCharArray> inside_;
+  vtkSmartPointer<vtkDataArray> distances_;
 };
 
 } // namespace winding

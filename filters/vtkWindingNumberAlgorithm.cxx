@@ -17,6 +17,7 @@
 #include "vtkStringArray.h"
 
 #include <chrono>
+#include <limits>
 #include <new>
 
 namespace
@@ -151,14 +152,19 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  const bool isPrepared = field && prepareSamples(*field, executor);
+  const bool isPrepared = field && prepareSamples(*field, executor) &&
+                          (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
   if (!isPrepared)
   {
     this->Status = ABORTED;
     return nullptr;
   }
-  const winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  if (this->WantsDistances())
+  {
+    cost += field->expectedCostOfDistances(static_cast<std::size_t>(samples));
+  }
   this->ExpectedSeconds = cost.seconds / executor.threads();
   this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + this->GetBytesPerSample() * samples;
   const winding::FieldInfo& info = field->info();
@@ -173,10 +179,30 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   return field;
 }
 
+bool vtkWindingNumberAlgorithm::WantsDistances() const
+{
+  return this->GenerateSignedDistance != 0;
+}
+
+double vtkWindingNumberAlgorithm::GetDistanceLimit() const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
+{
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0;
+  options.withDistances = this->WantsDistances();
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
+  return options;
+}
+
 vtkIdType vtkWindingNumberAlgorithm::GetBytesPerSample() const
 {
-  return (this->GenerateWindingNumber ? vtkDataArray::GetDataTypeSize(this->OutputScalarType) : 0) +
-         (this->GenerateInside ? 1 : 0);
+  return winding::ResultArrays::bytesPerSample(this->GetResultOptions());
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -201,17 +227,14 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
 
 winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
 {
-  winding::ResultOptions options;
-  options.withValues = this->GenerateWindingNumber != 0;
-  options.withInside = this->GenerateInside != 0;
-  options.scalarType = this->OutputScalarType;
-  options.name = winding::textOf(this->ResultArrayName);
-  return {samples, options};
+  return {samples, this->GetResultOptions()};
 }
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
 {
-  return results.output(coreRule(this->InsideRule), this->WindingThreshold);
+  winding::FieldOutput output = results.output(coreRule(this->InsideRule), this->WindingThreshold);
+  output.distanceLimit = this->GetDistanceLimit();
+  return output;
 }
 
 void vtkWindingNumberAlgorithm::AddResults(
@@ -318,6 +341,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

@@ -17,6 +17,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -89,9 +91,25 @@ void vtkWindingNumberField::GiveInformation(
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   if (!asCells)
   {
+    const bool scalarsAreSides = this->GenerateInside && !this->GenerateWindingNumber;
     vtkDataObject::SetPointDataActiveScalarInfo(
-      outInfo, this->GenerateWindingNumber ? this->OutputScalarType : VTK_UNSIGNED_CHAR, 1);
+      outInfo, scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType, 1);
   }
+}
+
+void vtkWindingNumberField::CheckDistanceBand() const
+{
+  if (!(this->DistanceBand >= 0) || !std::isfinite(this->DistanceBand))
+  {
+    throw winding::Refusal("the distance band is " + std::to_string(this->DistanceBand) +
+                           " voxels; it must be 0 (all distances) or more");
+  }
+}
+
+double vtkWindingNumberField::GetDistanceLimit() const
+{
+  return this->DistanceBand > 0 ? this->DistanceBand * this->GetSampling().spacing.maxCoeff()
+                                : this->Superclass::GetDistanceLimit();
 }
 
 void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -110,6 +128,7 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   this->CheckVerification(this->GenerateWindingNumber != 0);
+  this->CheckDistanceBand();
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -146,4 +165,5 @@ void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
+  os << indent << "DistanceBand: " << this->DistanceBand << "\n";
 }

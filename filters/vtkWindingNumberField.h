@@ -3,7 +3,7 @@
  * @brief   winding-number field of a surface or an oriented point cloud on a regular grid
  *
  * Takes a source (see vtkWindingNumberAlgorithm) and gives vtkImageData with the array
- * "WindingNumber" and, if asked for, "Inside". Threshold the field, or hand it to
+ * "WindingNumber" and, if asked for, "Inside" and "SignedDistance". Threshold the field, or hand it to
  * vtkWindingNumberVoxels for a voxel surface; vtkWindingNumberSurface makes the smooth one.
  *
  * @code
@@ -62,6 +62,14 @@ public:
   void SetOutputAssociationToCells() { this->SetOutputAssociation(CELLS); }
   ///@}
 
+  ///@{
+  /// How far "SignedDistance" reaches, in voxels (of their longest side): samples that are farther from the
+  /// source get that distance, with their sign, and take little time. 0: all distances. 0 or more,
+  /// default 0.
+  vtkSetMacro(DistanceBand, double);
+  vtkGetMacro(DistanceBand, double);
+  ///@}
+
   vtkImageData* GetOutput();
 
 protected:
@@ -76,10 +84,14 @@ protected:
   void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  double GetDistanceLimit() const override;
+
   int OutputAssociation = POINTS;
+  double DistanceBand = 0;
 
 private:
   void UpdateSource(vtkInformation* outInfo);
+  void CheckDistanceBand() const;
 };
 
 #endif

@@ -4,7 +4,7 @@
  *
  * Port 0 takes the data set that says where (any vtkDataSet); port 1 the source, a surface or an
  * oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow copy of port 0 with
- * the array "WindingNumber" and, if asked for, "Inside". The ports are those of
+ * the array "WindingNumber" and, if asked for, "Inside" and "SignedDistance". The ports are those of
  * vtkPointInterpolator; what the filter is for is what vtkSelectEnclosedPoints is for, on surfaces
  * that need not be closed.
  *
@@ -17,7 +17,7 @@
  *
  * The value of a point depends on the other points within the Tolerance only; with method DIRECT, or
  * Tolerance 0, not at all. Points that are NaN or infinite get
- * NaN, and are not inside.
+ * NaN, as value and as distance, and are not inside.
  *
  * @sa vtkWindingNumberField vtkSelectEnclosedPoints
  */

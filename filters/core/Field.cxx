@@ -178,6 +178,13 @@ bool Field::prepareDistances(Executor& executor) const
   return this->distanceTree(executor) != nullptr;
 }
 
+EvaluationCost Field::expectedCostOfDistances(std::size_t samples) const
+{
+  const FieldInfo& info = this->info();
+  return costOfDistances(
+    info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
+}
+
 /// Values, then distances with the signs that those give.
 template <class EvaluateValues, class EvaluateDistances>
 bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
@@ -194,11 +201,8 @@ bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
     inside.resize(samples);
     signedOutput.inside = inside.data();
   }
-  const EvaluationCost ofValues = this->expectedCost(samples);
-  const FieldInfo& info = this->info();
-  const EvaluationCost ofDistances = costOfDistances(
-    info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
-  const double share = ofValues.seconds / (ofValues.seconds + ofDistances.seconds);
+  const double ofValues = this->expectedCost(samples).seconds;
+  const double share = ofValues / (ofValues + this->expectedCostOfDistances(samples).seconds);
   executor.setShare(0, share);
   const bool hasValues = evaluateValues(signedOutput);
   executor.setShare(share, 1);

@@ -159,6 +159,9 @@ public:
   /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
+  /// What distances of so many samples are expected to take beside that.
+  EvaluationCost expectedCostOfDistances(std::size_t samples) const;
+
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
 
