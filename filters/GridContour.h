@@ -1,6 +1,6 @@
 #pragma once
 
-#include "EdgeCrossings.h"
+#include "LevelEdges.h"
 
 #include "vtkSmartPointer.h"
 
@@ -9,32 +9,25 @@
 class vtkCellArray;
 class vtkFloatArray;
 class vtkPoints;
-class vtkUnsignedCharArray;
 
 namespace winding
 {
 
 /**
- * The triangles between the inside and the outside samples of a grid, by marching cubes: every vertex
- * lies on an edge between two samples, of which one is inside. Triangles face outward. The same for
- * every executor; all that takes one throws Interrupted.
+ * The triangles between the inside and the outside samples of a grid, by marching cubes: every edge
+ * between two samples of which one is inside has a vertex. Triangles face outward. The same for every
+ * executor; all that takes one throws Interrupted.
  *
- * VTK's own filters look at every cell of a grid. Here the vertices are found by comparing rows, and
- * only cells with vertices are looked at.
+ * VTK's own filters look at every cell of a grid. Here only cells with vertices are looked at.
  */
 class GridContour
 {
 public:
-  /// inside: 1 or 0 for every sample of the grid. withBorder: as if there were samples around the grid,
-  /// all of them outside; without, it has two or more along each axis.
-  GridContour(const Grid& grid, vtkUnsignedCharArray* inside, bool withBorder, Executor& executor);
+  /// Keeps references. The grid and its border together have two samples or more along each axis.
+  GridContour(const Grid& grid, const LevelEdges& edges, Executor& executor);
 
-  /// The edges of the grid that have a vertex, each one.
-  std::vector<GridEdge> edges() const;
-
-  /// The vertices, at these fractions of their edges: 0 at the first sample, 1 at the second, but kept a
-  /// little away from both so that no two vertices coincide. Those of the border lie half a voxel
-  /// outside.
+  /// The vertices, in the order of the edges, at these fractions of them: 0 at the first sample, 1 at the
+  /// second, but kept a little away from both so that no two vertices coincide.
   vtkSmartPointer<vtkPoints> place(
     const std::vector<double>& fractions, int type, Executor& executor) const;
 
@@ -45,10 +38,13 @@ public:
   vtkSmartPointer<vtkFloatArray> normalsOf(vtkPoints* points, Executor& executor) const;
 
 private:
-  bool isAtBorder(const GridEdge& vertex) const;
+  template <class Real>
+  void addAreas(
+    const Real* coordinates, std::vector<Eigen::Vector3d>& sums, Executor& executor) const;
 
-  Grid grid_;
-  std::vector<GridEdge> vertices_; ///< those of the border, too
+  const Grid& grid_;
+  const LevelEdges& edges_;
+  std::vector<vtkIdType> layerStarts_; ///< of the triangles between each layer and the next
   vtkSmartPointer<vtkCellArray> triangles_;
 };
 

@@ -1,13 +1,12 @@
 #include "ResultArrays.h"
 
+#include "FreeMemory.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 
-#include <vtksys/SystemInformation.hxx>
-
 #include <cstdint>
-#include <cstdio>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -21,32 +20,6 @@ namespace
 
 constexpr const char* insideName = "Inside";
 constexpr const char* distanceName = "SignedDistance";
-
-std::string inGiB(double bytes)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g GiB", bytes / (1024.0 * 1024.0 * 1024.0));
-  return text;
-}
-
-void refuseBeyondMemory(vtkIdType samples, double bytes)
-{
-  constexpr double smallest = 64.0 * 1024 * 1024; // not worth asking the system for
-  if (bytes < smallest)
-  {
-    return;
-  }
-  vtksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const double freeBytes = 1024.0 * (static_cast<double>(system.GetHostMemoryTotal()) -
-                                      static_cast<double>(system.GetHostMemoryUsed()));
-  if (bytes > freeBytes)
-  {
-    throw OutOfMemory("the result of " + std::to_string(samples) + " samples needs " +
-                      inGiB(bytes) + " of memory and " + inGiB(freeBytes) +
-                      " is free; choose larger voxels or write it in pieces");
-  }
-}
 
 /// Asks for large pages where the system hands them out on request only. Touching fresh memory in
 /// small pages for the first time takes several times as long as filling it.
@@ -120,8 +93,10 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
                     "' of the array beside it; rename it");
     }
   }
-  refuseBeyondMemory(
-    samples, static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples));
+  refuseBeyondFreeMemory(
+    static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
+    "the result of " + std::to_string(samples) + " samples",
+    "choose larger voxels or write it in pieces");
   if (options.withValues)
   {
     values_ =

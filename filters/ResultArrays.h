@@ -1,7 +1,6 @@
 #pragma once
 
 #include "Field.h"
-#include "Refusal.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -13,13 +12,6 @@ class vtkDataSetAttributes;
 
 namespace winding
 {
-
-/// Thrown before anything is allocated that would not fit.
-class OutOfMemory : public Refusal
-{
-public:
-  using Refusal::Refusal;
-};
 
 struct ResultOptions
 {

@@ -1,5 +1,6 @@
 #include "vtkWindingNumberAlgorithm.h"
 
+#include "FreeMemory.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceField.h"
@@ -28,19 +29,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-winding::InsideRule coreRule(int rule)
-{
-  switch (rule)
-  {
-  case vtkWindingNumberAlgorithm::ABSOLUTE:
-    return winding::InsideRule::absoluteThreshold;
-  case vtkWindingNumberAlgorithm::ODD:
-    return winding::InsideRule::odd;
-  default:
-    return winding::InsideRule::signedThreshold;
-  }
 }
 
 int kindOf(vtkDataObject* source)
@@ -166,7 +154,8 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     cost += field->expectedCostOfDistances(static_cast<std::size_t>(samples));
   }
   this->ExpectedSeconds = cost.seconds / executor.threads();
-  this->ExpectedMemory = static_cast<vtkIdType>(cost.bytes) + this->GetBytesPerSample() * samples;
+  this->ExpectedMemory =
+    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -200,9 +189,10 @@ winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
   return options;
 }
 
-vtkIdType vtkWindingNumberAlgorithm::GetBytesPerSample() const
+double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
 {
-  return winding::ResultArrays::bytesPerSample(this->GetResultOptions());
+  return static_cast<double>(winding::ResultArrays::bytesPerSample(this->GetResultOptions())) *
+         static_cast<double>(samples);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -230,9 +220,22 @@ winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) 
   return {samples, this->GetResultOptions()};
 }
 
+winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const
+{
+  switch (this->InsideRule)
+  {
+  case ABSOLUTE:
+    return winding::InsideRule::absoluteThreshold;
+  case ODD:
+    return winding::InsideRule::odd;
+  default:
+    return winding::InsideRule::signedThreshold;
+  }
+}
+
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
 {
-  winding::FieldOutput output = results.output(coreRule(this->InsideRule), this->WindingThreshold);
+  winding::FieldOutput output = results.output(this->GetCoreInsideRule(), this->WindingThreshold);
   output.distanceLimit = this->GetDistanceLimit();
   return output;
 }

@@ -39,6 +39,7 @@
 
 namespace winding
 {
+enum class InsideRule;
 class Executor;
 class Field;
 class ResultArrays;
@@ -325,6 +326,9 @@ protected:
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
+  /// InsideRule for the core.
+  winding::InsideRule GetCoreInsideRule() const;
+
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
   /// into the output, together with what DescribeMethod() adds.
@@ -343,9 +347,9 @@ protected:
   /// What farther samples get instead of their distance: infinity, unless a filter says otherwise.
   virtual double GetDistanceLimit() const;
 
-  /// Bytes that the filter takes for the result at a sample, for ExpectedMemory: of result arrays,
-  /// unless a filter says otherwise.
-  virtual vtkIdType GetBytesPerSample() const;
+  /// Bytes that the filter takes for the result at so many samples, for ExpectedMemory: of result
+  /// arrays, unless a filter says otherwise.
+  virtual double GetResultBytes(vtkIdType samples) const;
 
   /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
   bool Evaluate(const std::function<bool(winding::SmpExecutor&)>& evaluation);

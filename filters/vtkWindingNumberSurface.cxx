@@ -1,5 +1,6 @@
 #include "vtkWindingNumberSurface.h"
 
+#include "FreeMemory.h"
 #include "GridContour.h"
 #include "LevelRoots.h"
 #include "Refusal.h"
@@ -21,42 +22,6 @@
 #include <limits>
 #include <optional>
 
-namespace
-{
-
-/// Arrays of the samples of a grid: whether they are inside, or w.
-winding::ResultArrays arraysOf(const winding::Grid& grid, bool ofValues)
-{
-  winding::ResultOptions options;
-  options.withValues = ofValues;
-  options.withInside = !ofValues;
-  return {static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent())), options};
-}
-
-/// What the samples of an edge say: of w, where there is that, or else of inside.
-winding::LevelRoots::Ends endsOf(
-  const winding::GridEdge& edge, const winding::Extent& extent, const winding::FieldOutput& samples)
-{
-  const auto levelAt = [&samples](std::size_t n)
-  {
-    return samples.values ? winding::levelOf(samples.values[n], samples.rule, samples.threshold)
-                          : samples.inside[n] - 0.5;
-  };
-  const auto& [sample, axis] = edge;
-  const std::size_t first = winding::sampleNumber(extent, sample[0], sample[1], sample[2]);
-  const std::size_t second = winding::sampleNumber(
-    extent, sample[0] + (axis == 0), sample[1] + (axis == 1), sample[2] + (axis == 2));
-  return {samples.inside[first] != 0, {levelAt(first), levelAt(second)}};
-}
-
-/// Whether the field of a grid is that of a closed surface, found exactly: inside says all of it.
-bool isInteger(const winding::FieldInfo& info)
-{
-  return info.isSurface && info.netBoundaryEdges == 0 && info.method == winding::Method::rows;
-}
-
-} // namespace
-
 vtkStandardNewMacro(vtkWindingNumberSurface);
 
 vtkPolyData* vtkWindingNumberSurface::GetOutput()
@@ -75,10 +40,13 @@ void vtkWindingNumberSurface::GiveInformation(vtkInformationVector** inputs, vtk
   this->LookAtSource(vtkDataObject::GetData(inputs[0]));
 }
 
-vtkIdType vtkWindingNumberSurface::GetBytesPerSample() const
+double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
 {
-  const bool hasValues = this->GetNumberOfCapTriangles() > 0;
-  return 1 + (hasValues ? sizeof(float) : 0) + (this->CloseBorder ? 1 : 0);
+  const bool hasSlabs =
+    this->GetNumberOfCapTriangles() > 0 ||
+    this->GetMethodUsed() != std::string(winding::nameOf(winding::Method::rows));
+  return winding::LevelEdges::bytesOfRows(this->GetSampling()) +
+         (hasSlabs ? winding::LevelEdges::bytesOfSlab(this->GetSampling()) : 0);
 }
 
 void vtkWindingNumberSurface::CheckGrid() const
@@ -124,54 +92,47 @@ void vtkWindingNumberSurface::GiveData(vtkInformationVector** inputs, vtkInforma
   this->LayOutGrid(source);
   this->CheckGrid();
   this->CheckVerification(true);
-  const winding::Grid& grid = this->GetSampling();
-  const winding::ResultArrays inside = arraysOf(grid, false);
   const winding::Field* field = this->PrepareGridField(source);
   if (!field)
   {
     return;
   }
-  std::optional<winding::ResultArrays> values;
-  if (!isInteger(field->info()) || this->VerifySamples > 0)
+  winding::refuseBeyondFreeMemory(this->GetResultBytes(0), "the surface", "choose larger voxels");
+  const auto makeSurface = [&](winding::SmpExecutor& executor)
   {
-    values = arraysOf(grid, true);
-  }
-  winding::FieldOutput samples = this->OutputTo(inside);
-  samples.values = values ? this->OutputTo(*values).values : nullptr;
-
-  const auto evaluate = [&](winding::SmpExecutor& executor)
-  {
-    return this->MakeSurface(*field, samples, inside.inside(), output, executor);
+    return this->MakeSurface(*field, output, executor);
   };
-  if (!this->Evaluate(evaluate))
+  if (!this->Evaluate(makeSurface))
   {
     output->Initialize();
     return;
   }
   this->DescribeMethod(output);
-  this->Verify(*field, grid.wholeExtent().data(), values ? values->values() : nullptr);
+  this->VerifyWholeGrid(*field);
 }
 
 /// False when the executor was interrupted.
-bool vtkWindingNumberSurface::MakeSurface(const winding::Field& field,
-  const winding::FieldOutput& samples, vtkUnsignedCharArray* inside, vtkPolyData* output,
-  winding::SmpExecutor& executor)
+bool vtkWindingNumberSurface::MakeSurface(
+  const winding::Field& field, vtkPolyData* output, winding::SmpExecutor& executor)
 try
 {
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
-  executor.setProgressRange(0, progressOfGrid);
   const winding::Grid& grid = this->GetSampling();
-  if (!field.evaluate(grid, grid.wholeExtent(), samples, executor))
+  const winding::InsideRule rule = this->GetCoreInsideRule();
+  winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
+  while (!edges.isDone())
   {
-    return false;
+    executor.setProgressRange(
+      progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
+    if (!edges.advance(executor))
+    {
+      return false;
+    }
   }
-  const winding::GridContour contour(grid, inside, this->CloseBorder != 0, executor);
-  const winding::Extent extent = grid.wholeExtent();
+  const winding::GridContour contour(grid, edges, executor);
   winding::LevelRoots roots(
-    field, grid, contour.edges(),
-    [&](const winding::GridEdge& edge) { return endsOf(edge, extent, samples); }, samples.rule,
-    samples.threshold, this->Tolerance, executor);
+    field, grid, edges, rule, this->WindingThreshold, this->Tolerance, executor);
   for (double progress = progressOfGrid; !roots.isDone();)
   {
     const double next = progress + (1 - progress) / 8;
@@ -196,6 +157,21 @@ try
 catch (const winding::Interrupted&)
 {
   return false;
+}
+
+/// Nothing else needs all of its values.
+void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::Extent extent = grid.wholeExtent();
+  winding::ResultOptions options;
+  const vtkIdType samples = this->VerifySamples > 0 ? winding::sampleCount(extent) : 0;
+  const winding::ResultArrays values(samples, options);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  if (samples == 0 || field.evaluate(grid, extent, this->OutputTo(values), executor))
+  {
+    this->Verify(field, extent.data(), values.values());
+  }
 }
 
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)

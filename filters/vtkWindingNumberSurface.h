@@ -27,8 +27,9 @@
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. Works as a whole: with
  * several pieces, all is in the first. Progress and abort are those of vtkWindingNumberField. The same
- * bits for any number of threads. Memory: the field of the whole grid, a byte for each voxel and, unless
- * the source is a closed surface, 4 more for w; a byte more with CloseBorder.
+ * bits for any number of threads. Memory: that of the triangles, and 13 bytes for each row of the grid.
+ * Unless the source is closed, the field passes through it in slabs, in about 100 MB; only to be verified
+ * it is kept as a whole.
  *
  * Errors, each one line through vtkErrorMacro: those of vtkWindingNumberField, and grids that have one
  * voxel only along an axis.
@@ -41,7 +42,6 @@
 #include "vtkWindingNumberGridAlgorithm.h"
 
 class vtkPolyData;
-class vtkUnsignedCharArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberGridAlgorithm
 {
@@ -89,7 +89,7 @@ protected:
   void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   bool WantsDistances() const override { return false; }
-  vtkIdType GetBytesPerSample() const override;
+  double GetResultBytes(vtkIdType samples) const override;
 
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
@@ -98,8 +98,9 @@ protected:
 private:
   void CheckGrid() const;
   bool NeedsDoublePoints() const;
-  bool MakeSurface(const winding::Field& field, const winding::FieldOutput& samples,
-    vtkUnsignedCharArray* inside, vtkPolyData* output, winding::SmpExecutor& executor);
+  bool MakeSurface(
+    const winding::Field& field, vtkPolyData* output, winding::SmpExecutor& executor);
+  void VerifyWholeGrid(const winding::Field& field);
 };
 
 #endif

@@ -179,6 +179,11 @@ bool CappedSurface::evaluate(
     executor);
 }
 
+std::unique_ptr<const RowCrossings::OnGrid> CappedSurface::integerRows(const Grid& grid) const
+{
+  return cap_.empty() ? rows_.on(grid, grid.wholeExtent(), {0, grid.dimensions[1]}) : nullptr;
+}
+
 void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
   const std::vector<RowRun>& runs, const FieldOutput& output) const
 {

@@ -59,6 +59,9 @@ public:
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
+  /// All rows of a grid, those of a layer in one band; null if the surface is not closed.
+  std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const;
+
 private:
   class Bar;
 

@@ -18,79 +18,6 @@ int turned(int axis, int by)
   return (axis + by) % 3;
 }
 
-/// Finds edges by the line of samples that they lie on.
-class EdgesByLine
-{
-public:
-  EdgesByLine(const Grid& grid, const std::vector<GridEdge>& edges)
-    : dimensions_(grid.dimensions)
-  {
-    std::size_t lines = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      firstLine_[axis] = lines;
-      lines += static_cast<std::size_t>(dimensions_[turned(axis, 1)]) *
-               static_cast<std::size_t>(dimensions_[turned(axis, 2)]);
-    }
-    // Counted two places up, so that filling leaves each start where it belongs.
-    starts_.assign(lines + 2, 0);
-    for (const GridEdge& edge : edges)
-    {
-      ++starts_[this->lineOf(edge) + 2];
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    items_.resize(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-    {
-      const GridEdge& edge = edges[i];
-      items_[starts_[this->lineOf(edge) + 1]++] = {
-        edge.sample[edge.axis], static_cast<std::uint32_t>(i)};
-    }
-    for (std::size_t line = 0; line < lines; ++line)
-    {
-      const auto first = items_.begin() + starts_[line], last = items_.begin() + starts_[line + 1];
-      if (!std::is_sorted(first, last, before))
-      {
-        std::sort(first, last, before);
-      }
-    }
-  }
-
-  struct Item
-  {
-    int first;          ///< index of the edge's first sample along the line
-    std::uint32_t edge; ///< its number
-  };
-
-  /// Those on line (j, k) along an axis, ascending.
-  std::pair<const Item*, const Item*> on(int axis, int j, int k) const
-  {
-    const std::size_t line = this->lineOf(axis, j, k);
-    return {items_.data() + starts_[line], items_.data() + starts_[line + 1]};
-  }
-
-private:
-  static bool before(const Item& a, const Item& b) { return a.first < b.first; }
-
-  std::size_t lineOf(int axis, int j, int k) const
-  {
-    return firstLine_[axis] +
-           static_cast<std::size_t>(k) * static_cast<std::size_t>(dimensions_[turned(axis, 1)]) +
-           static_cast<std::size_t>(j);
-  }
-
-  std::size_t lineOf(const GridEdge& edge) const
-  {
-    return this->lineOf(
-      edge.axis, edge.sample[turned(edge.axis, 1)], edge.sample[turned(edge.axis, 2)]);
-  }
-
-  Eigen::Vector3i dimensions_;
-  std::size_t firstLine_[3];
-  std::vector<std::uint32_t> starts_;
-  std::vector<Item> items_;
-};
-
 /// So few are asked at once, rather than narrowed down.
 constexpr int fewRows = 4;
 
@@ -104,7 +31,7 @@ struct Crossing
 class TriangleOnLines
 {
 public:
-  TriangleOnLines(const EdgesByLine& edges, const Grid& grid)
+  TriangleOnLines(const LevelEdges& edges, const Grid& grid)
     : edges_(edges)
     , dimensions_(grid.dimensions)
   {
@@ -132,19 +59,25 @@ public:
                                                                 : triangle.rowsIn(k, firstJ, lastJ);
       for (int j = range.first; j <= range.last; ++j)
       {
-        const auto [first, last] = edges_.on(axis, j, k);
-        const int sign = first == last ? 0 : triangle.crossingSign(j, k);
+        const int sign = triangle.crossingSign(j, k);
         if (sign == 0)
         {
           continue;
         }
-        const int behind = triangle.firstBehind(j, k, sign, 0, dimensions_[axis] - 1);
-        const auto* found = std::lower_bound(first, last, behind - 1,
-          [](const EdgesByLine::Item& item, int index) { return item.first < index; });
-        if (found != last && found->first == behind - 1)
+        const int first = triangle.firstBehind(j, k, sign, 0, dimensions_[axis] - 1) - 1;
+        if (first < 0 || first == dimensions_[axis] - 1)
         {
-          const double fraction = triangle.crossingAt(j, k) - (behind - 1);
-          crossings.push_back({found->edge, std::clamp(fraction, 0.0, 1.0)});
+          continue; // not between samples
+        }
+        std::array<int, 3> sample;
+        sample[axis] = first;
+        sample[y] = j;
+        sample[z] = k;
+        const std::size_t edge = edges_.find(sample, axis);
+        if (edge != edges_.size())
+        {
+          const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
+          crossings.push_back({static_cast<std::uint32_t>(edge), fraction});
         }
       }
     }
@@ -162,17 +95,16 @@ private:
                          : std::pair(0, -1);
   }
 
-  const EdgesByLine& edges_;
+  const LevelEdges& edges_;
   Eigen::Vector3i dimensions_;
 };
 
 } // namespace
 
 EdgeCrossings::EdgeCrossings(
-  const Surface& surface, const Grid& grid, const std::vector<GridEdge>& edges, Executor& executor)
+  const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor)
 {
-  const EdgesByLine edgesByLine(grid, edges);
-  const TriangleOnLines lines(edgesByLine, grid);
+  const TriangleOnLines lines(edges, grid);
   constexpr std::size_t perBlock = 1024;
   std::vector<Eigen::Vector3d> vertices(surface.vertices.size()); // in units of the grid
   runBlocks(

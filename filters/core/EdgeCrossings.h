@@ -1,22 +1,12 @@
 #pragma once
 
-#include "Executor.h"
-#include "Grid.h"
-
-#include <vector>
+#include "LevelEdges.h"
 
 namespace winding
 {
 
-/// An edge of a grid: from a sample to the next one along an axis.
-struct GridEdge
-{
-  std::array<int, 3> sample;
-  int axis;
-};
-
 /**
- * Where a surface crosses some edges of a grid: found from the triangles, each of which knows the
+ * Where a surface crosses the edges of a grid that a level does: found from the triangles, each of which knows the
  * lines of samples that it meets (RowTriangle.h), so that no triangle is asked about an edge that it
  * is not near to.
  *
@@ -25,15 +15,15 @@ struct GridEdge
  * there has it; (2) places are right up to rounding, or anywhere on the triangle where it lies along
  * the line; (3) the same bits for any executor.
  *
- * Time: linear in the triangles, the edges, the lines of the grid and the crossings of all of these.
- * Memory: 4 bytes per line of the grid, 24 per vertex of the surface, and about 40 for each edge.
+ * Time: linear in the triangles, the edges and the crossings of the lines of the grid. Memory: 24 bytes
+ * per vertex of the surface, and about 40 for each edge.
  */
 class EdgeCrossings
 {
 public:
-  /// No edge may be given twice. Throws Interrupted.
-  EdgeCrossings(const Surface& surface, const Grid& grid, const std::vector<GridEdge>& edges,
-    Executor& executor);
+  /// Throws Interrupted.
+  EdgeCrossings(
+    const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor);
 
   ///@{
   /// Crossings of an edge, ascending: 0 at its first sample, 1 at its second.

@@ -157,6 +157,11 @@ bool Field::evaluateValues(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
+std::unique_ptr<const RowCrossings::OnGrid> Field::integerRows(const Grid&) const
+{
+  return nullptr;
+}
+
 /// Null when the executor was interrupted.
 const DistanceTree* Field::distanceTree(Executor& executor) const
 try

@@ -6,6 +6,7 @@
 #include "FieldOutput.h"
 #include "Grid.h"
 #include "PointAreas.h"
+#include "RowCrossings.h"
 #include "Views.h"
 
 #include <functional>
@@ -152,6 +153,10 @@ public:
    * at scattered samples depend on.
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+
+  /// Whole rows of a grid, all those of a layer in one band: null unless w is an integer and found in
+  /// rows. Valid as long as the field.
+  virtual std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const;
 
   /// The triangles that it is the field of; null for points.
   virtual const Surface* surface() const { return nullptr; }

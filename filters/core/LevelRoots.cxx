@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace winding
 {
@@ -39,40 +38,43 @@ double nextByItp(double low, double high, double lowLevel, double highLevel, int
 
 } // namespace
 
-LevelRoots::LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
-  const std::function<Ends(const GridEdge&)>& endsOf, InsideRule rule, double threshold,
-  double tolerance, Executor& executor)
+LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges,
+  InsideRule rule, double threshold, double tolerance, Executor& executor)
   : field_(field)
   , grid_(grid)
-  , edges_(std::move(edges))
+  , edges_(edges)
   , rule_(rule)
   , threshold_(threshold)
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
-  , fractions_(edges_.size())
+  , fractions_(edges.size(), 0.5)
 {
   if (field.surface())
   {
-    crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges_, executor);
+    crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges, executor);
   }
   // Of most edges of closed surfaces nothing else is asked, nor is memory taken for them.
-  std::vector<std::vector<Search>> found((edges_.size() + edgesPerBlock - 1) / edgesPerBlock);
+  std::vector<std::vector<Search>> found((edges.size() + edgesPerBlock - 1) / edgesPerBlock);
   runBlocks(
-    edges_.size(), edgesPerBlock,
+    edges.size(), edgesPerBlock,
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        if (this->isFoundByCrossings(i, 0, 1))
+        if (edges.isAtBorder(edges[i]) || this->isFoundByCrossings(i, 0, 1))
         {
           continue;
         }
-        const Ends ends = endsOf(edges_[i]);
         Search search = {};
         search.edge = static_cast<std::uint32_t>(i);
-        search.firstIsInside = ends.firstIsInside;
-        search.lowLevel = ends.levels[0];
-        search.highLevel = ends.levels[1];
+        // Without values, w is only known to be on different sides.
+        search.lowLevel = edges[i].firstIsInside ? 0.5 : -0.5;
+        search.highLevel = -search.lowLevel;
+        if (const std::array<float, 2>* values = edges.values(i))
+        {
+          search.lowLevel = levelOf((*values)[0], rule_, threshold_);
+          search.highLevel = levelOf((*values)[1], rule_, threshold_);
+        }
         found[block].push_back(search);
       }
     },
@@ -145,7 +147,7 @@ void LevelRoots::chooseNext(Search& search) const
 void LevelRoots::narrow(Search& search, double windingNumber) const
 {
   const double level = levelOf(windingNumber, rule_, threshold_);
-  if (isInside(windingNumber, rule_, threshold_) == search.firstIsInside)
+  if (isInside(windingNumber, rule_, threshold_) == edges_[search.edge].firstIsInside)
   {
     search.low = search.next;
     search.lowLevel = level;

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "EdgeCrossings.h"
-#include "Field.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,8 +10,8 @@ namespace winding
 {
 
 /**
- * Where a level of a field crosses edges of a grid, whose two samples lie on different sides of it: all
- * edges at once, in rounds, each of which evaluates one scattered sample for every edge that is not
+ * Where a level of a field crosses the edges of a grid whose two samples lie on different sides of it: all
+ * of them at once, in rounds, each of which evaluates one scattered sample for every edge that is not
  * done.
  *
  * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
@@ -30,18 +28,9 @@ namespace winding
 class LevelRoots
 {
 public:
-  /// What is known of the samples of an edge.
-  struct Ends
-  {
-    bool firstIsInside; ///< and the second is not, or the other way round
-    double levels[2]; ///< how far they are beyond the level (levelOf()); ±0.5 if that is not known
-  };
-
-  /// endsOf tells about an edge, where that is needed, from the executor's threads. Keeps references to
-  /// field and grid. tolerance: as of the field. Throws Interrupted.
-  LevelRoots(const Field& field, const Grid& grid, std::vector<GridEdge> edges,
-    const std::function<Ends(const GridEdge& edge)>& endsOf, InsideRule rule, double threshold,
-    double tolerance, Executor& executor);
+  /// Keeps references to field, grid and edges. tolerance: as of the field. Throws Interrupted.
+  LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges, InsideRule rule,
+    double threshold, double tolerance, Executor& executor);
 
   /// Whether every root is found.
   bool isDone() const { return searches_.empty(); }
@@ -49,7 +38,7 @@ public:
   /// The next round; mostly there are less than 20. False when the executor was interrupted.
   bool advance(Executor& executor);
 
-  /// The roots, one for each edge: 0 at its first sample, 1 at its second.
+  /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
   const std::vector<double>& fractions() const { return fractions_; }
 
 private:
@@ -57,7 +46,6 @@ private:
   struct Search
   {
     std::uint32_t edge;
-    bool firstIsInside;
     int steps = 0; ///< of ITP
     double low = 0, high = 1;
     double lowLevel, highLevel;
@@ -72,7 +60,7 @@ private:
 
   const Field& field_;
   const Grid& grid_;
-  std::vector<GridEdge> edges_;
+  const LevelEdges& edges_;
   InsideRule rule_;
   double threshold_;
   double levelTolerance_;

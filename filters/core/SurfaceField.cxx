@@ -187,6 +187,11 @@ std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& exe
   return std::make_unique<const DistanceTree>(surface_, executor);
 }
 
+std::unique_ptr<const RowCrossings::OnGrid> SurfaceField::integerRows(const Grid& grid) const
+{
+  return capped_ ? capped_->integerRows(grid) : nullptr;
+}
+
 double SurfaceField::reference(const Eigen::Vector3d& sample) const
 {
   return referenceSum<double>(surface_, sample);

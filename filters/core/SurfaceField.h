@@ -23,6 +23,7 @@ public:
   bool prepare(const Grid& grid, Executor& executor) const override;
   bool prepare(const VectorsView& samples, Executor& executor) const override;
 
+  std::unique_ptr<const RowCrossings::OnGrid> integerRows(const Grid& grid) const override;
   const Surface* surface() const override { return &surface_; }
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;

@@ -1,0 +1,190 @@
+"""The filter Winding Number Field in ParaView."""
+import math
+import os
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+
+from support import errors_of, information, result, run_tests, sphere_points, unit_sphere, value_at
+
+
+class TestField(unittest.TestCase):
+    def test_sphere(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=20, GenerateInside=1)
+        image = result(field)
+        self.assertEqual(image.GetDimensions(), (20, 20, 20))
+        self.assertEqual(image.GetPointData().GetScalars().GetName(), "WindingNumber")
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, places=6)
+        self.assertAlmostEqual(value_at(image, (0.95, 0.95, 0.95)), 0, places=6)
+        self.assertEqual(value_at(image, (0, 0, 0), "Inside"), 1)
+        self.assertEqual(value_at(image, (0.95, 0.95, 0.95), "Inside"), 0)
+        self.assertEqual(information(field, "Status"), 0)
+        self.assertTrue(information(field, "MethodUsed"))
+        self.assertTrue(information(field, "MethodReason"))
+
+    def test_sampling_bounds_start_as_those_of_the_input(self):
+        sphere = simple.Sphere(Center=(5, 6, 7), Radius=1, ThetaResolution=4, PhiResolution=3)
+        sphere.UpdatePipeline()
+        field = simple.WindingNumberField(Input=sphere)
+        for actual, expected in zip(field.SamplingBounds, (4, 6, 5, 7, 6, 8)):
+            self.assertAlmostEqual(actual, expected, places=5)
+
+    def test_sampling_bounds_and_dimensions(self):
+        field = simple.WindingNumberField(
+            Input=unit_sphere(),
+            UseInputBounds=0,
+            SamplingBounds=(0, 4, 0, 2, 0, 1),
+            SamplingDimensions=(4, 4, 1),
+            OutputAssociation="Cells",
+            OutputScalarType="Double",
+            ResultArrayName="w",
+        )
+        image = result(field)
+        self.assertEqual(image.GetBounds(), (0, 4, 0, 2, 0, 1))
+        self.assertEqual(image.GetDimensions(), (5, 5, 2))
+        self.assertEqual(image.GetCellData().GetArray("w").GetDataTypeAsString(), "double")
+
+    def test_composite_input_is_one_source(self):
+        group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
+        field = simple.WindingNumberField(Input=group, Resolution=40)
+        image = result(field)
+        self.assertTrue(image.IsA("vtkImageData"))
+        for center in ((0, 0, 0), (3, 0, 0)):
+            self.assertAlmostEqual(value_at(image, center), 1, places=6)
+        self.assertAlmostEqual(value_at(image, (1.5, 0, 0)), 0, places=6)
+
+    def test_unstructured_grid(self):
+        grid = simple.AppendDatasets(Input=unit_sphere())
+        image = result(simple.WindingNumberField(Input=grid, Resolution=10))
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, places=6)
+
+    def test_threshold_and_resolution_keep_what_was_prepared(self):
+        sphere = unit_sphere()
+        field = simple.WindingNumberField(Input=sphere, Resolution=8)
+        field.UpdatePipeline()
+        self.assertGreater(information(field, "PrepareSeconds"), 0)
+        field.Resolution = 9
+        field.WindingThreshold = 0.25
+        field.UpdatePipeline()
+        self.assertEqual(information(field, "PrepareSeconds"), 0)
+        sphere.Radius = 2
+        field.UpdatePipeline()
+        self.assertGreater(information(field, "PrepareSeconds"), 0)
+
+    def test_cloud(self):
+        with sphere_points(2000, True) as reader:
+            renamed = simple.Calculator(Input=reader, ResultArrayName="Orientation")
+            renamed.Function = "2*Normals"
+            sized = simple.Calculator(Input=renamed, ResultArrayName="Size")
+            sized.Function = f"{4 * math.pi / 2000}"
+            cloud = simple.PassArrays(Input=sized, PointDataArrays=["Orientation", "Size"])
+            cloud.UpdatePipeline()
+        field = simple.WindingNumberField(
+            Input=cloud,
+            Resolution=11,
+            NormalsArray="Orientation",
+            PointAreaMethod="Array",
+            AreaArray="Size",
+        )
+        self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
+        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["", "Orientation"])
+        self.assertEqual(list(field.GetProperty("AreaArray").Available), ["Size"])
+
+        # No array named: the active normals, of which there are none.
+        errors = errors_of(field)
+        field.NormalsArray = ""
+        field.UpdatePipeline()
+        self.assertTrue(errors)
+        for error in errors:
+            self.assertIn("the points have no normals", error)
+        self.assertEqual(information(field, "Status"), 1)
+
+    def test_mesh_as_points(self):
+        sphere = unit_sphere(ThetaResolution=64, PhiResolution=64)
+        field = simple.WindingNumberField(Input=sphere, Resolution=11, SourceAsPoints=1)
+        for field.PointAreaMethod in ("Voronoi", "Mesh", "Constant"):
+            with self.subTest(field.PointAreaMethod):
+                field.PointArea = 4 * math.pi / (64 * 62 + 2)
+                self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
+
+    def test_cloud_with_default_areas(self):
+        path = os.path.join(os.environ.get("WINDING_SHARED_DATA", ""), "kitten_points_normals.ply")
+        if not os.path.exists(path):
+            self.skipTest(f"{path} is not there")
+        field = simple.WindingNumberField(Input=simple.OpenDataFile(path), Resolution=32)
+        image = result(field)
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)
+        self.assertAlmostEqual(image.GetPointData().GetScalars().GetTuple1(0), 0, delta=0.01)
+
+    def test_normals_are_estimated_on_request(self):
+        with sphere_points(2000, False) as cloud:
+            field = simple.WindingNumberField(Input=cloud, Resolution=11)
+            errors = errors_of(field)
+            field.UpdatePipeline()
+            self.assertTrue(errors)
+            for error in errors:
+                self.assertIn("the points have no normals", error)
+            field.EstimateNormals = 1
+            image = result(field)
+        self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)
+        self.assertAlmostEqual(value_at(image, (0.9, 0.9, 0.9)), 0, delta=0.01)
+
+    def test_verification(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=16, VerifySamples=50)
+        field.OutputScalarType = "Double"
+        field.UpdatePipeline()
+        for name in ("MaxError", "RMSError", "NearMaxError"):
+            self.assertLess(information(field, name), 1e-3)
+        self.assertGreater(information(field, "MaxError"), 0)
+
+    def test_parity(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=16, Method="Ray Parity")
+        self.assertEqual(value_at(result(field), (0, 0, 0)), 1)
+        self.assertEqual(information(field, "MethodUsed"), "parity")
+
+    def test_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for time in (0, 1):
+                sphere = unit_sphere(Radius=1 + time)
+                simple.CreateWriter(os.path.join(folder, f"{time}.vtp"), sphere).UpdatePipeline()
+            series = os.path.join(folder, "series.pvd")
+            with open(series, "w", encoding="ascii") as file:
+                file.write('<VTKFile type="Collection"><Collection>')
+                file.writelines(f'<DataSet timestep="{t}" file="{t}.vtp"/>' for t in (0, 1))
+                file.write("</Collection></VTKFile>")
+            growing = simple.OpenDataFile(series)
+            field = simple.WindingNumberField(
+                Input=growing, UseInputBounds=0, SamplingBounds=(-3, 3, -3, 3, -3, 3), Resolution=24
+            )
+            for time, expected in ((0, 0), (1, 1), (0, 0)):
+                field.UpdatePipeline(time)
+                image = servermanager.Fetch(field)
+                self.assertAlmostEqual(value_at(image, (1.375, 0.125, 0.125)), expected, places=5)
+            executive = field.GetClientSideObject().GetExecutive()
+            steps = executive.GetOutputInformation(0).Get(executive.TIME_STEPS())
+            self.assertEqual(steps, (0, 1))
+
+    def test_progress_and_abort(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=64, NumberOfThreads=1)
+        vtk_object = field.GetClientSideObject()
+        progress = []
+
+        def abort(*_):
+            progress.append(vtk_object.GetProgress())
+            vtk_object.SetAbortExecute(1)
+
+        observer = vtk_object.AddObserver("ProgressEvent", abort)
+        field.UpdatePipeline()
+        self.assertEqual(information(field, "Status"), 3)
+        self.assertLess(progress[0], 1)
+
+        vtk_object.RemoveObserver(observer)
+        vtk_object.SetAbortExecute(0)
+        field.Resolution = 20
+        self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, places=6)
+        self.assertEqual(information(field, "Status"), 0)
+
+
+if __name__ == "__main__":
+    run_tests()

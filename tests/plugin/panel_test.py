@@ -1,0 +1,121 @@
+"""What the property panel shows, by the decorators of the XML."""
+import unittest
+
+from paraview import simple
+
+from support import information, run_tests, shown, unit_sphere
+
+
+class TestPanel(unittest.TestCase):
+    """What the property panel goes by when it shows or hides properties."""
+
+    def setUp(self):
+        self.mesh = unit_sphere()
+        self.cloud = simple.MaskPoints(Input=self.mesh, OnRatio=1, MaximumNumberofPoints=100)
+        self.cells = simple.AppendDatasets(Input=self.mesh)  # an unstructured grid
+        self.blocks = {
+            1: simple.GroupDatasets(Input=[self.mesh, unit_sphere(Center=(3, 0, 0))]),
+            2: simple.GroupDatasets(Input=[self.cloud, self.cloud]),
+        }
+        # A panel is made for sources that are there.
+        for source in (self.mesh, self.cloud, self.cells, *self.blocks.values()):
+            source.UpdatePipeline()
+
+    def assert_kind(self, proxy, kind):
+        # Its widgets are made after an update of the information, and without one of the data.
+        proxy.UpdatePipelineInformation()
+        self.assertEqual(proxy.GetPropertyValue("SourceKind"), kind)
+
+    def test_field_knows_the_kind_of_its_source_before_it_is_executed(self):
+        for use_input_bounds in (0, 1):
+            for kind, source in ((1, self.mesh), (2, self.cloud), *self.blocks.items()):
+                with self.subTest(f"{source.GetXMLName()}, {kind}, {use_input_bounds}"):
+                    field = simple.WindingNumberField(Input=source, UseInputBounds=use_input_bounds)
+                    self.assert_kind(field, kind)
+                    field.SourceAsPoints = 1
+                    self.assert_kind(field, kind)
+
+    def test_probe_knows_the_kind_of_its_source_before_it_is_executed(self):
+        for source_of_queries in (self.mesh, self.blocks[2]):
+            for kind, source in ((1, self.mesh), (2, self.cloud), *self.blocks.items()):
+                with self.subTest(f"{source_of_queries.GetXMLName()}, {source.GetXMLName()}, {kind}"):
+                    probe = simple.WindingNumberProbe(Input=source_of_queries, Source=source)
+                    self.assert_kind(probe, kind)
+                    probe.SourceAsPoints = 1
+                    self.assert_kind(probe, kind)
+
+    def test_kind_follows_another_input(self):
+        field = simple.WindingNumberField(Input=self.mesh)
+        probe = simple.WindingNumberProbe(Input=self.mesh, Source=self.mesh)
+        field.Input = self.cloud
+        probe.Source = self.cloud
+        self.assert_kind(field, 2)
+        self.assert_kind(probe, 2)
+
+    def test_nothing_is_said_of_an_execution_before_the_first(self):
+        field = simple.WindingNumberField(Input=self.mesh, Resolution=4)
+        field.UpdatePipelineInformation()
+        self.assertEqual(shown(field, "Last Execution"), set())
+        field.UpdatePipeline()
+        self.assertGreater(information(field, "ExpectedMemory"), 0)
+        self.assertIn("MethodReason", shown(field, "Last Execution"))
+        self.assertNotIn("MaxError", shown(field, "Last Execution"))
+        field.VerifySamples = 10
+        self.assertIn("MaxError", shown(field, "Last Execution"))
+
+    def test_properties_of_clouds_are_shown_for_clouds_only(self):
+        for name in ("WindingNumberField", "WindingNumberProbe"):
+            sources = (self.mesh, self.cloud), (self.cells, self.cloud), self.blocks.values()
+            for mesh, cloud in sources:
+                with self.subTest(f"{name}, {mesh.GetXMLName()}"):
+                    port = "Source" if name == "WindingNumberProbe" else "Input"
+                    proxy = getattr(simple, name)(**{"Input": self.mesh, port: mesh})
+                    proxy.UpdatePipelineInformation()
+                    self.assertEqual(shown(proxy, "Point Clouds"), {"SourceAsPoints"})
+
+                    proxy.SourceAsPoints = 1
+                    as_points = shown(proxy, "Point Clouds")
+                    voronoi = {"PointAreaMethod", "NumberOfNeighbors"}
+                    normals = {"NormalsArray", "EstimateNormals"}
+                    self.assertLessEqual({"SourceAsPoints"} | voronoi | normals, as_points)
+                    self.assertTrue(as_points.isdisjoint({"PointArea", "AreaArray"}))
+
+                    setattr(proxy, port, cloud)
+                    for proxy.SourceAsPoints in (0, 1):
+                        proxy.UpdatePipelineInformation()
+                        for_cloud = shown(proxy, "Point Clouds")
+                        self.assertEqual(for_cloud, as_points - {"SourceAsPoints"})
+
+                    for method, also in (("Constant", "PointArea"), ("Array", "AreaArray")):
+                        proxy.PointAreaMethod = method
+                        self.assertEqual(shown(proxy, "Point Clouds"), for_cloud | {also})
+
+    def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
+        proxy = simple.WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
+        proxy.UpdatePipelineInformation()
+        self.assertEqual(proxy.GetPropertyValue("SourceKind"), 0)
+        self.assertIn("SourceAsPoints", shown(proxy, "Point Clouds"))
+        self.assertIn("NormalsArray", shown(proxy, "Point Clouds"))
+        proxy.UpdatePipeline()
+        self.assert_kind(proxy, 1)
+
+    def test_areas_show_what_their_method_needs(self):
+        areas = simple.PointAreas(Input=self.cloud)
+        needed = {
+            "Voronoi": {"NumberOfNeighbors", "EstimateNormals"},
+            "Mesh": set(),
+            "Constant": {"NumberOfNeighbors", "EstimateNormals", "PointArea"},
+        }
+        for method, properties in needed.items():
+            areas.PointAreaMethod = method
+            optional = {"NumberOfNeighbors", "EstimateNormals", "PointArea"}
+            self.assertEqual(shown(areas, "Point Areas") & optional, properties)
+        self.assertEqual(shown(areas, "Last Execution"), set())
+        areas.PointAreaMethod = "Voronoi"
+        areas.UpdatePipeline()
+        self.assertGreater(information(areas, "TotalArea"), 0)
+        self.assertEqual(shown(areas, "Last Execution"), {"TotalArea"})
+
+
+if __name__ == "__main__":
+    run_tests()

@@ -1,0 +1,320 @@
+"""What the XML declares, beside what the classes have, and what a saved state keeps."""
+import os
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+from support import elements_text, load_plugin, run_tests, unit_sphere
+
+
+# For each property: a value that is not its default, and how the C++ object prints that value.
+COMMON = {
+    "Method": (3, "3"),
+    "Tolerance": (0.25, "0.25"),
+    "SourceAsPoints": (1, "1"),
+    "NormalsArray": ("Orientation", "Orientation"),
+    "PointAreaMethod": (3, "3"),
+    "PointArea": (0.125, "0.125"),
+    "NumberOfNeighbors": (7, "7"),
+    "EstimateNormals": (1, "1"),
+    "Regularization": (0.5, "0.5"),
+    "AreaArray": ("Size", "Size"),
+    "WindingThreshold": (1.5, "1.5"),
+    "InsideRule": (2, "2"),
+    "GenerateWindingNumber": (0, "0"),
+    "GenerateInside": (1, "1"),
+    "ResultArrayName": ("w", "w"),
+    "OutputScalarType": (11, "11"),
+    "NumberOfThreads": (3, "3"),
+}
+GRID = {
+    "Resolution": (17, "17"),
+    "VoxelSize": (0.5, "0.5"),
+    "SamplingDimensions": ((3, 4, 5), "3 4 5"),
+    "UseInputBounds": (0, "0"),
+    "SamplingBounds": ((-1, 2, -3, 4, -5, 6), "-1 2 -3 4 -5 6"),
+    "Padding": (0.5, "0.5"),
+    "VerifySamples": (100, "100"),
+}
+SETTABLE = {
+    "SurfaceReport": {
+        "NormalsArray": ("Orientation", "Orientation"),
+    },
+    "WindingNumberField": {
+        **COMMON,
+        **GRID,
+        "OutputAssociation": (1, "1"),
+    },
+    "WindingNumberSurface": {
+        **COMMON,
+        **GRID,
+        "CloseBorder": (1, "1"),
+        "GenerateNormals": (0, "0"),
+        "OutputPointsPrecision": (1, "1"),
+    },
+    "WindingNumberProbe": {
+        **COMMON,
+        "ProbeAssociation": (1, "1"),
+    },
+    "WindingNumberVoxels": {
+        "WindingThreshold": (1.5, "1.5"),
+        "InsideRule": (2, "2"),
+    },
+    "PointAreas": {
+        "PointAreaMethod": (2, "2"),
+        "PointArea": (0.125, "0.125"),
+        "NumberOfNeighbors": (7, "7"),
+        "NormalsArray": ("Orientation", "Orientation"),
+        "EstimateNormals": (1, "1"),
+        "ResultArrayName": ("a", "a"),
+        "NumberOfThreads": (3, "3"),
+    },
+}
+
+# Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
+COMMON_REPORTED = {
+    "SourceKind",
+    "Status",
+    "MethodUsed",
+    "MethodReason",
+    "MeanPointArea",
+    "ClearShare",
+    "ExpectedSeconds",
+    "ExpectedMemory",
+    "PrepareSeconds",
+    "EvaluateSeconds",
+}
+GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
+REPORTED = {
+    "SurfaceReport": {"Advice"},
+    "WindingNumberField": GRID_REPORTED,
+    "WindingNumberSurface": GRID_REPORTED,
+    "WindingNumberProbe": COMMON_REPORTED,
+    "WindingNumberVoxels": set(),
+    "PointAreas": {"TotalArea"},
+}
+LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
+
+INPUTS = {
+    "SurfaceReport": {"Input"},
+    "WindingNumberField": {"Input"},
+    "WindingNumberSurface": {"Input"},
+    "WindingNumberProbe": {"Input", "Source"},
+    "WindingNumberVoxels": {"Input", "SelectInputScalars"},
+    "PointAreas": {"Input"},
+}
+
+# By the name of the property, where proxies differ together with that of the proxy.
+ENUMERATIONS = {
+    "Method": {"Automatic": 0, "Rows": 1, "Hierarchical": 2, "Direct Sum": 3, "Ray Parity": 4},
+    "InsideRule": {
+        "Winding Number at Least Threshold": 0,
+        "Absolute Value at Least Threshold": 1,
+        "Nearest Integer Is Odd": 2,
+    },
+    "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
+    "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
+    "OutputScalarType": {"Float": 10, "Double": 11},
+    "OutputAssociation": {"Points at Voxel Centres": 0, "Cells": 1},
+    "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
+    "ProbeAssociation": {"Points": 0, "Cell Centres": 1},
+}
+
+
+def new_proxy(group, name):
+    """A proxy just as its XML makes it, without the values that ParaView derives from an input."""
+    proxy = servermanager.ProxyManager().NewProxy(group, name)
+    if not proxy:
+        raise AssertionError(f"no proxy {name} in the group {group}")
+    proxy.UpdateVTKObjects()
+    return proxy
+
+
+def bare_object(class_name):
+    """The C++ object as its constructor leaves it: of a proxy that sets no property."""
+    xml = f"""<ServerManagerConfiguration><ProxyGroup name="bare">
+      <Proxy name="{class_name}" class="{class_name}"/></ProxyGroup></ServerManagerConfiguration>"""
+    session = servermanager.ActiveConnection.Session
+    session.GetProxyDefinitionManager().LoadConfigurationXMLFromString(xml)
+    return new_proxy("bare", class_name).GetClientSideObject()
+
+
+def printed(vtk_object):
+    """What an object prints of itself, by the names of its members."""
+    lines = (line.strip().partition(":") for line in str(vtk_object).splitlines())
+    return {name: value.strip() for name, colon, value in lines if colon}
+
+
+def printed_members(vtk_object):
+    """Of these, what its class adds to vtkAlgorithm."""
+    inherited = printed(vtkAlgorithm()).keys() | {"Registered Observers", "Event"}
+    inherited |= {"EventName", "Command", "Priority", "Tag"}
+    members = printed(vtk_object)
+    return {
+        name: members[name]
+        for name in members
+        if name not in inherited and not name.startswith("vtk")
+    }
+
+
+def set_elements(smproperty, value):
+    values = value if isinstance(value, tuple) else (value,)
+    for index, element in enumerate(values):
+        smproperty.SetElement(index, element)
+
+
+class TestProxies(unittest.TestCase):
+    def test_proxies_have_the_members_of_their_classes_and_no_others(self):
+        for name, settable in SETTABLE.items():
+            with self.subTest(name):
+                proxy = new_proxy("filters", name)
+                members = printed_members(bare_object("vtk" + name)).keys()
+                self.assertEqual(members - LEFT_OUT, settable.keys() | REPORTED[name])
+                iterator = proxy.NewPropertyIterator()
+                properties = set()
+                while not iterator.IsAtEnd():
+                    properties.add(iterator.GetKey())
+                    iterator.Next()
+                self.assertEqual(properties, settable.keys() | REPORTED[name] | INPUTS[name])
+
+    def test_defaults_are_those_of_the_classes(self):
+        for name, settable in SETTABLE.items():
+            proxy = new_proxy("filters", name)
+            in_cpp = printed_members(bare_object("vtk" + name))
+            pushed = printed_members(proxy.GetClientSideObject())
+            for member in settable:
+                with self.subTest(f"{name}.{member}"):
+                    self.assertEqual(elements_text(proxy.GetProperty(member)), in_cpp[member])
+                    self.assertEqual(pushed[member], in_cpp[member])
+
+    def test_values_reach_the_classes(self):
+        for name, settable in SETTABLE.items():
+            for member, (value, text) in settable.items():
+                with self.subTest(f"{name}.{member}"):
+                    proxy = new_proxy("filters", name)
+                    before = printed_members(proxy.GetClientSideObject())
+                    set_elements(proxy.GetProperty(member), value)
+                    proxy.UpdateVTKObjects()
+                    after = printed_members(proxy.GetClientSideObject())
+                    self.assertNotEqual(before[member], text)
+                    self.assertEqual(after, {**before, member: text})
+
+    def test_enumerations_have_the_values_of_the_classes(self):
+        for name, settable in SETTABLE.items():
+            proxy = new_proxy("filters", name)
+            for member in settable:
+                domain = proxy.GetProperty(member).FindDomain("vtkSMEnumerationDomain")
+                entries = None
+                if domain and not domain.IsA("vtkSMBooleanDomain"):
+                    entries = {
+                        domain.GetEntryText(i): domain.GetEntryValue(i)
+                        for i in range(domain.GetNumberOfEntries())
+                    }
+                with self.subTest(f"{name}.{member}"):
+                    expected = ENUMERATIONS.get(f"{name}.{member}", ENUMERATIONS.get(member))
+                    self.assertEqual(entries, expected)
+
+    # Of ranges with a maximum ParaView 5.11 says that nothing below it is inside.
+    def test_values_below_the_range_are_known(self):
+        refused = {
+            "WindingNumberField": {
+                "Resolution": 0,
+                "VoxelSize": -1,
+                "SamplingDimensions": (1, 1, -1),
+                "Tolerance": -1e-3,
+                "PointArea": -1,
+                "NumberOfNeighbors": 2,
+                "Regularization": -1,
+                "NumberOfThreads": -1,
+                "VerifySamples": -1,
+            },
+            "WindingNumberProbe": {"Tolerance": -1e-3, "PointArea": -1, "NumberOfThreads": -1},
+            "PointAreas": {"PointArea": -1, "NumberOfNeighbors": 2, "NumberOfThreads": -1},
+        }
+        for name, values in refused.items():
+            for member, value in values.items():
+                with self.subTest(f"{name}.{member}"):
+                    smproperty = new_proxy("filters", name).GetProperty(member)
+                    self.assertTrue(smproperty.IsInDomains())
+                    set_elements(smproperty, value)
+                    self.assertFalse(smproperty.IsInDomains())
+
+    def test_all_is_documented_in_sentences(self):
+        names = [("filters", name) for name in SETTABLE]
+        names += [("sources", "GeomviewOFFReader"), ("sources", "OrientedPointsReader")]
+        for group, name in names:
+            proxy = new_proxy(group, name)
+            documentation = proxy.GetDocumentation()
+            texts = {
+                "short help": documentation.GetShortHelp(),
+                "long help": documentation.GetLongHelp(),
+                "description": documentation.GetDescription(),
+            }
+            iterator = proxy.NewPropertyIterator()
+            while not iterator.IsAtEnd():
+                texts[iterator.GetKey()] = iterator.GetProperty().GetDocumentation().GetDescription()
+                iterator.Next()
+            for what, text in texts.items():
+                with self.subTest(f"{name}: {what}"):
+                    self.assertRegex((text or "").strip(), r"(?s)^[A-Z].{15,}\.$")
+
+    def test_filters_are_in_the_menu(self):
+        labels = {
+            "SurfaceReport": "Surface Report",
+            "WindingNumberField": "Winding Number Field",
+            "WindingNumberSurface": "Winding Number Surface",
+            "WindingNumberProbe": "Winding Number Probe",
+            "WindingNumberVoxels": "Winding Number Voxels",
+            "PointAreas": "Point Areas",
+        }
+        for name, label in labels.items():
+            with self.subTest(name):
+                proxy = new_proxy("filters", name)
+                self.assertEqual(proxy.GetXMLLabel(), label)
+                menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
+                self.assertEqual(menu.GetAttribute("category"), "Winding Numbers")
+
+
+class TestState(unittest.TestCase):
+    def test_a_saved_state_comes_back(self):
+        for name, settable in SETTABLE.items():
+            with self.subTest(name):
+                self.save_and_load(name, settable)
+
+    def save_and_load(self, name, settable):
+        simple.ResetSession()
+        load_plugin()
+        inputs = {"Input": unit_sphere()}
+        if name == "WindingNumberProbe":
+            inputs["Source"] = unit_sphere()
+        if name == "WindingNumberVoxels":
+            inputs["Input"] = simple.WindingNumberField(Input=inputs["Input"], OutputAssociation="Cells")
+            inputs["Input"].UpdatePipeline()
+        proxy = getattr(simple, name)(registrationName="saved", **inputs)
+        for member, (value, _) in settable.items():
+            set_elements(proxy.SMProxy.GetProperty(member), value)
+        proxy.SMProxy.UpdateVTKObjects()
+        # What an object reports is none of its state.
+        before = printed_members(proxy.GetClientSideObject())
+        expected = {member: before[member] for member in settable}
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "state.pvsm")
+            simple.SaveState(path)
+            simple.ResetSession()
+            self.assertIsNone(simple.FindSource("saved"))
+            simple.LoadState(path)
+        loaded = simple.FindSource("saved")
+        self.assertEqual(loaded.GetXMLName(), name)
+        after = printed_members(loaded.GetClientSideObject())
+        self.assertEqual({member: after[member] for member in settable}, expected)
+        for port, source in inputs.items():
+            self.assertEqual(loaded.GetProperty(port)[0].GetXMLName(), source.GetXMLName())
+        if name == "WindingNumberVoxels":
+            self.assertEqual(list(loaded.Scalars), ["CELLS", "WindingNumber"])
+
+
+if __name__ == "__main__":
+    run_tests()

@@ -1,0 +1,34 @@
+"""The filter Winding Number Surface in ParaView."""
+import math
+import unittest
+
+from paraview import simple
+
+from support import information, result, run_tests, shown, unit_sphere, volume_of
+
+
+class TestSurface(unittest.TestCase):
+    def test_lies_on_the_input(self):
+        surface = simple.WindingNumberSurface(Input=unit_sphere(), Resolution=32)
+        output = result(surface)
+        self.assertAlmostEqual(volume_of(output), volume_of(result(unit_sphere())), delta=0.02)
+        for index in range(output.GetNumberOfPoints()):
+            self.assertAlmostEqual(math.hypot(*output.GetPoint(index)), 1, delta=0.01)
+        self.assertIsNotNone(output.GetPointData().GetNormals())
+        self.assertEqual(information(surface, "MethodUsed"), "rows")
+
+    def test_closes_the_border_on_request(self):
+        box = {"UseInputBounds": 0, "SamplingBounds": [-0.1, 0.1] * 3}
+        surface = simple.WindingNumberSurface(Input=unit_sphere(), Resolution=8, **box)
+        self.assertEqual(result(surface).GetNumberOfCells(), 0)
+        surface.CloseBorder = 1
+        self.assertAlmostEqual(volume_of(result(surface)), 0.008, delta=0.001)
+
+    def test_panel_shows_the_level_and_no_result_arrays(self):
+        surface = simple.WindingNumberSurface(Input=unit_sphere())
+        self.assertEqual(shown(surface, "Inside and Outside"), {"WindingThreshold", "InsideRule"})
+        self.assertEqual(shown(surface, "Result"), set())
+
+
+if __name__ == "__main__":
+    run_tests()
