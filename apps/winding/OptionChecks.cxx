@@ -92,6 +92,14 @@ void checkFieldLike(const Options& options, const WasGiven& wasGiven)
     options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
 }
 
+void checkDistance(const Options& options, const WasGiven& wasGiven)
+{
+  require(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
+    "--distance-band is " + shown(options.distanceBand) + "; give 0 (all distances) or more voxels");
+  require(options.distance || !wasGiven("--distance-band"),
+    "--distance-band is for --distance; say that, too, or leave it out");
+}
+
 void checkBench(const Options& options)
 {
   for (const int resolution : options.resolutions)
@@ -150,6 +158,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(options, {".vti"});
     checkFieldLike(options, wasGiven);
+    checkDistance(options, wasGiven);
   }
   else
   {

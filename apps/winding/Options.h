@@ -36,6 +36,8 @@ struct Options
   int rule = 0;
   bool inside = false;
   bool insideOnly = false;
+  bool distance = false;
+  double distanceBand = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
 

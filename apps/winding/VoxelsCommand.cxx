@@ -22,7 +22,7 @@ void runVoxels(const Options& given, Messages& messages)
   options.insideOnly = !options.asDouble && options.verify == 0;
   OutputFile output(options.output);
   vtkNew<vtkWindingNumberField> field;
-  applyAssociation(options, field);
+  applyImage(options, field);
   FieldRun run(*field, options, messages);
   run.update();
   vtkNew<vtkWindingNumberVoxels> voxels;
