@@ -81,8 +81,9 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   }
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
-    throw Refusal("neither the winding number nor Inside nor the signed distance is to be generated; "
-                  "turn one of them on");
+    throw Refusal(
+      "neither the winding number nor Inside nor the signed distance is to be generated; "
+      "turn one of them on");
   }
   for (const auto& [isThere, name] :
     {std::pair(options.withInside, insideName), std::pair(options.withDistances, distanceName)})

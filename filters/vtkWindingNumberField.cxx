@@ -18,7 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <sstream>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -101,8 +101,10 @@ void vtkWindingNumberField::CheckDistanceBand() const
 {
   if (!(this->DistanceBand >= 0) || !std::isfinite(this->DistanceBand))
   {
-    throw winding::Refusal("the distance band is " + std::to_string(this->DistanceBand) +
-                           " voxels; it must be 0 (all distances) or more");
+    std::ostringstream text;
+    text << "the distance band is " << this->DistanceBand
+         << " voxels; it must be 0 (all distances) or more";
+    throw winding::Refusal(text.str());
   }
 }
 

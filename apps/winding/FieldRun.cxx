@@ -167,7 +167,8 @@ Json FieldRun::report()
   }
   if (options_.distance)
   {
-    report["distance_band"] = options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
+    report["distance_band"] =
+      options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
   }
   if (options_.verify > 0)
   {

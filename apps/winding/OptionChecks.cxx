@@ -95,7 +95,8 @@ void checkFieldLike(const Options& options, const WasGiven& wasGiven)
 void checkDistance(const Options& options, const WasGiven& wasGiven)
 {
   require(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
-    "--distance-band is " + shown(options.distanceBand) + "; give 0 (all distances) or more voxels");
+    "--distance-band is " + shown(options.distanceBand) +
+      "; give 0 (all distances) or more voxels");
   require(options.distance || !wasGiven("--distance-band"),
     "--distance-band is for --distance; say that, too, or leave it out");
 }

@@ -140,7 +140,8 @@ void addDistance(CLI::App* command, Options& options)
     ->group("Output");
   command
     ->add_option("--distance-band", options.distanceBand,
-      "Distances up to so many voxels only, which takes less time; farther voxels get that distance "
+      "Distances up to so many voxels only, which takes less time; farther voxels get that "
+      "distance "
       "(0: all)")
     ->type_name("N")
     ->group("Output");

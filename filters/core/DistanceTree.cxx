@@ -81,8 +81,7 @@ DistanceTree::DistanceTree(const PointCloud& cloud, Executor& executor)
   {
     points_.push_back(nearPoint(scale_ * cloud.positions[item]));
   }
-  this->makeBoxes(
-    [&](std::size_t place)
+  this->makeBoxes([&](std::size_t place)
     { return Bounds(Eigen::Vector3d(scale_ * cloud.positions[tree_.order()[place]])); },
     executor);
 }
@@ -163,9 +162,8 @@ void DistanceTree::findNearest(
 void DistanceTree::keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
   const double* squaredLimits, std::vector<NearItems>& kept) const
 {
-  points_.empty()
-    ? winding::keepNearer(triangles_.data(), runs, samples, squaredLimits, kept)
-    : winding::keepNearer(points_.data(), runs, samples, squaredLimits, kept);
+  points_.empty() ? winding::keepNearer(triangles_.data(), runs, samples, squaredLimits, kept)
+                  : winding::keepNearer(points_.data(), runs, samples, squaredLimits, kept);
 }
 
 void DistanceTree::lowerSquaredDistances(

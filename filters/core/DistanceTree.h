@@ -38,8 +38,7 @@ public:
 
   /// Looks for what is nearer to a sample than `nearest` among the items of a node. nearest.squared may
   /// be infinite; where nothing is nearer, `nearest` stays.
-  void findNearest(
-    const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
+  void findNearest(const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
 
   /// Of the items of leaves: those that are nearer than limits to any of 8 samples.
   void keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,

@@ -222,8 +222,7 @@ bool Field::evaluate(
 {
   return this->evaluateBoth(
     sampleCount(extent), output, executor,
-    [&](const FieldOutput& values)
-    { return this->evaluateValues(grid, extent, values, executor); },
+    [&](const FieldOutput& values) { return this->evaluateValues(grid, extent, values, executor); },
     [&](const DistanceTree& tree, const FieldOutput& distances)
     { return GridDistances(tree, grid, extent, distances).evaluate(executor); });
 }

@@ -215,8 +215,7 @@ void GridDistances::Descent::findNearest(
   of_.tree_.findNearest(center, nodes_[closest], nearest);
   for (std::size_t n = firstNode; n < nodes_.size(); ++n)
   {
-    if (n != closest &&
-        squaredDistance(of_.tree_.box(nodes_[n]), center) < nearest.squared)
+    if (n != closest && squaredDistance(of_.tree_.box(nodes_[n]), center) < nearest.squared)
     {
       of_.tree_.findNearest(center, nodes_[n], nearest);
     }
@@ -227,8 +226,7 @@ void GridDistances::Descent::findNearest(
 /// Whether all of a box is farther than the limit from all of a cell.
 bool GridDistances::Descent::isBeyond(const Cell& cell, const Bounds& box) const
 {
-  const Eigen::Vector3d apart =
-    (box.min() - cell.high).cwiseMax(cell.low - box.max()).cwiseMax(0);
+  const Eigen::Vector3d apart = (box.min() - cell.high).cwiseMax(cell.low - box.max()).cwiseMax(0);
   return apart.norm() > limit_;
 }
 
@@ -253,8 +251,7 @@ bool GridDistances::Descent::canBeNearest(const Cell& cell, const Bounds& box) c
 }
 
 /// Appends the nodes of a list that matter to a cell, opened until they are no larger than it.
-void GridDistances::Descent::keepNear(
-  const Cell& cell, std::size_t firstNode, std::size_t lastNode)
+void GridDistances::Descent::keepNear(const Cell& cell, std::size_t firstNode, std::size_t lastNode)
 {
   const bool isLast = sampleCount(cell.samples) <= samplesPerCell;
   const double side = (cell.high - cell.low).maxCoeff();
@@ -266,7 +263,8 @@ void GridDistances::Descent::keepNear(
       const std::uint32_t number = opened_.back();
       opened_.pop_back();
       const Bounds& box = of_.tree_.box(number);
-      if ((limit_ < std::numeric_limits<double>::infinity() && this->isBeyond(cell, box)) || !this->canBeNearest(cell, box))
+      if ((limit_ < std::numeric_limits<double>::infinity() && this->isBeyond(cell, box)) ||
+          !this->canBeNearest(cell, box))
       {
         continue;
       }

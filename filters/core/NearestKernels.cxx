@@ -28,14 +28,12 @@ template <class D> HWY_INLINE Offsets<D> broadcast(D d, const double* from)
   return {hn::Set(d, from[0]), hn::Set(d, from[1]), hn::Set(d, from[2])};
 }
 
-template <class D>
-HWY_INLINE Offsets<D> difference(D, const Offsets<D>& a, const Offsets<D>& b)
+template <class D> HWY_INLINE Offsets<D> difference(D, const Offsets<D>& a, const Offsets<D>& b)
 {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
-template <class D>
-HWY_INLINE hn::Vec<D> product(D, const Offsets<D>& a, const Offsets<D>& b)
+template <class D> HWY_INLINE hn::Vec<D> product(D, const Offsets<D>& a, const Offsets<D>& b)
 {
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
@@ -89,13 +87,17 @@ HWY_INLINE void takeNearer(
   const Offsets<D> ap = difference(d, sample, broadcast(d, triangle.a));
   nearest.take(d, fromSide(d, ap, ab, triangle.inverseAB));
   nearest.take(d, fromSide(d, ap, ac, triangle.inverseAC));
-  nearest.take(
-    d, fromSide(d, difference(d, ap, ab), difference(d, ac, ab), triangle.inverseBC));
-  const hn::Vec<D> v = product(d, ap, broadcast(d, triangle.v));
-  const hn::Vec<D> w = product(d, ap, broadcast(d, triangle.w));
+  nearest.take(d, fromSide(d, difference(d, ap, ab), difference(d, ac, ab), triangle.inverseBC));
+  const Offsets<D> planeB = broadcast(d, triangle.v), planeC = broadcast(d, triangle.w);
+  const hn::Vec<D> v = product(d, ap, planeB), w = product(d, ap, planeC);
   const auto isInside = hn::And(hn::And(hn::Ge(v, hn::Zero(d)), hn::Ge(w, hn::Zero(d))),
     hn::Le(hn::Add(v, w), hn::Set(d, 1.0)));
-  nearest.take(d, stepBack(d, stepBack(d, ap, v, ab), w, ac), isInside);
+  Offsets<D> fromPlane = stepBack(d, stepBack(d, ap, v, ab), w, ac);
+  // Weights are inexact where a triangle is thin, by as many digits as that. What is left of them in the
+  // offset is so much smaller that it can be found again.
+  fromPlane = stepBack(d, stepBack(d, fromPlane, product(d, fromPlane, planeB), ab),
+    product(d, fromPlane, planeC), ac);
+  nearest.take(d, fromPlane, isInside);
 }
 
 template <class D>
@@ -150,8 +152,7 @@ HWY_INLINE bool isNearer(const Item& item, const SampleBlock& samples, const dou
       hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
     const Offsets<D> offset = difference(d, sample, broadcast(d, beginOf(item)));
     NearestOffsets<D> nearest = {product(d, offset, offset), offset};
-    const hn::Vec<D> limit =
-      hn::MulAdd(rounding, nearest.squared, hn::Load(d, squaredLimits + s));
+    const hn::Vec<D> limit = hn::MulAdd(rounding, nearest.squared, hn::Load(d, squaredLimits + s));
     takeNearer(d, item, sample, nearest);
     if (!hn::AllFalse(d, hn::Le(nearest.squared, limit)))
     {

@@ -12,9 +12,8 @@
  *
  * The nearest point of a triangle abc to q is that of one of its sides, or where q projects to, if
  * that is inside of it. All four are computed as points of the triangle, and the nearest is taken:
- * so no case is decided on a small number, a needle or a triangle without area costs no digits, and a
- * distance is too large by rounding at most, never too small because a projection was mistaken for one
- * that lies inside.
+ * so no case is decided on a small number: a needle costs few digits, a triangle without area none, and a
+ * projection that is mistaken for one inside leads to a point beside the triangle by rounding at most.
  *
  * Squares must stay finite: coordinates are scaled to about unit size (UnitScale.h).
  */
@@ -26,7 +25,7 @@ struct NearTriangle
 {
   double a[3];
   double ab[3], ac[3]; ///< from a to the other corners
-  double v[3], w[3];   ///< (q − a)·v and (q − a)·w are the weights of b and c where q projects to
+  double v[3], w[3]; ///< (q − a)·v and (q − a)·w are the weights of b and c where q projects to
   double inverseAB, inverseAC, inverseBC; ///< 1/|ab|² …; 0 where that is none
 };
 
