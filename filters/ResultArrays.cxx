@@ -17,6 +17,9 @@ namespace winding
 namespace
 {
 
+constexpr const char* coverageName = "Coverage";
+constexpr const char* distanceName = "SignedDistance";
+
 /// Asks for large pages where the system hands them out on request only. Touching fresh memory in
 /// small pages for the first time takes several times as long as filling it.
 void adviseLargePages(vtkDataArray* array)
@@ -45,12 +48,27 @@ vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkId
   return array;
 }
 
+void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
+{
+  if (auto* ofFloats = vtkFloatArray::SafeDownCast(array))
+  {
+    floats = ofFloats->GetPointer(0);
+  }
+  else if (auto* ofDoubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    doubles = ofDoubles->GetPointer(0);
+  }
+}
+
 } // namespace
 
 vtkIdType bytesPerSample(const ResultOptions& options)
 {
-  return (options.withValues ? vtkDataArray::GetDataTypeSize(options.scalarType) : 0) +
-         (options.withInside ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+  const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
+  // Signs have to be kept somewhere until distances are there.
+  const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
+  return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
+         (hasSides ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
 }
 
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
@@ -60,13 +78,16 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
     throw Refusal("the output scalar type is " + std::to_string(options.scalarType) +
                   "; it must be VTK_FLOAT or VTK_DOUBLE");
   }
-  if (!options.withValues && !options.withInside)
+  if (!options.withValues && !options.withInside && !options.withDistances)
   {
-    throw Refusal("neither the winding number nor Inside is to be generated; turn one of them on");
+    throw Refusal(
+      "neither the winding number nor Inside nor the signed distance is to be generated; "
+      "turn one of them on");
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   if (options.withValues && ((options.withInside && name == options.insideName) ||
-                              (options.withCoverage && name == "Coverage")))
+                              (options.withDistances && name == distanceName) ||
+                              (options.withCoverage && name == coverageName)))
   {
     throw Refusal("the array of w cannot have the name '" + name +
                   "' of the array beside it; rename one of them");
@@ -86,21 +107,19 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   }
   if (options.withCoverage)
   {
-    coverage_ = vtkFloatArray::SafeDownCast(makeArray(VTK_FLOAT, "Coverage", samples));
+    coverage_ = vtkFloatArray::SafeDownCast(makeArray(VTK_FLOAT, coverageName, samples));
+  }
+  if (options.withDistances)
+  {
+    distances_ = makeArray(options.scalarType, distanceName, samples);
   }
 }
 
 FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 {
   FieldOutput output;
-  if (auto* floats = vtkFloatArray::SafeDownCast(values_))
-  {
-    output.values = floats->GetPointer(0);
-  }
-  else if (auto* doubles = vtkDoubleArray::SafeDownCast(values_))
-  {
-    output.doubleValues = doubles->GetPointer(0);
-  }
+  pointInto(values_, output.values, output.doubleValues);
+  pointInto(distances_, output.distances, output.doubleDistances);
   output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
   output.rule = rule;
   output.threshold = threshold;
@@ -110,19 +129,15 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.
-  if (coverage_)
+  for (vtkDataArray* array :
+    {static_cast<vtkDataArray*>(coverage_), distances_.Get(), static_cast<vtkDataArray*>(inside_),
+      values_.Get()})
   {
-    attributes->AddArray(coverage_);
-  }
-  if (inside_)
-  {
-    attributes->AddArray(inside_);
-    attributes->SetActiveScalars(inside_->GetName());
-  }
-  if (values_)
-  {
-    attributes->AddArray(values_);
-    attributes->SetActiveScalars(values_->GetName());
+    if (array)
+    {
+      attributes->AddArray(array);
+      attributes->SetActiveScalars(array->GetName());
+    }
   }
 }
 

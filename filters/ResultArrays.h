@@ -18,21 +18,22 @@ struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
   bool withInside = false;    ///< the array of what is inside
+  bool withDistances = false; ///< the array "SignedDistance"
   bool withCoverage = false;  ///< the array "Coverage", of floats
-  int scalarType = VTK_FLOAT; ///< of the array of w: VTK_FLOAT or VTK_DOUBLE
+  int scalarType = VTK_FLOAT; ///< of w and of distances: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< of the array of w; empty: "WindingNumber"
   std::string insideName = "Inside";
 };
 
-/// What the arrays take for each sample.
+/// What the arrays take for each sample, and, meanwhile, what evaluates them.
 vtkIdType bytesPerSample(const ResultOptions& options);
 
 /// The arrays that a filter adds to its output.
 class ResultArrays
 {
 public:
-  /// Throws Refusal for options that make no array, OutOfMemory, with the numbers, for too many
-  /// samples.
+  /// Throws Refusal for options that make no array or two of one name; OutOfMemory, with the numbers, for
+  /// too many samples.
   ResultArrays(vtkIdType samples, const ResultOptions& options);
 
   /// Pointers into the arrays.
@@ -52,6 +53,7 @@ private:
   vtkSmartPointer<vtkDataArray> values_;
   vtkSmartPointer<vtkUnsignedCharArray> inside_;
   vtkSmartPointer<vtkFloatArray> coverage_;
+  vtkSmartPointer<vtkDataArray> distances_;
 };
 
 } // namespace winding

@@ -90,9 +90,10 @@ bool SmpExecutor::runBatches(
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
     if (filter_)
     {
-      const double share = firstProgress_ + (lastProgress_ - firstProgress_) *
-                                              static_cast<double>(done) / static_cast<double>(count);
-      filter_->UpdateProgress(showsProgress ? share : filter_->GetProgress());
+      const double share = firstShare_ + (lastShare_ - firstShare_) * static_cast<double>(done) /
+                                            static_cast<double>(count);
+      const double progress = firstProgress_ + (lastProgress_ - firstProgress_) * share;
+      filter_->UpdateProgress(showsProgress ? progress : filter_->GetProgress());
     }
   }
   return true;
@@ -116,6 +117,13 @@ void SmpExecutor::setProgressRange(double first, double last)
 {
   firstProgress_ = first;
   lastProgress_ = last;
+  this->setShare(0, 1);
+}
+
+void SmpExecutor::setShare(double first, double last)
+{
+  firstShare_ = first;
+  lastShare_ = last;
 }
 
 void SmpExecutor::runOnBackend(const std::function<void()>& work)

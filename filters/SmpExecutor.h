@@ -23,6 +23,9 @@ public:
   /// from 0 to 1.
   void setProgressRange(double first, double last);
 
+  /// Of that range, until another is set.
+  void setShare(double first, double last) override;
+
   /// Progress goes to the end of its range.
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
@@ -47,6 +50,8 @@ private:
   int threads_;
   double firstProgress_ = 0;
   double lastProgress_ = 1;
+  double firstShare_ = 0;
+  double lastShare_ = 1;
   bool hasRun_ = false;
 };
 

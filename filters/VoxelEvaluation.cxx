@@ -28,7 +28,8 @@ try
 {
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
-  const bool hasCenters = atCenters.values || atCenters.doubleValues || atCenters.inside;
+  const bool hasCenters =
+    atCenters.values || atCenters.doubleValues || atCenters.inside || atCenters.hasDistances();
   // About what comes after it takes as long, or very much longer.
   const double end = !hasCenters                    ? 0
                      : coverage == Coverage::center ? 1

@@ -18,6 +18,7 @@
 #include "vtkStringArray.h"
 
 #include <chrono>
+#include <limits>
 #include <new>
 
 namespace
@@ -139,14 +140,19 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  const bool isPrepared = field && prepareSamples(*field, executor);
+  const bool isPrepared = field && prepareSamples(*field, executor) &&
+                          (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
   if (!isPrepared)
   {
     this->Status = ABORTED;
     return nullptr;
   }
-  const winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  if (this->WantsDistances())
+  {
+    cost += field->expectedCostOfDistances(static_cast<std::size_t>(samples));
+  }
   this->ExpectedSeconds = cost.seconds / executor.threads();
   this->ExpectedMemory =
     static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
@@ -160,6 +166,27 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
   return field;
+}
+
+bool vtkWindingNumberAlgorithm::WantsDistances() const
+{
+  return this->GenerateSignedDistance != 0;
+}
+
+double vtkWindingNumberAlgorithm::GetDistanceLimit() const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
+{
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0;
+  options.withDistances = this->WantsDistances();
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
+  return options;
 }
 
 double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
@@ -188,16 +215,6 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
   return !found.isEmpty();
 }
 
-winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
-{
-  winding::ResultOptions options;
-  options.withValues = this->GenerateWindingNumber != 0;
-  options.withInside = this->GenerateInside != 0;
-  options.scalarType = this->OutputScalarType;
-  options.name = winding::textOf(this->ResultArrayName);
-  return options;
-}
-
 winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
 {
   return {samples, this->GetResultOptions()};
@@ -218,7 +235,9 @@ winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
 {
-  return results.output(this->GetCoreInsideRule(), this->WindingThreshold);
+  winding::FieldOutput output = results.output(this->GetCoreInsideRule(), this->WindingThreshold);
+  output.distanceLimit = this->GetDistanceLimit();
+  return output;
 }
 
 void vtkWindingNumberAlgorithm::AddResults(
@@ -325,6 +344,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

@@ -196,8 +196,8 @@ public:
   ///@}
 
   ///@{
-  /// Add the array of w itself. Default on. Without it, "Inside" is made directly and nothing else
-  /// takes memory; it is what it would be with an array of floats.
+  /// Add the array of w itself. Default on. Without it, "Inside" (and the sign of "SignedDistance") is made
+  /// directly, and takes a byte for each sample; it is what it would be with an array of floats.
   vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
   vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
   vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
@@ -212,13 +212,24 @@ public:
   ///@}
 
   ///@{
+  /// Add the array "SignedDistance": the distance from the nearest point of the source's triangles, or
+  /// from the nearest point of its cloud, negative inside. Its sign is what "Inside" says, whatever the
+  /// method, and so may change across holes, where nothing is near; its size is exact up to rounding. 0 on
+  /// the source. Without anything to be far from, it is the largest number of its type. Default off.
+  vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// Name of the array of w. Default "WindingNumber".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
   ///@}
 
   ///@{
-  /// VTK_FLOAT or VTK_DOUBLE; methods without approximation compute in double. Default VTK_FLOAT.
+  /// VTK_FLOAT or VTK_DOUBLE, of w and of distances; methods without approximation compute in double, and
+  /// so do distances. Default VTK_FLOAT.
   vtkSetMacro(OutputScalarType, int);
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
@@ -325,7 +336,6 @@ protected:
   ///@{
   /// Result arrays as the properties want them, where the core writes to in them, and their way
   /// into the output, together with what DescribeMethod() adds.
-  winding::ResultOptions GetResultOptions() const;
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
@@ -334,6 +344,12 @@ protected:
 
   /// Field data that says how an output came about.
   void DescribeMethod(vtkDataObject* output) const;
+
+  /// Whether signed distances are to be made: those of result arrays, unless a filter says otherwise.
+  virtual bool WantsDistances() const;
+
+  /// What farther samples get instead of their distance: infinity, unless a filter says otherwise.
+  virtual double GetDistanceLimit() const;
 
   /// Bytes that the filter takes for the result at so many samples, for ExpectedMemory: of result
   /// arrays, unless a filter says otherwise.
@@ -356,6 +372,7 @@ protected:
   int InsideRule = SIGNED;
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;
+  vtkTypeBool GenerateSignedDistance = 0;
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;

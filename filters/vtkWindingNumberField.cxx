@@ -18,6 +18,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -90,9 +92,27 @@ void vtkWindingNumberField::GiveInformation(
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   if (!asCells)
   {
+    const bool scalarsAreSides = this->GenerateInside && !this->GenerateWindingNumber;
     vtkDataObject::SetPointDataActiveScalarInfo(
-      outInfo, this->GenerateWindingNumber ? this->OutputScalarType : VTK_UNSIGNED_CHAR, 1);
+      outInfo, scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType, 1);
   }
+}
+
+void vtkWindingNumberField::CheckDistanceBand() const
+{
+  if (!(this->DistanceBand >= 0) || !std::isfinite(this->DistanceBand))
+  {
+    std::ostringstream text;
+    text << "the distance band is " << this->DistanceBand
+         << " voxels; it must be 0 (all distances) or more";
+    throw winding::Refusal(text.str());
+  }
+}
+
+double vtkWindingNumberField::GetDistanceLimit() const
+{
+  return this->DistanceBand > 0 ? this->DistanceBand * this->GetSampling().spacing.maxCoeff()
+                                : this->Superclass::GetDistanceLimit();
 }
 
 void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -111,6 +131,7 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   this->CheckVerification(this->GenerateWindingNumber != 0);
+  this->CheckDistanceBand();
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -178,4 +199,5 @@ void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
   os << indent << "Coverage: " << this->Coverage << "\n";
   os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
+  os << indent << "DistanceBand: " << this->DistanceBand << "\n";
 }

@@ -3,7 +3,7 @@
  * @brief   winding-number field of a surface or an oriented point cloud on a regular grid
  *
  * Takes a source (see vtkWindingNumberAlgorithm) and gives vtkImageData with the array
- * "WindingNumber" and, if asked for, "Inside" and "Coverage". Threshold the field, or hand it to
+ * "WindingNumber" and, if asked for, "Inside", "SignedDistance" and "Coverage". Threshold the field, or hand it to
  * vtkWindingNumberVoxels for a voxel surface; vtkWindingNumberSurface makes the smooth one.
  *
  * @code
@@ -103,6 +103,14 @@ public:
   vtkGetMacro(CoverageSamples, int);
   ///@}
 
+  ///@{
+  /// How far "SignedDistance" reaches, in voxels (of their longest side): samples that are farther from the
+  /// source get that distance, with their sign, and take little time. 0: all distances. 0 or more,
+  /// default 0.
+  vtkSetMacro(DistanceBand, double);
+  vtkGetMacro(DistanceBand, double);
+  ///@}
+
   vtkImageData* GetOutput();
 
 protected:
@@ -117,16 +125,19 @@ protected:
   void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  double GetDistanceLimit() const override;
   winding::ResultOptions GetResultOptions() const override;
 
   int OutputAssociation = POINTS;
   int Coverage = CENTER;
   int CoverageSamples = 4;
+  double DistanceBand = 0;
 
 private:
   bool EvaluateVoxels(const winding::Field& field, const int samples[6],
     const winding::ResultArrays& results, winding::SmpExecutor& executor);
   void UpdateSource(vtkInformation* outInfo);
+  void CheckDistanceBand() const;
 };
 
 #endif

@@ -4,7 +4,7 @@
  *
  * Port 0 takes the data set that says where, any vtkDataSet or a composite one of them; port 1 the
  * source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow
- * copy of port 0 with the array "WindingNumber" and, if asked for, "Inside"; or, with ExtractInside,
+ * copy of port 0 with the array "WindingNumber" and, if asked for, "Inside" and "SignedDistance"; or, with ExtractInside,
  * what of it is inside. The ports are those of vtkPointInterpolator; what the filter is for is what
  * vtkSelectEnclosedPoints is for, on surfaces that need not be closed.
  *
@@ -17,8 +17,8 @@
  *
  * For a closed surface values are integers, and right ones off the surface (method ROWS, which AUTOMATIC
  * takes then). Else the value of a point depends on the other points within the Tolerance only; with
- * method DIRECT, or Tolerance 0, not at all. Points that are NaN or infinite get NaN, and are neither
- * inside nor outside.
+ * method DIRECT, or Tolerance 0, not at all. Points that are NaN or infinite get NaN, as value and as
+ * distance, and are neither inside nor outside.
  *
  * Of a composite data set the output has the same structure: every vtkDataSet in it gets its arrays, all
  * of them evaluated at once; what is empty, or another kind of data, stays. Field data that says how

@@ -23,7 +23,7 @@
  * finer than a voxel may be lost, and edges of the source are cut off inside of voxels.
  *
  * Of the properties that are inherited, those about result arrays (GenerateWindingNumber,
- * GenerateInside, ResultArrayName, OutputScalarType) have no effect.
+ * GenerateInside, GenerateSignedDistance, ResultArrayName, OutputScalarType) have no effect.
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. Works as a whole: with
  * several pieces, all is in the first. Progress and abort are those of vtkWindingNumberField. The same
@@ -90,6 +90,7 @@ protected:
 
   void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool WantsDistances() const override { return false; }
   double GetResultBytes(vtkIdType samples) const override;
 
   vtkTypeBool CloseBorder = 0;

@@ -12,7 +12,7 @@ void runField(const Options& options, Messages& messages)
 {
   OutputFile output(options.output);
   vtkNew<vtkWindingNumberField> field;
-  applyVoxels(options, field);
+  applyImage(options, field);
   FieldRun run(*field, options, messages);
   if (options.pieces == 1)
   {

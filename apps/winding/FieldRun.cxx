@@ -124,6 +124,15 @@ Json FieldRun::describeGrid() const
     {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"}};
 }
 
+/// In the unit of the input.
+double FieldRun::distanceBand() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
+  return options_.distanceBand * *std::max_element(spacing, spacing + 3);
+}
+
 void FieldRun::addErrors(Json& report) const
 {
   // Null where the grid does not reach the source, so that nothing could be compared.
@@ -155,6 +164,11 @@ Json FieldRun::report()
   if (report["method"] == "rows")
   {
     report["cap_triangles"] = filter_->GetNumberOfCapTriangles();
+  }
+  if (options_.distance)
+  {
+    report["distance_band"] =
+      options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
   }
   if (options_.verify > 0)
   {

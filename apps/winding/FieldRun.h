@@ -42,6 +42,7 @@ private:
   void startExecution();
   void addExecution();
   Json describeGrid() const;
+  double distanceBand() const;
   void addErrors(Json& report) const;
 
   const Options& options_;

@@ -21,6 +21,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetInsideRule(options.rule);
   filter->SetGenerateInside(options.inside || options.insideOnly);
   filter->SetGenerateWindingNumber(!options.insideOnly);
+  filter->SetGenerateSignedDistance(options.distance);
   filter->SetResultArrayName(options.array.c_str());
   filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
   filter->SetNumberOfThreads(options.threads);
@@ -43,11 +44,12 @@ void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
   filter->SetVerifySamples(options.verify);
 }
 
-void applyVoxels(const Options& options, vtkWindingNumberField* filter)
+void applyImage(const Options& options, vtkWindingNumberField* filter)
 {
   filter->SetOutputAssociation(
     options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
   filter->SetCoverage(options.coverage);
+  filter->SetDistanceBand(options.distanceBand);
 }
 
 void checkFilter(int status, const std::string& fileName, Messages& messages)

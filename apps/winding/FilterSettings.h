@@ -15,8 +15,8 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter);
 /// The grid, and how many samples to verify.
 void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter);
 
-/// What the samples are in the image, and what makes a voxel inside.
-void applyVoxels(const Options& options, vtkWindingNumberField* filter);
+/// What the samples are in the image, what makes a voxel inside, and how far distances reach.
+void applyImage(const Options& options, vtkWindingNumberField* filter);
 
 /// Throws what kept the filter from being done as a Failure about the file. status is the filter's.
 void checkFilter(int status, const std::string& fileName, Messages& messages);

@@ -107,6 +107,15 @@ void checkCheck(const Options& options, const WasGiven& wasGiven)
   }
 }
 
+void checkDistance(const Options& options, const WasGiven& wasGiven)
+{
+  require(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
+    "--distance-band is " + shown(options.distanceBand) +
+      "; give 0 (all distances) or more voxels");
+  require(options.distance || !wasGiven("--distance-band"),
+    "--distance-band is for --distance; say that, too, or leave it out");
+}
+
 void checkBench(const Options& options)
 {
   for (const int resolution : options.resolutions)
@@ -172,6 +181,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(options.output, options.command, {".vti"});
     checkFieldLike(options, wasGiven);
+    checkDistance(options, wasGiven);
   }
   else
   {

@@ -148,6 +148,21 @@ void addCoverage(CLI::App* command, Options& options)
     ->group("Output");
 }
 
+void addDistance(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--distance", options.distance,
+      "Add the array SignedDistance: from the nearest point of the input, negative inside")
+    ->group("Output");
+  command
+    ->add_option("--distance-band", options.distanceBand,
+      "Distances up to so many voxels only, which takes less time; farther voxels get that "
+      "distance "
+      "(0: all)")
+    ->type_name("N")
+    ->group("Output");
+}
+
 void addArrayName(CLI::App* command, Options& options)
 {
   command
@@ -157,7 +172,7 @@ void addArrayName(CLI::App* command, Options& options)
 
 CLI::Option* addDouble(CLI::App* command, Options& options)
 {
-  return command->add_flag("--double", options.asDouble, "Double precision, not float")
+  return command->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
     ->group("Output");
 }
 
@@ -279,8 +294,9 @@ void addCommands(CLI::App& app, Options& options)
   CLI::Option* insideOnly =
     field
       ->add_flag("--inside-only", options.insideOnly,
-        "Only the array Inside, which takes a quarter of the memory of the winding numbers")
+        "The array Inside and no winding numbers, which take four times the memory")
       ->group("Output");
+  addDistance(field, options);
   addArrayName(field, options);
   insideOnly->excludes(addDouble(field, options));
   addFieldLike(field, options);

@@ -39,6 +39,8 @@ struct Options
   bool insideOnly = false;
   bool insideOut = false;
   bool extract = false;
+  bool distance = false;
+  double distanceBand = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
 

@@ -23,7 +23,7 @@ void runVoxels(const Options& given, Messages& messages)
   const bool byInside = options.insideOnly || options.coverage != vtkWindingNumberField::CENTER;
   OutputFile output(options.output);
   vtkNew<vtkWindingNumberField> field;
-  applyVoxels(options, field);
+  applyImage(options, field);
   FieldRun run(*field, options, messages);
   run.update();
   vtkNew<vtkWindingNumberVoxels> voxels;

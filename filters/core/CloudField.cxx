@@ -1,6 +1,7 @@
 #include "CloudField.h"
 
 #include "CloudOrientation.h"
+#include "DistanceTree.h"
 #include "NormalEstimation.h"
 #include "PointAreas.h"
 #include "ReferenceSum.h"
@@ -159,18 +160,18 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
   farField_ = std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas), accuracy, executor);
 }
 
-bool CloudField::evaluate(
+bool CloudField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   return farField_ ? farField_->evaluate(grid, extent, output, executor)
-                   : Field::evaluate(grid, extent, output, executor);
+                   : Field::evaluateValues(grid, extent, output, executor);
 }
 
-bool CloudField::evaluate(
+bool CloudField::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   return this->usesFarField(samples.size()) ? farField_->evaluate(samples, output, executor)
-                                            : Field::evaluate(samples, output, executor);
+                                            : Field::evaluateValues(samples, output, executor);
 }
 
 bool CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
@@ -196,6 +197,11 @@ EvaluationCost CloudField::expectedCost(std::size_t samples) const
     costOfFarField(Primitive::point, info_.primitives, samples, farField_->order());
   cost.seconds *= slowdown_;
   return cost;
+}
+
+std::unique_ptr<const DistanceTree> CloudField::makeDistanceTree(Executor& executor) const
+{
+  return std::make_unique<const DistanceTree>(cloud_, executor);
 }
 
 double CloudField::reference(const Eigen::Vector3d& sample) const

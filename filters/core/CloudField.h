@@ -18,11 +18,6 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
-  using Field::evaluate;
-  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
-    Executor& executor) const override;
-  bool evaluate(
-    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   const PointCloud* cloud() const override { return &cloud_; }
@@ -31,6 +26,11 @@ public:
   PointOnSource pointOnSource() const override;
 
 protected:
+  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *sum_; }
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 

@@ -1,5 +1,7 @@
 #include "EvaluationCost.h"
 
+#include "DistanceTree.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,6 +71,13 @@ EvaluationCost costOfFarField(
   return {tree * static_cast<double>(primitives) + cells * std::pow(count, 2.0 / 3) +
             secondsPerValue * count,
     (bytesPerPrimitive + bytesPerSource) * primitives};
+}
+
+EvaluationCost costOfDistances(Primitive kind, std::size_t primitives, std::size_t samples)
+{
+  const bool areTriangles = kind == Primitive::triangle;
+  return {0.3e-6 * static_cast<double>(primitives) + 0.3e-6 * static_cast<double>(samples),
+    DistanceTree::bytesFor(areTriangles, primitives)};
 }
 
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order)

@@ -38,6 +38,9 @@ EvaluationCost costOfDirectSum(Primitive kind, std::size_t primitives, std::size
 EvaluationCost costOfFarField(
   Primitive kind, std::size_t primitives, std::size_t samples, int order);
 
+/// A tree of boxes, and the nearest primitive of each sample.
+EvaluationCost costOfDistances(Primitive kind, std::size_t primitives, std::size_t samples);
+
 /// Whether the direct sum is expected to be faster than a far field on grids of usual sizes.
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order);
 

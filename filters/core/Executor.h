@@ -30,6 +30,14 @@ public:
   {
     return this->run(count, work);
   }
+
+  /// What runs next is this share of all that was to run: from `first` to `last` of 0 to 1. For executors
+  /// that show progress.
+  virtual void setShare(double first, double last)
+  {
+    (void)first;
+    (void)last;
+  }
 };
 
 /// Runs the blocks one after the other on the calling thread; never interrupted.

@@ -2,6 +2,8 @@
 
 #include "CloudField.h"
 #include "Evaluator.h"
+#include "GridDistances.h"
+#include "SampleDistances.h"
 #include "SurfaceField.h"
 
 #include <algorithm>
@@ -105,6 +107,9 @@ std::shared_ptr<const Field> Field::build(
   return buildUnlessInterrupted<CloudField>(views, options, executor);
 }
 
+Field::Field() = default;
+Field::~Field() = default;
+
 bool Field::prepare(const Grid&, Executor&) const
 {
   return true;
@@ -132,7 +137,7 @@ bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
     executor);
 }
 
-bool Field::evaluate(
+bool Field::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   return this->evaluateBlocks(
@@ -145,11 +150,86 @@ bool Field::evaluate(
     output, executor);
 }
 
-bool Field::evaluate(
+bool Field::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   return this->evaluateBlocks(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
+}
+
+/// Null when the executor was interrupted.
+const DistanceTree* Field::distanceTree(Executor& executor) const
+try
+{
+  const std::lock_guard<std::mutex> lock(distanceTreeLock_);
+  if (!distanceTree_)
+  {
+    distanceTree_ = this->makeDistanceTree(executor);
+  }
+  return distanceTree_.get();
+}
+catch (const Interrupted&)
+{
+  return nullptr;
+}
+
+bool Field::prepareDistances(Executor& executor) const
+{
+  return this->distanceTree(executor) != nullptr;
+}
+
+EvaluationCost Field::expectedCostOfDistances(std::size_t samples) const
+{
+  const FieldInfo& info = this->info();
+  return costOfDistances(
+    info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
+}
+
+/// Values, then distances with the signs that those give.
+template <class EvaluateValues, class EvaluateDistances>
+bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
+  const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const
+{
+  if (!output.hasDistances())
+  {
+    return evaluateValues(output);
+  }
+  FieldOutput signedOutput = output;
+  std::vector<unsigned char> inside;
+  if (!output.values && !output.doubleValues && !output.inside)
+  {
+    inside.resize(samples);
+    signedOutput.inside = inside.data();
+  }
+  const double ofValues = this->expectedCost(samples).seconds;
+  const double share = ofValues / (ofValues + this->expectedCostOfDistances(samples).seconds);
+  executor.setShare(0, share);
+  const bool hasValues = evaluateValues(signedOutput);
+  executor.setShare(share, 1);
+  const DistanceTree* tree = hasValues ? this->distanceTree(executor) : nullptr;
+  const bool isComplete = tree && evaluateDistances(*tree, signedOutput);
+  executor.setShare(0, 1);
+  return isComplete;
+}
+
+bool Field::evaluate(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBoth(
+    sampleCount(extent), output, executor,
+    [&](const FieldOutput& values) { return this->evaluateValues(grid, extent, values, executor); },
+    [&](const DistanceTree& tree, const FieldOutput& distances)
+    { return GridDistances(tree, grid, extent, distances).evaluate(executor); });
+}
+
+bool Field::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBoth(
+    samples.size(), output, executor,
+    [&](const FieldOutput& values) { return this->evaluateValues(samples, values, executor); },
+    [&](const DistanceTree& tree, const FieldOutput& distances)
+    { return evaluateDistances(tree, samples, distances, executor); });
 }
 
 bool Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const

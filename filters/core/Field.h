@@ -11,11 +11,13 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace winding
 {
 
+class DistanceTree;
 class Evaluator;
 class GradientEvaluator;
 class RowCrossings;
@@ -98,6 +100,12 @@ struct FieldInfo
  * samples too, within the tolerance, unless there is one only. On a grid and scattered, a sample has
  * the same value up to rounding and the tolerance, and the same bits with method direct or parity.
  * A field without primitives is 0 everywhere.
+ *
+ * Distances, where an output wants them, are those from the nearest point of the triangles that the
+ * field is of, or from the nearest of its points: exact up to rounding (double), whatever the method and
+ * the tolerance. Of a sample they depend on the source and on the sample's position only, and on a grid
+ * on the grid as a whole. Their signs are those of `inside`; where an output has neither that nor values,
+ * a byte per sample more is needed. Without primitives every distance is infinite.
  */
 class Field
 {
@@ -109,7 +117,8 @@ public:
   static std::shared_ptr<const Field> build(
     const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
 
-  virtual ~Field() = default;
+  Field();
+  virtual ~Field();
 
   virtual const FieldInfo& info() const = 0;
 
@@ -123,14 +132,16 @@ public:
   virtual bool prepare(const VectorsView& samples, Executor& executor) const;
   ///@}
 
+  /// Builds what distances need, and keeps it, likewise.
+  bool prepareDistances(Executor& executor) const;
+
   /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
-  virtual bool evaluate(
+  bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
   /// Evaluates scattered samples; where the method needs a grid, as open surfaces by rows do,
   /// hierarchically as far as the tolerance admits that. False when the executor was interrupted.
-  virtual bool evaluate(
-    const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /**
    * The gradient of the winding number at scattered samples, whatever the method, into #samples by 3
@@ -160,6 +171,9 @@ public:
   /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
+  /// What distances of so many samples are expected to take beside that.
+  EvaluationCost expectedCostOfDistances(std::size_t samples) const;
+
   /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
 
@@ -170,6 +184,17 @@ public:
   virtual PointOnSource pointOnSource() const = 0;
 
 protected:
+  ///@{
+  /// evaluate(), but for distances.
+  virtual bool evaluateValues(
+    const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+  virtual bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  ///@}
+
+  /// Throws Interrupted.
+  virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;
+
   virtual const Evaluator& evaluator() const = 0;
   virtual const GradientEvaluator& gradientEvaluator() const = 0;
 
@@ -177,6 +202,13 @@ private:
   template <class PositionOf>
   bool evaluateBlocks(std::size_t samples, const PositionOf& positionOf, const FieldOutput& output,
     Executor& executor) const;
+  template <class EvaluateValues, class EvaluateDistances>
+  bool evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
+    const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const;
+  const DistanceTree* distanceTree(Executor& executor) const;
+
+  mutable std::mutex distanceTreeLock_;
+  mutable std::unique_ptr<const DistanceTree> distanceTree_; ///< made when it is first needed
 };
 
 } // namespace winding

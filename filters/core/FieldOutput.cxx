@@ -1,9 +1,24 @@
 #include "FieldOutput.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace winding
 {
+
+namespace
+{
+
+/// With a sign, in a type that may hold less: only 0 becomes 0, and nothing becomes infinite.
+template <class Real> Real signedDistance(double distance, bool isInside)
+{
+  using Limits = std::numeric_limits<Real>;
+  const double least = distance > 0 ? Limits::min() : 0;
+  const double held = std::clamp<double>(distance, least, Limits::max()); // NaN stays
+  return static_cast<Real>(isInside && held > 0 ? -held : held);
+}
+
+} // namespace
 
 template <class Real>
 void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
@@ -46,6 +61,30 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
     const double stored = this->doubleValues ? value : static_cast<float>(value);
     std::fill_n(this->inside + first, count,
       static_cast<unsigned char>(isInside(stored, this->rule, this->threshold)));
+  }
+}
+
+bool FieldOutput::isInsideAt(std::size_t sample) const
+{
+  if (this->inside)
+  {
+    return this->inside[sample] != 0;
+  }
+  const double stored = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
+  return isInside(stored, this->rule, this->threshold);
+}
+
+void FieldOutput::writeDistance(double distance, std::size_t sample) const
+{
+  const bool isInside = this->isInsideAt(sample);
+  const double limited = distance > this->distanceLimit ? this->distanceLimit : distance;
+  if (this->distances)
+  {
+    this->distances[sample] = signedDistance<float>(limited, isInside);
+  }
+  if (this->doubleDistances)
+  {
+    this->doubleDistances[sample] = signedDistance<double>(limited, isInside);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "SurfaceField.h"
 
 #include "DirectSum.h"
+#include "DistanceTree.h"
 #include "RayParity.h"
 #include "ReferenceSum.h"
 #include "Refusal.h"
@@ -180,7 +181,7 @@ bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
          farField_->suiting(samples, executor) != nullptr;
 }
 
-bool SurfaceField::evaluate(
+bool SurfaceField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   if (capped_)
@@ -189,13 +190,13 @@ bool SurfaceField::evaluate(
   }
   if (!farField_)
   {
-    return Field::evaluate(grid, extent, output, executor);
+    return Field::evaluateValues(grid, extent, output, executor);
   }
   const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
   return suiting && suiting->evaluate(grid, extent, output, executor);
 }
 
-bool SurfaceField::evaluate(
+bool SurfaceField::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   if (crossings_)
@@ -204,10 +205,15 @@ bool SurfaceField::evaluate(
   }
   if (!this->usesFarField(samples.size()))
   {
-    return Field::evaluate(samples, output, executor);
+    return Field::evaluateValues(samples, output, executor);
   }
   const std::shared_ptr<const FarField> suiting = farField_->suiting(samples, executor);
   return suiting && suiting->evaluate(samples, output, executor);
+}
+
+std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& executor) const
+{
+  return std::make_unique<const DistanceTree>(surface_, executor);
 }
 
 double SurfaceField::reference(const Eigen::Vector3d& sample) const

@@ -21,13 +21,8 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
-  using Field::evaluate;
   bool prepare(const Grid& grid, Executor& executor) const override;
   bool prepare(const VectorsView& samples, Executor& executor) const override;
-  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
-    Executor& executor) const override;
-  bool evaluate(
-    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
 
   const Surface* surface() const override { return &surface_; }
   const RowCrossings* integerRows() const override;
@@ -36,6 +31,11 @@ public:
   PointOnSource pointOnSource() const override;
 
 protected:
+  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 

@@ -188,6 +188,34 @@ TEST_F(FieldCommand, InsideOnlyIsInsideWithoutTheRest)
   }
 }
 
+TEST_F(FieldCommand, DistancesAreSignedAndMayHaveABand)
+{
+  const nlohmann::json report = run("a.vti", {"--resolution", "21", "--distance"}).json();
+  EXPECT_TRUE(report["distance_band"].is_null());
+  const auto full = image("a.vti");
+  vtkDataArray* distances = full->GetPointData()->GetArray("SignedDistance");
+  ASSERT_NE(distances, nullptr);
+  ASSERT_NE(full->GetPointData()->GetArray("WindingNumber"), nullptr);
+  EXPECT_EQ(distances->GetDataType(), VTK_FLOAT);
+  const vtkIdType middle = distances->GetNumberOfTuples() / 2;
+  EXPECT_NEAR(distances->GetTuple1(middle), -1, 0.02) << "the faces are inside of the sphere";
+  const double corner = std::sqrt(3.0) * (1.1 - full->GetSpacing()[0] / 2);
+  EXPECT_NEAR(distances->GetTuple1(0), corner - 1, 0.02);
+
+  const nlohmann::json banded =
+    run("b.vti", {"--resolution", "21", "--distance", "--distance-band", "2", "--inside-only"})
+      .json();
+  const double band = 2 * full->GetSpacing()[0];
+  EXPECT_EQ(banded["distance_band"], band);
+  const auto near = image("b.vti");
+  EXPECT_EQ(near->GetPointData()->GetArray("WindingNumber"), nullptr);
+  distances = near->GetPointData()->GetArray("SignedDistance");
+  ASSERT_NE(distances, nullptr);
+  EXPECT_EQ(distances->GetTuple1(middle), -static_cast<float>(band));
+  EXPECT_EQ(distances->GetTuple1(0), static_cast<float>(band));
+  EXPECT_FALSE(run("a.vti", {"--resolution", "5"}).json().contains("distance_band"));
+}
+
 TEST_F(FieldCommand, CapTrianglesOfOpenSurfaces)
 {
   Mesh mesh = sphere(3);

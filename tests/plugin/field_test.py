@@ -23,6 +23,22 @@ class TestField(unittest.TestCase):
         self.assertTrue(information(field, "MethodUsed"))
         self.assertTrue(information(field, "MethodReason"))
 
+    def test_signed_distance(self):
+        field = simple.WindingNumberField(
+            Input=unit_sphere(), Resolution=21, Padding=0.5, GenerateSignedDistance=1
+        )
+        image = result(field)
+        # The faces of the sphere are up to 0.01 inside of it.
+        self.assertAlmostEqual(value_at(image, (0, 0, 0), "SignedDistance"), -1, delta=0.02)
+        corner = image.GetPoint(0)
+        beyond = math.dist(corner, (0, 0, 0)) - 1
+        self.assertAlmostEqual(value_at(image, corner, "SignedDistance"), beyond, delta=0.02)
+        field.DistanceBand = 2
+        image = result(field)
+        band = 2 * image.GetSpacing()[0]
+        self.assertAlmostEqual(value_at(image, (0, 0, 0), "SignedDistance"), -band, places=6)
+        self.assertAlmostEqual(value_at(image, corner, "SignedDistance"), band, places=6)
+
     def test_sampling_bounds_start_as_those_of_the_input(self):
         sphere = simple.Sphere(Center=(5, 6, 7), Radius=1, ThetaResolution=4, PhiResolution=3)
         sphere.UpdatePipeline()

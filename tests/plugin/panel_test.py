@@ -97,6 +97,21 @@ class TestPanel(unittest.TestCase):
         field.Coverage = "Half Inside"
         self.assertIn("CoverageSamples", shown(field, "Inside and Outside"))
 
+    def test_sides_matter_to_inside_and_to_distances(self):
+        field = simple.WindingNumberField(Input=self.mesh)
+        sides = {"WindingThreshold", "InsideRule"}
+        for name in ("GenerateInside", "GenerateSignedDistance"):
+            self.assertTrue(shown(field, "Inside and Outside").isdisjoint(sides))
+            self.assertEqual(shown(field, "Signed Distance"), {"GenerateSignedDistance"})
+            setattr(field, name, 1)
+            self.assertLessEqual(sides, shown(field, "Inside and Outside"))
+            setattr(field, name, 0)
+        field.GenerateSignedDistance = 1
+        both = {"GenerateSignedDistance", "DistanceBand"}
+        self.assertEqual(shown(field, "Signed Distance"), both)
+        surface = simple.WindingNumberSurface(Input=self.mesh)
+        self.assertEqual(shown(surface, "Signed Distance"), set())
+
     def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
         proxy = simple.WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
         proxy.UpdatePipelineInformation()

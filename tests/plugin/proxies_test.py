@@ -25,6 +25,7 @@ COMMON = {
     "InsideRule": (2, "2"),
     "GenerateWindingNumber": (0, "0"),
     "GenerateInside": (1, "1"),
+    "GenerateSignedDistance": (1, "1"),
     "ResultArrayName": ("w", "w"),
     "OutputScalarType": (11, "11"),
     "NumberOfThreads": (3, "3"),
@@ -49,6 +50,7 @@ SETTABLE = {
         "OutputAssociation": (1, "1"),
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
+        "DistanceBand": (2.5, "2.5"),
     },
     "WindingNumberSurface": {
         **COMMON,
@@ -236,6 +238,7 @@ class TestProxies(unittest.TestCase):
                 "Regularization": -1,
                 "NumberOfThreads": -1,
                 "VerifySamples": -1,
+                "DistanceBand": -1,
             },
             "WindingNumberProbe": {"Tolerance": -1e-3, "PointArea": -1, "NumberOfThreads": -1},
             "PointAreas": {"PointArea": -1, "NumberOfNeighbors": 2, "NumberOfThreads": -1},

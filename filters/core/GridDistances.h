@@ -1,0 +1,46 @@
+#pragma once
+
+#include "DistanceTree.h"
+#include "FieldOutput.h"
+#include "Grid.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * Distances of the samples of a grid, found for cells of samples rather than one by one: from large
+ * cells down to those of a few samples, each with a list of the nodes that may be nearest to any of
+ * its samples. It is short because of this: let x be the point of the source nearest to the cell's
+ * centre. A node can be dropped if x is nearer than it to every sample of the cell; and
+ * dist²(q, box) − |q − x|² need only be asked at the corners q of the cell, where it is smallest, as
+ * for each point of the box it is linear in q. Its smallest value is the sum of those along each axis.
+ *
+ * Cells and lists are those of the whole grid, whatever part of it is asked for: so are the bits.
+ */
+class GridDistances
+{
+public:
+  /// For the samples of an extent of the grid. Keeps references.
+  GridDistances(
+    const DistanceTree& tree, const Grid& grid, const Extent& extent, const FieldOutput& output);
+
+  /// False when the executor was interrupted.
+  bool evaluate(Executor& executor) const;
+
+private:
+  class Descent;
+
+  Extent task(std::size_t number) const;
+
+  const DistanceTree& tree_;
+  const Grid& grid_;
+  const Extent extent_;
+  const FieldOutput& output_;
+  Eigen::Vector3i blockSize_;  ///< samples of a task along each axis
+  Eigen::Vector3i firstBlock_; ///< that the extent reaches into
+  Eigen::Vector3i blocks_;
+};
+
+} // namespace winding
