@@ -3,6 +3,7 @@
 #include "Field.h"
 #include "InsidePart.h"
 #include "ProbeQueries.h"
+#include "Refusal.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
