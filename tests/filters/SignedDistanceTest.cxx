@@ -285,9 +285,9 @@ TEST_F(SignedDistance, ProgressRisesToOneAndAbortLeavesNothing)
   EXPECT_TRUE(log.rising);
   EXPECT_EQ(log.last, 1);
 
-  // Values are done long before half of all is, so this is among the distances.
+  // Values are a hundredth of all, so this is among the distances.
   log = Log();
-  log.abortFrom = 0.5;
+  log.abortFrom = 0.05;
   field->Modified();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
