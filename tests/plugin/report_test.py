@@ -4,7 +4,7 @@ import unittest
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
-from support import information, points_source, result, run_tests, unit_sphere
+from support import information, points_source, result, run_tests, unit_sphere, warnings_of
 
 
 class TestSurfaceReport(unittest.TestCase):
@@ -71,7 +71,10 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(self.count(data, "inverted_components"), 1)
         self.assertLess(self.count(data, "volume"), 0)
         report.FixOrientation = 1
+        warnings = warnings_of(report)
         data = result(report)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("turned", warnings[0])
         self.assertEqual(self.count(data, "inverted_components"), 0)
         self.assertEqual(self.count(data, "flipped_triangles"), data.GetNumberOfPolys())
         self.assertGreater(self.count(data, "volume"), 0)

@@ -84,16 +84,25 @@ def volume_of(surface):
 
 def errors_of(proxy):
     """Errors that the C++ filter reports from now on; observed, they are not printed."""
-    errors = []
-    vtk_object = proxy.GetClientSideObject()
+    errors = reports_of(proxy, "ErrorEvent")
+    proxy.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    return errors
+
+
+def warnings_of(proxy):
+    """Warnings, likewise."""
+    return reports_of(proxy, "WarningEvent")
+
+
+def reports_of(proxy, event):
+    reports = []
 
     def note(_caller, _event, text):
-        errors.append(text)
+        reports.append(text)
 
     note.CallDataType = "string0"
-    vtk_object.AddObserver("ErrorEvent", note)
-    vtk_object.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    return errors
+    proxy.GetClientSideObject().AddObserver(event, note)
+    return reports
 
 
 def points_source(*positions):
