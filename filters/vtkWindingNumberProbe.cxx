@@ -3,6 +3,7 @@
 #include "Field.h"
 #include "InsidePart.h"
 #include "ProbeQueries.h"
+#include "Refusal.h"
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 #include "SourceParts.h"
@@ -162,7 +163,8 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
   winding::ResultOptions options = this->GetResultOptions();
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
   options.insideName = options.withInside ? winding::textOf(this->InsideArrayName) : "";
-  options.withInside = options.withInside || options.withValues || this->ExtractInside;
+  options.withInside =
+    options.withInside || options.withValues || options.withDistances || this->ExtractInside;
   const winding::ProbeQueries queries(input, atCells);
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);

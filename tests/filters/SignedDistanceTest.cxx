@@ -200,6 +200,22 @@ TEST_F(SignedDistance, BandIsInVoxelsOfTheirLongestSide)
   EXPECT_GT(limited, 1000);
 }
 
+TEST_F(SignedDistance, IsThatOfTheCentresWhateverTheCoverage)
+{
+  field->Update();
+  const std::vector<double> expected = numbersOf(distancesOf(field->GetOutput()));
+  for (const int coverage : {vtkWindingNumberField::ANY, vtkWindingNumberField::FRACTION})
+  {
+    for (const bool withValues : {true, false})
+    {
+      field->SetCoverage(coverage);
+      field->SetGenerateWindingNumber(withValues);
+      field->Update();
+      EXPECT_EQ(numbersOf(distancesOf(field->GetOutput())), expected);
+    }
+  }
+}
+
 TEST_F(SignedDistance, CloudsAndMeshesAsPointsHaveThatOfTheirPoints)
 {
   sphere->Update();
@@ -247,6 +263,10 @@ TEST_F(SignedDistance, ProbeHasTheFields)
   {
     ASSERT_NEAR(found[i], expected[i], 1e-15);
   }
+  probe->InsideOutOn();
+  probe->Update();
+  EXPECT_EQ(numbersOf(distancesOf(probe->GetOutput())), found) << "the other side is no distance's";
+  EXPECT_EQ(probe->GetOutput()->GetPointData()->GetArray("Inside"), nullptr);
   vtkNew<vtkPoints> nowhere;
   nowhere->SetDataTypeToDouble();
   nowhere->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0, 0);
@@ -285,9 +305,9 @@ TEST_F(SignedDistance, ProgressRisesToOneAndAbortLeavesNothing)
   EXPECT_TRUE(log.rising);
   EXPECT_EQ(log.last, 1);
 
-  // Values are done long before half of all is, so this is among the distances.
+  // Values are a hundredth of all, so this is among the distances.
   log = Log();
-  log.abortFrom = 0.5;
+  log.abortFrom = 0.05;
   field->Modified();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
