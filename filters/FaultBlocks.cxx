@@ -184,12 +184,20 @@ vtkSmartPointer<vtkPolyData> inconsistentBlock(
   return maker.make(true);
 }
 
+/// Whether every edge has two triangles that agree about it, so that there is no boundary to look for.
+bool allPairUp(const SurfaceEdges& edges)
+{
+  return edges.rims.empty() && edges.crowds.empty() &&
+         std::all_of(edges.pairs.begin(), edges.pairs.end(),
+           [](const SurfaceEdges::Pair& pair) { return pair.agrees; });
+}
+
 } // namespace
 
 vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
   const Surface& surface, const SurfaceEdges& edges, int pointType, Executor& executor)
 {
-  const BoundaryChain chain = boundaryChain(surface, executor);
+  const BoundaryChain chain = allPairUp(edges) ? BoundaryChain() : boundaryChain(surface, executor);
   const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   const auto add = [&blocks](const char* name, vtkPolyData* block)
