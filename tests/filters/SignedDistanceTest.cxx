@@ -113,8 +113,8 @@ TEST_P(SignedDistanceOf, SharedMeshIsTheDistanceOfVTKWithTheSignOfInside)
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, SignedDistanceOf,
-  testing::Values("bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj",
-    "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"));
+  testing::Values("armadillo_86k.obj", "bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl",
+    "truck_soup.obj", "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"));
 
 TEST_F(SignedDistance, IsOffUnlessAskedFor)
 {
