@@ -213,9 +213,10 @@ public:
 
   ///@{
   /// Add the array "SignedDistance": the distance from the nearest point of the source's triangles, or
-  /// from the nearest point of its cloud, negative inside. Its sign is what "Inside" says, whatever the
-  /// method, and so may change across holes, where nothing is near; its size is exact up to rounding. 0 on
-  /// the source. Without anything to be far from, it is the largest number of its type. Default off.
+  /// from the nearest point of its cloud, negative inside. Its sign is that of the sample by w, threshold and
+  /// rule, as "Inside" has it (whatever coverage or turning inside out make of that), and so may change
+  /// across holes, where nothing is near; its size is exact up to rounding. 0 on the source.
+  /// Without anything to be far from, it is the largest number of its type. Default off.
   vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
   vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
   vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);

@@ -93,7 +93,7 @@ public:
 
   ///@{
   /// Take what is outside for inside, and the other way round: in the array "Inside", for IsInside()
-  /// and for ExtractInside. w stays what it is. Default off.
+  /// and for ExtractInside. w and distances stay what they are. Default off.
   vtkSetMacro(InsideOut, vtkTypeBool);
   vtkGetMacro(InsideOut, vtkTypeBool);
   vtkBooleanMacro(InsideOut, vtkTypeBool);

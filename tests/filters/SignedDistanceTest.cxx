@@ -113,8 +113,8 @@ TEST_P(SignedDistanceOf, SharedMeshIsTheDistanceOfVTKWithTheSignOfInside)
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, SignedDistanceOf,
-  testing::Values("bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj",
-    "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"));
+  testing::Values("armadillo_86k.obj", "bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl",
+    "truck_soup.obj", "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"));
 
 TEST_F(SignedDistance, IsOffUnlessAskedFor)
 {
@@ -200,6 +200,22 @@ TEST_F(SignedDistance, BandIsInVoxelsOfTheirLongestSide)
   EXPECT_GT(limited, 1000);
 }
 
+TEST_F(SignedDistance, IsThatOfTheCentresWhateverTheCoverage)
+{
+  field->Update();
+  const std::vector<double> expected = numbersOf(distancesOf(field->GetOutput()));
+  for (const int coverage : {vtkWindingNumberField::ANY, vtkWindingNumberField::FRACTION})
+  {
+    for (const bool withValues : {true, false})
+    {
+      field->SetCoverage(coverage);
+      field->SetGenerateWindingNumber(withValues);
+      field->Update();
+      EXPECT_EQ(numbersOf(distancesOf(field->GetOutput())), expected);
+    }
+  }
+}
+
 TEST_F(SignedDistance, CloudsAndMeshesAsPointsHaveThatOfTheirPoints)
 {
   sphere->Update();
@@ -247,6 +263,10 @@ TEST_F(SignedDistance, ProbeHasTheFields)
   {
     ASSERT_NEAR(found[i], expected[i], 1e-15);
   }
+  probe->InsideOutOn();
+  probe->Update();
+  EXPECT_EQ(numbersOf(distancesOf(probe->GetOutput())), found) << "the other side is no distance's";
+  EXPECT_EQ(probe->GetOutput()->GetPointData()->GetArray("Inside"), nullptr);
   vtkNew<vtkPoints> nowhere;
   nowhere->SetDataTypeToDouble();
   nowhere->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0, 0);
