@@ -7,7 +7,6 @@
 #include "ResultArrays.h"
 #include "SmpExecutor.h"
 
-#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,10 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <optional>
+#include <string>
 
 vtkStandardNewMacro(vtkWindingNumberSurface);
 

@@ -29,23 +29,6 @@ struct FoundCrossing
   EdgeCrossings::Crossing crossing;
 };
 
-/// First and last index along an axis of the samples between a triangle's lowest and highest corner;
-/// none if the first is the larger one.
-using Range = std::pair<int, int>;
-
-Range samplesBetween(const Eigen::Vector3d (&corners)[3], int axis, int samples)
-{
-  const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
-  if (!(high >= 0 && low <= samples - 1))
-  {
-    return {0, -1};
-  }
-  // Both are 0 or more, where a cast rounds down.
-  const double from = std::max(low, 0.0), to = std::min<double>(high, samples - 1);
-  const int first = static_cast<int>(from);
-  return {first + (first < from), static_cast<int>(to)};
-}
-
 /// The crossings of triangles with the edges.
 class TriangleOnLines
 {
@@ -60,14 +43,15 @@ public:
   /// Corners in units of the grid.
   void cross(const Eigen::Vector3d (&corners)[3], std::vector<FoundCrossing>& crossings) const
   {
-    Range ranges[3];
+    IndexRange ranges[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      ranges[axis] = samplesBetween(corners, axis, dimensions_[axis]);
+      const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+      ranges[axis] = indicesBetween(low, high, 0, dimensions_[axis] - 1);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Range &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
+      const IndexRange &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
       if (rows.first <= rows.second && layers.first <= layers.second)
       {
         this->crossLines(corners, axis, rows, layers, crossings);
@@ -77,8 +61,8 @@ public:
 
 private:
   /// Those with the lines along an axis, taken for x.
-  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const Range& rows,
-    const Range& layers, std::vector<FoundCrossing>& crossings) const
+  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const IndexRange& rows,
+    const IndexRange& layers, std::vector<FoundCrossing>& crossings) const
   {
     const int y = turned(axis, 1), z = turned(axis, 2);
     Eigen::Vector3d turnedCorners[3];
@@ -150,7 +134,7 @@ EdgeCrossings::EdgeCrossings(
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        vertices[i] = (surface.vertices[i] - grid.firstSample).cwiseQuotient(grid.spacing);
+        vertices[i] = grid.inGridUnits(surface.vertices[i]);
       }
     },
     executor);

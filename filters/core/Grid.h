@@ -2,8 +2,10 @@
 
 #include "Sanitize.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace winding
 {
@@ -30,11 +32,33 @@ struct Grid
     return firstSample + Eigen::Vector3d(i, j, k).cwiseProduct(spacing);
   }
 
+  /// A position as indices of samples: integers are samples.
+  Eigen::Vector3d inGridUnits(const Eigen::Vector3d& position) const
+  {
+    return (position - firstSample).cwiseQuotient(spacing);
+  }
+
   Extent wholeExtent() const
   {
     return {0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1};
   }
 };
+
+/// First and last index along an axis; none if the first is the larger one.
+using IndexRange = std::pair<int, int>;
+
+/// The indices of first to last, which are 0 or more, that lie between two coordinates in grid units.
+inline IndexRange indicesBetween(double low, double high, int first, int last)
+{
+  if (!(high >= first && low <= last))
+  {
+    return {0, -1};
+  }
+  // Both are 0 or more, where a cast rounds down.
+  const double from = std::max<double>(low, first), to = std::min<double>(high, last);
+  const int whole = static_cast<int>(from);
+  return {whole + (whole < from), static_cast<int>(to)};
+}
 
 /// Samples in an extent; 0 if any range is empty.
 std::size_t sampleCount(const Extent& extent);

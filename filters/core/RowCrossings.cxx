@@ -11,11 +11,6 @@ namespace winding
 namespace
 {
 
-Eigen::Vector3d inGridUnits(const Grid& grid, const Eigen::Vector3d& point)
-{
-  return (point - grid.firstSample).cwiseQuotient(grid.spacing);
-}
-
 /**
  * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of a
  * layer that stand beside each other; the first may begin before the extent.
@@ -76,15 +71,12 @@ public:
 private:
   /// First and last index along an axis between a triangle's lowest and highest vertex; none if the
   /// first is the larger one.
-  static std::pair<int, int> samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
+  static IndexRange samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
     const Triangle& triangle, int axis, const Extent& extent)
   {
-    const double a = vertices[triangle[0]][axis], b = vertices[triangle[1]][axis],
-                 c = vertices[triangle[2]][axis];
-    const double first = std::max<double>(std::ceil(std::min({a, b, c})), extent[2 * axis]);
-    const double last = std::min<double>(std::floor(std::max({a, b, c})), extent[2 * axis + 1]);
-    return first <= last ? std::pair(static_cast<int>(first), static_cast<int>(last))
-                         : std::pair(0, -1);
+    const auto [low, high] = std::minmax(
+      {vertices[triangle[0]][axis], vertices[triangle[1]][axis], vertices[triangle[2]][axis]});
+    return indicesBetween(low, high, extent[2 * axis], extent[2 * axis + 1]);
   }
 
   std::size_t place(int k, std::size_t band) const
@@ -176,7 +168,7 @@ public:
     , cap_(cap)
   {
     std::transform(vertices.begin(), vertices.end(), vertices_.begin(),
-      [&grid](const Eigen::Vector3d& vertex) { return inGridUnits(grid, vertex); });
+      [&grid](const Eigen::Vector3d& vertex) { return grid.inGridUnits(vertex); });
     bands_ = std::make_unique<const Bands>(extent, rows, vertices_, triangles_, cap_);
   }
 
@@ -267,8 +259,8 @@ int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const
   {
     for (const Triangle& ids : *list)
     {
-      const RowTriangle triangle(inGridUnits(grid, vertices_[ids[0]]),
-        inGridUnits(grid, vertices_[ids[1]]), inGridUnits(grid, vertices_[ids[2]]));
+      const RowTriangle triangle(grid.inGridUnits(vertices_[ids[0]]),
+        grid.inGridUnits(vertices_[ids[1]]), grid.inGridUnits(vertices_[ids[2]]));
       const int sign = triangle.crossingSign(j, k);
       value += sign != 0 && triangle.firstBehind(j, k, sign, i, i) > i ? sign : 0;
     }

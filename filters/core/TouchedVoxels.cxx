@@ -102,7 +102,7 @@ public:
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          vertices_[i] = (vertices[i] - grid.firstSample).cwiseQuotient(grid.spacing).array() + 0.5;
+          vertices_[i] = grid.inGridUnits(vertices[i]).array() + 0.5;
         }
       },
       executor);

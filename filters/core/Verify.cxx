@@ -66,8 +66,7 @@ std::vector<Eigen::Vector3i> drawNear(
   for (std::size_t tries = 0; tries < 20 * samples && drawn.size() < samples; ++tries)
   {
     const double u = random(), v = random(), t = random();
-    const Eigen::Array3d position =
-      (pointOnSource(u, v, t) - grid.firstSample).cwiseQuotient(grid.spacing).array();
+    const Eigen::Array3d position = grid.inGridUnits(pointOnSource(u, v, t)).array();
     Eigen::Array3d jittered = position;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -1,6 +1,7 @@
 #include "Field.h"
 #include "NearestKernels.h"
 
+#include "Interruption.h"
 #include "NaiveDistance.h"
 #include "ShuffledThreads.h"
 
@@ -421,33 +422,16 @@ TEST(Distance, UnusableTrianglesAreNotNear)
 
 TEST(Distance, InterruptionIsToldWhereverItCame)
 {
-  /// Gives up at a run.
-  class Interrupted final : public winding::Executor
-  {
-  public:
-    explicit Interrupted(int at)
-      : left_(at)
-    {
-    }
-    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-    {
-      return left_-- > 0 && winding::SerialExecutor().run(count, work);
-    }
-    bool isOver() const { return left_ >= 0; }
-
-  private:
-    int left_;
-  };
   const Grid grid = someGrids()[0];
   int runs = 0;
   for (bool isOver = false; !isOver; ++runs)
   {
     const auto field = fieldOf(icosphere(2));
-    Interrupted executor(runs);
+    Interruption executor(runs);
     Distances result(sampleCount(grid.wholeExtent()));
     const bool isComplete =
       field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor);
-    isOver = executor.isOver();
+    isOver = !executor.cameToPass();
     EXPECT_EQ(isComplete, isOver) << runs;
     // The next evaluation is none the worse for it.
     EXPECT_EQ(evaluate(*field, grid).distances, evaluate(*fieldOf(icosphere(2)), grid).distances);

@@ -1,4 +1,5 @@
 #include "FarFields.h"
+#include "Interruption.h"
 
 #include <limits>
 #include <sstream>
@@ -235,16 +236,11 @@ TEST(FarFieldGradient, IsFiniteOnTheSources)
 
 TEST(FarFieldGradient, IsLeftUndoneByAnInterruptedExecutor)
 {
-  class Interrupted final : public winding::Executor
-  {
-  public:
-    bool run(std::size_t, const std::function<void(std::size_t)>&) override { return false; }
-  };
-  Interrupted interrupted;
+  Interruption interruption(0);
   SCOPED_TRACE("seed 653");
   const FarField field = fieldOf(*farSource(sphereCloud(3000)));
   const std::vector<Point> samples = randomPoints(1000, -1.5, 1.5, 653);
   std::vector<Point> gradients(1000);
   EXPECT_FALSE(field.gradient(
-    winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), interrupted));
+    winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), interruption));
 }

@@ -1,4 +1,5 @@
 #include "FarFields.h"
+#include "Interruption.h"
 #include "TriangleFarField.h"
 
 #include "FlushToZero.h"
@@ -32,28 +33,6 @@ std::vector<std::unique_ptr<FarSource>> someSources()
   sources.push_back(farSource(randomCloud(3000, 321)));
   return sources;
 }
-
-/// Interrupts after a number of blocks.
-class Interrupted final : public winding::Executor
-{
-public:
-  explicit Interrupted(std::size_t blocks)
-    : blocks_(blocks)
-  {
-  }
-
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    for (std::size_t block = 0; block < std::min(count, blocks_); ++block)
-    {
-      work(block);
-    }
-    return count <= blocks_;
-  }
-
-private:
-  std::size_t blocks_;
-};
 
 } // namespace
 
@@ -308,10 +287,10 @@ TEST(FarFieldSamples, AreLeftUndoneByAnInterruptedExecutor)
   output.values = values.data();
   for (const std::size_t blocks : {0, 1, 3})
   {
-    Interrupted executor(blocks);
-    EXPECT_FALSE(field.evaluate(grid, grid.wholeExtent(), output, executor));
+    Interruption onGrid(0, blocks), atSamples(0, blocks);
+    EXPECT_FALSE(field.evaluate(grid, grid.wholeExtent(), output, onGrid));
     EXPECT_FALSE(
-      field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, executor));
+      field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, atSamples));
   }
 }
 
@@ -378,12 +357,12 @@ TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
   const std::vector<Point> samples(2, Point(0.1, 0.2, 0.3));
   const winding::VectorsView one(samples[0].data(), 1), other(samples[1].data(), 1),
     both(samples[0].data(), 2);
-  Interrupted interrupted(0);
-  EXPECT_EQ(farField.suiting(one, interrupted), nullptr);
+  Interruption interruption(0);
+  EXPECT_EQ(farField.suiting(one, interruption), nullptr);
   const auto whole = farField.suiting(one, serial);
   const auto cut = farField.suiting(both, serial);
   ASSERT_NE(whole, nullptr);
   EXPECT_NE(cut, whole);
-  EXPECT_EQ(farField.suiting(other, interrupted), whole) << "is there already";
-  EXPECT_EQ(farField.suiting(both, interrupted), cut) << "is still there";
+  EXPECT_EQ(farField.suiting(other, interruption), whole) << "is there already";
+  EXPECT_EQ(farField.suiting(both, interruption), cut) << "is still there";
 }

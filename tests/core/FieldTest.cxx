@@ -1,5 +1,6 @@
 #include "Field.h"
 
+#include "Interruption.h"
 #include "PointAreas.h"
 #include "ReferenceSum.h"
 #include "Refusal.h"
@@ -22,20 +23,6 @@ using winding::FieldOptions;
 using winding::FieldOutput;
 using winding::Grid;
 using winding::Method;
-
-/// Gives up after some blocks.
-class Interrupted final : public winding::Executor
-{
-public:
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    for (std::size_t block = 0; block < std::min<std::size_t>(count, 2); ++block)
-    {
-      work(block);
-    }
-    return false;
-  }
-};
 
 std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
 {
@@ -176,15 +163,15 @@ TEST(Field, TakesSamplesOfAnyTypeAndStride)
 
 TEST(Field, SaysWhenItWasInterrupted)
 {
-  Interrupted interrupted;
+  Interruption interruption(0, 2);
   const Grid grid = someGrid();
   std::vector<float> values(winding::sampleCount(grid.wholeExtent()));
   FieldOutput output;
   output.values = values.data();
-  EXPECT_FALSE(fieldOf(cube())->evaluate(grid, grid.wholeExtent(), output, interrupted));
+  EXPECT_FALSE(fieldOf(cube())->evaluate(grid, grid.wholeExtent(), output, interruption));
   const std::vector<Point> samples(1000, Point(0.5, 0.5, 0.5));
   EXPECT_FALSE(fieldOf(cube())->evaluate(
-    winding::VectorsView(samples[0].data(), samples.size()), output, interrupted));
+    winding::VectorsView(samples[0].data(), samples.size()), output, interruption));
 }
 
 TEST(Field, DecidesInsideOnTheStoredValue)

@@ -1,6 +1,7 @@
 #include "BoundaryGradient.h"
 #include "DirectSum.h"
 #include "Field.h"
+#include "Interruption.h"
 #include "ReferenceSum.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
@@ -348,17 +349,12 @@ TEST(Gradient, OfNothingIsZero)
 
 TEST(Gradient, SaysWhenItWasInterrupted)
 {
-  class Interrupted final : public winding::Executor
-  {
-  public:
-    bool run(std::size_t, const std::function<void(std::size_t)>&) override { return false; }
-  };
-  Interrupted interrupted;
+  Interruption interruption(0);
   const std::vector<Point> samples(1000, Point(0.5, 0.5, 0.5));
   std::vector<Point> gradients(1000);
   for (const auto& field : someFields())
   {
     EXPECT_FALSE(field->gradient(
-      winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), interrupted));
+      winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), interruption));
   }
 }

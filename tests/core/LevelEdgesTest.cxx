@@ -1,4 +1,5 @@
 #include "LevelEdges.h"
+#include "Interruption.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
 
@@ -206,18 +207,11 @@ INSTANTIATE_TEST_SUITE_P(Subjects, LevelEdgesOf, testing::Range<std::size_t>(0, 
     return name;
   });
 
-/// Stops after some blocks.
-class Stops final : public winding::Executor
-{
-public:
-  bool run(std::size_t, const std::function<void(std::size_t)>&) override { return false; }
-};
-
 TEST(LevelEdges, AreInterruptedWithoutAnAdvance)
 {
   winding::Grid grid;
   grid.dimensions = {8, 8, 8};
-  Stops stops;
+  Interruption interruption(0);
   for (const Subject& subject : subjects())
   {
     if (subject.field->info().primitives == 0)
@@ -225,7 +219,7 @@ TEST(LevelEdges, AreInterruptedWithoutAnAdvance)
       continue;
     }
     LevelEdges edges(*subject.field, grid, InsideRule::signedThreshold, 0.5, false);
-    EXPECT_FALSE(edges.advance(stops)) << subject.name;
+    EXPECT_FALSE(edges.advance(interruption)) << subject.name;
     EXPECT_FALSE(edges.isDone());
   }
 }

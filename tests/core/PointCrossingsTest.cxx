@@ -1,6 +1,7 @@
 #include "PointCrossings.h"
 
 #include "DirectSum.h"
+#include "Interruption.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
 
@@ -57,23 +58,6 @@ Mesh scaled(const Mesh& mesh, double factor, const Point& shift = Point::Zero())
 {
   return mesh.mapped([&](const Point& p) -> Point { return factor * p + shift; });
 }
-
-/// Stops after some calls.
-class Interruption final : public winding::Executor
-{
-public:
-  explicit Interruption(int calls)
-    : calls_(calls)
-  {
-  }
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    return calls_-- > 0 && winding::SerialExecutor().run(count, work);
-  }
-
-private:
-  int calls_;
-};
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "Boundary.h"
 #include "Field.h"
+#include "Interruption.h"
 #include "Sanitize.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
@@ -214,25 +215,6 @@ Mesh repeatedPoints(std::size_t points, std::size_t triangles, unsigned seed)
   }
   return mesh;
 }
-
-/// Stops after so many runs.
-class Interruption final : public winding::Executor
-{
-public:
-  explicit Interruption(int runs)
-    : runs_(runs)
-  {
-  }
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    return --runs_ >= 0 && serial_.run(count, work);
-  }
-  bool cameToPass() const { return runs_ < 0; }
-
-private:
-  winding::SerialExecutor serial_;
-  int runs_;
-};
 
 } // namespace
 

@@ -1,4 +1,5 @@
 #include "CoverageFractions.h"
+#include "Interruption.h"
 #include "Refusal.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
@@ -312,25 +313,6 @@ TEST(CoverageFractions, GridsTooFineForTheirSamplesAreRefused)
     winding::CoverageFractions(*field, grid, {0, 0, 0, 0, 0, 0}, 4, InsideRule::odd, 0.5, nullptr),
     winding::Refusal);
 }
-
-/// Ends after so many calls.
-class Interruption final : public winding::Executor
-{
-public:
-  explicit Interruption(int calls)
-    : calls_(calls)
-  {
-  }
-
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    winding::SerialExecutor serial;
-    return calls_-- > 0 && serial.run(count, work);
-  }
-
-private:
-  int calls_;
-};
 
 TEST(VoxelCoverage, InterruptionsEndIt)
 {

@@ -1,6 +1,6 @@
 #include "filters/ErrorLog.h"
+#include "filters/ProgressLog.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <memory>
 #include <string>
 
 namespace
@@ -236,28 +237,11 @@ TEST_F(FieldPipeline, WholeSourceIsAskedForWhateverThePiece)
 
 TEST_F(FieldPipeline, ProgressRisesToOne)
 {
-  struct Log
-  {
-    double last = 0;
-    bool rising = true;
-    int events = 0;
-  } log;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&log);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void* amount)
-    {
-      auto* seen = static_cast<Log*>(data);
-      const double progress = *static_cast<double*>(amount);
-      seen->rising = seen->rising && progress >= seen->last;
-      seen->last = progress;
-      ++seen->events;
-    });
-  field->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressLog log(field);
   field->Update();
-  EXPECT_TRUE(log.rising);
-  EXPECT_EQ(log.last, 1);
-  EXPECT_GT(log.events, 1);
+  EXPECT_TRUE(log.isRising());
+  EXPECT_EQ(log.last(), 1);
+  EXPECT_GT(log.events(), 1);
 }
 
 TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
@@ -265,25 +249,14 @@ TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   sphere->SetThetaResolution(200);
   sphere->SetPhiResolution(200);
   field->SetResolution(40);
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* amount)
-    {
-      const double progress = *static_cast<double*>(amount);
-      if (progress > 0 && progress < 1)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = field->AddObserver(vtkCommand::ProgressEvent, stopper);
+  auto stopper = std::make_unique<ProgressLog>(field, 0.001);
   ErrorLog log(field);
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
   EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(log.errors(), "");
 
-  field->RemoveObserver(tag);
-  field->SetAbortExecute(0);
+  stopper.reset();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 40);
@@ -293,11 +266,8 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
 {
   sphere->SetThetaResolution(200);
   sphere->SetPhiResolution(200);
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   // The first event is the filter's that nothing is done yet, the next are from preparing.
-  const unsigned long tag = field->AddObserver(vtkCommand::ProgressEvent, stopper);
+  auto stopper = std::make_unique<ProgressLog>(field, 0);
   ErrorLog log(field);
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
@@ -306,8 +276,7 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
   EXPECT_EQ(field->GetEvaluateSeconds(), 0) << "nothing was evaluated";
   EXPECT_EQ(log.errors(), "");
 
-  field->RemoveObserver(tag);
-  field->SetAbortExecute(0);
+  stopper.reset();
   field->Modified();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);

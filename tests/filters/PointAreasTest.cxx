@@ -1,4 +1,5 @@
 #include "filters/ErrorLog.h"
+#include "filters/ProgressLog.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCallbackCommand.h"
@@ -28,6 +29,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace
@@ -565,10 +567,7 @@ TEST_F(PointAreas, AreFoundAnewWhenSomethingChangedOnly)
 
 TEST_F(PointAreas, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
 {
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+  auto stopper = std::make_unique<ProgressLog>(filter, 0);
   ErrorLog log(filter);
   filter->SetInputData(cloud());
   filter->Update();
@@ -576,8 +575,7 @@ TEST_F(PointAreas, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   EXPECT_EQ(filter->GetTotalArea(), 0);
   EXPECT_EQ(log.errors() + log.warnings(), "");
 
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
+  stopper.reset();
   filter->Modified();
   filter->Update();
   EXPECT_GT(filter->GetTotalArea(), 0);

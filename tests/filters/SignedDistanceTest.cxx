@@ -1,10 +1,9 @@
 #include "filters/ErrorLog.h"
+#include "filters/ProgressLog.h"
 #include "filters/ReadMesh.h"
 #include "filters/SphereCloud.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitPolyDataDistance.h"
@@ -279,35 +278,15 @@ TEST_F(SignedDistance, ProbeHasTheFields)
 
 TEST_F(SignedDistance, ProgressRisesToOneAndAbortLeavesNothing)
 {
-  struct Log
-  {
-    double last = 0;
-    bool rising = true;
-    double abortFrom = 2;
-  } log;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&log);
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* amount)
-    {
-      auto* seen = static_cast<Log*>(data);
-      const double progress = *static_cast<double*>(amount);
-      seen->rising = seen->rising && progress >= seen->last;
-      seen->last = progress;
-      if (progress > seen->abortFrom && progress < 1)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  field->AddObserver(vtkCommand::ProgressEvent, observer);
   field->SetResolution(60);
-  field->Update();
-  EXPECT_TRUE(log.rising);
-  EXPECT_EQ(log.last, 1);
-
+  {
+    const ProgressLog log(field);
+    field->Update();
+    EXPECT_TRUE(log.isRising());
+    EXPECT_EQ(log.last(), 1);
+  }
   // Values are a hundredth of all, so this is among the distances.
-  log = Log();
-  log.abortFrom = 0.05;
+  const ProgressLog log(field, 0.05);
   field->Modified();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);

@@ -1,10 +1,9 @@
 #include "filters/ErrorLog.h"
+#include "filters/ProgressLog.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -23,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -356,10 +356,7 @@ TEST_F(SurfaceReport, RefusesWhatIsNoSource)
 
 TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
 {
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+  auto stopper = std::make_unique<ProgressLog>(filter, 0);
   ErrorLog log(filter);
   auto source = cloud();
   EXPECT_EQ(this->reportOn(source)->GetNumberOfPoints(), 0);
@@ -367,8 +364,7 @@ TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
   EXPECT_TRUE(this->names().empty());
   EXPECT_EQ(log.errors(), "");
 
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
+  stopper.reset();
   filter->Modified();
   EXPECT_EQ(this->reportOn(source)->GetNumberOfPoints(), source->GetNumberOfPoints());
 }

@@ -1,8 +1,8 @@
 #include "filters/ErrorLog.h"
+#include "filters/ProgressLog.h"
 #include "filters/ReadMesh.h"
 #include "filters/SphereCloud.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
@@ -523,43 +523,21 @@ TEST_F(Surfaces, KeepWhatWasBuiltAndFollowTheirSource)
 TEST_F(Surfaces, ProgressRisesToOneAndAbortLeavesAnEmptyOutput)
 {
   sphere->SetEndPhi(120);
-  struct Log
   {
-    double last = 0;
-    bool rising = true;
-    double abortAt = 2;
-  } log;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&log);
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* amount)
-    {
-      auto* seen = static_cast<Log*>(data);
-      const double progress = *static_cast<double*>(amount);
-      seen->rising = seen->rising && progress >= seen->last;
-      seen->last = progress;
-      if (progress >= seen->abortAt)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, observer);
-  this->update();
-  EXPECT_TRUE(log.rising);
-  EXPECT_EQ(log.last, 1);
-
+    const ProgressLog log(filter);
+    this->update();
+    EXPECT_TRUE(log.isRising());
+    EXPECT_EQ(log.last(), 1);
+  }
   for (const double share : {0.0, 0.2, 0.6})
   {
-    log.last = 0;
-    log.abortAt = share;
+    const ProgressLog log(filter, share);
     filter->Modified();
     filter->Update();
     EXPECT_EQ(filter->GetStatus(), vtkWindingNumberSurface::ABORTED) << share;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-    filter->SetAbortExecute(0);
   }
-  log.abortAt = 2;
   filter->Modified();
   EXPECT_GT(this->update()->GetNumberOfCells(), 0);
 }

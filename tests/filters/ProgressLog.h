@@ -1,0 +1,31 @@
+#pragma once
+
+#include <limits>
+
+class vtkAlgorithm;
+
+/// Follows the progress of a filter as long as it lives, and aborts the filter where told to.
+class ProgressLog
+{
+public:
+  /// abortFrom: the progress, of 0 to 1, from which on the filter is aborted; that of 1 is too late.
+  explicit ProgressLog(
+    vtkAlgorithm* filter, double abortFrom = std::numeric_limits<double>::infinity());
+  ~ProgressLog();
+  ProgressLog(const ProgressLog&) = delete;
+  ProgressLog& operator=(const ProgressLog&) = delete;
+
+  double last() const { return last_; }
+  bool isRising() const { return isRising_; }
+  int events() const { return events_; }
+
+private:
+  void follow(double progress);
+
+  vtkAlgorithm* filter_;
+  double abortFrom_;
+  unsigned long tag_;
+  double last_ = 0;
+  bool isRising_ = true;
+  int events_ = 0;
+};
