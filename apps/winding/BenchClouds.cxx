@@ -1,6 +1,5 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
-#include "Failure.h"
 #include "Interrupt.h"
 #include "NaiveSums.h"
 #include "Options.h"
@@ -134,11 +133,8 @@ void addRows(
 std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
-  for (std::size_t i = 1; i < options.subjects.size(); ++i)
-  {
-    const std::string& file = options.subjects[i];
-    const Triangles triangles = readTriangles(file, options, messages);
-    try
+  forEachMesh(options, 1, messages,
+    [&](const std::string& file, const Triangles& triangles)
     {
       ThreadExecutor executor;
       const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
@@ -158,11 +154,6 @@ std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
         addRows(table, triangles, surface, resolution);
       }
       tables.push_back(table);
-    }
-    catch (const winding::Refusal& refusal)
-    {
-      throw Failure(REFUSED, file, refusal.what());
-    }
-  }
+    });
   return tables;
 }

@@ -1,10 +1,8 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
-#include "Failure.h"
 #include "Options.h"
 
 #include "Cap.h"
-#include "Refusal.h"
 #include "RowTriangle.h"
 
 #include <cmath>
@@ -110,10 +108,8 @@ void addRows(BenchTable& table, const winding::TrianglesView& view, const windin
 std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
-  for (const std::string& file : options.subjects)
-  {
-    const Triangles triangles = readTriangles(file, options, messages);
-    try
+  forEachMesh(options, 0, messages,
+    [&](const std::string& file, const Triangles& triangles)
     {
       winding::SerialExecutor executor;
       const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
@@ -130,11 +126,6 @@ std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
         addRows(table, triangles.view(), surface, resolution);
       }
       tables.push_back(table);
-    }
-    catch (const winding::Refusal& refusal)
-    {
-      throw Failure(REFUSED, file, refusal.what());
-    }
-  }
+    });
   return tables;
 }

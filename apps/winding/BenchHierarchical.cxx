@@ -1,13 +1,11 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
-#include "Failure.h"
 #include "FarFieldSubject.h"
 #include "Interrupt.h"
 #include "LumpySphere.h"
 #include "Options.h"
 
 #include "FieldOutput.h"
-#include "Refusal.h"
 
 #include <cmath>
 #include <map>
@@ -188,30 +186,6 @@ void addAll(Tables& tables, const FarFieldSubject& subject, const std::vector<in
   }
 }
 
-void addFile(const std::string& file, const Options& options, Messages& messages,
-  std::vector<BenchTable>& result)
-{
-  const Triangles triangles = readTriangles(file, options, messages);
-  try
-  {
-    const std::vector<int> resolutions = options.resolutionsOr({64, 128, 256, 512});
-    ThreadExecutor executor;
-    const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
-    Tables tables(file, threadsOf(options));
-    addAll(tables, *soupOf(triangles, surface), resolutions, options.tolerances);
-    addAll(tables, *cloudOf(surface), resolutions, options.tolerances);
-    if (const auto cap = capOf(triangles, surface))
-    {
-      addAll(tables, *cap, resolutions, options.tolerances);
-    }
-    tables.appendTo(result);
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    throw Failure(REFUSED, file, refusal.what());
-  }
-}
-
 void addSpheres(const Options& options, std::vector<BenchTable>& result)
 {
   Tables tables("Lumpy spheres", threadsOf(options));
@@ -240,10 +214,21 @@ void addSpheres(const Options& options, std::vector<BenchTable>& result)
 std::vector<BenchTable> benchHierarchical(const Options& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
-  for (std::size_t i = 1; i < options.subjects.size(); ++i)
-  {
-    addFile(options.subjects[i], options, messages, tables);
-  }
+  forEachMesh(options, 1, messages,
+    [&](const std::string& file, const Triangles& triangles)
+    {
+      const std::vector<int> resolutions = options.resolutionsOr({64, 128, 256, 512});
+      ThreadExecutor executor;
+      const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
+      Tables ofFile(file, threadsOf(options));
+      addAll(ofFile, *soupOf(triangles, surface), resolutions, options.tolerances);
+      addAll(ofFile, *cloudOf(surface), resolutions, options.tolerances);
+      if (const auto cap = capOf(triangles, surface))
+      {
+        addAll(ofFile, *cap, resolutions, options.tolerances);
+      }
+      ofFile.appendTo(tables);
+    });
   if (options.subjects.size() == 1)
   {
     addSpheres(options, tables);

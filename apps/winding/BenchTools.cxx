@@ -3,7 +3,10 @@
 #include "Failure.h"
 #include "Interrupt.h"
 #include "Messages.h"
+#include "Options.h"
 #include "ReadInput.h"
+
+#include "Refusal.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -82,15 +85,27 @@ std::string sizeOf(const winding::Grid& grid)
          std::to_string(grid.dimensions[2]);
 }
 
-Triangles readTriangles(const std::string& file, const Options& options, Messages& messages)
+void forEachMesh(const Options& options, std::size_t firstSubject, Messages& messages,
+  const std::function<void(const std::string& file, const Triangles& triangles)>& measure)
 {
-  Triangles triangles = trianglesOf(readInput(file, options, messages));
-  messages.throwIfError(file);
-  if (triangles.triangles() == 0)
+  for (std::size_t i = firstSubject; i < options.subjects.size(); ++i)
   {
-    throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+    const std::string& file = options.subjects[i];
+    const Triangles triangles = trianglesOf(readInput(file, options, messages));
+    messages.throwIfError(file);
+    if (triangles.triangles() == 0)
+    {
+      throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+    }
+    try
+    {
+      measure(file, triangles);
+    }
+    catch (const winding::Refusal& refusal)
+    {
+      throw Failure(REFUSED, file, refusal.what());
+    }
   }
-  return triangles;
 }
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles)

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,8 +42,10 @@ private:
 /// one field.
 std::unique_ptr<float[]> freshArray(std::size_t size);
 
-/// The triangles of a file; throws Failure where there are none.
-Triangles readTriangles(const std::string& file, const Options& options, Messages& messages);
+/// Calls measure(file, triangles) for each file from a subject on. Throws Failure for one without
+/// triangles, and where measure() throws Refusal.
+void forEachMesh(const Options& options, std::size_t firstSubject, Messages& messages,
+  const std::function<void(const std::string& file, const Triangles& triangles)>& measure);
 
 /// The triangles as a new data set.
 vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles);

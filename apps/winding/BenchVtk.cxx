@@ -1,6 +1,5 @@
 #include "BenchCommands.h"
 #include "BenchTools.h"
-#include "Failure.h"
 #include "Interrupt.h"
 #include "Options.h"
 #include "VtkContestants.h"
@@ -88,11 +87,8 @@ void addRows(BenchTable& table, const Contest& contest, const Triangles& triangl
 std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
-  for (std::size_t i = 1; i < options.subjects.size(); ++i)
-  {
-    const std::string& file = options.subjects[i];
-    const Triangles triangles = readTriangles(file, options, messages);
-    try
+  forEachMesh(options, 1, messages,
+    [&](const std::string& file, const Triangles& triangles)
     {
       winding::FieldOptions directly;
       directly.method = winding::Method::direct;
@@ -126,11 +122,6 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
         addRows(table, contest, triangles, *direct);
       }
       tables.push_back(table);
-    }
-    catch (const winding::Refusal& refusal)
-    {
-      throw Failure(REFUSED, file, refusal.what());
-    }
-  }
+    });
   return tables;
 }

@@ -2,6 +2,7 @@
 
 #include "DirectSum.h"
 #include "Interruption.h"
+#include "LatticeSolids.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
 
@@ -63,31 +64,15 @@ Mesh scaled(const Mesh& mesh, double factor, const Point& shift = Point::Zero())
 
 TEST(PointCrossings, AreTheWindingNumbersOfLatticeSolidsWhateverTheRaysHit)
 {
-  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d sheared = (Eigen::Matrix3d() << 1, 2, 1, 0, 1, 1, 0, 0, 1).finished();
-  const Eigen::Matrix3d turned = (Eigen::Matrix3d() << 1, -1, 1, 1, 1, 0, -1, 2, 3).finished();
-  for (const Cells& cells : {lShape(), randomCells(4, 261)})
+  SCOPED_TRACE("seed 261");
+  for (const LatticeSolid& solid : latticeSolids(261))
   {
-    SCOPED_TRACE("seed 261");
-    for (const Eigen::Matrix3d& matrix : {identity, sheared, turned})
+    const std::vector<double> values = crossings(solid.mesh, solid.samples);
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      const Mesh mesh =
-        surfaceOf(cells).mapped([&](const Point& p) -> Point { return matrix * p; });
-      std::vector<Point> samples;
-      std::vector<double> expected;
-      for (int n = 0; n < 21 * 21 * 21; ++n)
-      {
-        const Point p = 0.25 * Point(n % 21 - 2, n / 21 % 21 - 2, n / 441 - 2);
-        samples.push_back(matrix * p);
-        expected.push_back(shapes::windingOf(cells, p));
-      }
-      const std::vector<double> values = crossings(mesh, samples);
-      for (std::size_t i = 0; i < samples.size(); ++i)
-      {
-        const bool isOff = expected[i] == 0 || expected[i] == 1;
-        ASSERT_TRUE(isOff ? values[i] == expected[i] : values[i] == 0 || values[i] == 1)
-          << samples[i].transpose() << ": " << values[i];
-      }
+      ASSERT_TRUE(
+        solid.isOff(i) ? values[i] == solid.windings[i] : values[i] == 0 || values[i] == 1)
+        << solid.samples[i].transpose() << ": " << values[i];
     }
   }
 }
