@@ -1,5 +1,6 @@
 #include "vtkWindingNumberField.h"
 
+#include "FreeMemory.h"
 #include "Grid.h"
 #include "Refusal.h"
 #include "ResultArrays.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -190,6 +192,14 @@ bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const in
 
   winding::Extent extent;
   std::copy_n(samples, 6, extent.begin());
+  if (voxels.coverage != winding::Coverage::center)
+  {
+    const std::size_t count = winding::sampleCount(extent);
+    winding::refuseBeyondFreeMemory(this->GetResultBytes(static_cast<vtkIdType>(count)) +
+        static_cast<double>(voxels.additionalCost(field, count).bytes),
+      "the coverage of " + std::to_string(count) + " voxels",
+      "choose larger voxels or write it in pieces");
+  }
   return voxels.run(field, grid, extent, executor);
 }
 

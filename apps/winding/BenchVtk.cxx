@@ -105,14 +105,16 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
                          std::to_string(threadsOf(options)) + " threads",
         {"s: a new filter on a surface that is new to it",
           "wrong: answers unlike w >= 0.5 of the direct sum, at so many samples checked",
-          "inside: 0 or 1 for each sample; extract: the points that are inside"});
+          "inside: 0 or 1 for each sample; extract: the points that are inside; distance: signed "
+          "ones, wrong where the sign is"});
       std::vector<Contest> contests;
       for (const int points : options.points)
       {
         contests.push_back(insideContest(info.bounds, static_cast<std::size_t>(points)));
       }
-      contests.push_back(
-        extractionContest(info.bounds, static_cast<std::size_t>(options.points.back())));
+      const auto mostPoints = static_cast<std::size_t>(options.points.back());
+      contests.push_back(extractionContest(info.bounds, mostPoints));
+      contests.push_back(distanceContest(info.bounds, mostPoints));
       for (const int resolution : options.resolutionsOr({64}))
       {
         contests.push_back(voxelContest(info.bounds, resolution));

@@ -49,6 +49,7 @@ void applyImage(const Options& options, vtkWindingNumberField* filter)
   filter->SetOutputAssociation(
     options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
   filter->SetCoverage(options.coverage);
+  filter->SetCoverageSamples(options.coverageSamples);
   filter->SetDistanceBand(options.distanceBand);
 }
 

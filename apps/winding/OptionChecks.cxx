@@ -5,7 +5,7 @@
 #include "FarFieldAccuracy.h"
 #include "Field.h"
 
-#include "vtkWindingNumberAlgorithm.h"
+#include "vtkWindingNumberField.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace
 {
 
-using Filter = vtkWindingNumberAlgorithm;
+using Filter = vtkWindingNumberField;
 
 using WasGiven = std::function<bool(const char* option)>;
 
@@ -107,7 +107,15 @@ void checkCheck(const Options& options, const WasGiven& wasGiven)
   }
 }
 
-void checkDistance(const Options& options, const WasGiven& wasGiven)
+void checkCoverage(const Options& options, const WasGiven& wasGiven)
+{
+  require(options.coverageSamples >= 1 && options.coverageSamples <= 10,
+    "--coverage-samples is " + std::to_string(options.coverageSamples) + "; give 1 to 10");
+  require(options.coverage == Filter::FRACTION || !wasGiven("--coverage-samples"),
+    "--coverage-samples is for --coverage fraction; say that, too, or leave it out");
+}
+
+void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
 {
   require(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
     "--distance-band is " + shown(options.distanceBand) +
@@ -181,12 +189,14 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(options.output, options.command, {".vti"});
     checkFieldLike(options, wasGiven);
-    checkDistance(options, wasGiven);
+    checkCoverage(options, wasGiven);
+    checkDistanceBand(options, wasGiven);
   }
   else
   {
     checkOutput(options.output, options.command, surfaceSuffixes);
     checkFieldLike(options, wasGiven);
+    checkCoverage(options, wasGiven);
   }
   require(!options.array.empty(), "--array is empty; give the array a name");
   // VTK writes names into XML as they are, and could not read the file again.

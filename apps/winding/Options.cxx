@@ -138,13 +138,18 @@ void addCoverage(CLI::App* command, Options& options)
   command
     ->add_option("--coverage", options.coverage,
       std::string("A voxel is inside if: center, its centre is | any, it overlaps the solid or its "
-                  "surface | fraction, half of it is, by 64 samples (center)") +
+                  "surface | fraction, half of it is (center)") +
         (options.command == "field" ? ". The latter two add the array Inside, fraction the array "
                                       "Coverage, the share of each voxel"
                                     : ""))
     ->transform(
       oneOf({{"center", Filter::CENTER}, {"any", Filter::ANY}, {"fraction", Filter::FRACTION}}))
     ->type_name("NAME")
+    ->group("Output");
+  command
+    ->add_option("--coverage-samples", options.coverageSamples,
+      "Samples along each axis of a voxel for --coverage fraction, 1 to 10 (4)")
+    ->type_name("N")
     ->group("Output");
 }
 
@@ -154,11 +159,14 @@ void addDistance(CLI::App* command, Options& options)
     ->add_flag("--distance", options.distance,
       "Add the array SignedDistance: from the nearest point of the input, negative inside")
     ->group("Output");
+}
+
+void addDistanceBand(CLI::App* command, Options& options)
+{
   command
     ->add_option("--distance-band", options.distanceBand,
       "Distances up to so many voxels only, which takes less time; farther voxels get that "
-      "distance "
-      "(0: all)")
+      "distance (0: all)")
     ->type_name("N")
     ->group("Output");
 }
@@ -297,6 +305,7 @@ void addCommands(CLI::App& app, Options& options)
         "The array Inside and no winding numbers, which take four times the memory")
       ->group("Output");
   addDistance(field, options);
+  addDistanceBand(field, options);
   addArrayName(field, options);
   insideOnly->excludes(addDouble(field, options));
   addFieldLike(field, options);
@@ -336,6 +345,7 @@ void addCommands(CLI::App& app, Options& options)
       "Write only what is inside: cells with all their points, points without cells, rows of "
       "tables")
     ->group("Output");
+  addDistance(probe, options);
   addArrayName(probe, options);
   addMethod(probe, options);
 

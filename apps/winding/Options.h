@@ -35,6 +35,7 @@ struct Options
   double threshold = 0.5;
   int rule = 0;
   int coverage = 0;
+  int coverageSamples = 4;
   bool inside = false;
   bool insideOnly = false;
   bool insideOut = false;

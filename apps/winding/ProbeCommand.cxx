@@ -20,6 +20,8 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -37,9 +39,20 @@ struct Queries
   vtkSmartPointer<vtkPointSet> points;
 };
 
+/// The arrays that are added, which are columns in a table.
+std::vector<std::string> resultNames(const Options& options)
+{
+  std::vector<std::string> names = {options.array, "Inside"};
+  if (options.distance)
+  {
+    names.push_back("SignedDistance");
+  }
+  return names;
+}
+
 void checkColumns(const Table& table, const Options& options)
 {
-  for (const std::string& name : {options.array, std::string("Inside")})
+  for (const std::string& name : resultNames(options))
   {
     if (table.find(name))
     {
@@ -111,8 +124,8 @@ std::string exact(double value)
   return text;
 }
 
-/// The rows as they came in, or the coordinates of points that came in otherwise, with two columns
-/// more; all of them, or those that are inside.
+/// The rows as they came in, or the coordinates of points that came in otherwise, with a column more
+/// for each result; all of them, or those that are inside.
 void writeTable(
   const Queries& queries, vtkWindingNumberProbe& probe, const Options& options, OutputFile& file)
 {
@@ -126,12 +139,16 @@ void writeTable(
       "the columns of the queries are kept as they are; give it their suffix " +
         suffixOf(options.queries));
   }
-  vtkDataArray* values = answer->GetPointData()->GetArray(options.array.c_str());
-  vtkDataArray* inside = answer->GetPointData()->GetArray("Inside");
   std::ofstream stream(file.temporaryName(), std::ios::binary);
   stream << (queries.table ? std::string(queries.table->header())
-                           : std::string("x") + separator + "y" + separator + "z")
-         << separator << options.array << separator << "Inside" << lineEnd;
+                           : std::string("x") + separator + "y" + separator + "z");
+  std::vector<vtkDataArray*> results;
+  for (const std::string& name : resultNames(options))
+  {
+    results.push_back(answer->GetPointData()->GetArray(name.c_str()));
+    stream << separator << name;
+  }
+  stream << lineEnd;
   for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
   {
     if (options.extract && !probe.IsInside(i))
@@ -148,8 +165,11 @@ void writeTable(
       answer->GetPoint(i, point);
       stream << exact(point[0]) << separator << exact(point[1]) << separator << exact(point[2]);
     }
-    stream << separator << exact(values->GetTuple1(i)) << separator << inside->GetTuple1(i)
-           << lineEnd;
+    for (vtkDataArray* result : results)
+    {
+      stream << separator << exact(result->GetTuple1(i));
+    }
+    stream << lineEnd;
   }
   stream.close();
   if (!stream)

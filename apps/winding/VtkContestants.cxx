@@ -3,11 +3,13 @@
 #include "BenchTools.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkExtractEnclosedPoints.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkImageStencilData.h"
 #include "vtkImageStencilToImage.h"
+#include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -154,6 +156,42 @@ Contest extractionContest(const winding::Bounds& bounds, std::size_t count)
       return extract->GetOutput();
     },
     fromNumbers(count)});
+  return contest;
+}
+
+Contest distanceContest(const winding::Bounds& bounds, std::size_t count)
+{
+  const vtkSmartPointer<vtkPolyData> points = randomPoints(bounds, count);
+  Contest contest = pointContest("distance", points);
+  contest.isWrong = [](double answer, double w)
+  {
+    return (answer < 0) != (w >= 0.5);
+  };
+  contest.contestants.push_back({"vtkWindingNumberProbe",
+    [points](vtkPolyData* surface) -> vtkSmartPointer<vtkDataObject>
+    {
+      vtkNew<vtkWindingNumberProbe> probe;
+      probe->SetInputData(points);
+      probe->SetSourceData(surface);
+      probe->GenerateSignedDistanceOn();
+      probe->Update();
+      return probe->GetOutput();
+    },
+    fromArray("SignedDistance")});
+  contest.contestants.push_back({"vtkImplicitPolyDataDistance",
+    [points](vtkPolyData* surface) -> vtkSmartPointer<vtkDataObject>
+    {
+      vtkNew<vtkImplicitPolyDataDistance> distance;
+      distance->SetInput(surface);
+      vtkNew<vtkDoubleArray> values;
+      values->SetName("SignedDistance");
+      distance->FunctionValue(points->GetPoints()->GetData(), values);
+      auto answer = vtkSmartPointer<vtkPolyData>::New();
+      answer->SetPoints(points->GetPoints());
+      answer->GetPointData()->AddArray(values);
+      return answer;
+    },
+    fromArray("SignedDistance")});
   return contest;
 }
 

@@ -44,5 +44,8 @@ Contest insideContest(const winding::Bounds& bounds, std::size_t points);
 /// The same, answered by the points that are inside alone.
 Contest extractionContest(const winding::Bounds& bounds, std::size_t points);
 
+/// How far from the surface are points, and on which side? Wrong is an answer of the wrong sign.
+Contest distanceContest(const winding::Bounds& bounds, std::size_t points);
+
 /// Which voxels of a grid are inside?
 Contest voxelContest(const winding::Bounds& bounds, int resolution);

@@ -118,18 +118,20 @@ TEST_F(BenchCommand, BesideTheFiltersOfVtk)
   ASSERT_EQ(found.size(), 2u);
   const char* filters[] = {"vtkWindingNumberProbe", "vtkSelectEnclosedPoints",
     "vtkWindingNumberProbe", "vtkSelectEnclosedPoints", "vtkWindingNumberProbe",
-    "vtkExtractEnclosedPoints", "vtkWindingNumberField", "vtkPolyDataToImageStencil"};
-  const char* samples[] = {"100 points", "300 points", "300 points", "8 x 8 x 8"};
+    "vtkExtractEnclosedPoints", "vtkWindingNumberProbe", "vtkImplicitPolyDataDistance",
+    "vtkWindingNumberField", "vtkPolyDataToImageStencil"};
+  const char* samples[] = {"100 points", "300 points", "300 points", "300 points"};
+  const char* questions[] = {"inside", "inside", "extract", "distance", "inside"};
   for (std::size_t table = 0; table < 2; ++table)
   {
     const nlohmann::json& rows = found[table]["rows"];
-    ASSERT_EQ(rows.size(), 8u);
+    ASSERT_EQ(rows.size(), 10u);
     int wrong = 0;
-    for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 10; ++i)
     {
       EXPECT_EQ(rows[i]["filter"], filters[i]);
-      EXPECT_EQ(rows[i]["question"], i == 4 || i == 5 ? "extract" : "inside");
-      if (i < 6)
+      EXPECT_EQ(rows[i]["question"], questions[i / 2]);
+      if (i < 8) // the last is a grid of eight voxels along its longest side
       {
         EXPECT_EQ(rows[i]["samples"], samples[i / 2]);
       }

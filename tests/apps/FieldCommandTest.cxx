@@ -79,6 +79,16 @@ TEST_F(FieldCommand, CoverageAddsItsArrays)
     ASSERT_EQ(onlyInside->GetTuple1(i), share >= 0.5);
     ASSERT_GE(any->GetTuple1(i), share > 0);
   }
+  run("eighths.vti", {"--resolution", "9", "--coverage", "fraction", "--coverage-samples", "2"});
+  const auto eighths = arrayOf("eighths.vti", "Coverage");
+  int between = 0;
+  for (vtkIdType i = 0; i < 9 * 9 * 9; ++i)
+  {
+    const double share = 8 * eighths->GetTuple1(i);
+    ASSERT_EQ(share, std::round(share));
+    between += share > 0 && share < 8;
+  }
+  EXPECT_GT(between, 0);
 }
 
 TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)

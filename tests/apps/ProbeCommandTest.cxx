@@ -160,6 +160,25 @@ TEST_F(ProbeCommand, DataSetsKeepTheirCells)
   EXPECT_EQ(lines.size(), 19u);
 }
 
+TEST_F(ProbeCommand, DistancesAreOneColumnMore)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0,0,-5\n0,0,0\nnan,0,0\n");
+  ASSERT_EQ(probe(queries, "out.csv", {"--distance"}).status, 0);
+  const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "x,y,z,WindingNumber,Inside,SignedDistance");
+  const auto outside = split(lines[1], ','), inside = split(lines[2], ',');
+  ASSERT_EQ(outside.size(), 6u);
+  EXPECT_NEAR(std::stod(outside[5]), 4, 1e-12) << "a vertex is nearest";
+  EXPECT_LT(std::stod(inside[5]), -0.9);
+  EXPECT_EQ(lines[3], "nan,0,0,nan,0,nan");
+
+  const Outcome taken =
+    probe(folder.write("taken.csv", "x,y,z,SignedDistance\n0,0,0,1\n"), "out.csv", {"--distance"});
+  EXPECT_EQ(taken.status, 2);
+  EXPECT_TRUE(taken.saysInOneLine({"already has a column SignedDistance"})) << taken;
+}
+
 TEST_F(ProbeCommand, ExtractsTheRowsThatAreInside)
 {
   const std::string queries =
