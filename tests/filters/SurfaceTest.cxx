@@ -1,12 +1,11 @@
 #include "filters/ErrorLog.h"
 #include "filters/ProgressLog.h"
-#include "filters/ReadMesh.h"
 #include "filters/SphereCloud.h"
+#include "filters/SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
-#include "vtkFeatureEdges.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -17,7 +16,6 @@
 #include "vtkReverseSense.h"
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
@@ -31,151 +29,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace
 {
-
-struct EdgeCounts
-{
-  vtkIdType open, nonManifold;
-};
-
-EdgeCounts countEdges(vtkPolyData* surface)
-{
-  const auto count = [surface](bool open)
-  {
-    vtkNew<vtkFeatureEdges> edges;
-    edges->SetInputData(surface);
-    edges->SetBoundaryEdges(open);
-    edges->SetNonManifoldEdges(!open);
-    edges->FeatureEdgesOff();
-    edges->ManifoldEdgesOff();
-    edges->Update();
-    return edges->GetOutput()->GetNumberOfLines();
-  };
-  return {count(true), count(false)};
-}
-
-/// More than 0 for a closed surface whose triangles face outward.
-double signedVolume(vtkPolyData* surface)
-{
-  double sum = 0, a[3], b[3], c[3], cross[3];
-  vtkIdType corners;
-  const vtkIdType* ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetPolys()->GetCellAtId(cell, corners, ids);
-    surface->GetPoint(ids[0], a);
-    surface->GetPoint(ids[1], b);
-    surface->GetPoint(ids[2], c);
-    vtkMath::Cross(b, c, cross);
-    sum += vtkMath::Dot(a, cross) / 6;
-  }
-  return sum;
-}
-
-vtkIdType countDuplicatePoints(vtkPolyData* surface)
-{
-  std::set<std::array<double, 3>> different;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 3> p;
-    surface->GetPoint(i, p.data());
-    different.insert(p);
-  }
-  return surface->GetNumberOfPoints() - static_cast<vtkIdType>(different.size());
-}
-
-double voxelOf(vtkWindingNumberSurface* filter)
-{
-  int dimensions[3];
-  double first[3], spacing[3];
-  filter->GetGrid(dimensions, first, spacing);
-  return *std::max_element(spacing, spacing + 3);
-}
-
-/// How far the points of one are from the other, in voxels, ascending.
-std::vector<double> distances(vtkPolyData* surface, vtkPolyData* mesh, double voxel)
-{
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(mesh);
-  locator->BuildLocator();
-  std::vector<double> found;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double point[3], closest[3], distance2;
-    vtkIdType cell;
-    int subId;
-    surface->GetPoint(i, point);
-    locator->FindClosestPoint(point, closest, cell, subId, distance2);
-    found.push_back(std::sqrt(distance2) / voxel);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-/// |w - 0.5| at points, by the direct sum.
-std::vector<double> distancesFromLevel(vtkPoints* points, vtkDataObject* source)
-{
-  vtkNew<vtkPolyData> queries;
-  queries->SetPoints(points);
-  vtkNew<vtkWindingNumberProbe> probe;
-  probe->SetInputData(queries);
-  probe->SetSourceData(source);
-  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
-  probe->SetOutputScalarTypeToDouble();
-  probe->Update();
-  vtkDataArray* values = probe->GetOutput()->GetPointData()->GetScalars();
-  std::vector<double> found;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    found.push_back(values->GetTuple1(i) - 0.5);
-  }
-  return found;
-}
-
-/// Vertices, at most `most` of them, at which w is neither the level nor jumps over it within a
-/// thousandth of a voxel along an axis.
-int countOffLevel(
-  vtkWindingNumberSurface* filter, vtkDataObject* source, vtkIdType most, double tolerance)
-{
-  vtkPolyData* surface = filter->GetOutput();
-  const vtkIdType step = std::max<vtkIdType>(1, surface->GetNumberOfPoints() / most);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += step)
-  {
-    double point[3];
-    surface->GetPoint(i, point);
-    points->InsertNextPoint(point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const double shift : {-1e-3, 1e-3})
-      {
-        double moved[3] = {point[0], point[1], point[2]};
-        moved[axis] += shift * voxelOf(filter);
-        points->InsertNextPoint(moved);
-      }
-    }
-  }
-  const std::vector<double> levels = distancesFromLevel(points, source);
-  int off = 0;
-  for (std::size_t i = 0; i < levels.size(); i += 7)
-  {
-    bool isAtLevel = std::abs(levels[i]) <= tolerance;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      isAtLevel = isAtLevel || levels[i + 2 * axis + 1] * levels[i + 2 * axis + 2] <= 0;
-    }
-    off += !isAtLevel;
-  }
-  return off;
-}
 
 class Surfaces : public testing::Test
 {
@@ -585,74 +443,5 @@ TEST_F(Surfaces, OfNothingAreEmptyWithAWarning)
   EXPECT_EQ(log.errors(), "");
   EXPECT_NE(log.warnings().find("no triangles"), std::string::npos) << log.warnings();
 }
-
-/// On meshes and clouds that were made elsewhere.
-class SurfacesOfSharedData : public testing::TestWithParam<const char*>
-{
-protected:
-  void SetUp() override
-  {
-    const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
-    if (!std::ifstream(name))
-    {
-      GTEST_SKIP() << "there is no " << name;
-    }
-    mesh = readMesh(name);
-    filter->SetInputData(mesh);
-    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  }
-
-  vtkSmartPointer<vtkPolyData> mesh;
-  vtkNew<vtkWindingNumberSurface> filter;
-};
-
-using SurfacesOfClosedMeshes = SurfacesOfSharedData;
-
-TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
-{
-  for (const int resolution : {33, 64, 128})
-  {
-    filter->SetResolution(resolution);
-    filter->Update();
-    const std::vector<double> found = distances(filter->GetOutput(), mesh, voxelOf(filter));
-    ASSERT_GT(found.size(), 500u);
-    EXPECT_LT(found[found.size() * 99 / 100], 1e-3); // measured: 4e-6, the locator's error
-    EXPECT_LT(found.back(), 3e-4);                   // measured: 2.4e-4, beside samples
-    const EdgeCounts edges = countEdges(filter->GetOutput());
-    EXPECT_EQ(edges.open, 0);
-    EXPECT_EQ(edges.nonManifold, 0);
-    EXPECT_GT(signedVolume(filter->GetOutput()), 0);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfClosedMeshes,
-  testing::Values("bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
-
-using SurfacesOfOpenData = SurfacesOfSharedData;
-
-TEST_P(SurfacesOfOpenData, LieAtTheLevelOrOnAJumpOverIt)
-{
-  filter->SetResolution(64);
-  filter->Update();
-  ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 1000);
-  const EdgeCounts edges = countEdges(filter->GetOutput());
-  EXPECT_EQ(edges.open, 0);
-  EXPECT_EQ(edges.nonManifold, 0);
-  EXPECT_EQ(countOffLevel(filter, mesh, 600, 1e-3), 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfOpenData,
-  testing::Values(
-    "bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
 
 } // namespace
