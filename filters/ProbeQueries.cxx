@@ -63,7 +63,7 @@ void copyCellCenters(vtkDataSet* data, double* positions)
   {
     data->GetCell(i, cell);
     double* const center = positions + 3 * i;
-    if (cell->GetCellType() == VTK_EMPTY_CELL)
+    if (cell->GetCellType() == VTK_EMPTY_CELL || cell->GetNumberOfPoints() == 0)
     {
       center[0] = center[1] = center[2] = vtkMath::Nan();
       continue;

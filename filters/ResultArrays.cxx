@@ -6,6 +6,9 @@
 #include "vtkDoubleArray.h"
 
 #include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -60,6 +63,21 @@ void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
   }
 }
 
+/// Arrays, those that there are, and their names.
+using Names = std::vector<std::pair<bool, std::string>>;
+
+void checkNames(const Names& names)
+{
+  std::set<std::string> taken;
+  for (const auto& [exists, name] : names)
+  {
+    if (exists && !taken.insert(name).second)
+    {
+      throw Refusal("two arrays of the result have the name '" + name + "'; rename one of them");
+    }
+  }
+}
+
 } // namespace
 
 vtkIdType bytesPerSample(const ResultOptions& options)
@@ -85,13 +103,8 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
       "turn one of them on");
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
-  if (options.withValues && ((options.withInside && name == options.insideName) ||
-                              (options.withDistances && name == distanceName) ||
-                              (options.withCoverage && name == coverageName)))
-  {
-    throw Refusal("the array of w cannot have the name '" + name +
-                  "' of the array beside it; rename one of them");
-  }
+  checkNames({{options.withValues, name}, {options.withInside, options.insideName},
+    {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
   refuseBeyondFreeMemory(
     static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
     "the result of " + std::to_string(samples) + " samples",
@@ -129,9 +142,8 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.
-  for (vtkDataArray* array :
-    {static_cast<vtkDataArray*>(coverage_), distances_.Get(), static_cast<vtkDataArray*>(inside_),
-      values_.Get()})
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(coverage_), distances_.Get(),
+         static_cast<vtkDataArray*>(inside_), values_.Get()})
   {
     if (array)
     {

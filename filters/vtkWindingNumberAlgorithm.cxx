@@ -18,8 +18,10 @@
 #include "vtkStringArray.h"
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <new>
+#include <string>
 
 namespace
 {
@@ -134,6 +136,11 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   vtkIdType samples,
   const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
 {
+  if (!std::isfinite(this->WindingThreshold))
+  {
+    throw winding::Refusal("the winding threshold is " + std::to_string(this->WindingThreshold) +
+                           "; it must be a finite number");
+  }
   this->LookAtSource(source);
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);

@@ -184,7 +184,7 @@ public:
   ///@}
 
   ///@{
-  /// Default 0.5.
+  /// Finite. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
@@ -238,7 +238,8 @@ public:
   ///@}
 
   ///@{
-  /// Most threads to use; 0 leaves it to vtkSMPTools. Default 0. Does not change the result.
+  /// Most threads to use, as far as the machine has them; 0 leaves it to vtkSMPTools. Default 0. Does
+  /// not change the result.
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
   ///@}

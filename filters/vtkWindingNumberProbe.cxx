@@ -162,7 +162,8 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
 
   winding::ResultOptions options = this->GetResultOptions();
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
-  options.insideName = options.withInside ? winding::textOf(this->InsideArrayName) : "";
+  const std::string insideName = winding::textOf(this->InsideArrayName);
+  options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;
   options.withInside =
     options.withInside || options.withValues || options.withDistances || this->ExtractInside;
   const winding::ProbeQueries queries(input, atCells);

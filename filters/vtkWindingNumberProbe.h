@@ -110,7 +110,8 @@ public:
   ///@}
 
   ///@{
-  /// Name of the array of GenerateInside. Default "Inside".
+  /// Name of the array of GenerateInside; unlike that of any other array of the result. Default, and
+  /// where it is empty, "Inside".
   vtkSetStringMacro(InsideArrayName);
   vtkGetStringMacro(InsideArrayName);
   ///@}

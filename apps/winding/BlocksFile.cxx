@@ -45,6 +45,13 @@ BlocksFile::BlocksFile(const std::string& name)
       "needs the folder " + folder_ + " for its blocks, which cannot be made: " + error.message() +
         "; give another name");
   }
+  if (!isNew_ && !std::filesystem::exists(name) && !std::filesystem::is_empty(folder, error))
+  {
+    throw Failure(REFUSED, name,
+      "needs the folder " + folder_ +
+        " for its blocks, which is there and holds other files; "
+        "give another name");
+  }
   try
   {
     const OutputFile probe(name); // whether the index could be written

@@ -65,6 +65,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
   require(std::isfinite(options.threshold),
     "--threshold is " + shown(options.threshold) + "; give a finite number");
+  require(options.rule != Filter::ODD || !wasGiven("--threshold"),
+    "--rule odd has no threshold; leave --threshold out");
 }
 
 void checkOutput(const std::string& output, const std::string& whatWrites,
@@ -91,6 +93,8 @@ void checkFieldLike(const Options& options, const WasGiven& wasGiven)
     "--verify compares winding numbers, which --method parity does not give; leave one out");
   require(options.verify == 0 || !options.insideOnly,
     "--verify compares winding numbers, which --inside-only does not make; leave one out");
+  require(!options.insideOnly || options.command != "field" || !wasGiven("--array"),
+    "--array names the winding numbers, which --inside-only does not make; leave one out");
   require(
     options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
 }
@@ -124,8 +128,10 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
     "--distance-band is for --distance; say that, too, or leave it out");
 }
 
-void checkBench(const Options& options)
+void checkBench(const Options& options, const WasGiven& wasGiven)
 {
+  require(options.subjects.front() == "vtk" || !wasGiven("--points"),
+    "--points is for bench vtk; leave it out");
   for (const int resolution : options.resolutions)
   {
     require(
@@ -177,7 +183,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
   if (options.command == "bench")
   {
-    checkBench(options);
+    checkBench(options, wasGiven);
     return;
   }
   checkMethod(options, wasGiven);
@@ -196,7 +202,10 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(options.output, options.command, surfaceSuffixes);
     checkFieldLike(options, wasGiven);
-    checkCoverage(options, wasGiven);
+    if (options.command == "voxels")
+    {
+      checkCoverage(options, wasGiven);
+    }
   }
   require(!options.array.empty(), "--array is empty; give the array a name");
   // VTK writes names into XML as they are, and could not read the file again.

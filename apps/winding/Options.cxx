@@ -318,6 +318,10 @@ void addCommands(CLI::App& app, Options& options)
     addCommand(app, options, "surface", "Smooth surface where the winding field is the threshold");
   addOutput(surface, options, ".vtp .ply .stl .obj");
   addThreshold(surface, options);
+  surface
+    ->add_flag("--close-border", options.closeBorder,
+      "Close the surface where it reaches the border of the grid")
+    ->group("Output");
   addDouble(surface, options);
   addFieldLike(surface, options);
 
@@ -325,7 +329,10 @@ void addCommands(CLI::App& app, Options& options)
   addOutput(voxels, options, ".vtp .ply .stl .obj");
   addThreshold(voxels, options);
   addCoverage(voxels, options);
-  addDouble(voxels, options);
+  voxels
+    ->add_flag("--double", options.asDouble,
+      "Compare winding numbers in double precision with the threshold, not in float")
+    ->group("Output");
   addFieldLike(voxels, options);
 
   CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
@@ -365,11 +372,15 @@ void addCommands(CLI::App& app, Options& options)
 }
 
 /// What the parser has to say, on one line, with where to look further.
-std::string explanation(const CLI::App& app, const CLI::ParseError& error)
+std::string explanation(const CLI::App& app, const CLI::ParseError& error, const std::string& first)
 {
   std::string text = error.what();
   std::replace(text.begin(), text.end(), '\n', ' ');
   const auto commands = app.get_subcommands();
+  if (commands.empty() && !first.empty() && first[0] != '-')
+  {
+    text = "\"" + first + "\" is no subcommand";
+  }
   return text + "; see winding " + (commands.empty() ? "" : commands[0]->get_name() + " ") +
          "--help";
 }
@@ -397,7 +408,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    throw Failure(USAGE, explanation(app, error));
+    throw Failure(USAGE, explanation(app, error, argc > 1 ? argv[1] : ""));
   }
   const CLI::App* command = app.get_subcommands()[0];
   options.command = command->get_name();

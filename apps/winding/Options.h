@@ -42,6 +42,7 @@ struct Options
   bool extract = false;
   bool distance = false;
   double distanceBand = 0;
+  bool closeBorder = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
 

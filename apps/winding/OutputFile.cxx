@@ -40,8 +40,13 @@ bool canGrow(const std::string& path)
 OutputFile::OutputFile(const std::string& name)
   : name_(name)
 {
-  const std::filesystem::path path(name);
+  std::filesystem::path path(name);
   std::error_code error;
+  if (std::filesystem::is_symlink(path, error))
+  {
+    path = std::filesystem::weakly_canonical(path, error);
+  }
+  target_ = path.string();
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
   {
     throw Failure(
@@ -83,7 +88,7 @@ void OutputFile::commit()
   {
     refuseWriting();
   }
-  if (std::rename(temporary_.c_str(), name_.c_str()) != 0)
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
   {
     throw Failure(REFUSED, name_,
       std::string("cannot be written: ") + std::strerror(errno) + "; choose another name");

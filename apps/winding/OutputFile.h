@@ -3,7 +3,7 @@
 #include <string>
 
 /**
- * A file that takes its name when it is complete. It is written under a name of its own in the same
+ * A file that takes its name when it is complete; where that is a link, the file that it leads to. It is written under a name of its own in the same
  * folder; commit() renames it, and without commit() it is removed again.
  */
 class OutputFile
@@ -28,5 +28,6 @@ public:
 
 private:
   std::string name_;
+  std::string target_; ///< the name, or what it leads to
   std::string temporary_;
 };

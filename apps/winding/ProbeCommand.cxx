@@ -182,17 +182,18 @@ void writeTable(
 void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType queries,
   double readSeconds, double totalSeconds)
 {
-  vtkIdType inside = 0;
+  vtkIdType taken = 0;
   for (vtkIdType i = 0; i < queries; ++i)
   {
-    inside += probe.IsInside(i);
+    taken += probe.IsInside(i);
   }
+  const char* const side = options.insideOut ? "outside" : "inside";
   const double prepare = probe.GetPrepareSeconds(), evaluate = probe.GetEvaluateSeconds();
   const Json report = {{"input", describeInput(options.input, probe)},
     {"method", probe.GetMethodUsed()}, {"why", probe.GetMethodReason()},
     {"tolerance", options.tolerance},
     {"expected", {{"seconds", probe.GetExpectedSeconds()}, {"memory", probe.GetExpectedMemory()}}},
-    {"queries", {{"file", options.queries}, {"count", queries}, {"inside", inside}}},
+    {"queries", {{"file", options.queries}, {"count", queries}, {side, taken}}},
     {"output", {{"file", options.output}}},
     {"seconds", {{"read", readSeconds}, {"prepare", prepare}, {"evaluate", evaluate},
                   {"write", std::max(0.0, totalSeconds - readSeconds - prepare - evaluate)},
@@ -205,9 +206,8 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
   else if (!options.quiet)
   {
     print(options.input + ": method " + probe.GetMethodUsed() + " (" + probe.GetMethodReason() +
-          "), " + std::to_string(queries) + " queries, " + std::to_string(inside) +
-          (options.insideOut ? " outside, " : " inside, ") + shown(totalSeconds, 3) + " s\nwrote " +
-          options.output);
+          "), " + std::to_string(queries) + " queries, " + std::to_string(taken) + " " + side +
+          ", " + shown(totalSeconds, 3) + " s\nwrote " + options.output);
   }
 }
 
@@ -240,7 +240,7 @@ void runProbe(const Options& options, Messages& messages)
   }
   else
   {
-    writePoints(probe->GetOutput(), output, options, messages);
+    writePoints(vtkPointSet::SafeDownCast(probe->GetOutput()), output, options, messages);
   }
   printReport(options, *probe, queries.points->GetNumberOfPoints(), readSeconds, stopwatch.total());
 }

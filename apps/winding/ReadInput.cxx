@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
+#include "SinglePrecision.h"
 #include "Table.h"
 
 #include "vtkCellArray.h"
@@ -28,7 +29,6 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <new>
@@ -220,21 +220,8 @@ vtkSmartPointer<vtkPointSet> readWith(
 /// VTK's readers of OBJ, PLY and STL keep single precision: far from the origin, that moves vertices.
 void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
 {
-  if (data->GetNumberOfPoints() == 0 || data->GetPoints()->GetDataType() != VTK_FLOAT)
-  {
-    return;
-  }
-  double bounds[6];
-  data->GetPoints()->GetBounds(bounds);
-  double largest = 0, longest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    largest = std::max({largest, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1])});
-    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
-  }
-  constexpr double floatStep = 1.0 / (1 << 23);
-  constexpr double acceptable = 1e-4; // of the longest side
-  if (largest * floatStep > acceptable * longest && longest > 0)
+  if (data->GetNumberOfPoints() > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT &&
+      singlePrecisionOf(data) == SinglePrecision::movesPoints)
   {
     messages.warn(
       fileName + ": its coordinates are kept in single precision, and so far from the " +

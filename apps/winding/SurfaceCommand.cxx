@@ -17,13 +17,14 @@ void runSurface(const Options& given, Messages& messages)
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
+  filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);
   run.update();
   vtkPolyData* surface = filter->GetOutput();
   if (surface->GetNumberOfCells() == 0)
   {
     messages.warn(
-      options.input + ": the field does not reach the threshold, so the surface is empty");
+      options.input + ": all samples are on one side of the threshold, so the surface is empty");
   }
   run.write(surface, output);
   printSurfaceReport(run, surface, options);

@@ -217,7 +217,10 @@ vtkSmartPointer<vtkPolyData> Table::points() const
   vtkNew<vtkPoints> points;
   points->SetData(interleaved(*this, columns));
   vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell(points->GetNumberOfPoints());
+  if (points->GetNumberOfPoints() > 0) // VTK's writers crash on a cell without points
+  {
+    vertices->InsertNextCell(points->GetNumberOfPoints());
+  }
   for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
   {
     vertices->InsertCellPoint(id);

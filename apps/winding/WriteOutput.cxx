@@ -6,12 +6,15 @@
 #include "Options.h"
 #include "OutputFile.h"
 #include "Progress.h"
+#include "SinglePrecision.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
 #include "vtkTriangleFilter.h"
@@ -49,6 +52,25 @@ void configureXml(vtkXMLWriter* writer)
   writer->SetCompressorTypeToLZ4();
 }
 
+/// Throws Failure where single precision cannot hold the places, and warns where it moves them.
+void checkSinglePrecision(vtkPolyData* surface, const OutputFile& file, Messages& messages)
+{
+  switch (singlePrecisionOf(surface))
+  {
+  case SinglePrecision::holds:
+    return;
+  case SinglePrecision::movesPoints:
+    messages.warn(file.name() +
+                  ": the format keeps single precision, and so far from the origin that vertices "
+                  "move by more than a ten-thousandth of the size; .vtp keeps what they are");
+    return;
+  case SinglePrecision::losesPoints:
+    throw Failure(REFUSED, file.name(),
+      "the format keeps single precision, which coordinates of this size are beyond; give it the "
+      "suffix .vtp");
+  }
+}
+
 void writeStl(vtkPolyData* surface, OutputFile& file, const Options& options, Messages& messages)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -57,6 +79,24 @@ void writeStl(vtkPolyData* surface, OutputFile& file, const Options& options, Me
   writer->SetInputConnection(triangles->GetOutputPort());
   writer->SetFileTypeToBinary();
   run(writer.Get(), file, options, messages);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> asUnstructuredGrid(vtkPointSet* points)
+{
+  if (points->GetNumberOfCells() > 0)
+  {
+    vtkNew<vtkAppendFilter> append; // takes anything
+    append->SetInputData(points);
+    append->Update();
+    return append->GetOutput();
+  }
+  // That would have no array of cells at all, which the writer follows all the same.
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points->GetPoints());
+  grid->Allocate(0);
+  grid->GetPointData()->ShallowCopy(points->GetPointData());
+  grid->GetFieldData()->ShallowCopy(points->GetFieldData());
+  return grid;
 }
 
 } // namespace
@@ -75,6 +115,10 @@ void writeSurface(
   vtkPolyData* surface, OutputFile& file, const Options& options, Messages& messages)
 {
   const std::string suffix = suffixOf(file.name());
+  if (suffix == ".stl" || suffix == ".ply")
+  {
+    checkSinglePrecision(surface, file, messages);
+  }
   if (suffix == ".stl")
   {
     writeStl(surface, file, options, messages);
@@ -100,15 +144,14 @@ void writeSurface(
   }
 }
 
-void writePoints(vtkDataSet* points, OutputFile& file, const Options& options, Messages& messages)
+void writePoints(vtkPointSet* points, OutputFile& file, const Options& options, Messages& messages)
 {
   if (suffixOf(file.name()) == ".vtu")
   {
-    vtkNew<vtkAppendFilter> grid; // makes an unstructured grid of anything
-    grid->SetInputData(points);
+    const auto grid = asUnstructuredGrid(points);
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     configureXml(writer);
-    writer->SetInputConnection(grid->GetOutputPort());
+    writer->SetInputData(grid);
     run(writer.Get(), file, options, messages);
     return;
   }

@@ -6,7 +6,7 @@ class Messages;
 class OutputFile;
 struct Options;
 class vtkAlgorithmOutput;
-class vtkDataSet;
+class vtkPointSet;
 class vtkPolyData;
 
 /**
@@ -25,4 +25,4 @@ void writeSurface(
   vtkPolyData* surface, OutputFile& file, const Options& options, Messages& messages);
 
 /// The answer of a probe: .vtp or .vtu.
-void writePoints(vtkDataSet* points, OutputFile& file, const Options& options, Messages& messages);
+void writePoints(vtkPointSet* points, OutputFile& file, const Options& options, Messages& messages);

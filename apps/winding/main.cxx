@@ -6,9 +6,11 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <csignal>
 #include <map>
 #include <new>
+#include <thread>
 
 namespace
 {
@@ -24,7 +26,9 @@ void run(const Options& options)
   Messages& messages = Messages::install(options.quiet);
   if (options.threads > 0)
   {
-    vtkSMPTools::Initialize(options.threads);
+    // More gain nothing, and TBB complains of them or crashes.
+    const unsigned int most = std::max(1u, std::thread::hardware_concurrency());
+    vtkSMPTools::Initialize(std::min(options.threads, static_cast<int>(most)));
   }
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
     {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck},

@@ -108,44 +108,37 @@ private:
   std::vector<std::int32_t> owners_;
 };
 
-/// How often components wind round a point; those that do not are left out.
-class Windings
+/// Adds crossings up to what winds round a point.
+class WindingComponents
 {
 public:
-  void clear() { items_.clear(); }
+  void add(std::int32_t component, int crossing) { crossings_.emplace_back(component, crossing); }
 
-  void add(std::int32_t component, int crossing)
+  /// The components that wind round the point, ascending; crossings are forgotten.
+  const std::vector<std::int32_t>& take()
   {
-    for (auto& [known, winding] : items_)
+    components_.clear();
+    std::sort(crossings_.begin(), crossings_.end());
+    for (std::size_t first = 0, last; first < crossings_.size(); first = last)
     {
-      if (known == component)
+      const std::int32_t component = crossings_[first].first;
+      int winding = 0;
+      for (last = first; last < crossings_.size() && crossings_[last].first == component; ++last)
       {
-        winding += crossing;
-        return;
+        winding += crossings_[last].second;
       }
-    }
-    items_.emplace_back(component, crossing);
-  }
-
-  bool has(std::int32_t component) const
-  {
-    return std::any_of(items_.begin(), items_.end(),
-      [component](const auto& item) { return item.first == component && item.second != 0; });
-  }
-
-  template <class Visit> void forEach(const Visit& visit) const
-  {
-    for (const auto& [component, winding] : items_)
-    {
       if (winding != 0)
       {
-        visit(component);
+        components_.push_back(component);
       }
     }
+    crossings_.clear();
+    return components_;
   }
 
 private:
-  std::vector<std::pair<std::int32_t, int>> items_; ///< a handful
+  std::vector<std::pair<std::int32_t, int>> crossings_;
+  std::vector<std::int32_t> components_;
 };
 
 /// Which closed components lie inside which others.
@@ -176,11 +169,11 @@ public:
   }
 
 private:
-  void windingsAround(std::int32_t vertex, Windings& windings) const
+  const std::vector<std::int32_t>& around(std::int32_t vertex, WindingComponents& windings) const
   {
-    windings.clear();
     tree_.forEachCrossing(vertex,
       [&windings](std::int32_t component, int crossing) { windings.add(component, crossing); });
+    return windings.take();
   }
 
   /// What winds round one vertex of a component, and has room for the whole of it.
@@ -197,32 +190,30 @@ private:
         foremost[owner] = static_cast<std::int32_t>(v);
       }
     }
-    std::vector<std::vector<std::int32_t>> around(bounds_.size());
+    std::vector<std::vector<std::int32_t>> candidates(bounds_.size());
     runBlocks(
-      around.size(), 256,
+      candidates.size(), 256,
       [&](std::size_t, std::size_t first, std::size_t last)
       {
-        Windings windings;
+        WindingComponents windings;
         for (std::size_t inner = first; inner < last; ++inner)
         {
           if (foremost[inner] < 0)
           {
             continue;
           }
-          this->windingsAround(foremost[inner], windings);
-          windings.forEach(
-            [&](std::int32_t outer)
+          for (const std::int32_t outer : this->around(foremost[inner], windings))
+          {
+            if (outer != static_cast<std::int32_t>(inner) &&
+                bounds_[outer].contains(bounds_[inner]))
             {
-              if (outer != static_cast<std::int32_t>(inner) &&
-                  bounds_[outer].contains(bounds_[inner]))
-              {
-                around[inner].push_back(outer);
-              }
-            });
+              candidates[inner].push_back(outer);
+            }
+          }
         }
       },
       executor);
-    for (const std::vector<std::int32_t>& outers : around)
+    for (const std::vector<std::int32_t>& outers : candidates)
     {
       candidates_.insert(candidates_.end(), outers.begin(), outers.end());
       starts_.push_back(candidates_.size());
@@ -250,14 +241,14 @@ private:
       vertices.size(), 1024,
       [&](std::size_t, std::size_t first, std::size_t last)
       {
-        Windings windings;
+        WindingComponents windings;
         for (std::size_t i = first; i < last; ++i)
         {
-          this->windingsAround(vertices[i], windings);
+          const std::vector<std::int32_t>& outers = this->around(vertices[i], windings);
           const std::int32_t inner = owners_.ofVertices()[vertices[i]];
           for (std::size_t c = starts_[inner]; c < starts_[inner + 1]; ++c)
           {
-            if (!windings.has(candidates_[c]))
+            if (!std::binary_search(outers.begin(), outers.end(), candidates_[c]))
             {
               isRefuted_[c] = true;
             }

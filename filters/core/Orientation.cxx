@@ -268,6 +268,19 @@ void turn(Surface& surface, const std::vector<char>& isTurned)
   }
 }
 
+/// Says of each closed component whether it is to be turned, if that can be told.
+void decideByNesting(const Surface& surface, const Components& components,
+  std::vector<char>& isTurned, Executor& executor)
+{
+  for (const ClosedComponent& solid : closedComponents(surface, components, executor))
+  {
+    if (solid.sense != 0)
+    {
+      isTurned[solid.component] = solid.isInverted() || solid.isNestedSolid();
+    }
+  }
+}
+
 /// By component, whether step 3 turns it.
 std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
   const Components& components, const std::vector<TurnedArea>& areas,
@@ -281,13 +294,12 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   {
     result[i] = areas[i].isMostlyTurned();
   }
-  for (const ClosedComponent& solid : closedComponents(closedUp, solids, executor))
+  if (solids.isClosed != components.isClosed)
   {
-    if (solid.sense != 0)
-    {
-      result[solid.component] = solid.isInverted() || solid.isNestedSolid();
-    }
+    decideByNesting(closedUp, solids, result, executor);
   }
+  // What a cap alone encloses is no cavity.
+  decideByNesting(turned, components, result, executor);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     result[i] = result[i] && !isFixed[i];

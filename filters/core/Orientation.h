@@ -22,9 +22,10 @@ struct Orientation
  *    say, stays as it is.
  * 2. Where more than two triangles meet, parts of 1 are turned, small ones first, as long as that makes
  *    more of what meets there cancel.
- * 3. Components (Components.h) that are closed then, or nearly (NearlyClosed.h), are turned so that those
- *    inside an even number of others are oriented outward, and those inside an odd number, cavities,
- *    inward (ClosedComponents.h). What is open, or flat, is turned so that at most half of its area is
+ * 3. Components (Components.h) that are closed then are turned so that those inside an even number of
+ *    other closed ones are oriented outward, and those inside an odd number, cavities, inward
+ *    (ClosedComponents.h). So are those that are nearly closed (NearlyClosed.h), where others that are
+ *    nearly closed count, too. What is open, or flat, is turned so that at most half of its area is
  *    turned. Components with a part that stays in 1 stay as they are.
  *
  * So a surface whose triangles agree stays as it is, but for what is inverted and for nested solids.

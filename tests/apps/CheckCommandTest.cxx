@@ -273,6 +273,12 @@ TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
 {
   const std::string in = folder.write("in.off", asOff(sphere(2)));
   folder.write("taken", "a file");
+  ASSERT_EQ(std::system(("mkdir " + folder.path("mine")).c_str()), 0);
+  folder.write("mine/Caps.vtp", "what was there before");
+  const Outcome mine = runProgram({"check", in, "--blocks", folder.path("mine.vtm")});
+  EXPECT_EQ(mine.status, 2) << mine;
+  EXPECT_TRUE(mine.saysInOneLine({"mine.vtm", "holds other files"})) << mine;
+  EXPECT_EQ(contentsOf(folder.path("mine/Caps.vtp")), "what was there before");
   const Outcome taken = runProgram({"check", in, "--blocks", folder.path("taken.vtm")});
   EXPECT_EQ(taken.status, 2) << taken;
   EXPECT_TRUE(taken.saysInOneLine({"taken.vtm", "cannot be made"})) << taken;
@@ -290,7 +296,7 @@ TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
     runProgram({"check", large, "--blocks", folder.path("out.vtm")}, "ulimit -f 8; ");
   EXPECT_EQ(full.status, 2) << full;
   EXPECT_TRUE(full.saysInOneLine({"Boundary.vtp", "cannot be written"})) << full;
-  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "taken"}));
+  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "mine", "taken"}));
 }
 
 TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)

@@ -29,7 +29,7 @@ TEST(CommandLine, UsageErrors)
   const std::string vtp = folder.path("out.vtp");
   const std::pair<Arguments, std::string> cases[] = {
     {{}, "subcommand"},
-    {{"nonsense"}, "subcommand"},
+    {{"nonsense"}, "\"nonsense\" is no subcommand"},
     {{"bench"}, "FILE is required"},
     {{"bench", in, "--resolution", "8", "0"}, "--resolution is 0"},
     {{"bench", in, "--threads", "-1"}, "--threads is -1"},
@@ -73,6 +73,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--regularization", "-1"}, "0 (none) to 4"},
     {{"bench", "clouds"}, "needs files"},
     {{"bench", "vtk"}, "needs files"},
+    {{"bench", in, "--points", "5"}, "--points is for bench vtk"},
     {{"bench", "vtk", "a.obj", "--points", "0"}, "--points is 0"},
     {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},
     {{"field", in, "-o", vti, "--pieces", "0"}, "--pieces is 0"},
@@ -81,6 +82,9 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--verify", "9", "--method", "parity"}, "--method parity"},
     {{"field", in, "-o", vti, "--verify", "9", "--inside-only"}, "--inside-only"},
     {{"field", in, "-o", vti, "--double", "--inside-only"}, "excludes"},
+    {{"field", in, "-o", vti, "--array", "w", "--inside-only"}, "--array names"},
+    {{"field", in, "-o", vti, "--rule", "odd", "--threshold", "1"}, "odd has no threshold"},
+    {{"field", in, "-o", vti, "--close-border"}, "--close-border"},
     {{"voxels", in, "-o", vtp, "--inside-only"}, "--inside-only"},
     {{"surface", in, "-o", vtp, "--rule", "even"}, "signed | absolute | odd"},
   };
@@ -92,6 +96,17 @@ TEST(CommandLine, UsageErrors)
     EXPECT_EQ(run.out, "");
   }
   EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST(CommandLine, MoreThreadsThanTheMachineHasAreAsManyAsItHas)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--resolution", "8",
+    "--threads", "100000", "--json"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err, "");
+  EXPECT_LT(run.json()["threads"], 100000);
 }
 
 TEST(CommandLine, NegativeNumbersAreValuesOfOptions)

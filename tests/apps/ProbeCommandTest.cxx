@@ -202,6 +202,40 @@ TEST_F(ProbeCommand, ExtractsTheRowsThatAreInside)
   EXPECT_EQ(lines[1], "a,0,0,0,1,0");
 }
 
+TEST_F(ProbeCommand, NothingIsAnAnswer)
+{
+  const std::string far = folder.write("far.csv", "x,y,z,name\n5,5,5,a\n"),
+                    none = folder.write("none.csv", "x,y,z\n"),
+                    mesh = folder.write("small.vtu", asVtu(sphere(2)));
+  for (const char* out : {"out.vtp", "out.vtu", "out.csv"})
+  {
+    for (const std::string& queries : {far, none})
+    {
+      const Outcome run = probe(queries, out, {"--extract", "--json"});
+      EXPECT_EQ(run.status, 0) << out << run;
+      EXPECT_EQ(run.json()["queries"]["inside"], 0);
+    }
+  }
+  EXPECT_EQ(probe(mesh, "out.vtu", {"--extract", "--threshold", "5"}).status, 0);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(folder.path("out.vtu").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("WindingNumber"), nullptr);
+}
+
+TEST_F(ProbeCommand, ReportSaysWhichSideItCounts)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0,0,0\n5,0,0\n6,0,0\nnan,0,0\n");
+  const auto counts = [&](const std::vector<std::string>& more)
+  {
+    return probe(queries, "out.csv", more).json()["queries"];
+  };
+  EXPECT_EQ(counts({"--json"})["inside"], 1);
+  EXPECT_EQ(counts({"--json", "--inside-out"})["outside"], 2);
+  EXPECT_FALSE(counts({"--json", "--inside-out"}).contains("inside"));
+}
+
 TEST_F(ProbeCommand, ExtractsRowsToPointsWithTheirColumns)
 {
   const std::string queries =

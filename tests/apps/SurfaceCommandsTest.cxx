@@ -113,17 +113,21 @@ TEST(VoxelsCommand, SameVoxelsFromInsideAndFromValues)
   Mesh mesh = sphere(3);
   mesh.triangles.resize(mesh.triangles.size() * 3 / 4);
   const std::string in = folder.write("open.off", asOff(mesh));
-  for (const char* rule : {"signed", "absolute", "odd"})
+  const std::vector<std::string> rules[] = {
+    {"--threshold", "0.3"}, {"--threshold", "0.3", "--rule", "absolute"}, {"--rule", "odd"}};
+  for (const std::vector<std::string>& rule : rules)
   {
     std::vector<std::string> contents;
     for (const char* more : {"--json", "--double", "--verify=5"})
     {
-      const Outcome run = runProgram({"voxels", in, "-o", folder.path("out.ply"), "--resolution",
-        "20", "--threshold", "0.3", "--rule", rule, more});
+      std::vector<std::string> arguments = {
+        "voxels", in, "-o", folder.path("out.ply"), "--resolution", "20", more};
+      arguments.insert(arguments.end(), rule.begin(), rule.end());
+      const Outcome run = runProgram(arguments);
       EXPECT_EQ(run.status, 0) << run;
       contents.push_back(contentsOf(folder.path("out.ply")));
     }
-    EXPECT_TRUE(contents[0] == contents[1] && contents[0] == contents[2]) << rule;
+    EXPECT_TRUE(contents[0] == contents[1] && contents[0] == contents[2]) << rule.back();
   }
 }
 

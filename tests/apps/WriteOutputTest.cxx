@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include <unistd.h>
+
 namespace
 {
 
@@ -80,6 +82,60 @@ TEST_F(WriteOutput, TooLargeForMemoryIsRefusedAtOnce)
   EXPECT_TRUE(run.saysInOneLine({"in.off", "10000000000000 samples", "memory"})) << run;
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
+{
+  const auto moved = [this](const std::string& name, double factor, double shift)
+  {
+    Mesh mesh = sphere(2);
+    for (auto& point : mesh.points)
+    {
+      for (double& x : point)
+      {
+        x = factor * x + shift;
+      }
+    }
+    return folder.write(name, asOff(mesh));
+  };
+  const std::string far = moved("far.off", 1, 1e6), large = moved("large.off", 1e90, 0),
+                    small = moved("small.off", 1e-90, 0);
+  for (const std::string suffix : {".stl", ".ply"})
+  {
+    const std::string out = folder.path("out" + suffix);
+    const std::vector<std::string> commands[] = {{"surface", far, "-o", out, "--resolution", "8"},
+      {"check", far, "--fix-orientation", "-o", out}};
+    for (const auto& command : commands)
+    {
+      const Outcome warned = runProgram(command);
+      EXPECT_EQ(warned.status, 0) << warned;
+      EXPECT_NE(warned.err.find("the format keeps single precision"), std::string::npos) << warned;
+    }
+    for (const std::string& mesh : {large, small})
+    {
+      const Outcome refused = runProgram({"surface", mesh, "-o", out, "--resolution", "8"});
+      EXPECT_EQ(refused.status, 2) << refused;
+      EXPECT_TRUE(refused.saysInOneLine({out, "single precision", ".vtp"})) << refused;
+    }
+  }
+  for (const std::string& mesh : {far, large, small})
+  {
+    const Outcome whole =
+      runProgram({"surface", mesh, "-o", folder.path("out.vtp"), "--resolution", "8"});
+    EXPECT_EQ(whole.status, 0) << whole;
+    EXPECT_EQ(whole.err, "");
+  }
+}
+
+TEST_F(WriteOutput, LinksAreFollowed)
+{
+  const std::string file = folder.write("file.vti", "what was there before");
+  ASSERT_EQ(symlink("file.vti", folder.path("link.vti").c_str()), 0);
+  const Outcome run = runProgram({"field", in, "-o", folder.path("link.vti"), "--resolution", "4"});
+  EXPECT_EQ(run.status, 0) << run;
+  char target[100];
+  EXPECT_EQ(readlink(folder.path("link.vti").c_str(), target, sizeof target), 8) << "still a link";
+  EXPECT_NE(contentsOf(file).find("ImageData"), std::string::npos);
 }
 
 TEST_F(WriteOutput, CloudWithoutNormalsNamesTheFilterThatMakesThem)

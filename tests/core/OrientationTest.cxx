@@ -4,6 +4,7 @@
 #include "ReferenceSum.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
+#include "SurfaceReport.h"
 
 #include <gtest/gtest.h>
 
@@ -178,6 +179,18 @@ TEST(Orientation, OfWhatIsNearlyClosedIsOutward)
     openCube().mapped([](const Point& p) { return Point(0.3 * p + Point(0.2, 0.3, 0.4)); });
   const Mesh nested = openCube().with(inner.reversed());
   expectTriangles(oriented(shuffled(nested, 743)), nested);
+}
+
+TEST(Orientation, OfASolidInAnOpenOneIsOutward)
+{
+  const Mesh inTub = openCube().with(ball({0.5, 0.5, 0.5}, 0.25));
+  expectTriangles(oriented(inTub), inTub);
+  expectTriangles(oriented(shuffled(inTub, 744)), inTub);
+  const Surface surface = clean(inTub);
+  winding::SerialExecutor serial;
+  const winding::SurfaceReport report = winding::reportOn(surface, edgesOf(surface), serial);
+  EXPECT_EQ(report.orientation.inverted, 0u) << "orient() and the report are of one mind";
+  EXPECT_EQ(report.orientation.nestedSolids, 0u);
 }
 
 TEST(Orientation, OfOpenSurfacesKeepsMostOfTheirArea)

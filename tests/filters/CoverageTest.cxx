@@ -309,7 +309,8 @@ TEST_F(Coverage, NameOfItsArrayIsTaken)
   field->SetCoverageToFraction();
   field->Update();
   EXPECT_EQ(field->GetStatus(), Filter::REFUSED);
-  EXPECT_NE(log.errors().find("cannot have the name 'Coverage'"), std::string::npos)
+  EXPECT_NE(
+    log.errors().find("two arrays of the result have the name 'Coverage'"), std::string::npos)
     << log.errors();
   field->SetCoverageToAny();
   field->Update();

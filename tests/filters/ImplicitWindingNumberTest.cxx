@@ -16,7 +16,6 @@
 #include "vtkSampleFunction.h"
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
-#include "vtkTriangle.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>

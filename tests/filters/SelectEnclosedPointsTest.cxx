@@ -211,7 +211,21 @@ TEST(SelectedPoints, AreTheActiveScalarsDownstream)
   EXPECT_GT(inside, 50);
   EXPECT_EQ(threshold->GetOutput()->GetNumberOfCells(), inside);
 
-  // The name must be another than that of w.
+  // No name is the default, and another array's is refused.
+  select->SetInsideArrayName(nullptr);
+  select->Update();
+  EXPECT_NE(select->GetOutput()->GetPointData()->GetArray("Inside"), nullptr);
+  select->SetInsideArrayName("SignedDistance");
+  select->GenerateSignedDistanceOn();
+  {
+    ErrorLog log(select);
+    select->Update();
+    EXPECT_NE(log.errors().find("have the name 'SignedDistance'"), std::string::npos)
+      << log.errors();
+    select->RemoveAllObservers();
+  }
+  select->GenerateSignedDistanceOff();
+  select->SetInsideArrayName("SelectedPoints");
   select->GenerateWindingNumberOn();
   select->SetResultArrayName("SelectedPoints");
   ErrorLog log(select);

@@ -310,7 +310,7 @@ TEST_F(SignedDistance, BadOptionsAreRefusedInOneLine)
   expectRefused("the distance band is inf voxels");
   field->SetDistanceBand(0);
   field->SetResultArrayName("SignedDistance");
-  expectRefused("cannot have the name 'SignedDistance'");
+  expectRefused("two arrays of the result have the name 'SignedDistance'");
   field->GenerateWindingNumberOff();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE) << "there is one of that name only";

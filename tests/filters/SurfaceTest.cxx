@@ -414,6 +414,9 @@ TEST_F(Surfaces, BadInputIsRefusedAndTheFilterGoesOnWorking)
   filter->SetVerifySamples(10);
   this->expectRefused("parity is no winding number");
   filter->SetMethod(vtkWindingNumberSurface::AUTOMATIC);
+  filter->SetWindingThreshold(std::nan(""));
+  this->expectRefused("the winding threshold is nan");
+  filter->SetWindingThreshold(0.5);
   vtkNew<vtkPolyData> cloud;
   sphere->Update();
   cloud->SetPoints(sphere->GetOutput()->GetPoints());

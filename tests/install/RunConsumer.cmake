@@ -1,4 +1,5 @@
-# Installs the build, then configures, builds and runs the consumer against nothing but that.
+# Installs the build, then configures, builds and runs the consumer against nothing but that. What the
+# README tells users to write is a part of the consumer, word for word.
 set(prefix "${WORK_DIR}/prefix")
 set(build "${WORK_DIR}/consumer")
 file(REMOVE_RECURSE "${prefix}" "${build}")
@@ -7,9 +8,33 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
+# Writes the README's blocks of code in a language to a file, one after the other.
+function(extract language file)
+  file(READ "${README}" text)
+  set(code "")
+  string(FIND "${text}" "\n```${language}\n" begin)
+  while(NOT begin EQUAL -1)
+    string(LENGTH "\n```${language}\n" opening)
+    math(EXPR begin "${begin} + ${opening}")
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "\n```" end)
+    string(SUBSTRING "${text}" 0 ${end} block)
+    string(APPEND code "${block}\n")
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(SUBSTRING "${text}" 4 -1 text)
+    string(FIND "${text}" "\n```${language}\n" begin)
+  endwhile()
+  if(code STREQUAL "")
+    message(FATAL_ERROR "${README} has no code in ${language}")
+  endif()
+  file(WRITE "${file}" "${code}")
+endfunction()
+
+extract(cmake "${build}/README.cmake")
+extract(c++ "${build}/README.inc")
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --config "${CONFIG}" --prefix "${prefix}")
 run("${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${build}" -G "${GENERATOR}"
   "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
 run("${CMAKE_COMMAND}" --build "${build}")
-run("${build}/consumer")
+run("${build}/program" WORKING_DIRECTORY "${build}")
 run("${prefix}/bin/winding" --version)
