@@ -9,7 +9,8 @@ import os
 import subprocess
 import tempfile
 
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
@@ -33,6 +34,15 @@ class Winding:
         subprocess.run(
             [self.program, command, source, "-o", result, "--quiet", *map(str, options)], check=True)
         return result
+
+    def write(self, mesh):
+        """The name of a file with the mesh; the next one takes its place."""
+        name = os.path.join(self.folder, "mesh.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(mesh)
+        writer.SetFileName(name)
+        writer.Write()
+        return name
 
     def surface(self, source, *options):
         return read_surface(self.run("surface", source, ".vtp", *options))
@@ -110,11 +120,7 @@ def cut_open(surface, plane, color):
 
 def draw_overlap(winding, source, picture):
     mesh = overlapping(read_surface(source))
-    both = os.path.join(winding.folder, "both.vtp")
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputData(mesh)
-    writer.SetFileName(both)
-    writer.Write()
+    both = winding.write(mesh)
     bounds, plane = mesh.GetBounds(), middle_plane(mesh)
     options = "--resolution", 160
     field = winding.field(both, *options)
@@ -128,6 +134,37 @@ def draw_overlap(winding, source, picture):
         ("Winding number w", [*slice_actors(field, plane, OVERLAP_COLORS), line_actor(surface, plane)]),
     ]
     write_picture([[(*panel, bounds) for panel in panels]], picture)
+
+
+def with_turned_bands(mesh):
+    """The mesh, the faces turned round in every other of eight bands across its longest side."""
+    low, high = mesh.GetBounds()[:2]
+    polygons, ids = vtkCellArray(), vtkIdList()
+    for cell in range(mesh.GetNumberOfCells()):
+        mesh.GetCellPoints(cell, ids)
+        corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+        middle = sum(mesh.GetPoint(corner)[0] for corner in corners) / len(corners)
+        if int(8 * (middle - low) / (high - low)) % 2:
+            corners.reverse()
+        polygons.InsertNextCell(len(corners), corners)
+    turned = vtkPolyData()
+    turned.SetPoints(mesh.GetPoints())
+    turned.SetPolys(polygons)
+    return turned
+
+
+def draw_orientation(winding, source, picture):
+    mesh = with_turned_bands(read_surface(source))
+    turned = winding.write(mesh)
+    fixed = winding.run("check", turned, ".vtp", "--fix-orientation")
+    after = read_surface(fixed)
+    panels = [
+        ("Input: half of the faces look inward", [two_sided(actor_of(mesh, SHELL))]),
+        ("Its surface w = 0.5", [two_sided(actor_of(winding.surface(turned), SWOLLEN))]),
+        ("winding check --fix-orientation", [two_sided(actor_of(after, SHELL))]),
+        ("The surface of that", [actor_of(smooth_shaded(winding.surface(winding.write(after))), SMOOTH)]),
+    ]
+    write_picture([[(*panel, mesh.GetBounds()) for panel in panels]], picture)
 
 
 def main():
@@ -145,6 +182,7 @@ def main():
             (draw_resolutions, arguments.closed),
             (draw_opening, arguments.open),
             (draw_overlap, arguments.closed),
+            (draw_orientation, arguments.open),
         ):
             name = draw.__name__.removeprefix("draw_") + ".png"
             draw(winding, source, os.path.join(arguments.folder, name))
