@@ -156,13 +156,14 @@ def with_turned_bands(mesh):
 def draw_orientation(winding, source, picture):
     mesh = with_turned_bands(read_surface(source))
     turned = winding.write(mesh)
+    before = winding.surface(turned)
     fixed = winding.run("check", turned, ".vtp", "--fix-orientation")
-    after = read_surface(fixed)
+    after = winding.write(read_surface(fixed))  # the next result takes the place of this one
     panels = [
         ("Input: half of the faces look inward", [two_sided(actor_of(mesh, SHELL))]),
-        ("Its surface w = 0.5", [two_sided(actor_of(winding.surface(turned), SWOLLEN))]),
-        ("winding check --fix-orientation", [two_sided(actor_of(after, SHELL))]),
-        ("The surface of that", [actor_of(smooth_shaded(winding.surface(winding.write(after))), SMOOTH)]),
+        ("Its surface w = 0.5", [two_sided(actor_of(before, SWOLLEN))]),
+        ("winding check --fix-orientation", [two_sided(actor_of(read_surface(after), SHELL))]),
+        ("The surface of that", [actor_of(smooth_shaded(winding.surface(after)), SMOOTH)]),
     ]
     write_picture([[(*panel, mesh.GetBounds()) for panel in panels]], picture)
 
