@@ -158,13 +158,13 @@ private:
     Window(std::size_t columnsBegin, std::size_t columnsEnd, const Columns& columns)
       : first(columnsBegin)
       , last(columnsEnd)
-      , firstRow(static_cast<int>(columnsBegin / columns.perRow()))
-      , lastRow(static_cast<int>((columnsEnd - 1) / columns.perRow()))
+      , firstRow(static_cast<std::uint16_t>(columnsBegin / columns.perRow()))
+      , lastRow(static_cast<std::uint16_t>((columnsEnd - 1) / columns.perRow()))
     {
     }
 
     std::size_t first, last;
-    int firstRow, lastRow;
+    std::uint16_t firstRow, lastRow;
   };
 
   ColumnRange rangeOf(std::uint32_t id, const RayBox& all, const std::vector<RayBox>& boxes) const
@@ -184,7 +184,9 @@ private:
   template <class Visit>
   void forEachColumn(std::size_t i, const Window& window, const Visit& visit) const
   {
-    const ColumnRange& range = ranges_[i];
+    ColumnRange range = ranges_[i];
+    range.firstZ = std::max(range.firstZ, window.firstRow);
+    range.lastZ = std::min(range.lastZ, window.lastRow);
     if (range.isEmpty())
     {
       return;
@@ -196,24 +198,16 @@ private:
         visit(column);
       }
     };
-    const int firstRow = std::max<int>(range.firstZ, window.firstRow);
-    const int lastRow = std::min<int>(range.lastZ, window.lastRow);
-    if (range.isNarrow())
+    if (!range.isNarrow())
     {
-      for (int z = firstRow; z <= lastRow; ++z)
-      {
-        for (int y = range.firstY; y <= range.lastY; ++y)
-        {
-          visitOurs(columns_.number(y, z));
-        }
-      }
+      counter_.footprint(triangles_[i], columns_, range).forEach(visitOurs);
+      return;
     }
-    else if (firstRow <= lastRow)
+    for (int z = range.firstZ; z <= range.lastZ; ++z)
     {
-      const Footprint footprint = counter_.footprint(triangles_[i], columns_);
-      for (int z = firstRow; z <= lastRow; ++z)
+      for (int y = range.firstY; y <= range.lastY; ++y)
       {
-        footprint.forEachIn(z, range, visitOurs);
+        visitOurs(columns_.number(y, z));
       }
     }
   }

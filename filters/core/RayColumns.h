@@ -92,7 +92,7 @@ struct ColumnRange
   std::uint16_t firstY, lastY, firstZ, lastZ;
 
   static ColumnRange none() { return {1, 0, 1, 0}; }
-  bool isEmpty() const { return firstY > lastY; }
+  bool isEmpty() const { return firstY > lastY || firstZ > lastZ; }
 
   std::size_t size() const
   {
@@ -100,7 +100,7 @@ struct ColumnRange
   }
 
   /// The box of a triangle in so few columns is as good as its footprint.
-  bool isNarrow() const { return firstY == lastY || firstZ == lastZ || this->size() <= 16; }
+  bool isNarrow() const { return this->size() <= 16; }
 };
 
 /**
@@ -124,7 +124,9 @@ public:
     {
       const bool isDivided = isDivisible(box, axis, perAxis);
       count_[axis] = isDivided ? perAxis : 1;
-      scale_[axis] = isDivided ? perAxis / (box.high[axis] - box.low[axis]) : 0;
+      scale_[axis] = isDivided                        ? perAxis / (box.high[axis] - box.low[axis])
+                     : box.high[axis] > box.low[axis] ? 0
+                                                      : inPlane;
     }
   }
 
@@ -166,6 +168,9 @@ public:
   }
 
 private:
+  /// For rays in one plane, a column so thin (1e-9) that it cuts what of triangles is in that plane.
+  static constexpr double inPlane = 0x1p30;
+
   static bool isDivisible(const RayBox& box, int axis, int count)
   {
     const double scale = count / (box.high[axis] - box.low[axis]);
@@ -178,23 +183,28 @@ private:
 };
 
 /**
- * The columns that a triangle overlaps, row by row: none of them is left out, whatever the rounding,
- * and of the others only what lies within rounding of them.
+ * The columns that a triangle overlaps: none of them is left out, whatever the rounding, and of the
+ * others only what lies within rounding of them. They are walked row by row, or across the rows where
+ * those are more, and of each the triangle covers one run.
  */
 class Footprint
 {
 public:
-  Footprint(const Columns& columns, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-    const Eigen::Vector3d& c)
+  /// `range` is of the triangle's box, or what of it is asked for. Keeps a reference to the columns.
+  Footprint(const Columns& columns, const ColumnRange& range, const Eigen::Vector3d& a,
+    const Eigen::Vector3d& b, const Eigen::Vector3d& c)
     : columns_(columns)
+    , range_(range)
+    , areRows_(range.lastZ - range.firstZ <= range.lastY - range.firstY)
   {
+    const int along = areRows_ ? 0 : 1;
     const Eigen::Vector3d* corners[3] = {&a, &b, &c};
-    double y[3], z[3], size = static_cast<double>(mostBuckets);
+    double u[3], v[3], size = static_cast<double>(mostBuckets); // along the runs, and across
     for (int i = 0; i < 3; ++i)
     {
-      y[i] = columns.inUnits(0, (*corners[i])[1]);
-      z[i] = columns.inUnits(1, (*corners[i])[2]);
-      size = std::max({size, std::abs(y[i]), std::abs(z[i])});
+      u[i] = columns.inUnits(along, (*corners[i])[1 + along]);
+      v[i] = columns.inUnits(1 - along, (*corners[i])[2 - along]);
+      size = std::max({size, std::abs(u[i]), std::abs(v[i])});
     }
     // The places of corners and of rays are off by 2 roundings each, that of a cut by 11: these are
     // 32. For a triangle that is so much larger than columns that this matters, its box must do.
@@ -203,56 +213,85 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
-      const int from = z[i] < z[j] ? i : j, to = z[i] < z[j] ? j : i;
-      if (z[from] < z[to]) // else its ends are those of the other edges
+      const int from = v[i] < v[j] ? i : j, to = v[i] < v[j] ? j : i;
+      if (v[from] < v[to]) // else its ends are those of the other edges
       {
-        const double slope = (y[to] - y[from]) / (z[to] - z[from]);
+        const double slope = (u[to] - u[from]) / (v[to] - v[from]);
         isCertain_ = isCertain_ && std::isfinite(slope);
-        edges_[count_++] = {z[from], z[to], y[from], slope};
+        edges_[count_++] = {v[from], v[to], u[from], slope};
       }
     }
+    // All in one place across the runs, where a row has no edge to cut.
+    isCertain_ = isCertain_ && count_ > 0;
   }
 
-  /// Calls visit(column) for what it overlaps in row z; `range` is of its box.
-  template <class Visit> void forEachIn(int z, const ColumnRange& range, const Visit& visit) const
+  /// Calls visit(column).
+  template <class Visit> void forEach(const Visit& visit) const
   {
-    int first = range.firstY, last = range.lastY;
-    if (isCertain_)
+    if (areRows_)
     {
-      const double lowZ = z - margin_, highZ = z + 1 + margin_;
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (int i = 0; i < count_; ++i)
+      for (int z = range_.firstZ; z <= range_.lastZ; ++z)
       {
-        const Edge& edge = edges_[i];
-        if (edge.highZ >= lowZ && edge.lowZ <= highZ)
+        const auto [first, last] = this->runIn(z, 0, range_.firstY, range_.lastY);
+        for (int y = first; y <= last; ++y)
         {
-          const double from = edge.y + (std::max(lowZ, edge.lowZ) - edge.lowZ) * edge.slope;
-          const double to = edge.y + (std::min(highZ, edge.highZ) - edge.lowZ) * edge.slope;
-          low = std::min({low, from, to});
-          high = std::max({high, from, to});
+          visit(columns_.number(y, z));
         }
       }
-      if (!(low <= high))
-      {
-        return;
-      }
-      first = std::max(first, columns_.place(0, low - margin_));
-      last = std::min(last, columns_.place(0, high + margin_));
+      return;
     }
-    for (int y = first; y <= last; ++y)
+    for (int y = range_.firstY; y <= range_.lastY; ++y)
     {
-      visit(columns_.number(y, z));
+      const auto [first, last] = this->runIn(y, 1, range_.firstZ, range_.lastZ);
+      for (int z = first; z <= last; ++z)
+      {
+        visit(columns_.number(y, z));
+      }
     }
   }
 
 private:
-  /// From a lower to a higher place.
+  /// From a lower place across the runs to a higher one; `along` is that of the lower.
   struct Edge
   {
-    double lowZ, highZ, y, slope;
+    double low, high, along, slope;
   };
 
+  struct Run
+  {
+    int first, last;
+  };
+
+  Run runIn(int row, int axis, int first, int last) const
+  {
+    if (!isCertain_)
+    {
+      return {first, last};
+    }
+    const double lowest = row - margin_, highest = row + 1 + margin_;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int i = 0; i < count_; ++i)
+    {
+      const Edge& edge = edges_[i];
+      if (edge.high >= lowest && edge.low <= highest)
+      {
+        const double from = edge.along + (std::max(lowest, edge.low) - edge.low) * edge.slope;
+        const double to = edge.along + (std::min(highest, edge.high) - edge.low) * edge.slope;
+        low = std::min({low, from, to});
+        high = std::max({high, from, to});
+      }
+    }
+    if (!(low <= high))
+    {
+      return {0, -1};
+    }
+    return {std::max(first, columns_.place(axis, low - margin_)),
+      std::min(last, columns_.place(axis, high + margin_))};
+  }
+
   const Columns& columns_;
+  ColumnRange range_;
+  bool areRows_;
   Edge edges_[3];
   int count_ = 0;
   double margin_;

@@ -89,11 +89,7 @@ bool RayCounter::count(
     }
     else
     {
-      const Footprint footprint = this->footprint(id, columns);
-      for (int z = range.firstZ; z <= range.lastZ; ++z)
-      {
-        footprint.forEachIn(z, range, meet);
-      }
+      this->footprint(id, columns, range).forEach(meet);
     }
     if (steps < 0)
     {

@@ -42,10 +42,10 @@ public:
       surface_.vertices[ids[0]], surface_.vertices[ids[1]], surface_.vertices[ids[2]], scale_};
   }
 
-  Footprint footprint(std::uint32_t id, const Columns& columns) const
+  Footprint footprint(std::uint32_t id, const Columns& columns, const ColumnRange& range) const
   {
     const Triangle& ids = surface_.triangles[id];
-    return {columns, surface_.vertices[ids[0]] * scale_, surface_.vertices[ids[1]] * scale_,
+    return {columns, range, surface_.vertices[ids[0]] * scale_, surface_.vertices[ids[1]] * scale_,
       surface_.vertices[ids[2]] * scale_};
   }
 
