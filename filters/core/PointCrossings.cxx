@@ -397,6 +397,24 @@ PointCrossings::PointCrossings(const Surface& surface)
 {
 }
 
+EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
+{
+  RaysThroughTriangles rays = {0, 0};
+  const Eigen::Array2d sizes = surface_.bounds.sizes().tail<2>();
+  if (!surface_.bounds.isEmpty() && sizes.minCoeff() > 0)
+  {
+    for (const Triangle& ids : surface_.triangles)
+    {
+      const Eigen::Array2d a = surface_.vertices[ids[0]].tail<2>();
+      const Eigen::Array2d u = (surface_.vertices[ids[1]].tail<2>().array() - a) / sizes;
+      const Eigen::Array2d v = (surface_.vertices[ids[2]].tail<2>().array() - a) / sizes;
+      rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
+      rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
+    }
+  }
+  return costOfCrossings(surface_.triangles.size(), samples, rays);
+}
+
 bool PointCrossings::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 try

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "EvaluationCost.h"
 #include "Executor.h"
 #include "FieldOutput.h"
 #include "Sanitize.h"
@@ -41,6 +42,9 @@ class PointCrossings
 public:
   /// Keeps a reference; takes no time.
   explicit PointCrossings(const Surface& surface);
+
+  /// What evaluate() is expected to take for so many samples. Walks over the triangles.
+  EvaluationCost expectedCost(std::size_t samples) const;
 
   /// False when the executor was interrupted. Its share is divided, and what it was in the end.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;

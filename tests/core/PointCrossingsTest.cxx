@@ -365,6 +365,27 @@ TEST(PointCrossings, DivideWhatThereIsMuchOf)
   EXPECT_NEAR(log.shares[log.shares.size() - 2].second, 0.75, 1e-12);
 }
 
+TEST(PointCrossings, AreExpectedToTakeLongerWhereTrianglesOverlapAndForNeedles)
+{
+  SCOPED_TRACE("seeds 279, 280");
+  const auto seconds = [](const Mesh& mesh)
+  {
+    const winding::Surface surface = clean(mesh);
+    return winding::PointCrossings(surface).expectedCost(100'000).seconds;
+  };
+  const Mesh sphere = icosphere(3); // 1280 triangles
+  EXPECT_GT(seconds(tetrahedra(320, 1, false, 279)), 2 * seconds(sphere));
+  EXPECT_GT(seconds(tetrahedra(320, 1e-3, true, 280)), 1.2 * seconds(sphere));
+  // Whatever the unit, and where there is no area across the rays at all.
+  EXPECT_EQ(seconds(scaled(sphere, 0x1p-300)), seconds(sphere));
+  EXPECT_LT(seconds(Mesh()), seconds(sphere));
+  EXPECT_LT(seconds(sphere.mapped(
+              [](const Point& p) -> Point {
+                return {p[0], p[1], 0};
+              })),
+    seconds(sphere));
+}
+
 TEST(PointCrossings, StopWhenInterrupted)
 {
   SCOPED_TRACE("seeds 267, 277, 278");
