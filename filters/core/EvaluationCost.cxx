@@ -52,7 +52,7 @@ EvaluationCost costOfCrossings(
   const auto count = static_cast<double>(samples);
   const double perSample = 60e-9 + 15e-9 * rays.layers;
   return {150e-9 * static_cast<double>(triangles) + perSample * count +
-            40e-9 * rays.widths * std::sqrt(count),
+            80e-9 * rays.widths * std::sqrt(count),
     (bytesPerPrimitive + 140) * triangles + 42 * samples};
 }
 

@@ -21,7 +21,7 @@ namespace winding
 namespace
 {
 
-/// Items of a block: small enough that a thousandth of usual surfaces and samples feeds all cores.
+/// Samples or triangles of a block: so few that small inputs occupy several cores, too.
 constexpr std::size_t perBlock = 4096;
 
 /// Lists of triangles are made for as many columns at a time as hold so many entries per triangle.
