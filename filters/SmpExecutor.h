@@ -2,6 +2,8 @@
 
 #include "Executor.h"
 
+#include <utility>
+
 class vtkAlgorithm;
 
 namespace winding
@@ -25,6 +27,7 @@ public:
 
   /// Of that range, until another is set.
   void setShare(double first, double last) override;
+  std::pair<double, double> share() const override { return {firstShare_, lastShare_}; }
 
   /// Progress goes to the end of its range.
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;

@@ -68,13 +68,12 @@ inline std::size_t bucketsFor(std::size_t size, int shift)
  *
  * Guaranteed: stable, that is, in every bucket the items stand in the order of their sources, for
  * any executor. Item must be trivially copyable. 8 bytes per block of sources and bucket beside the
- * items. Throws Interrupted.
+ * items: larger blocks for many buckets, smaller ones where a source takes long. Throws Interrupted.
  */
 template <class Item, class Emit>
-Buckets<Item> distribute(
-  std::size_t sources, std::size_t buckets, const Emit& emit, Executor& executor)
+Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& emit,
+  Executor& executor, std::size_t sourcesPerBlock = 16384)
 {
-  constexpr std::size_t sourcesPerBlock = 16384;
   const std::size_t blocks = (sources + sourcesPerBlock - 1) / sourcesPerBlock;
   std::vector<std::size_t> places(blocks * buckets, 0);
   runBlocks(

@@ -28,8 +28,18 @@ enum class Primitive
 /// Welding, boundary, crossings and filling of runs.
 EvaluationCost costOfRows(std::size_t triangles, std::size_t samples);
 
-/// Welding, boundary, and the crossings ahead of scattered samples.
-EvaluationCost costOfCrossings(std::size_t triangles, std::size_t samples);
+/// How triangles lie across rays along x, in the box of all of them.
+struct RaysThroughTriangles
+{
+  double layers = 2; ///< triangles on a line along x, on average
+  double widths = 0; ///< of all triangles, each in widths of the box
+};
+
+/// Welding, boundary, and the crossings ahead of scattered samples; for samples that are spread over
+/// the box of the triangles. It does not know where samples lie: lines along x take less, and samples
+/// at a place where more triangles overlap than elsewhere take more.
+EvaluationCost costOfCrossings(
+  std::size_t triangles, std::size_t samples, const RaysThroughTriangles& rays = {});
 
 /// A sum over all primitives at each sample.
 EvaluationCost costOfDirectSum(Primitive kind, std::size_t primitives, std::size_t samples);

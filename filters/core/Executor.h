@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <utility>
 
 namespace winding
 {
@@ -38,6 +39,9 @@ public:
     (void)first;
     (void)last;
   }
+
+  /// The share that was set last, 0 and 1 at first: what divides its work further sets parts of it.
+  virtual std::pair<double, double> share() const { return {0, 1}; }
 };
 
 /// Runs the blocks one after the other on the calling thread; never interrupted.

@@ -1,13 +1,19 @@
 #include "PointCrossings.h"
 
 #include "BucketSort.h"
-#include "RayTriangle.h"
+#include "RayColumns.h"
+#include "RayCounter.h"
 #include "UnitScale.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace winding
 {
@@ -15,292 +21,374 @@ namespace winding
 namespace
 {
 
-/// A sample in units of the surface, and the crossings that were found so far.
-struct Ray
-{
-  double x, y, z;
-  std::size_t sample;
-  int crossings;
+/// Samples or triangles of a block: so few that small inputs occupy several cores, too.
+constexpr std::size_t perBlock = 4096;
 
-  Eigen::Vector3d start() const { return {x, y, z}; }
+/// Lists of triangles are made for as many columns at a time as hold so many entries per triangle.
+constexpr std::size_t mostEntries = 16;
+
+/// Of what the executor shows as progress.
+struct Share
+{
+  double first, last;
+
+  double at(double part) const { return first + (last - first) * part; }
+  Share part(double from, double to) const { return {this->at(from), this->at(to)}; }
 };
 
-using TriangleIds = std::vector<std::uint32_t>;
-
-/// What of a triangle's box tells whether rays along +x may cross it.
-struct TriangleBox
+/// Sets the executor's share, and what it was in the end.
+class ShareOfExecutor
 {
-  TriangleBox(
-    const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, double scale)
-    : lowY(scale * std::min(std::min(a[1], b[1]), c[1]))
-    , highY(scale * std::max(std::max(a[1], b[1]), c[1]))
-    , lowZ(scale * std::min(std::min(a[2], b[2]), c[2]))
-    , highZ(scale * std::max(std::max(a[2], b[2]), c[2]))
-    , highX(scale * std::max(std::max(a[0], b[0]), c[0]))
+public:
+  explicit ShareOfExecutor(Executor& executor)
+    : executor_(executor)
+    , whole_{executor.share().first, executor.share().second}
   {
   }
+  ~ShareOfExecutor() { this->set({0, 1}); }
+  ShareOfExecutor(const ShareOfExecutor&) = delete;
+  ShareOfExecutor& operator=(const ShareOfExecutor&) = delete;
 
-  double lowY, highY, lowZ, highZ, highX;
+  void set(const Share& share)
+  {
+    executor_.setShare(whole_.at(share.first), whole_.at(share.last));
+  }
+
+private:
+  Executor& executor_;
+  Share whole_;
 };
 
-/// The box of rays across them, in y and z, and the x from which on they are all ahead.
-struct RayBox
+/// All triangles of a surface, or some of them.
+class Candidates
 {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
-  double firstX = std::numeric_limits<double>::infinity();
-
-  void add(const Eigen::Vector3d& start)
+public:
+  explicit Candidates(std::size_t count)
+    : count_(count)
   {
-    low = low.cwiseMin(start.tail<2>());
-    high = high.cwiseMax(start.tail<2>());
-    firstX = std::min(firstX, start[0]);
+  }
+  explicit Candidates(const TriangleIds& ids)
+    : ids_(ids.data())
+    , count_(ids.size())
+  {
   }
 
-  void add(const RayBox& other)
+  std::size_t size() const { return count_; }
+  std::uint32_t operator[](std::size_t i) const
   {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-    firstX = std::min(firstX, other.firstX);
+    return ids_ ? ids_[i] : static_cast<std::uint32_t>(i);
   }
 
-  bool isReachedBy(const TriangleBox& box) const
-  {
-    return (box.lowY <= high[0]) & (box.highY >= low[0]) & (box.lowZ <= high[1]) &
-           (box.highZ >= low[1]) & (box.highX >= firstX);
-  }
+private:
+  const std::uint32_t* ids_ = nullptr;
+  std::size_t count_;
 };
 
-/// The columns that rays or a triangle are in: first to last in y, and in z.
-struct ColumnRange
+/// Which of some triangles reach which columns of rays.
+class ReachOfTriangles
 {
-  int firstY, lastY, firstZ, lastZ;
-
-  std::size_t size() const
+public:
+  /// Keeps references. Throws Interrupted.
+  ReachOfTriangles(const RayCounter& counter, const Candidates& triangles,
+    const RaysInColumns& rays, Executor& executor)
+    : counter_(counter)
+    , triangles_(triangles)
+    , columns_(rays.columns)
+    , executor_(executor)
+    , ranges_(new ColumnRange[triangles.size()])
   {
-    return static_cast<std::size_t>(lastY - firstY + 1) *
-           static_cast<std::size_t>(lastZ - firstZ + 1);
+    constexpr std::size_t columnsPerBlock = 64;
+    std::vector<RayBox> boxes(columns_.count());
+    runBlocks(
+      boxes.size(), columnsPerBlock,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t column = first; column < last; ++column)
+        {
+          boxes[column] = RayBox(rays.starts[column], rays.starts[column + 1]);
+        }
+      },
+      executor);
+    RayBox all;
+    for (const RayBox& box : boxes)
+    {
+      all.add(box);
+    }
+    std::atomic<std::size_t> inBoxes{0};
+    runBlocks(
+      triangles.size(), perBlock,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        std::size_t ours = 0;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          ranges_[i] = this->rangeOf(triangles[i], all, boxes);
+          ours += ranges_[i].isEmpty() ? 0 : ranges_[i].size();
+        }
+        inBoxes += ours;
+      },
+      executor);
+    this->makeRounds(inBoxes);
   }
+
+  /// Rounds are runs of columns of which there are lists at a time: starts, and the end.
+  const std::vector<std::size_t>& rounds() const { return rounds_; }
+
+  /// The triangles that reach the columns first … last − 1. Throws Interrupted.
+  Buckets<std::uint32_t> inColumns(std::size_t first, std::size_t last) const
+  {
+    const Window window(first, last, columns_);
+    return distribute<std::uint32_t>(
+      triangles_.size(), last - first,
+      [&](std::size_t from, std::size_t to, const auto& put)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          this->forEachColumn(
+            i, window, [&](std::size_t column) { put(column - first, triangles_[i]); });
+        }
+      },
+      executor_, perBlock);
+  }
+
+private:
+  /// The columns first … last − 1, and the rows that they are in.
+  struct Window
+  {
+    Window(std::size_t columnsBegin, std::size_t columnsEnd, const Columns& columns)
+      : first(columnsBegin)
+      , last(columnsEnd)
+      , firstRow(static_cast<std::uint16_t>(columnsBegin / columns.perRow()))
+      , lastRow(static_cast<std::uint16_t>((columnsEnd - 1) / columns.perRow()))
+    {
+    }
+
+    std::size_t first, last;
+    std::uint16_t firstRow, lastRow;
+  };
+
+  ColumnRange rangeOf(std::uint32_t id, const RayBox& all, const std::vector<RayBox>& boxes) const
+  {
+    const TriangleBox box = counter_.box(id);
+    if (!all.isReachedBy(box))
+    {
+      return ColumnRange::none();
+    }
+    const ColumnRange range = columns_.of(box);
+    const bool isReached =
+      range.size() > 1 || boxes[columns_.number(range.firstY, range.firstZ)].isReachedBy(box);
+    return isReached ? range : ColumnRange::none();
+  }
+
+  /// Calls visit for those of a window that triangle i reaches.
+  template <class Visit>
+  void forEachColumn(std::size_t i, const Window& window, const Visit& visit) const
+  {
+    ColumnRange range = ranges_[i];
+    range.firstZ = std::max(range.firstZ, window.firstRow);
+    range.lastZ = std::min(range.lastZ, window.lastRow);
+    if (range.isEmpty())
+    {
+      return;
+    }
+    const auto visitOurs = [&](std::size_t column)
+    {
+      if (column >= window.first && column < window.last)
+      {
+        visit(column);
+      }
+    };
+    if (!range.isNarrow())
+    {
+      counter_.footprint(triangles_[i], columns_, range).forEach(visitOurs);
+      return;
+    }
+    for (int z = range.firstZ; z <= range.lastZ; ++z)
+    {
+      for (int y = range.firstY; y <= range.lastY; ++y)
+      {
+        visitOurs(columns_.number(y, z));
+      }
+    }
+  }
+
+  void makeRounds(std::size_t inBoxes)
+  {
+    const std::size_t most = mostEntries * triangles_.size();
+    rounds_ = {0};
+    if (inBoxes > most)
+    {
+      std::vector<std::size_t> entries(columns_.count(), 0);
+      std::mutex mutex;
+      runBlocks(
+        triangles_.size(), perBlock,
+        [&](std::size_t, std::size_t first, std::size_t last)
+        {
+          std::vector<std::size_t> ours(entries.size(), 0);
+          const Window window(0, entries.size(), columns_);
+          for (std::size_t i = first; i < last; ++i)
+          {
+            this->forEachColumn(i, window, [&ours](std::size_t column) { ++ours[column]; });
+          }
+          const std::lock_guard<std::mutex> lock(mutex);
+          std::transform(ours.begin(), ours.end(), entries.begin(), entries.begin(), std::plus<>());
+        },
+        executor_);
+      std::size_t sum = 0;
+      for (std::size_t column = 0; column < entries.size(); ++column)
+      {
+        if (sum + entries[column] > most)
+        {
+          rounds_.push_back(column);
+          sum = 0;
+        }
+        sum += entries[column];
+      }
+    }
+    rounds_.push_back(columns_.count());
+  }
+
+  const RayCounter& counter_;
+  const Candidates& triangles_;
+  const Columns& columns_;
+  Executor& executor_;
+  std::unique_ptr<ColumnRange[]> ranges_;
+  std::vector<std::size_t> rounds_;
 };
 
 /**
- * A grid over a box of rays. Places are rounded, but never fall as a coordinate rises: what a triangle
- * overlaps is in the columns between those of its corners.
+ * Counts and writes the crossings of rays in columns, a task to a column. A task that has too much to
+ * do gives up, and its column is divided into columns of its own: so all tasks are short, of whatever
+ * there is much in few columns.
  */
-class Columns
+class ColumnTasks
 {
 public:
-  /// About so many, at least 1, and at most as many as there are places.
-  Columns(const RayBox& box, std::size_t wanted)
-    : low_(box.low)
+  ColumnTasks(const RayCounter& counter, const FieldOutput& output, Executor& executor)
+    : counter_(counter)
+    , output_(output)
+    , executor_(executor)
+    , share_(executor)
   {
-    const int perAxis = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(wanted))));
-    for (int axis = 0; axis < 2; ++axis)
+  }
+
+  /// False when interrupted; or throws Interrupted.
+  bool run(const RaysInColumns& rays, const Candidates& triangles, const Share& share)
+  {
+    const ReachOfTriangles reach(counter_, triangles, rays, executor_);
+    const double all = static_cast<double>(rays.starts.back() - rays.starts.front());
+    const auto until = [&](std::size_t column)
     {
-      const double scale = perAxis / (box.high[axis] - box.low[axis]);
-      const bool isDivisible = perAxis > 1 && std::isfinite(scale) && scale > 0;
-      count_[axis] = isDivisible ? perAxis : 1;
-      scale_[axis] = isDivisible ? scale : 0;
+      return static_cast<double>(rays.starts[column] - rays.starts.front()) / all;
+    };
+    for (std::size_t round = 0; round + 1 < reach.rounds().size(); ++round)
+    {
+      const std::size_t first = reach.rounds()[round], last = reach.rounds()[round + 1];
+      if (!this->run(rays, reach, first, last, share.part(until(first), until(last))))
+      {
+        return false;
+      }
     }
-  }
-
-  std::size_t count() const
-  {
-    return static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]);
-  }
-
-  std::size_t number(int y, int z) const
-  {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[0]) +
-           static_cast<std::size_t>(y);
-  }
-  std::size_t of(const Eigen::Vector3d& start) const
-  {
-    return this->number(place(0, start[1]), place(1, start[2]));
-  }
-
-  ColumnRange of(const TriangleBox& box) const
-  {
-    return {place(0, box.lowY), place(0, box.highY), place(1, box.lowZ), place(1, box.highZ)};
+    return true;
   }
 
 private:
-  int place(int axis, double coordinate) const
+  struct Full
   {
-    const double place = (coordinate - low_[axis]) * scale_[axis];
-    return place >= count_[axis] ? count_[axis] - 1 : place > 0 ? static_cast<int>(place) : 0;
+    std::size_t column;
+    TriangleIds triangles;
+  };
+
+  /// The columns first … last − 1.
+  bool run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
+    std::size_t last, const Share& share)
+  {
+    std::vector<Full> full;
+    {
+      const Buckets<std::uint32_t> triangles = reach.inColumns(first, last);
+      bool mayGiveUp = false;
+      for (std::size_t i = 0; i < triangles.count(); ++i)
+      {
+        mayGiveUp = mayGiveUp || static_cast<double>(rays.size(first + i)) *
+                                     static_cast<double>(triangles.size(i)) >
+                                   static_cast<double>(RayCounter::mostSteps);
+      }
+      std::mutex mutex;
+      share_.set(share.part(0, mayGiveUp ? 0.5 : 1));
+      const bool isComplete = executor_.run(last - first,
+        [&](std::size_t i)
+        {
+          Ray* const begin = rays.starts[first + i];
+          Ray* const end = rays.starts[first + i + 1];
+          if (begin == end)
+          {
+            return;
+          }
+          TriangleIds ids(triangles.begin(i), triangles.end(i));
+          if (counter_.count(begin, end, ids))
+          {
+            this->write(begin, end);
+            return;
+          }
+          std::for_each(begin, end, [](Ray& ray) { ray.crossings = 0; });
+          const std::lock_guard<std::mutex> lock(mutex);
+          full.push_back({first + i, std::move(ids)});
+        });
+      if (!isComplete)
+      {
+        return false;
+      }
+    }
+    const Share rest = share.part(0.5, 1);
+    for (std::size_t i = 0; i < full.size(); ++i)
+    {
+      const double count = static_cast<double>(full.size()), at = static_cast<double>(i);
+      const std::size_t column = full[i].column;
+      if (!this->divide(rays.starts[column], rays.starts[column + 1], full[i].triangles,
+            rest.part(at / count, (at + 1) / count)))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
-  Eigen::Vector2d low_;
-  double scale_[2];
-  int count_[2];
+  /// Into columns that are not too full even if all triangles reach all of them, if possible.
+  bool divide(Ray* first, Ray* last, const TriangleIds& triangles, const Share& share)
+  {
+    constexpr double pairsPerColumn = RayCounter::mostSteps / 4.0;
+    const double rays = static_cast<double>(last - first);
+    const double wanted = rays * static_cast<double>(triangles.size()) / pairsPerColumn;
+    const double most = std::min(rays, static_cast<double>(mostBuckets));
+    const Columns columns(
+      RayBox(first, last), static_cast<std::size_t>(std::clamp(wanted, std::min(4.0, most), most)));
+    if (columns.count() > 1)
+    {
+      const RaysInColumns inColumns = RayCounter::sort(first, last, columns);
+      return this->run(inColumns, Candidates(triangles), share);
+    }
+    share_.set(share);
+    return executor_.run(1,
+      [&](std::size_t)
+      {
+        counter_.countAll(first, last, triangles);
+        this->write(first, last);
+      });
+  }
+
+  void write(const Ray* first, const Ray* last) const
+  {
+    for (; first != last; ++first)
+    {
+      output_.fill(first->crossings, first->sample, 1);
+    }
+  }
+
+  const RayCounter& counter_;
+  const FieldOutput& output_;
+  Executor& executor_;
+  ShareOfExecutor share_;
 };
-
-/// Triangles in more columns than these are in the list of wide ones, which is of all columns.
-constexpr std::size_t wideColumns = 16;
-
-/// Finds the crossings of rays.
-class RayCounter
-{
-public:
-  RayCounter(const Surface& surface, double scale)
-    : surface_(surface)
-    , scale_(scale)
-  {
-  }
-
-  TriangleBox box(std::uint32_t id) const
-  {
-    const Triangle& ids = surface_.triangles[id];
-    return {
-      surface_.vertices[ids[0]], surface_.vertices[ids[1]], surface_.vertices[ids[2]], scale_};
-  }
-
-  /// Of all rays with all triangles.
-  void count(Ray* first, Ray* last, const TriangleIds& triangles) const
-  {
-    RayBox box;
-    for (const Ray* ray = first; ray != last; ++ray)
-    {
-      box.add(ray->start());
-    }
-    const auto rays = static_cast<std::size_t>(last - first);
-    const bool isDivided = rays * triangles.size() > fewPairs;
-    const Columns columns(box, isDivided ? std::min(mostBuckets, rays / raysPerColumn) : 1);
-    const std::vector<Ray*> starts = sortByColumn(first, last, columns);
-    std::vector<TriangleIds> ofFull(columns.count()); // by column, full ones only
-    for (const std::uint32_t id : triangles)
-    {
-      const TriangleBox ours = this->box(id);
-      if (!box.isReachedBy(ours))
-      {
-        continue;
-      }
-      const RayTriangle triangle = this->triangle(id);
-      const ColumnRange range = columns.of(ours);
-      for (int z = range.firstZ; z <= range.lastZ; ++z)
-      {
-        for (int y = range.firstY; y <= range.lastY; ++y)
-        {
-          const std::size_t column = columns.number(y, z);
-          if (columns.count() > 1 && starts[column + 1] - starts[column] > fullColumn)
-          {
-            ofFull[column].push_back(id);
-            continue;
-          }
-          for (Ray* ray = starts[column]; ray != starts[column + 1]; ++ray)
-          {
-            ray->crossings += triangle.crossing(ray->start());
-          }
-        }
-      }
-    }
-    for (std::size_t column = 0; column < columns.count(); ++column)
-    {
-      if (!ofFull[column].empty())
-      {
-        this->count(starts[column], starts[column + 1], ofFull[column]);
-      }
-    }
-  }
-
-private:
-  RayTriangle triangle(std::uint32_t id) const
-  {
-    const Triangle& ids = surface_.triangles[id];
-    return {surface_.vertices[ids[0]] * scale_, surface_.vertices[ids[1]] * scale_,
-      surface_.vertices[ids[2]] * scale_};
-  }
-
-  static constexpr std::size_t fewPairs = 2048; ///< not worth dividing
-  static constexpr std::size_t raysPerColumn = 4;
-  static constexpr std::ptrdiff_t fullColumn = 64; ///< more rays are divided again
-
-  /// Where each column begins then, and the end.
-  static std::vector<Ray*> sortByColumn(Ray* first, Ray* last, const Columns& columns)
-  {
-    if (columns.count() == 1)
-    {
-      return {first, last};
-    }
-    const std::vector<Ray> rays(first, last);
-    std::vector<std::size_t> counts(columns.count() + 1, 0);
-    for (const Ray& ray : rays)
-    {
-      ++counts[columns.of(ray.start()) + 1];
-    }
-    std::partial_sum(counts.begin(), counts.end(), counts.begin());
-    std::vector<Ray*> starts(counts.size());
-    std::transform(counts.begin(), counts.end(), starts.begin(),
-      [first](std::size_t count) { return first + count; });
-    for (const Ray& ray : rays)
-    {
-      first[counts[columns.of(ray.start())]++] = ray;
-    }
-    return starts;
-  }
-
-  const Surface& surface_;
-  double scale_;
-};
-
-/// The triangles that reach the rays of each column, and behind those the wide ones.
-Buckets<std::uint32_t> trianglesByColumn(const RayCounter& counter, std::size_t triangles,
-  const Buckets<Ray>& rays, const Columns& columns, Executor& executor)
-{
-  constexpr std::size_t columnsPerBlock = 64;
-  std::vector<RayBox> boxes(columns.count());
-  runBlocks(
-    boxes.size(), columnsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t column = first; column < last; ++column)
-      {
-        for (const Ray* ray = rays.begin(column); ray != rays.end(column); ++ray)
-        {
-          boxes[column].add(ray->start());
-        }
-      }
-    },
-    executor);
-  RayBox all;
-  for (const RayBox& box : boxes)
-  {
-    all.add(box);
-  }
-  return distribute<std::uint32_t>(
-    triangles, columns.count() + 1,
-    [&](std::size_t first, std::size_t last, const auto& put)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const auto id = static_cast<std::uint32_t>(i);
-        const TriangleBox ours = counter.box(id);
-        if (!all.isReachedBy(ours))
-        {
-          continue;
-        }
-        const ColumnRange range = columns.of(ours);
-        if (range.size() > wideColumns)
-        {
-          put(columns.count(), id);
-          continue;
-        }
-        for (int z = range.firstZ; z <= range.lastZ; ++z)
-        {
-          for (int y = range.firstY; y <= range.lastY; ++y)
-          {
-            const std::size_t column = columns.number(y, z);
-            if (boxes[column].isReachedBy(ours))
-            {
-              put(column, id);
-            }
-          }
-        }
-      }
-    },
-    executor);
-}
 
 } // namespace
 
@@ -309,11 +397,28 @@ PointCrossings::PointCrossings(const Surface& surface)
 {
 }
 
+EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
+{
+  RaysThroughTriangles rays = {0, 0};
+  const Eigen::Array2d sizes = surface_.bounds.sizes().tail<2>();
+  if (!surface_.bounds.isEmpty() && sizes.minCoeff() > 0)
+  {
+    for (const Triangle& ids : surface_.triangles)
+    {
+      const Eigen::Array2d a = surface_.vertices[ids[0]].tail<2>();
+      const Eigen::Array2d u = (surface_.vertices[ids[1]].tail<2>().array() - a) / sizes;
+      const Eigen::Array2d v = (surface_.vertices[ids[2]].tail<2>().array() - a) / sizes;
+      rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
+      rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
+    }
+  }
+  return costOfCrossings(surface_.triangles.size(), samples, rays);
+}
+
 bool PointCrossings::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 try
 {
-  constexpr std::size_t samplesPerBlock = 16384;
   const Bounds& bounds = surface_.bounds;
   const double scale = unitScale(bounds);
   // Rays that start beside or behind the surface cross nothing.
@@ -325,7 +430,7 @@ try
   RayBox box;
   std::mutex mutex;
   runBlocks(
-    samples.size(), samplesPerBlock,
+    samples.size(), perBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       RayBox ours;
@@ -344,7 +449,7 @@ try
     },
     executor);
 
-  if (!(box.low[0] <= box.high[0]))
+  if (box.isEmpty())
   {
     return true; // nothing may cross
   }
@@ -363,24 +468,17 @@ try
         }
       }
     },
-    executor);
+    executor, perBlock);
+  RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
+  for (std::size_t column = 0; column < columns.count(); ++column)
+  {
+    inColumns.starts[column] = rays.begin(column);
+  }
+  inColumns.starts.back() = rays.end(columns.count() - 1);
 
   const RayCounter counter(surface_, scale);
-  const std::size_t wide = columns.count();
-  const Buckets<std::uint32_t> triangles =
-    trianglesByColumn(counter, surface_.triangles.size(), rays, columns, executor);
-
-  return executor.run(columns.count(),
-    [&](std::size_t column)
-    {
-      TriangleIds ids(triangles.begin(wide), triangles.end(wide));
-      ids.insert(ids.end(), triangles.begin(column), triangles.end(column));
-      counter.count(rays.begin(column), rays.end(column), ids);
-      for (const Ray* ray = rays.begin(column); ray != rays.end(column); ++ray)
-      {
-        output.fill(ray->crossings, ray->sample, 1);
-      }
-    });
+  return ColumnTasks(counter, output, executor)
+    .run(inColumns, Candidates(surface_.triangles.size()), {0, 1});
 }
 catch (const Interrupted&)
 {

@@ -156,7 +156,7 @@ EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
   const auto triangle = Primitive::triangle;
   if (info_.method == Method::rows && !capped_)
   {
-    return costOfCrossings(info_.primitives, samples);
+    return crossings_->expectedCost(samples);
   }
   if (info_.method == Method::rows)
   {
