@@ -213,6 +213,84 @@ TEST(Distance, CloseSamplesAreAsExact)
   }
 }
 
+TEST(Distance, GridsMuchFinerThanTheTrianglesBesideThemAreAsExact)
+{
+  SCOPED_TRACE("seed 816");
+  Random random(816);
+  double worst = 0;
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        Mesh mesh = tetrahedron();
+        for (Point& p : mesh.points)
+        {
+          p = Point::Constant(origin) + random.point(-1, 1);
+        }
+        // About a vertex, a point of an edge and one of a face.
+        const std::size_t corner = random.bits() % 4;
+        const Point& a = mesh.points[corner];
+        const Point u = mesh.points[(corner + 1) % 4] - a, v = mesh.points[(corner + 2) % 4] - a;
+        const double along = i % 3 == 0 ? 0 : random(0, 1);
+        const Point at = a + along * u + (i % 3 == 2 ? random(0, 1 - along) : 0) * v;
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample = at - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(mesh);
+        const std::vector<Point> samples = samplesOf(grid);
+        for (const double limit : {infinite, 3.3 * spacing})
+        {
+          const Distances found = evaluate(*field, grid, grid.wholeExtent(), limit);
+          for (std::size_t n = 0; n < samples.size(); ++n)
+          {
+            const double expected = std::min(limit, naiveDistance(samples[n], mesh));
+            const double error =
+              std::abs(std::abs(found.distances[n]) - expected) / (1 + expected / rounding);
+            ASSERT_LT(error, 1e-15) // measured: 1.4e-16
+              << "tetrahedron " << i << " at " << origin << ", spacing " << spacing << ", sample "
+              << n << ", limit " << limit;
+            worst = std::max(worst, error);
+          }
+        }
+      }
+    }
+  }
+  record("largest error", worst);
+}
+
+TEST(Distance, CloudsMuchLargerThanAGridAreAsExact)
+{
+  SCOPED_TRACE("seed 817");
+  Random random(817);
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (unsigned i = 0; i < 10; ++i)
+      {
+        // Of many points as close as the samples, too.
+        Cloud cloud = randomCloud(60, 817 + i);
+        for (std::size_t n = 0; n < 60; ++n)
+        {
+          const Point near = cloud.positions[0] + 3 * spacing * random.direction();
+          cloud.positions[n] = Point::Constant(origin) + (n % 2 ? near : cloud.positions[n]);
+        }
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample =
+          cloud.positions[1] - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(cloud);
+        EXPECT_LT(checkAll(evaluate(*field, grid), samplesOf(grid), cloud.positions), rounding)
+          << "cloud " << i << " at " << origin << ", spacing " << spacing;
+      }
+    }
+  }
+}
+
 TEST(Distance, OnTheSourceItIsPlainZero)
 {
   for (const Mesh& mesh : {cube(), icosphere(2)})
