@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace winding
 {
@@ -15,8 +16,12 @@ namespace
 /// Measured at 128³ and 256³: 32 and 128 take up to twice as long.
 constexpr std::size_t samplesPerCell = 64;
 
-/// As many samples as make some tasks of small grids, too.
-constexpr double samplesPerTask = 4096;
+/// As many as make some tasks of small grids, too. Measured: 512 take up to a fifth longer.
+constexpr double samplesPerBlock = 4096;
+
+/// Samples times items, a few tenths of a second, after which a task leaves the rest to others: these begin
+/// with the lists of the block again.
+constexpr double mostWorkPerTask = 1 << 27;
 
 bool isEmpty(const Extent& extent)
 {
@@ -39,7 +44,7 @@ Eigen::Vector3i blockSizeOf(const Grid& grid)
 {
   double side = 0; // its logarithm
   int axes = 0;
-  double samples = std::log2(samplesPerTask);
+  double samples = std::log2(samplesPerBlock);
   for (int axis = 0; axis < 3; ++axis)
   {
     side += grid.dimensions[axis] > 1 ? std::log2(grid.spacing[axis]) : 0;
@@ -77,7 +82,7 @@ GridDistances::GridDistances(
 }
 
 /// The samples of a block, of the whole grid.
-Extent GridDistances::task(std::size_t number) const
+Extent GridDistances::samplesOfBlock(std::size_t number) const
 {
   const Extent blocks = {0, blocks_[0] - 1, 0, blocks_[1] - 1, 0, blocks_[2] - 1};
   const Eigen::Vector3i first =
@@ -90,8 +95,10 @@ Extent GridDistances::task(std::size_t number) const
 class GridDistances::Descent
 {
 public:
-  explicit Descent(const GridDistances& of)
+  explicit Descent(const GridDistances& of, const Piece& piece)
     : of_(of)
+    , block_(piece.block)
+    , asked_(common(piece.samples, of.extent_))
     , limit_(of.output_.distanceLimit * of.tree_.scale())
   {
     if (!of.tree_.empty())
@@ -102,10 +109,12 @@ public:
     }
   }
 
-  void start(const Extent& samples)
+  /// Returns what it left undone.
+  std::vector<Piece> run()
   {
     nodes_.assign(of_.tree_.empty() ? 0 : 1, 0);
-    this->descend(samples, 0, nullptr);
+    this->descend(of_.samplesOfBlock(block_), 0, nullptr);
+    return std::move(left_);
   }
 
 private:
@@ -139,6 +148,10 @@ private:
   void evaluate(const Cell& cell, std::size_t firstNode);
 
   const GridDistances& of_;
+  const std::size_t block_;
+  const Extent asked_; ///< of the block's samples
+  double work_ = 0;    ///< samples times items, so far
+  std::vector<Piece> left_;
   const double limit_;               ///< scaled; infinite: none
   double sourceSize_ = 0;            ///< no distance of two points of the source is larger
   double farthest_ = 0;              ///< nor a coordinate
@@ -159,8 +172,13 @@ Eigen::Vector3d GridDistances::Descent::positionOf(int i, int j, int k) const
 void GridDistances::Descent::descend(
   const Extent& samples, std::size_t firstNode, const SourcePoint* nearby)
 {
-  if (isEmpty(common(samples, of_.extent_)))
+  if (isEmpty(common(samples, asked_)))
   {
+    return;
+  }
+  if (work_ > mostWorkPerTask)
+  {
+    left_.push_back({block_, samples});
     return;
   }
   Cell cell;
@@ -359,6 +377,10 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
   SampleBlock block;
   alignas(64) double squared[SampleBlock::capacity];
   const std::size_t count = sampleCount(s);
+  for (const NearItems& run : kept_)
+  {
+    work_ += static_cast<double>(count) * (run.last - run.first);
+  }
   for (std::size_t first = 0; first < count; first += block.count)
   {
     block.count = std::min(count - first, SampleBlock::capacity);
@@ -385,8 +407,30 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
 
 bool GridDistances::evaluate(Executor& executor) const
 {
-  return executor.run(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()),
-    [this](std::size_t number) { Descent(*this).start(this->task(number)); });
+  std::vector<Piece> pieces(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()));
+  for (std::size_t number = 0; number < pieces.size(); ++number)
+  {
+    pieces[number] = {number, this->samplesOfBlock(number)};
+  }
+  for (bool isFirst = true; !pieces.empty(); isFirst = false)
+  {
+    std::vector<std::vector<Piece>> left(pieces.size());
+    const auto work = [&](std::size_t n)
+    {
+      left[n] = Descent(*this, pieces[n]).run();
+    };
+    // What is left is not shown as progress, which would begin again.
+    if (!(isFirst ? executor.run(pieces.size(), work) : executor.runBriefly(pieces.size(), work)))
+    {
+      return false;
+    }
+    pieces.clear();
+    for (const std::vector<Piece>& some : left)
+    {
+      pieces.insert(pieces.end(), some.begin(), some.end());
+    }
+  }
+  return true;
 }
 
 } // namespace winding

@@ -25,6 +25,9 @@ namespace winding
  * beyond the limit, and where the bound fails (of needles), distances are as inexact as the loops' own.
  *
  * Cells and lists are those of the whole grid, whatever part of it is asked for: so are the bits.
+ *
+ * A task is a block of samples. Where lists stay long, as about the centre of a sphere, it ends after some
+ * cells and leaves the others to further tasks, so that executors can be interrupted in between.
  */
 class GridDistances
 {
@@ -39,13 +42,20 @@ public:
 private:
   class Descent;
 
-  Extent task(std::size_t number) const;
+  /// What of a block is still to be done.
+  struct Piece
+  {
+    std::size_t block;
+    Extent samples;
+  };
+
+  Extent samplesOfBlock(std::size_t number) const;
 
   const DistanceTree& tree_;
   const Grid& grid_;
   const Extent extent_;
   const FieldOutput& output_;
-  Eigen::Vector3i blockSize_;  ///< samples of a task along each axis
+  Eigen::Vector3i blockSize_;  ///< samples of a block along each axis
   Eigen::Vector3i firstBlock_; ///< that the extent reaches into
   Eigen::Vector3i blocks_;
 };

@@ -517,6 +517,50 @@ TEST(Distance, InterruptionIsToldWhereverItCame)
   EXPECT_GT(runs, 3) << "values, the tree in some steps, and distances";
 }
 
+TEST(Distance, TasksAreSmallWhereEverythingIsAsNear)
+{
+  /// Counts tasks.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      tasks += count;
+      return winding::SerialExecutor().run(count, work);
+    }
+    std::size_t tasks = 0;
+  };
+  const Mesh mesh = icosphere(6);
+  const auto field = fieldOf(mesh);
+  winding::SerialExecutor serial;
+  ASSERT_TRUE(field->prepareDistances(serial));
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-7);
+  grid.firstSample.setConstant(-8.3e-7);
+  const Extent whole = grid.wholeExtent(), part = {3, 4, 9, 9, 15, 15};
+  const auto tasksFor = [&](const Extent& extent, Distances& result)
+  {
+    Counting executor;
+    EXPECT_TRUE(field->evaluate(grid, extent, result.output(infinite), executor));
+    return executor.tasks;
+  };
+  Distances all(sampleCount(whole)), some(sampleCount(part));
+  const std::size_t few = tasksFor(part, some);
+  EXPECT_GT(tasksFor(whole, all), few + 1);
+  for (std::size_t n = 0; n < all.distances.size(); ++n)
+  {
+    // Of inscribed triangles.
+    ASSERT_LT(all.distances[n], -0.999) << n;
+    ASSERT_GT(all.distances[n], -1) << n;
+  }
+  for (std::size_t n = 0; n < some.distances.size(); ++n)
+  {
+    const Eigen::Vector3i index = sampleIndex(part, n);
+    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+  }
+}
+
 TEST(Distance, TreeIsMadeOnceAndBeforeIfAskedFor)
 {
   /// Counts what is run.
