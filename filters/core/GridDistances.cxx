@@ -19,8 +19,8 @@ constexpr std::size_t samplesPerCell = 64;
 /// As many as make some tasks of small grids, too. Measured: 512 take up to a fifth longer.
 constexpr double samplesPerBlock = 4096;
 
-/// Samples times items, a few tenths of a second, after which a task leaves the rest to others: these begin
-/// with the lists of the block again.
+/// Samples times items, a few tenths of a second, after which a task leaves the rest to others:
+/// these begin with the lists of the block again.
 constexpr double mostWorkPerTask = 1 << 27;
 
 bool isEmpty(const Extent& extent)

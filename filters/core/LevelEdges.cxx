@@ -274,8 +274,8 @@ bool LevelEdges::advanceBySamples(Executor& executor)
 namespace
 {
 
-/// Calls visit(begin, end, state of a, state of b) for all i from begin to end − 1, at most last, at which
-/// two rows differ in what is inside; ascending.
+/// Calls visit(begin, end, state of a, state of b) for all i from begin to end − 1, at most last,
+/// at which two rows differ in what is inside; ascending.
 template <class Row, class Visit>
 void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
 {

@@ -112,7 +112,8 @@ LevelRoots::CrossingRange LevelRoots::crossingsBetween(
   return {first, last};
 }
 
-/// Whether there is but one crossing in a bracket, and all that the field changes by there; then it is kept.
+/// Whether there is but one crossing in a bracket, and all that the field changes by there; then it
+/// is kept.
 bool LevelRoots::isFoundByCrossings(const Search& search)
 {
   const auto changes = [](const EdgeCrossings::Crossing& crossing)
@@ -157,7 +158,8 @@ bool LevelRoots::isFound(const Search& search)
   }
   const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
   root = lowIsCloser ? search.low : search.high;
-  // A field of jumps has the level by accident only: where a sample on the surface has a mean of what is around.
+  // A field of jumps has the level by accident only: where a sample on the surface has a mean of
+  // what is around.
   return !jumpsOnly_ &&
          std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
 }

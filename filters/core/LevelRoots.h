@@ -16,18 +16,19 @@ namespace winding
  * done.
  *
  * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
- * first. Where the surface is closed the field changes nowhere else: an edge whose only crossing is the
- * change from one sample to the other needs no evaluation. If it is not, a sample lies on the surface,
- * and the field may change right beside it: that is where it is asked, too. Where the surface is open,
- * the samples just before and behind a crossing tell whether the level is
- * there. What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
+ * first. Where the surface is closed the field changes nowhere else: an edge whose only crossing is
+ * the change from one sample to the other needs no evaluation. If it is not, a sample lies on the
+ * surface, and the field may change right beside it: that is where it is asked, too. Where the
+ * surface is open, the samples just before and behind a crossing tell whether the level is there.
+ * What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
  * method average performance preserving minmax optimality, 2020), which takes a round more than
  * bisection at most, and far fewer where the field is smooth.
  *
- * Guaranteed: a root is a crossing of the surface at which the field jumps over the level (where both
- * samples of an edge lie on the surface, one by which it changes as much as from one to the other); or,
- * where the surface is open and of clouds, a place where it is off the level by a twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from
- * samples on either side of the level.
+ * Guaranteed: a root is a crossing of the surface at which the field jumps over the level (where
+ * both samples of an edge lie on the surface, one by which it changes as much as from one to the
+ * other); or, where the surface is open and of clouds, a place where it is off the level by a
+ * twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from samples on either side of
+ * the level.
  */
 class LevelRoots
 {

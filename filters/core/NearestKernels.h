@@ -60,9 +60,9 @@ void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::
 
 ///@{
 /**
- * Appends to `kept`, as runs, the items that are no farther than a limit from any of 8 samples, as the loops
- * compute it: what rounding may do to that (see roundingOfOffset) is for the caller to add to the limits.
- * squaredLimits: aligned as the block is, and padded to 8.
+ * Appends to `kept`, as runs, the items that are no farther than a limit from any of 8 samples, as
+ * the loops compute it: what rounding may do to that (see roundingOfOffset) is for the caller to
+ * add to the limits. squaredLimits: aligned as the block is, and padded to 8.
  */
 void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
   const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
@@ -79,12 +79,12 @@ struct Nearest
 };
 
 /**
- * How far the offset to a point of a source may be from one that leads to it, and a distance from exact. With
- * r the distance and s the size of the source, the offset from a triangle's beginning has at most r + s,
- * the sides at most s, and all that is taken from it to get to the nearest point at most 2s; each of those
- * 3 sides, 3 products and 5 differences is rounded by half an epsilon of its length. Triangles so thin that
- * their normal is inexact are excepted: there, points lie beside the triangle by as much as the
- * normal has lost.
+ * How far the offset to a point of a source may be from one that leads to it, and a distance from
+ * exact. With r the distance and s the size of the source, the offset from a triangle's beginning
+ * has at most r + s, the sides at most s, and all that is taken from it to get to the nearest point
+ * at most 2s; each of those 3 sides, 3 products and 5 differences is rounded by half an epsilon of
+ * its length. Triangles so thin that their normal is inexact are excepted: there, points lie beside
+ * the triangle by as much as the normal has lost.
  */
 inline double roundingOfOffset(double distance, double size)
 {
