@@ -40,7 +40,8 @@ public:
   /// be infinite; where nothing is nearer, `nearest` stays.
   void findNearest(const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
 
-  /// Of the items of leaves: those that are nearer than limits to any of 8 samples.
+  /// Of the items of leaves: those that are no farther than limits from any of 8 samples; see
+  /// NearestKernels.h.
   void keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
     const double* squaredLimits, std::vector<NearItems>& kept) const;
 

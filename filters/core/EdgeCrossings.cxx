@@ -92,12 +92,23 @@ private:
         sample[axis] = first;
         sample[y] = j;
         sample[z] = k;
-        const std::size_t edge = edges_.find(sample, axis);
-        if (edge != edges_.size())
+        const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
+        const auto add = [&](double at, int change)
         {
-          const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
-          crossings.push_back(
-            {static_cast<std::uint32_t>(edge), {fraction, this->normalOf(triangle, axis)}});
+          const std::size_t edge = edges_.find(sample, axis);
+          if (edge != edges_.size())
+          {
+            crossings.push_back(
+              {static_cast<std::uint32_t>(edge), {at, this->normalOf(triangle, axis), change}});
+          }
+        };
+        add(fraction, -sign);
+        const int next = fraction < 0.5 ? first - 1 : first + 1;
+        if (std::min(fraction, 1 - fraction) < EdgeCrossings::atSample && next >= 0 &&
+            next < dimensions_[axis] - 1)
+        {
+          sample[axis] = next;
+          add(fraction < 0.5 ? 1 : 0, 0);
         }
       }
     }

@@ -15,6 +15,9 @@ namespace winding
  * there has it; (2) places are right up to rounding, or anywhere on the triangle where it lies along
  * the line; (3) the same bits for any executor.
  *
+ * A sample on the surface is counted to one of its sides along each axis (RowTriangle.h), so that a
+ * crossing there is that of one edge; the next edge has it as one by which w does not change.
+ *
  * Time: linear in the triangles, the edges and the crossings of the lines of the grid. Memory: 24 bytes
  * per vertex of the surface, and about 70 for each edge.
  */
@@ -25,10 +28,14 @@ public:
   EdgeCrossings(
     const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor);
 
+  /// That near to a sample, rounding may have brought a crossing to it.
+  static constexpr double atSample = 1.0 / (1 << 20);
+
   struct Crossing
   {
     double fraction;        ///< 0 at the edge's first sample, 1 at its second
     Eigen::Vector3f normal; ///< of the triangle, of unit length, or 0 where rounding leaves none
+    int change;             ///< of w, walking along the edge: -1 or 1; or 0, see the class
   };
 
   ///@{

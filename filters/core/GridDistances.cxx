@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace winding
 {
@@ -15,8 +16,12 @@ namespace
 /// Measured at 128³ and 256³: 32 and 128 take up to twice as long.
 constexpr std::size_t samplesPerCell = 64;
 
-/// As many samples as make some tasks of small grids, too.
-constexpr double samplesPerTask = 4096;
+/// As many as make some tasks of small grids, too. Measured: 512 take up to a fifth longer.
+constexpr double samplesPerBlock = 4096;
+
+/// Samples times items, a few tenths of a second, after which a task leaves the rest to others:
+/// these begin with the lists of the block again.
+constexpr double mostWorkPerTask = 1 << 27;
 
 bool isEmpty(const Extent& extent)
 {
@@ -39,7 +44,7 @@ Eigen::Vector3i blockSizeOf(const Grid& grid)
 {
   double side = 0; // its logarithm
   int axes = 0;
-  double samples = std::log2(samplesPerTask);
+  double samples = std::log2(samplesPerBlock);
   for (int axis = 0; axis < 3; ++axis)
   {
     side += grid.dimensions[axis] > 1 ? std::log2(grid.spacing[axis]) : 0;
@@ -77,7 +82,7 @@ GridDistances::GridDistances(
 }
 
 /// The samples of a block, of the whole grid.
-Extent GridDistances::task(std::size_t number) const
+Extent GridDistances::samplesOfBlock(std::size_t number) const
 {
   const Extent blocks = {0, blocks_[0] - 1, 0, blocks_[1] - 1, 0, blocks_[2] - 1};
   const Eigen::Vector3i first =
@@ -90,41 +95,66 @@ Extent GridDistances::task(std::size_t number) const
 class GridDistances::Descent
 {
 public:
-  explicit Descent(const GridDistances& of)
+  explicit Descent(const GridDistances& of, const Piece& piece)
     : of_(of)
+    , block_(piece.block)
+    , asked_(common(piece.samples, of.extent_))
     , limit_(of.output_.distanceLimit * of.tree_.scale())
   {
+    if (!of.tree_.empty())
+    {
+      const Bounds& box = of.tree_.box(0);
+      sourceSize_ = box.sizes().norm();
+      farthest_ = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    }
   }
 
-  void start(const Extent& samples)
+  /// Returns what it left undone.
+  std::vector<Piece> run()
   {
     nodes_.assign(of_.tree_.empty() ? 0 : 1, 0);
-    this->descend(samples, 0, nullptr);
+    this->descend(of_.samplesOfBlock(block_), 0, nullptr);
+    return std::move(left_);
   }
 
 private:
+  struct SourcePoint
+  {
+    Eigen::Vector3d position;
+    double rounding;    ///< how far from the source it may be for all that
+    std::uint32_t item; ///< that it is of
+  };
+
   /// A cell: its first and last samples along each axis, and what is nearest to its centre.
   struct Cell
   {
     Extent samples;
     Eigen::Vector3d low, high; ///< scaled
-    Eigen::Vector3d nearest;   ///< a point of the source
+    SourcePoint nearest;
+    double squaredReach; ///< of no less than the distance of that from any sample
 
     Eigen::Vector3d center() const { return low + 0.5 * (high - low); }
   };
 
   Eigen::Vector3d positionOf(int i, int j, int k) const;
-  void descend(const Extent& samples, std::size_t firstNode, const Eigen::Vector3d* nearby);
+  void descend(const Extent& samples, std::size_t firstNode, const SourcePoint* nearby);
   void cut(const Cell& cell, int times, std::size_t firstNode);
-  void findNearest(Cell& cell, std::size_t firstNode, const Eigen::Vector3d* nearby);
+  void findNearest(Cell& cell, std::size_t firstNode, const SourcePoint* nearby) const;
+  double roundingOf(const Cell& cell) const;
   void keepNear(const Cell& cell, std::size_t firstNode, std::size_t lastNode);
   bool isBeyond(const Cell& cell, const Bounds& box) const;
-  bool canBeNearest(const Cell& cell, const Bounds& box) const;
+  static bool canBeNearest(const Cell& cell, const Bounds& box, double slack);
   void keepNearItems(const Cell& cell);
   void evaluate(const Cell& cell, std::size_t firstNode);
 
   const GridDistances& of_;
+  const std::size_t block_;
+  const Extent asked_; ///< of the block's samples
+  double work_ = 0;    ///< samples times items, so far
+  std::vector<Piece> left_;
   const double limit_;               ///< scaled; infinite: none
+  double sourceSize_ = 0;            ///< no distance of two points of the source is larger
+  double farthest_ = 0;              ///< nor a coordinate
   std::vector<std::uint32_t> nodes_; ///< of the cell at work and, before them, of those around it
   std::vector<std::uint32_t> opened_;
   std::vector<NearItems> runs_, kept_;
@@ -140,10 +170,15 @@ Eigen::Vector3d GridDistances::Descent::positionOf(int i, int j, int k) const
 
 /// nodes_ from firstNode on are those of the cell that this one lies in; nearby: a point of the source.
 void GridDistances::Descent::descend(
-  const Extent& samples, std::size_t firstNode, const Eigen::Vector3d* nearby)
+  const Extent& samples, std::size_t firstNode, const SourcePoint* nearby)
 {
-  if (isEmpty(common(samples, of_.extent_)))
+  if (isEmpty(common(samples, asked_)))
   {
+    return;
+  }
+  if (work_ > mostWorkPerTask)
+  {
+    left_.push_back({block_, samples});
     return;
   }
   Cell cell;
@@ -192,15 +227,16 @@ void GridDistances::Descent::cut(const Cell& cell, int times, std::size_t firstN
 }
 
 void GridDistances::Descent::findNearest(
-  Cell& cell, std::size_t firstNode, const Eigen::Vector3d* nearby)
+  Cell& cell, std::size_t firstNode, const SourcePoint* nearby) const
 {
   const Eigen::Vector3d center = cell.center();
   Nearest nearest = {std::numeric_limits<double>::infinity(), {0, 0, 0}};
   if (nearby)
   {
-    Eigen::Map<Eigen::Vector3d>(nearest.offset) = center - *nearby;
-    nearest.squared = (center - *nearby).squaredNorm();
+    cell.nearest = *nearby;
+    nearest.squared = (center - nearby->position).squaredNorm();
   }
+  const double known = nearest.squared;
   std::size_t closest = firstNode;
   double squared = std::numeric_limits<double>::infinity();
   for (std::size_t n = firstNode; n < nodes_.size(); ++n)
@@ -220,7 +256,22 @@ void GridDistances::Descent::findNearest(
       of_.tree_.findNearest(center, nodes_[n], nearest);
     }
   }
-  cell.nearest = center - Eigen::Map<const Eigen::Vector3d>(nearest.offset);
+  if (nearest.squared < known)
+  {
+    cell.nearest.position = center - Eigen::Map<const Eigen::Vector3d>(nearest.offset);
+    // Three coordinates are rounded by half an epsilon.
+    cell.nearest.rounding = roundingOfOffset(std::sqrt(nearest.squared), sourceSize_) +
+                            std::numeric_limits<double>::epsilon() * farthest_;
+    cell.nearest.item = nearest.item;
+  }
+  cell.squaredReach = (cell.low - cell.nearest.position).squaredNorm() +
+                      (cell.high - cell.nearest.position).squaredNorm();
+}
+
+/// See the class: of what is compared with the distances from the nearest point.
+double GridDistances::Descent::roundingOf(const Cell& cell) const
+{
+  return cell.nearest.rounding + roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
 }
 
 /// Whether all of a box is farther than the limit from all of a cell.
@@ -230,24 +281,22 @@ bool GridDistances::Descent::isBeyond(const Cell& cell, const Bounds& box) const
   return apart.norm() > limit_;
 }
 
-/// See the class.
-bool GridDistances::Descent::canBeNearest(const Cell& cell, const Bounds& box) const
+/// See the class; slack: what rounding may do to the difference of squares.
+bool GridDistances::Descent::canBeNearest(const Cell& cell, const Bounds& box, double slack)
 {
-  double least = 0, size = 0;
+  double least = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double x = cell.nearest[axis];
+    const double x = cell.nearest.position[axis];
     const double low = box.min()[axis], high = box.max()[axis];
     const auto difference = [&](double q)
     {
       const double apart = std::max(0.0, std::max(low - q, q - high));
-      size += (q - x) * (q - x);
       return apart * apart - (q - x) * (q - x);
     };
     least += std::min(difference(cell.low[axis]), difference(cell.high[axis]));
   }
-  // What rounding may have made of it; the size is that of what cancels.
-  return least <= 32 * std::numeric_limits<double>::epsilon() * size;
+  return least <= slack;
 }
 
 /// Appends the nodes of a list that matter to a cell, opened until they are no larger than it.
@@ -255,6 +304,9 @@ void GridDistances::Descent::keepNear(const Cell& cell, std::size_t firstNode, s
 {
   const bool isLast = sampleCount(cell.samples) <= samplesPerCell;
   const double side = (cell.high - cell.low).maxCoeff();
+  const double rounding = this->roundingOf(cell);
+  const double slack = (2 * std::sqrt(cell.squaredReach) + rounding) * rounding +
+                       32 * std::numeric_limits<double>::epsilon() * cell.squaredReach;
   for (std::size_t n = firstNode; n < lastNode; ++n)
   {
     opened_.assign(1, nodes_[n]);
@@ -263,12 +315,13 @@ void GridDistances::Descent::keepNear(const Cell& cell, std::size_t firstNode, s
       const std::uint32_t number = opened_.back();
       opened_.pop_back();
       const Bounds& box = of_.tree_.box(number);
+      const SourceNode& node = of_.tree_.node(number);
+      const bool hasNearest = node.begin <= cell.nearest.item && cell.nearest.item < node.end;
       if ((limit_ < std::numeric_limits<double>::infinity() && this->isBeyond(cell, box)) ||
-          !this->canBeNearest(cell, box))
+          !(hasNearest || canBeNearest(cell, box, slack)))
       {
         continue;
       }
-      const SourceNode& node = of_.tree_.node(number);
       if (node.children > 0 && (isLast || box.sizes().maxCoeff() > side))
       {
         for (std::uint32_t i = 0; i < node.children; ++i)
@@ -285,6 +338,7 @@ void GridDistances::Descent::keepNear(const Cell& cell, std::size_t firstNode, s
 /// As canBeNearest(), but exactly.
 void GridDistances::Descent::keepNearItems(const Cell& cell)
 {
+  const double rounding = this->roundingOf(cell);
   SampleBlock corners;
   corners.count = 8;
   alignas(64) double squared[8];
@@ -293,9 +347,16 @@ void GridDistances::Descent::keepNearItems(const Cell& cell)
     const Eigen::Vector3d corner((i & 1 ? cell.high : cell.low)[0],
       (i & 2 ? cell.high : cell.low)[1], (i & 4 ? cell.high : cell.low)[2]);
     corners.set(i, corner);
-    squared[i] = (corner - cell.nearest).squaredNorm();
+    const double distance = (corner - cell.nearest.position).norm() + rounding;
+    squared[i] = distance * distance;
   }
   of_.tree_.keepNearer(runs_, corners, squared, kept_);
+  const std::uint32_t item = cell.nearest.item;
+  if (std::none_of(kept_.begin(), kept_.end(),
+        [item](const NearItems& run) { return run.first <= item && item < run.last; }))
+  {
+    kept_.push_back({item, item + 1});
+  }
 }
 
 /// From the nodes that are left: leaves, or none where all of the source is beyond the limit.
@@ -316,6 +377,10 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
   SampleBlock block;
   alignas(64) double squared[SampleBlock::capacity];
   const std::size_t count = sampleCount(s);
+  for (const NearItems& run : kept_)
+  {
+    work_ += static_cast<double>(count) * (run.last - run.first);
+  }
   for (std::size_t first = 0; first < count; first += block.count)
   {
     block.count = std::min(count - first, SampleBlock::capacity);
@@ -342,8 +407,30 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
 
 bool GridDistances::evaluate(Executor& executor) const
 {
-  return executor.run(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()),
-    [this](std::size_t number) { Descent(*this).start(this->task(number)); });
+  std::vector<Piece> pieces(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()));
+  for (std::size_t number = 0; number < pieces.size(); ++number)
+  {
+    pieces[number] = {number, this->samplesOfBlock(number)};
+  }
+  for (bool isFirst = true; !pieces.empty(); isFirst = false)
+  {
+    std::vector<std::vector<Piece>> left(pieces.size());
+    const auto work = [&](std::size_t n)
+    {
+      left[n] = Descent(*this, pieces[n]).run();
+    };
+    // What is left is not shown as progress, which would begin again.
+    if (!(isFirst ? executor.run(pieces.size(), work) : executor.runBriefly(pieces.size(), work)))
+    {
+      return false;
+    }
+    pieces.clear();
+    for (const std::vector<Piece>& some : left)
+    {
+      pieces.insert(pieces.end(), some.begin(), some.end());
+    }
+  }
+  return true;
 }
 
 } // namespace winding

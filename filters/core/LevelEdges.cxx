@@ -21,15 +21,28 @@ int layersOfSlab(const Grid& grid, double bytes)
 
 } // namespace
 
-/// The samples of a layer of rows as they change: where the inside rule does, walking along x.
+/// The samples of a layer of rows as they change: where the inside rule or w does, walking along x.
 class LevelEdges::Layer
 {
 public:
-  /// One of its rows. A change at i is between the samples i and i + 1.
+  struct State
+  {
+    bool isInside = false;
+    std::int8_t winding = 0; ///< 0 unless whole rows are integers
+  };
+
+  /// Between the samples i and i + 1.
+  struct Change
+  {
+    int i;
+    State after;
+  };
+
+  /// One of its rows.
   struct Row
   {
-    bool beginsInside = false;
-    const int *first = nullptr, *last = nullptr;
+    State begin;
+    const Change *first = nullptr, *last = nullptr;
   };
 
   explicit Layer(int border)
@@ -38,19 +51,19 @@ public:
   }
 
   /// Calls have to come in the order of the rows. `runs` cover a row.
-  template <class Runs, class InsideOf> void addRow(const Runs& runs, const InsideOf& isInside)
+  template <class Runs, class StateOf> void addRow(const Runs& runs, const StateOf& stateOf)
   {
     // The border's samples are outside.
-    bool before = border_ > 0 ? false : isInside(runs.front());
-    beginsInside_.push_back(before);
+    State before = border_ > 0 ? State() : stateOf(runs.front());
+    begins_.push_back(before);
     starts_.push_back(changes_.size());
     for (const RowRun& run : runs)
     {
-      this->change(before, isInside(run), run.begin - 1);
+      this->change(before, stateOf(run), run.begin - 1);
     }
     if (border_ > 0)
     {
-      this->change(before, false, runs.back().end - 1);
+      this->change(before, State(), runs.back().end - 1);
     }
   }
 
@@ -62,23 +75,23 @@ public:
       return {};
     }
     const std::size_t last = n + 1 < starts_.size() ? starts_[n + 1] : changes_.size();
-    return {beginsInside_[n] != 0, changes_.data() + starts_[n], changes_.data() + last};
+    return {begins_[n], changes_.data() + starts_[n], changes_.data() + last};
   }
 
 private:
-  void change(bool& before, bool after, int at)
+  void change(State& before, State after, int at)
   {
-    if (before != after)
+    if (before.isInside != after.isInside || before.winding != after.winding)
     {
-      changes_.push_back(at);
+      changes_.push_back({at, after});
       before = after;
     }
   }
 
   int border_;
   std::vector<std::size_t> starts_;
-  std::vector<std::uint8_t> beginsInside_;
-  std::vector<int> changes_;
+  std::vector<State> begins_;
+  std::vector<Change> changes_;
 };
 
 /// Values of the samples of some layers, the last of those before among them.
@@ -196,14 +209,15 @@ bool LevelEdges::advanceByRuns(Executor& executor)
 {
   const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
-  const auto isRunInside = [this](const RowRun& run)
+  const auto stateOf = [this](const RowRun& run)
   {
-    return isInside(run.value, rule_, threshold_);
+    return Layer::State{isInside(run.value, rule_, threshold_),
+      static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
   };
   const auto findLayer = [&](std::size_t k)
   {
     rows_->evaluate(static_cast<int>(k), 0,
-      [&](int, int, const std::vector<RowRun>& runs) { layers[k + 1].addRow(runs, isRunInside); });
+      [&](int, int, const std::vector<RowRun>& runs) { layers[k + 1].addRow(runs, stateOf); });
   };
   if (!executor.run(depth, findLayer))
   {
@@ -236,7 +250,10 @@ bool LevelEdges::advanceBySamples(Executor& executor)
       for (int j = 0; j < grid_.dimensions[1]; ++j)
       {
         slab_->findRuns(j, nextLayer_ + static_cast<int>(n), runs);
-        layers[n + 1].addRow(runs, [](const RowRun& run) { return run.value != 0; });
+        layers[n + 1].addRow(runs,
+          [](const RowRun& run) {
+            return Layer::State{run.value != 0, 0};
+          });
       }
     },
     executor);
@@ -257,8 +274,8 @@ bool LevelEdges::advanceBySamples(Executor& executor)
 namespace
 {
 
-/// Calls visit(begin, end, isInside of the first) for all i from begin to end − 1, at most last, at which
-/// two rows differ; ascending.
+/// Calls visit(begin, end, state of a, state of b) for all i from begin to end − 1, at most last,
+/// at which two rows differ in what is inside; ascending.
 template <class Row, class Visit>
 void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
 {
@@ -267,17 +284,17 @@ void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
     int end = last + 1;
     for (const Row* row : {&a, &b})
     {
-      end = row->first != row->last ? std::min(end, *row->first + 1) : end;
+      end = row->first != row->last ? std::min(end, row->first->i + 1) : end;
     }
-    if (a.beginsInside != b.beginsInside && begin < end)
+    if (a.begin.isInside != b.begin.isInside && begin < end)
     {
-      visit(begin, end, a.beginsInside);
+      visit(begin, end, a.begin, b.begin);
     }
     for (Row* row : {&a, &b})
     {
-      if (row->first != row->last && *row->first + 1 == end)
+      if (row->first != row->last && row->first->i + 1 == end)
       {
-        row->beginsInside = !row->beginsInside;
+        row->begin = row->first->after;
         ++row->first;
       }
     }
@@ -292,22 +309,26 @@ void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Ex
 {
   const int firstRow = -border_, lastRow = grid_.dimensions[1] - 1 + border_;
   const int firstSample = -border_, lastSample = grid_.dimensions[0] - 1 + border_;
-  // Calls visit(line, axis, j, first i, end of i, isInside of the first) for all edges of a layer.
+  // Calls visit(axis, j, first i, end of i, states of both samples) for all edges of a layer.
   const auto forEachEdge = [&](std::size_t layer, int k, const auto& visit)
   {
     for (int j = firstRow; j <= lastRow; ++j)
     {
       const Layer::Row row = layers[layer].row(j);
-      bool isInside = row.beginsInside;
-      for (const int* change = row.first; change != row.last; ++change)
+      Layer::State before = row.begin;
+      for (const Layer::Change* change = row.first; change != row.last; ++change)
       {
-        visit(0, j, *change, *change + 1, isInside);
-        isInside = !isInside;
+        if (before.isInside != change->after.isInside)
+        {
+          visit(0, j, change->i, change->i + 1, before, change->after);
+        }
+        before = change->after;
       }
       const auto forOthers = [&](int axis, const Layer::Row& other)
       {
         forEachDifference(row, other, firstSample, lastSample,
-          [&](int begin, int end, bool beginsInside) { visit(axis, j, begin, end, beginsInside); });
+          [&](int begin, int end, Layer::State a, Layer::State b)
+          { visit(axis, j, begin, end, a, b); });
       };
       if (j < lastRow)
       {
@@ -334,10 +355,10 @@ void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Ex
       const int k = layerOf(n);
       for (int j = firstRow; j <= lastRow; ++j)
       {
-        beginsInside_[this->lineOf(0, j, k) / 3] = layers[n + first].row(j).beginsInside;
+        beginsInside_[this->lineOf(0, j, k) / 3] = layers[n + first].row(j).begin.isInside;
       }
       forEachEdge(n + first, k,
-        [&](int axis, int j, int begin, int end, bool)
+        [&](int axis, int j, int begin, int end, Layer::State, Layer::State)
         { starts_[this->lineOf(axis, j, k) + 1] += static_cast<std::uint32_t>(end - begin); });
     },
     executor);
@@ -356,11 +377,12 @@ void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Ex
       const int k = layerOf(n);
       std::size_t next = starts_[this->lineOf(0, firstRow, k)];
       forEachEdge(n + first, k,
-        [&](int axis, int j, int begin, int end, bool beginsInside)
+        [&](int axis, int j, int begin, int end, Layer::State a, Layer::State b)
         {
           for (int i = begin; i < end; ++i)
           {
-            const GridEdge edge = {{i, j, k}, static_cast<std::uint8_t>(axis), beginsInside};
+            const GridEdge edge = {
+              {i, j, k}, static_cast<std::uint8_t>(axis), a.isInside, {a.winding, b.winding}};
             if (slab && !this->isAtBorder(edge))
             {
               std::array<int, 3> second = edge.sample;

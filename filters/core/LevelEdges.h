@@ -17,6 +17,8 @@ struct GridEdge
   std::array<int, 3> sample;
   std::uint8_t axis;
   bool firstIsInside; ///< and the second is not, or the other way round
+  std::array<std::int8_t, 2>
+    windings; ///< of the two, cut off to ±127, where whole rows are integers
 };
 
 /**

@@ -47,6 +47,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   , threshold_(threshold)
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
+  , isParity_(field.info().method == Method::parity)
   , fractions_(edges.size(), 0.5)
   , normals_(edges.size(), Eigen::Vector3f::Zero())
 {
@@ -62,20 +63,21 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        if (edges.isAtBorder(edges[i]) || this->isFoundByCrossings(i, 0, 1))
+        if (edges.isAtBorder(edges[i]))
         {
           continue;
         }
         Search search = {};
         search.edge = static_cast<std::uint32_t>(i);
-        // Without values, w is only known to be on different sides.
-        search.lowLevel = edges[i].firstIsInside ? 0.5 : -0.5;
-        search.highLevel = -search.lowLevel;
-        if (const std::array<float, 2>* values = edges.values(i))
+        const std::array<float, 2>* values = edges.values(i);
+        search.lowWinding = values ? (*values)[0] : edges[i].windings[0];
+        search.highWinding = values ? (*values)[1] : edges[i].windings[1];
+        if (this->isFoundByCrossings(search))
         {
-          search.lowLevel = levelOf((*values)[0], rule_, threshold_);
-          search.highLevel = levelOf((*values)[1], rule_, threshold_);
+          continue;
         }
+        search.lowLevel = levelOf(search.lowWinding, rule_, threshold_);
+        search.highLevel = levelOf(search.highWinding, rule_, threshold_);
         found[block].push_back(search);
       }
     },
@@ -110,24 +112,36 @@ LevelRoots::CrossingRange LevelRoots::crossingsBetween(
   return {first, last};
 }
 
-/// Whether there is but one place where the field can change between two fractions of an edge; then it
+/// Whether there is but one crossing in a bracket, and all that the field changes by there; then it
 /// is kept.
-bool LevelRoots::isFoundByCrossings(std::size_t edge, double low, double high)
+bool LevelRoots::isFoundByCrossings(const Search& search)
 {
-  const auto [first, last] = this->crossingsBetween(edge, low, high);
-  if (!jumpsOnly_ || last - first != 1)
+  const auto changes = [](const EdgeCrossings::Crossing& crossing)
+  {
+    return crossing.change != 0;
+  };
+  const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+  if (!jumpsOnly_ || std::count_if(first, last, changes) != 1)
   {
     return false;
   }
-  fractions_[edge] = first->fraction;
-  normals_[edge] = first->normal;
+  const auto* const crossing = std::find_if(first, last, changes);
+  double unexplained = search.highWinding - search.lowWinding - crossing->change;
+  unexplained = isParity_ ? std::remainder(unexplained, 2) : unexplained;
+  // The field is inexact, but next to integers off the surface.
+  if (std::abs(unexplained) > 0.25)
+  {
+    return false;
+  }
+  fractions_[search.edge] = crossing->fraction;
+  normals_[search.edge] = crossing->normal;
   return true;
 }
 
 /// Whether what is known of a root is enough; then it is kept.
 bool LevelRoots::isFound(const Search& search)
 {
-  if (this->isFoundByCrossings(search.edge, search.low, search.high))
+  if (this->isFoundByCrossings(search))
   {
     return true;
   }
@@ -144,7 +158,10 @@ bool LevelRoots::isFound(const Search& search)
   }
   const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
   root = lowIsCloser ? search.low : search.high;
-  return std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
+  // A field of jumps has the level by accident only: where a sample on the surface has a mean of
+  // what is around.
+  return !jumpsOnly_ &&
+         std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
 }
 
 void LevelRoots::chooseNext(Search& search) const
@@ -165,6 +182,14 @@ void LevelRoots::chooseNext(Search& search) const
     search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
     return;
   }
+  // The field changes beside one of the two samples, which lies on the surface.
+  const double beside = std::min(besideCrossing, 0.5 * (search.high - search.low));
+  if (jumpsOnly_ && search.steps < 2)
+  {
+    search.next = search.steps == 0 ? search.low + beside : search.high - beside;
+    ++search.steps;
+    return;
+  }
   search.next = nextByItp(search.low, search.high, search.lowLevel, search.highLevel, search.steps);
   ++search.steps;
 }
@@ -175,11 +200,13 @@ void LevelRoots::narrow(Search& search, double windingNumber) const
   if (isInside(windingNumber, rule_, threshold_) == edges_[search.edge].firstIsInside)
   {
     search.low = search.next;
+    search.lowWinding = windingNumber;
     search.lowLevel = level;
   }
   else
   {
     search.high = search.next;
+    search.highWinding = windingNumber;
     search.highLevel = level;
   }
 }

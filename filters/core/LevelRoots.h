@@ -16,15 +16,19 @@ namespace winding
  * done.
  *
  * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
- * first. Where the surface is closed the field changes nowhere else: an edge with one crossing needs no
- * evaluation. Where it is open, the samples just before and behind a crossing tell whether the level is
- * there. What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
+ * first. Where the surface is closed the field changes nowhere else: an edge whose only crossing is
+ * the change from one sample to the other needs no evaluation. If it is not, a sample lies on the
+ * surface, and the field may change right beside it: that is where it is asked, too. Where the
+ * surface is open, the samples just before and behind a crossing tell whether the level is there.
+ * What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
  * method average performance preserving minmax optimality, 2020), which takes a round more than
  * bisection at most, and far fewer where the field is smooth.
  *
- * Guaranteed: a root is a crossing of the surface at which the field jumps over the level; or a place
- * where it is off the level by a twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from
- * samples on either side of the level.
+ * Guaranteed: a root is a crossing of the surface at which the field jumps over the level (where
+ * both samples of an edge lie on the surface, one by which it changes as much as from one to the
+ * other); or, where the surface is open and of clouds, a place where it is off the level by a
+ * twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from samples on either side of
+ * the level.
  */
 class LevelRoots
 {
@@ -53,13 +57,14 @@ private:
     std::uint32_t edge;
     int steps = 0; ///< of ITP
     double low = 0, high = 1;
+    double lowWinding, highWinding;
     double lowLevel, highLevel;
     double next = 0; ///< where to evaluate
   };
 
   using CrossingRange = std::pair<const EdgeCrossings::Crossing*, const EdgeCrossings::Crossing*>;
   CrossingRange crossingsBetween(std::size_t edge, double low, double high) const;
-  bool isFoundByCrossings(std::size_t edge, double low, double high);
+  bool isFoundByCrossings(const Search& search);
   bool isFound(const Search& search);
   void chooseNext(Search& search) const;
   void narrow(Search& search, double windingNumber) const;
@@ -72,6 +77,7 @@ private:
   double threshold_;
   double levelTolerance_;
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
+  bool isParity_;  ///< whether it is w modulo 2
   std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
   std::vector<double> fractions_;
   std::vector<Eigen::Vector3f> normals_;

@@ -144,17 +144,14 @@ HWY_INLINE bool isNearer(const Item& item, const SampleBlock& samples, const dou
 {
   using D = hn::CappedTag<double, 8>;
   const D d;
-  // A distance is that far from exact where the offset from the item's beginning is that long.
-  const hn::Vec<D> rounding = hn::Set(d, 64 * std::numeric_limits<double>::epsilon());
   for (std::size_t s = 0; s < 8; s += hn::Lanes(d))
   {
     const Offsets<D> sample = {
       hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
     const Offsets<D> offset = difference(d, sample, broadcast(d, beginOf(item)));
     NearestOffsets<D> nearest = {product(d, offset, offset), offset};
-    const hn::Vec<D> limit = hn::MulAdd(rounding, nearest.squared, hn::Load(d, squaredLimits + s));
     takeNearer(d, item, sample, nearest);
-    if (!hn::AllFalse(d, hn::Le(nearest.squared, limit)))
+    if (!hn::AllFalse(d, hn::Le(nearest.squared, hn::Load(d, squaredLimits + s))))
     {
       return true;
     }
@@ -193,12 +190,16 @@ HWY_INLINE void find(
   const D d;
   const Offsets<D> sample = broadcast(d, at);
   NearestOffsets<D> best = {hn::Set(d, nearest.squared), broadcast(d, nearest.offset)};
-  for (const Item* item = items + run.first; item != items + run.last; ++item)
+  for (std::uint32_t i = run.first; i != run.last; ++i)
   {
-    takeNearer(d, *item, sample, best);
+    takeNearer(d, items[i], sample, best);
+    const double squared = hn::GetLane(best.squared);
+    nearest.item = squared < nearest.squared ? i : nearest.item;
+    nearest.squared = squared;
   }
-  nearest = {hn::GetLane(best.squared),
-    {hn::GetLane(best.offset.x), hn::GetLane(best.offset.y), hn::GetLane(best.offset.z)}};
+  nearest.offset[0] = hn::GetLane(best.offset.x);
+  nearest.offset[1] = hn::GetLane(best.offset.y);
+  nearest.offset[2] = hn::GetLane(best.offset.z);
 }
 
 void lowerByTriangles(const NearTriangle* triangles, const NearItems* runs, std::size_t count,

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 /**
@@ -59,8 +60,9 @@ void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::
 
 ///@{
 /**
- * Appends to `kept`, as runs, the items that are nearer than a limit to any of 8 samples, or would be but
- * for rounding. squaredLimits: aligned as the block is, and padded to 8.
+ * Appends to `kept`, as runs, the items that are no farther than a limit from any of 8 samples, as
+ * the loops compute it: what rounding may do to that (see roundingOfOffset) is for the caller to
+ * add to the limits. squaredLimits: aligned as the block is, and padded to 8.
  */
 void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
   const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
@@ -71,9 +73,23 @@ void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
 /// The nearest point found so far.
 struct Nearest
 {
-  double squared;   ///< of its distance
-  double offset[3]; ///< from it to the sample
+  double squared;         ///< of its distance
+  double offset[3];       ///< from it to the sample
+  std::uint32_t item = 0; ///< that it is of; its number in the array
 };
+
+/**
+ * How far the offset to a point of a source may be from one that leads to it, and a distance from
+ * exact. With r the distance and s the size of the source, the offset from a triangle's beginning
+ * has at most r + s, the sides at most s, and all that is taken from it to get to the nearest point
+ * at most 2s; each of those 3 sides, 3 products and 5 differences is rounded by half an epsilon of
+ * its length. Triangles so thin that their normal is inexact are excepted: there, points lie beside
+ * the triangle by as much as the normal has lost.
+ */
+inline double roundingOfOffset(double distance, double size)
+{
+  return 8 * std::numeric_limits<double>::epsilon() * (distance + size);
+}
 
 ///@{
 /// Replaces the nearest point by that of an item, if that is nearer.

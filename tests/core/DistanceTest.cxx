@@ -213,6 +213,84 @@ TEST(Distance, CloseSamplesAreAsExact)
   }
 }
 
+TEST(Distance, GridsMuchFinerThanTheTrianglesBesideThemAreAsExact)
+{
+  SCOPED_TRACE("seed 816");
+  Random random(816);
+  double worst = 0;
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        Mesh mesh = tetrahedron();
+        for (Point& p : mesh.points)
+        {
+          p = Point::Constant(origin) + random.point(-1, 1);
+        }
+        // About a vertex, a point of an edge and one of a face.
+        const std::size_t corner = random.bits() % 4;
+        const Point& a = mesh.points[corner];
+        const Point u = mesh.points[(corner + 1) % 4] - a, v = mesh.points[(corner + 2) % 4] - a;
+        const double along = i % 3 == 0 ? 0 : random(0, 1);
+        const Point at = a + along * u + (i % 3 == 2 ? random(0, 1 - along) : 0) * v;
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample = at - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(mesh);
+        const std::vector<Point> samples = samplesOf(grid);
+        for (const double limit : {infinite, 3.3 * spacing})
+        {
+          const Distances found = evaluate(*field, grid, grid.wholeExtent(), limit);
+          for (std::size_t n = 0; n < samples.size(); ++n)
+          {
+            const double expected = std::min(limit, naiveDistance(samples[n], mesh));
+            const double error =
+              std::abs(std::abs(found.distances[n]) - expected) / (1 + expected / rounding);
+            ASSERT_LT(error, 1e-15) // measured: 1.4e-16
+              << "tetrahedron " << i << " at " << origin << ", spacing " << spacing << ", sample "
+              << n << ", limit " << limit;
+            worst = std::max(worst, error);
+          }
+        }
+      }
+    }
+  }
+  record("largest error", worst);
+}
+
+TEST(Distance, CloudsMuchLargerThanAGridAreAsExact)
+{
+  SCOPED_TRACE("seed 817");
+  Random random(817);
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (unsigned i = 0; i < 10; ++i)
+      {
+        // Of many points as close as the samples, too.
+        Cloud cloud = randomCloud(60, 817 + i);
+        for (std::size_t n = 0; n < 60; ++n)
+        {
+          const Point near = cloud.positions[0] + 3 * spacing * random.direction();
+          cloud.positions[n] = Point::Constant(origin) + (n % 2 ? near : cloud.positions[n]);
+        }
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample =
+          cloud.positions[1] - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(cloud);
+        EXPECT_LT(checkAll(evaluate(*field, grid), samplesOf(grid), cloud.positions), rounding)
+          << "cloud " << i << " at " << origin << ", spacing " << spacing;
+      }
+    }
+  }
+}
+
 TEST(Distance, OnTheSourceItIsPlainZero)
 {
   for (const Mesh& mesh : {cube(), icosphere(2)})
@@ -437,6 +515,50 @@ TEST(Distance, InterruptionIsToldWhereverItCame)
     EXPECT_EQ(evaluate(*field, grid).distances, evaluate(*fieldOf(icosphere(2)), grid).distances);
   }
   EXPECT_GT(runs, 3) << "values, the tree in some steps, and distances";
+}
+
+TEST(Distance, TasksAreSmallWhereEverythingIsAsNear)
+{
+  /// Counts tasks.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      tasks += count;
+      return winding::SerialExecutor().run(count, work);
+    }
+    std::size_t tasks = 0;
+  };
+  const Mesh mesh = icosphere(6);
+  const auto field = fieldOf(mesh);
+  winding::SerialExecutor serial;
+  ASSERT_TRUE(field->prepareDistances(serial));
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-7);
+  grid.firstSample.setConstant(-8.3e-7);
+  const Extent whole = grid.wholeExtent(), part = {3, 4, 9, 9, 15, 15};
+  const auto tasksFor = [&](const Extent& extent, Distances& result)
+  {
+    Counting executor;
+    EXPECT_TRUE(field->evaluate(grid, extent, result.output(infinite), executor));
+    return executor.tasks;
+  };
+  Distances all(sampleCount(whole)), some(sampleCount(part));
+  const std::size_t few = tasksFor(part, some);
+  EXPECT_GT(tasksFor(whole, all), few + 1);
+  for (std::size_t n = 0; n < all.distances.size(); ++n)
+  {
+    // Of inscribed triangles.
+    ASSERT_LT(all.distances[n], -0.999) << n;
+    ASSERT_GT(all.distances[n], -1) << n;
+  }
+  for (std::size_t n = 0; n < some.distances.size(); ++n)
+  {
+    const Eigen::Vector3i index = sampleIndex(part, n);
+    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+  }
 }
 
 TEST(Distance, TreeIsMadeOnceAndBeforeIfAskedFor)
