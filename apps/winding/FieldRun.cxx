@@ -29,6 +29,7 @@ FieldRun::FieldRun(
   endObserver_ = filter_->AddObserver(vtkCommand::EndEvent, this, &FieldRun::addExecution);
   filter_->UpdateInformation();
   this->check();
+  warnOfIdleOptions(options, *filter_, messages);
 }
 
 FieldRun::~FieldRun()

@@ -53,6 +53,20 @@ void applyImage(const Options& options, vtkWindingNumberField* filter)
   filter->SetDistanceBand(options.distanceBand);
 }
 
+void warnOfIdleOptions(
+  const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages)
+{
+  const char* const idle = options.estimateNormals                           ? "--estimate-normals"
+                           : options.regularization > 0                      ? "--regularization"
+                           : options.areas != vtkWindingNumberField::VORONOI ? "--areas"
+                                                                             : nullptr;
+  if (idle && !options.asPoints && filter.GetSourceKind() == vtkWindingNumberField::MESH_SOURCE)
+  {
+    messages.warn(options.input + ": " + idle +
+                  " is for points and the input is a surface; --points takes its vertices");
+  }
+}
+
 void checkFilter(int status, const std::string& fileName, Messages& messages)
 {
   interrupt::check();

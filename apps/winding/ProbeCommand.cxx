@@ -234,6 +234,7 @@ void runProbe(const Options& options, Messages& messages)
     probe->Update();
   }
   checkFilter(probe->GetStatus(), options.input, messages);
+  warnOfIdleOptions(options, *probe, messages);
   if (isTable(options.output))
   {
     writeTable(queries, *probe, options, output);

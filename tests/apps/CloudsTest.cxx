@@ -194,6 +194,29 @@ TEST_F(Clouds, OfTablesHaveColumnsByAnyUsualName)
   }
 }
 
+TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
+{
+  const std::string mesh = folder.write("mesh.off", asOff(sphere(2))), out = folder.path("out.vti"),
+                    csv = folder.path("out.csv");
+  const std::vector<std::string> options[] = {
+    {"--estimate-normals"}, {"--regularization", "1"}, {"--areas", "constant"}};
+  for (const std::vector<std::string>& option : options)
+  {
+    for (std::vector<std::string> command : {std::vector<std::string>{"field", mesh, "-o", out},
+           std::vector<std::string>{"probe", mesh, mesh, "-o", csv}})
+    {
+      command.insert(command.end(), option.begin(), option.end());
+      const Outcome outcome = runProgram(command);
+      EXPECT_EQ(outcome.status, 0) << outcome;
+      EXPECT_NE(outcome.err.find(option[0] + " is for points and the input is a surface"),
+        std::string::npos)
+        << outcome;
+    }
+  }
+  EXPECT_EQ(runProgram({"field", mesh, "-o", out}).err, "");
+  EXPECT_EQ(runProgram({"field", mesh, "-o", out, "--points", "--regularization", "1"}).err, "");
+}
+
 TEST_F(Clouds, AreDescribedForPeople)
 {
   Cloud cloud = sphereCloud(1000);
