@@ -25,8 +25,8 @@
  *    they are. Where more than two polygons meet, parts are turned as long as that makes more of them
  *    cancel.
  * -# Closed components then get a positive volume: they are turned outward. Those that lie inside an
- *    odd number of other closed components are cavities, and are turned inward. What a cap of at most half
- *    of its own area closes counts as closed here.
+ *    odd number of other closed components are cavities, and are turned inward. So is what a cap of at
+ *    most half of its own area closes; but that makes no cavity of anything that is really closed.
  *
  * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips of a
  * surface in which something is turned become triangles, each with the cell data of its strip. A warning
