@@ -29,6 +29,15 @@ std::string escaped(const std::string& text)
   return result;
 }
 
+/// Whether a file is what another run has left, whose blocks may be replaced.
+bool isIndex(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  std::string text(200, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text.find("vtkMultiBlockDataSet") != std::string::npos;
+}
+
 } // namespace
 
 BlocksFile::BlocksFile(const std::string& name)
@@ -45,7 +54,7 @@ BlocksFile::BlocksFile(const std::string& name)
       "needs the folder " + folder_ + " for its blocks, which cannot be made: " + error.message() +
         "; give another name");
   }
-  if (!isNew_ && !std::filesystem::exists(name) && !std::filesystem::is_empty(folder, error))
+  if (!isNew_ && !std::filesystem::is_empty(folder, error) && !isIndex(name))
   {
     throw Failure(REFUSED, name,
       "needs the folder " + folder_ +

@@ -56,14 +56,21 @@ void applyImage(const Options& options, vtkWindingNumberField* filter)
 void warnOfIdleOptions(
   const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages)
 {
-  const char* const idle = options.estimateNormals                           ? "--estimate-normals"
-                           : options.regularization > 0                      ? "--regularization"
-                           : options.areas != vtkWindingNumberField::VORONOI ? "--areas"
-                                                                             : nullptr;
-  if (idle && !options.asPoints && filter.GetSourceKind() == vtkWindingNumberField::MESH_SOURCE)
+  if (options.asPoints || filter.GetSourceKind() != vtkWindingNumberField::MESH_SOURCE)
   {
-    messages.warn(options.input + ": " + idle +
-                  " is for points and the input is a surface; --points takes its vertices");
+    return;
+  }
+  const std::pair<const char*, bool> forPoints[] = {{"--estimate-normals", options.estimateNormals},
+    {"--regularization", options.regularization > 0},
+    {"--areas", options.areas != vtkWindingNumberField::VORONOI},
+    {"--neighbors", options.neighbors != Options().neighbors}};
+  for (const auto& [option, isGiven] : forPoints)
+  {
+    if (isGiven)
+    {
+      messages.warn(options.input + ": " + option +
+                    " is for points and the input is a surface; --points takes its vertices");
+    }
   }
 }
 

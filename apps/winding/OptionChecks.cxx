@@ -130,8 +130,13 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
 
 void checkBench(const Options& options, const WasGiven& wasGiven)
 {
-  require(options.subjects.front() == "vtk" || !wasGiven("--points"),
-    "--points is for bench vtk; leave it out");
+  const std::pair<const char*, const char*> optionsOf[] = {{"--points", "vtk"},
+    {"--tolerance", "hierarchical"}, {"--sources", "hierarchical"}, {"--data", "seed"}};
+  for (const auto& [option, subject] : optionsOf)
+  {
+    require(options.subjects.front() == subject || !wasGiven(option),
+      std::string(option) + " is for bench " + subject + "; leave it out");
+  }
   for (const int resolution : options.resolutions)
   {
     require(

@@ -35,17 +35,30 @@ bool canGrow(const std::string& path)
   return close(file) == 0 && grown && restored && before.st_size > 0;
 }
 
+/// What a name leads to, whether it exists or not.
+std::filesystem::path behindLinks(const std::string& name)
+{
+  std::filesystem::path path(name);
+  std::error_code error;
+  for (int links = 0; std::filesystem::is_symlink(path, error); ++links)
+  {
+    constexpr int most = 40; // as systems have it
+    if (links == most)
+    {
+      throw Failure(REFUSED, name, "is a link that leads to itself; give another name");
+    }
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
+}
+
 } // namespace
 
 OutputFile::OutputFile(const std::string& name)
   : name_(name)
 {
-  std::filesystem::path path(name);
   std::error_code error;
-  if (std::filesystem::is_symlink(path, error))
-  {
-    path = std::filesystem::weakly_canonical(path, error);
-  }
+  const std::filesystem::path path = behindLinks(name);
   target_ = path.string();
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
   {

@@ -220,8 +220,12 @@ vtkSmartPointer<vtkPointSet> readWith(
 /// VTK's readers of OBJ, PLY and STL keep single precision: far from the origin, that moves vertices.
 void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
 {
-  if (data->GetNumberOfPoints() > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT &&
-      singlePrecisionOf(data) == SinglePrecision::movesPoints)
+  if (data->GetNumberOfPoints() == 0 || data->GetPoints()->GetDataType() != VTK_FLOAT)
+  {
+    return;
+  }
+  const SinglePrecision precision = singlePrecisionOf(data);
+  if (precision == SinglePrecision::movesPoints || precision == SinglePrecision::collapsesPoints)
   {
     messages.warn(
       fileName + ": its coordinates are kept in single precision, and so far from the " +

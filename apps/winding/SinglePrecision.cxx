@@ -21,12 +21,13 @@ SinglePrecision singlePrecisionOf(vtkPointSet* points)
     longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
   using Single = std::numeric_limits<float>;
-  constexpr double acceptable = 1e-4; // of the longest side
-  const double step = acceptable * longest;
-  if (largest > Single::max() || (longest > 0 && step < Single::min()))
+  constexpr double acceptable = 1e-4, fatal = 0.1; // of the longest side
+  if (largest > Single::max() || (longest > 0 && acceptable * longest < Single::min()))
   {
-    return SinglePrecision::losesPoints;
+    return SinglePrecision::isExceeded;
   }
-  return longest > 0 && largest * Single::epsilon() > step ? SinglePrecision::movesPoints
-                                                           : SinglePrecision::holds;
+  const double step = largest * Single::epsilon();
+  return longest == 0 || step <= acceptable * longest ? SinglePrecision::holds
+         : step <= fatal * longest                    ? SinglePrecision::movesPoints
+                                                      : SinglePrecision::collapsesPoints;
 }

@@ -6,8 +6,9 @@ class vtkPointSet;
 enum class SinglePrecision
 {
   holds,
-  movesPoints, ///< by more than a ten-thousandth of the longest side of their bounds
-  losesPoints  ///< they are too large for it, or so small that they fall together
+  movesPoints,     ///< by more than a ten-thousandth of the longest side of their bounds
+  collapsesPoints, ///< by more than a tenth of that
+  isExceeded       ///< their places, or the differences between them, are beyond its range
 };
 
 SinglePrecision singlePrecisionOf(vtkPointSet* points);

@@ -64,7 +64,11 @@ void checkSinglePrecision(vtkPolyData* surface, const OutputFile& file, Messages
                   ": the format keeps single precision, and so far from the origin that vertices "
                   "move by more than a ten-thousandth of the size; .vtp keeps what they are");
     return;
-  case SinglePrecision::losesPoints:
+  case SinglePrecision::collapsesPoints:
+    throw Failure(REFUSED, file.name(),
+      "the format keeps single precision, in which points so far from the origin fall together; "
+      "give it the suffix .vtp");
+  case SinglePrecision::isExceeded:
     throw Failure(REFUSED, file.name(),
       "the format keeps single precision, which coordinates of this size are beyond; give it the "
       "suffix .vtp");

@@ -125,7 +125,7 @@ template <class BoxOf> void DistanceTree::makeBoxes(const BoxOf& boxOf, Executor
   }
 }
 
-void DistanceTree::findNearest(
+std::size_t DistanceTree::findNearest(
   const Eigen::Vector3d& sample, std::uint32_t number, Nearest& nearest) const
 {
   const SourceNode& top = this->node(number);
@@ -134,7 +134,7 @@ void DistanceTree::findNearest(
     const NearItems items = {top.begin, top.end};
     points_.empty() ? winding::findNearest(triangles_.data(), items, sample.data(), nearest)
                     : winding::findNearest(points_.data(), items, sample.data(), nearest);
-    return;
+    return items.last - items.first;
   }
   // The nearest box first: it lowers the limit for the others.
   struct Child
@@ -153,10 +153,12 @@ void DistanceTree::findNearest(
     }
     children[place] = child;
   }
+  std::size_t items = 0;
   for (std::uint32_t i = 0; i < top.children && children[i].squared < nearest.squared; ++i)
   {
-    this->findNearest(sample, children[i].number, nearest);
+    items += this->findNearest(sample, children[i].number, nearest);
   }
+  return items;
 }
 
 void DistanceTree::keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,

@@ -37,8 +37,9 @@ public:
   const Bounds& box(std::uint32_t node) const { return boxes_[node]; }
 
   /// Looks for what is nearer to a sample than `nearest` among the items of a node. nearest.squared may
-  /// be infinite; where nothing is nearer, `nearest` stays.
-  void findNearest(const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
+  /// be infinite; where nothing is nearer, `nearest` stays. Returns how many items it looked at.
+  std::size_t findNearest(
+    const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
 
   /// Of the items of leaves: those that are no farther than limits from any of 8 samples; see
   /// NearestKernels.h.

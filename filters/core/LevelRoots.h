@@ -25,8 +25,8 @@ namespace winding
  * bisection at most, and far fewer where the field is smooth.
  *
  * Guaranteed: a root is a crossing of the surface at which the field jumps over the level (where
- * both samples of an edge lie on the surface, one by which it changes as much as from one to the
- * other); or, where the surface is open and of clouds, a place where it is off the level by a
+ * both samples of an edge lie on the surface, or a triangle lies along the edge, one by which it
+ * changes as much as from one to the other); or, where the surface is open and of clouds, a place where it is off the level by a
  * twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from samples on either side of
  * the level.
  */

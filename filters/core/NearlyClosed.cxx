@@ -29,6 +29,27 @@ int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
   return -1;
 }
 
+/// A cap that is the same whichever way the loop runs, but for the sense of its triangles: a component
+/// must not be judged by another one once it is turned round.
+std::vector<Triangle> unsidedCapOf(BoundaryLoop loop)
+{
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  const bool isReversed = loop.back() < loop[1];
+  if (isReversed)
+  {
+    std::reverse(loop.begin() + 1, loop.end());
+  }
+  std::vector<Triangle> cap = capOf({loop});
+  for (Triangle& triangle : cap)
+  {
+    if (isReversed)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return cap;
+}
+
 /// The boundary chains of all open components, each over vertices of its own.
 class OwnBoundaries
 {
@@ -80,7 +101,7 @@ public:
     }
     for (const BoundaryLoop& loop : boundaryLoops(chain, vertices_.size()))
     {
-      std::vector<Triangle> cap = capOf({loop});
+      std::vector<Triangle> cap = unsidedCapOf(loop);
       for (Triangle& triangle : cap)
       {
         for (std::int32_t& corner : triangle)

@@ -304,9 +304,10 @@ private:
     std::size_t last, const Share& share)
   {
     std::vector<Full> full;
+    double tasksEnd;
     {
       const Buckets<std::uint32_t> triangles = reach.inColumns(first, last);
-      bool mayGiveUp = false;
+      bool mayGiveUp = false; // a guess: where it is wrong, what is left shows no progress
       for (std::size_t i = 0; i < triangles.count(); ++i)
       {
         mayGiveUp = mayGiveUp || static_cast<double>(rays.size(first + i)) *
@@ -314,7 +315,8 @@ private:
                                    static_cast<double>(RayCounter::mostSteps);
       }
       std::mutex mutex;
-      share_.set(share.part(0, mayGiveUp ? 0.5 : 1));
+      tasksEnd = mayGiveUp ? 0.5 : 1;
+      share_.set(share.part(0, tasksEnd));
       const bool isComplete = executor_.run(last - first,
         [&](std::size_t i)
         {
@@ -339,7 +341,7 @@ private:
         return false;
       }
     }
-    const Share rest = share.part(0.5, 1);
+    const Share rest = share.part(tasksEnd, 1);
     for (std::size_t i = 0; i < full.size(); ++i)
     {
       const double count = static_cast<double>(full.size()), at = static_cast<double>(i);

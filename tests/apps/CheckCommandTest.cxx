@@ -278,6 +278,9 @@ TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
   const Outcome mine = runProgram({"check", in, "--blocks", folder.path("mine.vtm")});
   EXPECT_EQ(mine.status, 2) << mine;
   EXPECT_TRUE(mine.saysInOneLine({"mine.vtm", "holds other files"})) << mine;
+  folder.write("mine.vtm", "notes");
+  EXPECT_EQ(runProgram({"check", in, "--blocks", folder.path("mine.vtm")}).status, 2);
+  std::filesystem::remove(folder.path("mine.vtm"));
   EXPECT_EQ(contentsOf(folder.path("mine/Caps.vtp")), "what was there before");
   const Outcome taken = runProgram({"check", in, "--blocks", folder.path("taken.vtm")});
   EXPECT_EQ(taken.status, 2) << taken;
@@ -296,7 +299,8 @@ TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
     runProgram({"check", large, "--blocks", folder.path("out.vtm")}, "ulimit -f 8; ");
   EXPECT_EQ(full.status, 2) << full;
   EXPECT_TRUE(full.saysInOneLine({"Boundary.vtp", "cannot be written"})) << full;
-  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "mine", "taken"}));
+  EXPECT_EQ(
+    namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "mine", "taken"}));
 }
 
 TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)

@@ -198,8 +198,8 @@ TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
 {
   const std::string mesh = folder.write("mesh.off", asOff(sphere(2))), out = folder.path("out.vti"),
                     csv = folder.path("out.csv");
-  const std::vector<std::string> options[] = {
-    {"--estimate-normals"}, {"--regularization", "1"}, {"--areas", "constant"}};
+  const std::vector<std::string> options[] = {{"--estimate-normals"}, {"--regularization", "1"},
+    {"--areas", "constant"}, {"--neighbors", "10"}};
   for (const std::vector<std::string>& option : options)
   {
     for (std::vector<std::string> command : {std::vector<std::string>{"field", mesh, "-o", out},

@@ -99,7 +99,7 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
     return folder.write(name, asOff(mesh));
   };
   const std::string far = moved("far.off", 1, 1e6), large = moved("large.off", 1e90, 0),
-                    small = moved("small.off", 1e-90, 0);
+                    small = moved("small.off", 1e-90, 0), beyond = moved("beyond.off", 1, 1e8);
   for (const std::string suffix : {".stl", ".ply"})
   {
     const std::string out = folder.path("out" + suffix);
@@ -111,7 +111,7 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
       EXPECT_EQ(warned.status, 0) << warned;
       EXPECT_NE(warned.err.find("the format keeps single precision"), std::string::npos) << warned;
     }
-    for (const std::string& mesh : {large, small})
+    for (const std::string& mesh : {large, small, beyond})
     {
       const Outcome refused = runProgram({"surface", mesh, "-o", out, "--resolution", "8"});
       EXPECT_EQ(refused.status, 2) << refused;
@@ -136,6 +136,17 @@ TEST_F(WriteOutput, LinksAreFollowed)
   char target[100];
   EXPECT_EQ(readlink(folder.path("link.vti").c_str(), target, sizeof target), 8) << "still a link";
   EXPECT_NE(contentsOf(file).find("ImageData"), std::string::npos);
+
+  ASSERT_EQ(symlink("there.vti", folder.path("early.vti").c_str()), 0);
+  EXPECT_EQ(
+    runProgram({"field", in, "-o", folder.path("early.vti"), "--resolution", "4"}).status, 0);
+  EXPECT_NE(contentsOf(folder.path("there.vti")).find("ImageData"), std::string::npos);
+
+  ASSERT_EQ(symlink("circle.vti", folder.path("circle.vti").c_str()), 0);
+  const Outcome circle =
+    runProgram({"field", in, "-o", folder.path("circle.vti"), "--resolution", "4"});
+  EXPECT_EQ(circle.status, 2) << circle;
+  EXPECT_TRUE(circle.saysInOneLine({"circle.vti", "leads to itself"})) << circle;
 }
 
 TEST_F(WriteOutput, CloudWithoutNormalsNamesTheFilterThatMakesThem)

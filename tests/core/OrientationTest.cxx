@@ -338,6 +338,38 @@ TEST(Orientation, OfSoupsIsTheSameForEveryExecutorAndEndsSoon)
   }
 }
 
+TEST(NearlyClosed, CapsDoNotDependOnTheSideThatIsOut)
+{
+  for (const std::size_t hole : {5, 20, 60, 100})
+  {
+    const Mesh mesh = icosphere(2).part(hole, 320);
+    const auto capOf = [](const Mesh& open)
+    {
+      Surface surface = clean(open);
+      const SurfaceEdges edges = edgesOf(surface);
+      winding::Components components = winding::componentsOf(surface, edges);
+      const auto triangles = static_cast<std::ptrdiff_t>(surface.triangles.size());
+      winding::closeNearlyClosed(surface, edges, components);
+      std::vector<winding::Triangle> cap(
+        surface.triangles.begin() + triangles, surface.triangles.end());
+      for (winding::Triangle& t : cap)
+      {
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      }
+      std::sort(cap.begin(), cap.end());
+      return cap;
+    };
+    std::vector<winding::Triangle> turned = capOf(mesh.reversed());
+    for (winding::Triangle& t : turned)
+    {
+      std::swap(t[1], t[2]);
+    }
+    std::sort(turned.begin(), turned.end());
+    EXPECT_EQ(turned, capOf(mesh)) << hole;
+    EXPECT_FALSE(turned.empty()) << hole;
+  }
+}
+
 TEST(NearlyClosed, ClosesWhatHasASmallCap)
 {
   const auto isClosed = [](const Mesh& mesh)
