@@ -90,9 +90,8 @@ bool SmpExecutor::runBatches(
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
     if (filter_)
     {
-      const double share = firstShare_ + (lastShare_ - firstShare_) * static_cast<double>(done) /
-                                            static_cast<double>(count);
-      const double progress = firstProgress_ + (lastProgress_ - firstProgress_) * share;
+      const double progress = firstShare_ + (lastShare_ - firstShare_) * static_cast<double>(done) /
+                                               static_cast<double>(count);
       filter_->UpdateProgress(showsProgress ? progress : filter_->GetProgress());
     }
   }
@@ -111,13 +110,6 @@ bool SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::si
   bool complete = false;
   this->runOnBackend([&]() { complete = this->runBatches(count, work, false); });
   return complete;
-}
-
-void SmpExecutor::setProgressRange(double first, double last)
-{
-  firstProgress_ = first;
-  lastProgress_ = last;
-  this->setShare(0, 1);
 }
 
 void SmpExecutor::setShare(double first, double last)

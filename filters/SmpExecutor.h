@@ -23,13 +23,10 @@ public:
 
   /// Work that comes after this takes progress from `first` to `last`, where it is shown; at first
   /// from 0 to 1.
-  void setProgressRange(double first, double last);
-
-  /// Of that range, until another is set.
   void setShare(double first, double last) override;
   std::pair<double, double> share() const override { return {firstShare_, lastShare_}; }
 
-  /// Progress goes to the end of its range.
+  /// Progress goes to the end of its share.
   bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
   /// Progress stays. Observers hear of it after every batch all the same, for that is when they can
@@ -51,8 +48,6 @@ private:
 
   vtkAlgorithm* filter_;
   int threads_;
-  double firstProgress_ = 0;
-  double lastProgress_ = 1;
   double firstShare_ = 0;
   double lastShare_ = 1;
   bool hasRun_ = false;

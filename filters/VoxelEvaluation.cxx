@@ -35,14 +35,14 @@ try
                      : coverage == Coverage::center ? 1
                      : coverage == Coverage::any    ? 0.5
                                                     : 0.1;
-  executor.setProgressRange(0, end);
+  executor.setShare(0, end);
   if (hasCenters && !field.evaluate(grid, extent, atCenters, executor))
   {
     return false;
   }
   if (coverage == Coverage::any)
   {
-    executor.setProgressRange(end, 1);
+    executor.setShare(end, 1);
     addOverlap(field, grid, extent, output.rule, output.threshold, output.inside, executor);
   }
   if (coverage == Coverage::fraction)
@@ -67,7 +67,7 @@ void VoxelEvaluation::evaluateFractions(const Field& field, const Grid& grid, co
   };
   for (int part = 0; part < sampling.parts(); ++part)
   {
-    executor.setProgressRange(progressAt(part), progressAt(part + 1));
+    executor.setShare(progressAt(part), progressAt(part + 1));
     sampling.evaluate(part, executor);
   }
   std::transform(fractions, fractions + sampleCount(extent), output.inside,

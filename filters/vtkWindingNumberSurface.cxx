@@ -120,8 +120,7 @@ try
   winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
   while (!edges.isDone())
   {
-    executor.setProgressRange(
-      progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
+    executor.setShare(progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
     if (!edges.advance(executor))
     {
       return false;
@@ -133,7 +132,7 @@ try
   for (double progress = progressOfGrid; !roots.isDone();)
   {
     const double next = progress + (1 - progress) / 8;
-    executor.setProgressRange(progress, next);
+    executor.setShare(progress, next);
     progress = next;
     if (!roots.advance(executor))
     {

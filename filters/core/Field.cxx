@@ -1,6 +1,7 @@
 #include "Field.h"
 
 #include "CloudField.h"
+#include "DividedShare.h"
 #include "Evaluator.h"
 #include "GridDistances.h"
 #include "SampleDistances.h"
@@ -203,13 +204,12 @@ bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
   }
   const double ofValues = this->expectedCost(samples).seconds;
   const double share = ofValues / (ofValues + this->expectedCostOfDistances(samples).seconds);
-  executor.setShare(0, share);
+  DividedShare divided(executor);
+  divided.set(0, share);
   const bool hasValues = evaluateValues(signedOutput);
-  executor.setShare(share, 1);
+  divided.set(share, 1);
   const DistanceTree* tree = hasValues ? this->distanceTree(executor) : nullptr;
-  const bool isComplete = tree && evaluateDistances(*tree, signedOutput);
-  executor.setShare(0, 1);
-  return isComplete;
+  return tree && evaluateDistances(*tree, signedOutput);
 }
 
 bool Field::evaluate(

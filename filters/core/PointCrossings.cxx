@@ -1,16 +1,14 @@
 #include "PointCrossings.h"
 
 #include "BucketSort.h"
-#include "RayColumns.h"
+#include "DividedShare.h"
 #include "RayCounter.h"
+#include "ReachOfTriangles.h"
 #include "UnitScale.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -21,11 +19,8 @@ namespace winding
 namespace
 {
 
-/// Samples or triangles of a block: so few that small inputs occupy several cores, too.
-constexpr std::size_t perBlock = 4096;
-
-/// Lists of triangles are made for as many columns at a time as hold so many entries per triangle.
-constexpr std::size_t mostEntries = 16;
+/// Samples of a block: so few that small inputs occupy several cores, too.
+constexpr std::size_t samplesPerBlock = 4096;
 
 /// Of what the executor shows as progress.
 struct Share
@@ -34,226 +29,6 @@ struct Share
 
   double at(double part) const { return first + (last - first) * part; }
   Share part(double from, double to) const { return {this->at(from), this->at(to)}; }
-};
-
-/// Sets the executor's share, and what it was in the end.
-class ShareOfExecutor
-{
-public:
-  explicit ShareOfExecutor(Executor& executor)
-    : executor_(executor)
-    , whole_{executor.share().first, executor.share().second}
-  {
-  }
-  ~ShareOfExecutor() { this->set({0, 1}); }
-  ShareOfExecutor(const ShareOfExecutor&) = delete;
-  ShareOfExecutor& operator=(const ShareOfExecutor&) = delete;
-
-  void set(const Share& share)
-  {
-    executor_.setShare(whole_.at(share.first), whole_.at(share.last));
-  }
-
-private:
-  Executor& executor_;
-  Share whole_;
-};
-
-/// All triangles of a surface, or some of them.
-class Candidates
-{
-public:
-  explicit Candidates(std::size_t count)
-    : count_(count)
-  {
-  }
-  explicit Candidates(const TriangleIds& ids)
-    : ids_(ids.data())
-    , count_(ids.size())
-  {
-  }
-
-  std::size_t size() const { return count_; }
-  std::uint32_t operator[](std::size_t i) const
-  {
-    return ids_ ? ids_[i] : static_cast<std::uint32_t>(i);
-  }
-
-private:
-  const std::uint32_t* ids_ = nullptr;
-  std::size_t count_;
-};
-
-/// Which of some triangles reach which columns of rays.
-class ReachOfTriangles
-{
-public:
-  /// Keeps references. Throws Interrupted.
-  ReachOfTriangles(const RayCounter& counter, const Candidates& triangles,
-    const RaysInColumns& rays, Executor& executor)
-    : counter_(counter)
-    , triangles_(triangles)
-    , columns_(rays.columns)
-    , executor_(executor)
-    , ranges_(new ColumnRange[triangles.size()])
-  {
-    constexpr std::size_t columnsPerBlock = 64;
-    std::vector<RayBox> boxes(columns_.count());
-    runBlocks(
-      boxes.size(), columnsPerBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (std::size_t column = first; column < last; ++column)
-        {
-          boxes[column] = RayBox(rays.starts[column], rays.starts[column + 1]);
-        }
-      },
-      executor);
-    RayBox all;
-    for (const RayBox& box : boxes)
-    {
-      all.add(box);
-    }
-    std::atomic<std::size_t> inBoxes{0};
-    runBlocks(
-      triangles.size(), perBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        std::size_t ours = 0;
-        for (std::size_t i = first; i < last; ++i)
-        {
-          ranges_[i] = this->rangeOf(triangles[i], all, boxes);
-          ours += ranges_[i].isEmpty() ? 0 : ranges_[i].size();
-        }
-        inBoxes += ours;
-      },
-      executor);
-    this->makeRounds(inBoxes);
-  }
-
-  /// Rounds are runs of columns of which there are lists at a time: starts, and the end.
-  const std::vector<std::size_t>& rounds() const { return rounds_; }
-
-  /// The triangles that reach the columns first … last − 1. Throws Interrupted.
-  Buckets<std::uint32_t> inColumns(std::size_t first, std::size_t last) const
-  {
-    const Window window(first, last, columns_);
-    return distribute<std::uint32_t>(
-      triangles_.size(), last - first,
-      [&](std::size_t from, std::size_t to, const auto& put)
-      {
-        for (std::size_t i = from; i < to; ++i)
-        {
-          this->forEachColumn(
-            i, window, [&](std::size_t column) { put(column - first, triangles_[i]); });
-        }
-      },
-      executor_, perBlock);
-  }
-
-private:
-  /// The columns first … last − 1, and the rows that they are in.
-  struct Window
-  {
-    Window(std::size_t columnsBegin, std::size_t columnsEnd, const Columns& columns)
-      : first(columnsBegin)
-      , last(columnsEnd)
-      , firstRow(static_cast<std::uint16_t>(columnsBegin / columns.perRow()))
-      , lastRow(static_cast<std::uint16_t>((columnsEnd - 1) / columns.perRow()))
-    {
-    }
-
-    std::size_t first, last;
-    std::uint16_t firstRow, lastRow;
-  };
-
-  ColumnRange rangeOf(std::uint32_t id, const RayBox& all, const std::vector<RayBox>& boxes) const
-  {
-    const TriangleBox box = counter_.box(id);
-    if (!all.isReachedBy(box))
-    {
-      return ColumnRange::none();
-    }
-    const ColumnRange range = columns_.of(box);
-    const bool isReached =
-      range.size() > 1 || boxes[columns_.number(range.firstY, range.firstZ)].isReachedBy(box);
-    return isReached ? range : ColumnRange::none();
-  }
-
-  /// Calls visit for those of a window that triangle i reaches.
-  template <class Visit>
-  void forEachColumn(std::size_t i, const Window& window, const Visit& visit) const
-  {
-    ColumnRange range = ranges_[i];
-    range.firstZ = std::max(range.firstZ, window.firstRow);
-    range.lastZ = std::min(range.lastZ, window.lastRow);
-    if (range.isEmpty())
-    {
-      return;
-    }
-    const auto visitOurs = [&](std::size_t column)
-    {
-      if (column >= window.first && column < window.last)
-      {
-        visit(column);
-      }
-    };
-    if (!range.isNarrow())
-    {
-      counter_.footprint(triangles_[i], columns_, range).forEach(visitOurs);
-      return;
-    }
-    for (int z = range.firstZ; z <= range.lastZ; ++z)
-    {
-      for (int y = range.firstY; y <= range.lastY; ++y)
-      {
-        visitOurs(columns_.number(y, z));
-      }
-    }
-  }
-
-  void makeRounds(std::size_t inBoxes)
-  {
-    const std::size_t most = mostEntries * triangles_.size();
-    rounds_ = {0};
-    if (inBoxes > most)
-    {
-      std::vector<std::size_t> entries(columns_.count(), 0);
-      std::mutex mutex;
-      runBlocks(
-        triangles_.size(), perBlock,
-        [&](std::size_t, std::size_t first, std::size_t last)
-        {
-          std::vector<std::size_t> ours(entries.size(), 0);
-          const Window window(0, entries.size(), columns_);
-          for (std::size_t i = first; i < last; ++i)
-          {
-            this->forEachColumn(i, window, [&ours](std::size_t column) { ++ours[column]; });
-          }
-          const std::lock_guard<std::mutex> lock(mutex);
-          std::transform(ours.begin(), ours.end(), entries.begin(), entries.begin(), std::plus<>());
-        },
-        executor_);
-      std::size_t sum = 0;
-      for (std::size_t column = 0; column < entries.size(); ++column)
-      {
-        if (sum + entries[column] > most)
-        {
-          rounds_.push_back(column);
-          sum = 0;
-        }
-        sum += entries[column];
-      }
-    }
-    rounds_.push_back(columns_.count());
-  }
-
-  const RayCounter& counter_;
-  const Candidates& triangles_;
-  const Columns& columns_;
-  Executor& executor_;
-  std::unique_ptr<ColumnRange[]> ranges_;
-  std::vector<std::size_t> rounds_;
 };
 
 /**
@@ -273,7 +48,7 @@ public:
   }
 
   /// False when interrupted; or throws Interrupted.
-  bool run(const RaysInColumns& rays, const Candidates& triangles, const Share& share)
+  bool run(const RaysInColumns& rays, const CandidateTriangles& triangles, const Share& share)
   {
     const ReachOfTriangles reach(counter_, triangles, rays, executor_);
     const double all = static_cast<double>(rays.starts.back() - rays.starts.front());
@@ -316,7 +91,7 @@ private:
       }
       std::mutex mutex;
       tasksEnd = mayGiveUp ? 0.5 : 1;
-      share_.set(share.part(0, tasksEnd));
+      this->show(share.part(0, tasksEnd));
       const bool isComplete = executor_.run(last - first,
         [&](std::size_t i)
         {
@@ -367,9 +142,9 @@ private:
     if (columns.count() > 1)
     {
       const RaysInColumns inColumns = RayCounter::sort(first, last, columns);
-      return this->run(inColumns, Candidates(triangles), share);
+      return this->run(inColumns, CandidateTriangles(triangles), share);
     }
-    share_.set(share);
+    this->show(share);
     return executor_.run(1,
       [&](std::size_t)
       {
@@ -377,6 +152,8 @@ private:
         this->write(first, last);
       });
   }
+
+  void show(const Share& share) { share_.set(share.first, share.last); }
 
   void write(const Ray* first, const Ray* last) const
   {
@@ -389,8 +166,27 @@ private:
   const RayCounter& counter_;
   const FieldOutput& output_;
   Executor& executor_;
-  ShareOfExecutor share_;
+  DividedShare share_;
 };
+
+RaysThroughTriangles raysThrough(const Surface& surface)
+{
+  RaysThroughTriangles rays = {0, 0};
+  const Eigen::Array2d sizes = surface.bounds.sizes().tail<2>();
+  if (surface.bounds.isEmpty() || !(sizes.minCoeff() > 0))
+  {
+    return rays;
+  }
+  for (const Triangle& ids : surface.triangles)
+  {
+    const Eigen::Array2d a = surface.vertices[ids[0]].tail<2>();
+    const Eigen::Array2d u = (surface.vertices[ids[1]].tail<2>().array() - a) / sizes;
+    const Eigen::Array2d v = (surface.vertices[ids[2]].tail<2>().array() - a) / sizes;
+    rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
+    rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
+  }
+  return rays;
+}
 
 } // namespace
 
@@ -401,20 +197,8 @@ PointCrossings::PointCrossings(const Surface& surface)
 
 EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
 {
-  RaysThroughTriangles rays = {0, 0};
-  const Eigen::Array2d sizes = surface_.bounds.sizes().tail<2>();
-  if (!surface_.bounds.isEmpty() && sizes.minCoeff() > 0)
-  {
-    for (const Triangle& ids : surface_.triangles)
-    {
-      const Eigen::Array2d a = surface_.vertices[ids[0]].tail<2>();
-      const Eigen::Array2d u = (surface_.vertices[ids[1]].tail<2>().array() - a) / sizes;
-      const Eigen::Array2d v = (surface_.vertices[ids[2]].tail<2>().array() - a) / sizes;
-      rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
-      rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
-    }
-  }
-  return costOfCrossings(surface_.triangles.size(), samples, rays);
+  std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(surface_); });
+  return costOfCrossings(surface_.triangles.size(), samples, rays_);
 }
 
 bool PointCrossings::evaluate(
@@ -432,7 +216,7 @@ try
   RayBox box;
   std::mutex mutex;
   runBlocks(
-    samples.size(), perBlock,
+    samples.size(), samplesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       RayBox ours;
@@ -470,7 +254,7 @@ try
         }
       }
     },
-    executor, perBlock);
+    executor, samplesPerBlock);
   RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
   for (std::size_t column = 0; column < columns.count(); ++column)
   {
@@ -480,7 +264,7 @@ try
 
   const RayCounter counter(surface_, scale);
   return ColumnTasks(counter, output, executor)
-    .run(inColumns, Candidates(surface_.triangles.size()), {0, 1});
+    .run(inColumns, CandidateTriangles(surface_.triangles.size()), {0, 1});
 }
 catch (const Interrupted&)
 {

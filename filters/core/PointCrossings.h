@@ -5,6 +5,8 @@
 #include "FieldOutput.h"
 #include "Sanitize.h"
 
+#include <mutex>
+
 namespace winding
 {
 
@@ -44,7 +46,7 @@ public:
   /// Keeps a reference; takes no time.
   explicit PointCrossings(const Surface& surface);
 
-  /// What evaluate() is expected to take for so many samples. Walks over the triangles.
+  /// What evaluate() is expected to take for so many samples. Walks over the triangles the first time.
   EvaluationCost expectedCost(std::size_t samples) const;
 
   /// False when the executor was interrupted. Its share is divided, and what it was in the end.
@@ -52,6 +54,8 @@ public:
 
 private:
   const Surface& surface_;
+  mutable std::once_flag areRaysKnown_;
+  mutable RaysThroughTriangles rays_; ///< if they are
 };
 
 } // namespace winding

@@ -1,5 +1,6 @@
 #include "Components.h"
 
+#include "EdgesOf.h"
 #include "Shapes.h"
 #include "ShuffledThreads.h"
 
@@ -16,12 +17,6 @@ using namespace shapes;
 using winding::Components;
 using winding::Surface;
 using winding::SurfaceEdges;
-
-SurfaceEdges edgesOf(const Surface& surface)
-{
-  winding::SerialExecutor serial;
-  return winding::edgesOf(surface, serial);
-}
 
 Components componentsOf(const Mesh& mesh)
 {

@@ -1,5 +1,6 @@
 #include "Orientation.h"
 
+#include "EdgesOf.h"
 #include "NearlyClosed.h"
 #include "ReferenceSum.h"
 #include "Shapes.h"
@@ -19,12 +20,6 @@ using winding::Orientation;
 using winding::PolygonParts;
 using winding::Surface;
 using winding::SurfaceEdges;
-
-SurfaceEdges edgesOf(const Surface& surface)
-{
-  winding::SerialExecutor serial;
-  return winding::edgesOf(surface, serial);
-}
 
 Orientation orient(const Surface& surface, const PolygonParts& parts = PolygonParts())
 {

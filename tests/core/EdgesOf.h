@@ -1,0 +1,14 @@
+#pragma once
+
+#include "SurfaceEdges.h"
+
+namespace shapes
+{
+
+inline winding::SurfaceEdges edgesOf(const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return winding::edgesOf(surface, serial);
+}
+
+} // namespace shapes
