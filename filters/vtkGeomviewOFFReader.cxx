@@ -1,6 +1,6 @@
 #include "vtkGeomviewOFFReader.h"
 
-#include "TextScanner.h"
+#include "private/TextScanner.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,8 +1,10 @@
 #include "vtkImplicitWindingNumber.h"
 
-#include "Refusal.h"
-#include "SmpExecutor.h"
-#include "SourceProperties.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "base/Views.h"
+#include "private/SmpExecutor.h"
+#include "private/SourceProperties.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkCompositeDataSet.h"

@@ -1,6 +1,6 @@
 #include "vtkOrientedPointsReader.h"
 
-#include "TextScanner.h"
+#include "private/TextScanner.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,11 +1,12 @@
 #include "vtkSurfaceReport.h"
 
-#include "InputViews.h"
-#include "PolygonOrientation.h"
-#include "Refusal.h"
-#include "SmpExecutor.h"
-#include "SourceParts.h"
-#include "SourceReport.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "private/InputViews.h"
+#include "private/PolygonOrientation.h"
+#include "private/SmpExecutor.h"
+#include "private/SourceParts.h"
+#include "private/SourceReport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

@@ -1,11 +1,12 @@
 #include "vtkWindingNumberAlgorithm.h"
 
-#include "FreeMemory.h"
-#include "ResultArrays.h"
-#include "SmpExecutor.h"
-#include "SourceField.h"
-#include "SourceParts.h"
-#include "SourceProperties.h"
+#include "base/Bounds.h"
+#include "private/FreeMemory.h"
+#include "private/ResultArrays.h"
+#include "private/SmpExecutor.h"
+#include "private/SourceField.h"
+#include "private/SourceParts.h"
+#include "private/SourceProperties.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

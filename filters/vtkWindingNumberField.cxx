@@ -1,12 +1,12 @@
 #include "vtkWindingNumberField.h"
 
-#include "FreeMemory.h"
-#include "Grid.h"
-#include "Refusal.h"
-#include "ResultArrays.h"
-#include "SmpExecutor.h"
-#include "SourceParts.h"
-#include "VoxelEvaluation.h"
+#include "base/Refusal.h"
+#include "private/FreeMemory.h"
+#include "private/ResultArrays.h"
+#include "private/SmpExecutor.h"
+#include "private/SourceParts.h"
+#include "private/VoxelEvaluation.h"
+#include "source/Grid.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
@@ -195,7 +195,8 @@ bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const in
   if (voxels.coverage != winding::Coverage::center)
   {
     const std::size_t count = winding::sampleCount(extent);
-    winding::refuseBeyondFreeMemory(this->GetResultBytes(static_cast<vtkIdType>(count)) +
+    winding::refuseBeyondFreeMemory(
+      this->GetResultBytes(static_cast<vtkIdType>(count)) +
         static_cast<double>(voxels.additionalCost(field, count).bytes),
       "the coverage of " + std::to_string(count) + " voxels",
       "choose larger voxels or write it in pieces");

@@ -1,10 +1,12 @@
 #include "vtkWindingNumberGridAlgorithm.h"
 
-#include "Grid.h"
-#include "Refusal.h"
-#include "SmpExecutor.h"
-#include "SourceParts.h"
-#include "Verify.h"
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "level/Verify.h"
+#include "private/SmpExecutor.h"
+#include "private/SourceParts.h"
+#include "source/Grid.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"

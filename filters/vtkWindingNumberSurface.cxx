@@ -1,11 +1,12 @@
 #include "vtkWindingNumberSurface.h"
 
-#include "FreeMemory.h"
-#include "GridContour.h"
-#include "LevelRoots.h"
-#include "Refusal.h"
-#include "ResultArrays.h"
-#include "SmpExecutor.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "level/LevelRoots.h"
+#include "private/FreeMemory.h"
+#include "private/GridContour.h"
+#include "private/ResultArrays.h"
+#include "private/SmpExecutor.h"
 
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"

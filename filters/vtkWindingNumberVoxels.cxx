@@ -1,8 +1,8 @@
 #include "vtkWindingNumberVoxels.h"
 
-#include "InsideRule.h"
-#include "SourceParts.h"
-#include "VtkVersions.h"
+#include "base/InsideRule.h"
+#include "private/SourceParts.h"
+#include "private/VtkVersions.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"

@@ -4,7 +4,12 @@
 #include "NaiveSums.h"
 #include "Options.h"
 
-#include "Refusal.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "base/Views.h"
+#include "source/PointCloud.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
 
 #include "vtkGenericCell.h"
 #include "vtkNew.h"

@@ -2,8 +2,12 @@
 #include "BenchTools.h"
 #include "Options.h"
 
-#include "Cap.h"
-#include "RowTriangle.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "rays/RowTriangle.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+#include "surface/Cap.h"
 
 #include <cmath>
 #include <numeric>

@@ -5,7 +5,10 @@
 #include "LumpySphere.h"
 #include "Options.h"
 
-#include "FieldOutput.h"
+#include "base/Executor.h"
+#include "base/FieldOutput.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
 
 #include <cmath>
 #include <map>

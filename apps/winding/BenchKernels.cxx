@@ -5,14 +5,19 @@
 #include "LumpySphere.h"
 #include "NaiveSums.h"
 
-#include "Cap.h"
-#include "DirectSum.h"
-#include "DirectSumKernels.h"
-#include "MultipoleKernels.h"
-#include "RayParity.h"
-#include "ReferenceSum.h"
-#include "RowCrossings.h"
-#include "SourceMoments.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "farfield/MultipoleKernels.h"
+#include "farfield/SourceMoments.h"
+#include "rays/RayParity.h"
+#include "rays/RowCrossings.h"
+#include "source/PointCloud.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+#include "sums/DirectSumKernels.h"
+#include "sums/ReferenceSum.h"
+#include "surface/Cap.h"
 
 #include <atomic>
 #include <cmath>

@@ -5,8 +5,14 @@
 #include "ReadInput.h"
 #include "Triangles.h"
 
-#include "PointAreas.h"
-#include "ReferenceSum.h"
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "cloud/PointAreas.h"
+#include "source/PointCloud.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+#include "sums/ReferenceSum.h"
 
 #include "vtkPointSet.h"
 

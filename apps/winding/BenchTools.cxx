@@ -6,7 +6,10 @@
 #include "Options.h"
 #include "ReadInput.h"
 
-#include "Refusal.h"
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "base/Views.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

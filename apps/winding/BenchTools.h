@@ -3,8 +3,10 @@
 #include "Report.h"
 #include "Triangles.h"
 
-#include "Field.h"
-#include "Verify.h"
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "field/Field.h"
+#include "level/Verify.h"
 
 #include "vtkSmartPointer.h"
 

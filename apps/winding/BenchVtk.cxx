@@ -4,7 +4,8 @@
 #include "Options.h"
 #include "VtkContestants.h"
 
-#include "Refusal.h"
+#include "base/Refusal.h"
+#include "base/Views.h"
 
 #include "vtkPolyData.h"
 

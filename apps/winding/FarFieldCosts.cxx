@@ -3,10 +3,11 @@
 #include "BenchTools.h"
 #include "Interrupt.h"
 
-#include "Expansions.h"
-#include "FlushToZero.h"
-#include "GridCells.h"
-#include "NodeAcceptance.h"
+#include "base/Bounds.h"
+#include "base/FlushToZero.h"
+#include "farfield/Expansions.h"
+#include "farfield/GridCells.h"
+#include "farfield/NodeAcceptance.h"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FarFieldSources.h"
+#include "farfield/FarFieldSources.h"
 
 /**
  * @file

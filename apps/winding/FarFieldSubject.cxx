@@ -3,11 +3,15 @@
 #include "BenchTools.h"
 #include "NaiveSums.h"
 
-#include "Cap.h"
-#include "CappedSurface.h"
-#include "GridCells.h"
-#include "RowCrossings.h"
-#include "TriangleFarField.h"
+#include "base/Views.h"
+#include "farfield/FarFieldCost.h"
+#include "farfield/GridCells.h"
+#include "farfield/TriangleFarField.h"
+#include "field/CappedSurface.h"
+#include "rays/RowCrossings.h"
+#include "source/PointCloud.h"
+#include "source/Sanitize.h"
+#include "surface/Cap.h"
 
 namespace
 {

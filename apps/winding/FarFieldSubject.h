@@ -3,9 +3,11 @@
 #include "FarFieldCosts.h"
 #include "Triangles.h"
 
-#include "FarField.h"
-#include "Field.h"
-#include "Sanitize.h"
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "farfield/FarField.h"
+#include "field/Field.h"
+#include "source/Surface.h"
 
 #include <memory>
 

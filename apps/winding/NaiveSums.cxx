@@ -1,6 +1,6 @@
 #include "NaiveSums.h"
 
-#include "MeshVertices.h"
+#include "source/MeshVertices.h"
 
 #include <utility>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Sanitize.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
 
 /**
  * @file

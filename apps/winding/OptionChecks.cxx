@@ -2,8 +2,8 @@
 #include "Options.h"
 #include "Report.h"
 
-#include "FarFieldAccuracy.h"
-#include "Field.h"
+#include "farfield/FarFieldAccuracy.h"
+#include "field/Field.h"
 
 #include "vtkWindingNumberField.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Views.h"
+#include "base/Views.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "VtkContestants.h"
 
+#include "base/Bounds.h"
+
 #include "BenchTools.h"
 
 #include "vtkDataArray.h"

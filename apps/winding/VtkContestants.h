@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Grid.h"
+#include "base/Bounds.h"
+#include "source/Grid.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,5 +1,7 @@
 #include "BenchShapes.h"
 
+#include "source/Sanitize.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "Evaluator.h"
-#include "Executor.h"
-#include "Grid.h"
-#include "Sanitize.h"
+#include "base/Evaluator.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "source/Grid.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
 
 /**
  * @file

@@ -3,10 +3,12 @@
 
 #include "BenchShapes.h"
 
-#include "DirectSum.h"
-#include "DirectSumKernels.h"
-#include "RayParity.h"
-#include "ReferenceSum.h"
+#include "rays/RayParity.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+#include "sums/DirectSumKernels.h"
+#include "sums/ReferenceSum.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,11 +4,13 @@
 
 #include "BenchShapes.h"
 
-#include "Expansions.h"
-#include "FarField.h"
-#include "FieldOutput.h"
-#include "FlushToZero.h"
-#include "NodeAcceptance.h"
+#include "base/FieldOutput.h"
+#include "base/FlushToZero.h"
+#include "farfield/Expansions.h"
+#include "farfield/FarField.h"
+#include "farfield/NodeAcceptance.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
 
 #include <benchmark/benchmark.h>
 

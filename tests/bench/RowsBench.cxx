@@ -4,10 +4,13 @@
 
 #include "BenchShapes.h"
 
-#include "Cap.h"
-#include "DirectSum.h"
-#include "FieldOutput.h"
-#include "RowCrossings.h"
+#include "base/FieldOutput.h"
+#include "base/Views.h"
+#include "rays/RowCrossings.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+#include "surface/Cap.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 // summary; 1 if any failed. By default 10000 cases of 12 triangles without a tolerance; caps of more
 // than a few triangles come from the far field within one.
 
-#include "core/LatticeChain.h"
+#include "core/support/LatticeChain.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,0 +1,91 @@
+#include "base/FieldOutput.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// With a sign, in a type that may hold less: only 0 becomes 0, and nothing becomes infinite.
+template <class Real> Real signedDistance(double distance, bool isInside)
+{
+  using Limits = std::numeric_limits<Real>;
+  const double least = distance > 0 ? Limits::min() : 0;
+  const double held = std::clamp<double>(distance, least, Limits::max()); // NaN stays
+  return static_cast<Real>(isInside && held > 0 ? -held : held);
+}
+
+} // namespace
+
+template <class Real>
+void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
+{
+  if (this->values)
+  {
+    std::transform(from, from + count, this->values + first,
+      [](Real value) { return static_cast<float>(value); });
+  }
+  if (this->doubleValues)
+  {
+    std::copy_n(from, count, this->doubleValues + first);
+  }
+  if (this->inside)
+  {
+    std::transform(from, from + count, this->inside + first,
+      [this](Real value)
+      {
+        const double stored = this->doubleValues ? value : static_cast<float>(value);
+        return static_cast<unsigned char>(isInside(stored, this->rule, this->threshold));
+      });
+  }
+}
+
+template void FieldOutput::write(const float*, std::size_t, std::size_t) const;
+template void FieldOutput::write(const double*, std::size_t, std::size_t) const;
+
+void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
+{
+  if (this->values)
+  {
+    std::fill_n(this->values + first, count, static_cast<float>(value));
+  }
+  if (this->doubleValues)
+  {
+    std::fill_n(this->doubleValues + first, count, value);
+  }
+  if (this->inside)
+  {
+    const double stored = this->doubleValues ? value : static_cast<float>(value);
+    std::fill_n(this->inside + first, count,
+      static_cast<unsigned char>(isInside(stored, this->rule, this->threshold)));
+  }
+}
+
+bool FieldOutput::isInsideAt(std::size_t sample) const
+{
+  if (this->inside)
+  {
+    return this->inside[sample] != 0;
+  }
+  const double stored = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
+  return isInside(stored, this->rule, this->threshold);
+}
+
+void FieldOutput::writeDistance(double distance, std::size_t sample) const
+{
+  const bool isInside = this->isInsideAt(sample);
+  const double limited = distance > this->distanceLimit ? this->distanceLimit : distance;
+  if (this->distances)
+  {
+    this->distances[sample] = signedDistance<float>(limited, isInside);
+  }
+  if (this->doubleDistances)
+  {
+    this->doubleDistances[sample] = signedDistance<double>(limited, isInside);
+  }
+}
+
+} // namespace winding

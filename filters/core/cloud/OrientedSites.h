@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/DistinctPoints.h"
+#include "source/PointCloud.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/// Whether two unit normals are within 70 degrees: as on one side of a surface, and not as on the two
+/// sides of a thin part, or around an edge.
+inline bool areSimilar(const Eigen::Vector3d& normal, const Eigen::Vector3d& other)
+{
+  return normal.dot(other) > 0.34202014332566873; // cos 70°
+}
+
+/// Points at one place with similar normals, seen as one.
+struct OrientedSite
+{
+  Eigen::Vector3d normal; ///< the mean, of unit length
+  std::uint32_t points;   ///< how many
+};
+
+/**
+ * The sites of an oriented cloud: at each place as many as its points have different orientations.
+ * Every normal is similar to that of the first point of its site, and those of first points are not
+ * similar to each other, so that a place has nine at most. Guaranteed: the same for any executor.
+ */
+class OrientedSites
+{
+public:
+  /// Throws Interrupted. Linear time; 36 bytes per site and place, and 4 per point.
+  OrientedSites(const PointCloud& cloud, const DistinctPoints& places, Executor& executor);
+
+  ///@{
+  /// The sites of a place.
+  std::size_t begin(std::size_t place) const { return starts_[place]; }
+  std::size_t end(std::size_t place) const { return starts_[place + 1]; }
+  ///@}
+
+  std::size_t size() const { return sites_.size(); }
+  const OrientedSite& operator[](std::size_t site) const { return sites_[site]; }
+
+  /// The site of a point.
+  std::size_t siteOf(std::size_t point) const { return siteOf_[point]; }
+
+  /// Whether there is a site at a place with a normal similar to this one.
+  bool hasSimilar(std::size_t place, const Eigen::Vector3d& normal) const
+  {
+    for (std::size_t site = this->begin(place); site < this->end(place); ++site)
+    {
+      if (areSimilar(sites_[site].normal, normal))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  std::vector<OrientedSite> sites_;
+  std::vector<std::uint32_t> starts_; ///< by place, and one more
+  std::vector<std::uint32_t> siteOf_;
+};
+
+} // namespace winding

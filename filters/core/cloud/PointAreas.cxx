@@ -1,0 +1,301 @@
+#include "cloud/PointAreas.h"
+
+#include "base/Refusal.h"
+#include "cloud/NeighborSearch.h"
+#include "cloud/OrientedSites.h"
+#include "cloud/VoronoiCell.h"
+#include "source/DistinctPoints.h"
+#include "source/UnitScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+/// How far a cell may go that no neighbours close, in units of the distance up to which `neighbors` of
+/// them are known. All bisectors within a half are. Among points at random, a disk of this radius holds
+/// seven, and so nearly all of a cell: e^−7 of it is farther away.
+double farthestCorner(std::size_t neighbors)
+{
+  return std::max(0.6, std::sqrt(7.0 / static_cast<double>(neighbors)));
+}
+
+class VoronoiAreas
+{
+public:
+  VoronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors)
+    : cloud_(cloud)
+    , places_(cloud.positions, unitScale(cloud.bounds), executor)
+    , sites_(cloud, places_, executor)
+    , search_(places_)
+    , neighbors_(static_cast<std::size_t>(std::max(neighbors, 3)))
+    , areasAround_(places_.size())
+    , areas_(sites_.size())
+  {
+  }
+
+  std::vector<double> compute(Executor& executor);
+
+private:
+  /// An angle between neighbours.
+  struct Gap
+  {
+    double from, to;
+  };
+
+  /// What one thread works with.
+  struct Workspace
+  {
+    std::vector<Neighbor> neighbors;
+    std::vector<Eigen::Vector2d> around; ///< those with similar normals, in the tangent plane
+    std::vector<double> angles, openDirections; ///< in [0, 2π)
+    std::vector<Gap> gaps;
+    VoronoiCell cell;
+    double reach = 0; ///< the distance up to which neighbours with similar normals are known
+  };
+
+  template <class Work>
+  void forEachSiteOf(const std::vector<std::uint32_t>& places, std::size_t neighbors,
+    const Work& work, Executor& executor);
+
+  void flatten(std::size_t place, std::size_t site, Workspace& space) const;
+  void makeCell(Workspace& space) const;
+  void closeBorder(Workspace& space) const;
+  double mostAreaOf(const Workspace& space, double coveredAngle) const;
+
+  const PointCloud& cloud_;
+  const DistinctPoints places_;
+  const OrientedSites sites_;
+  const NeighborSearch search_;
+  const std::size_t neighbors_;
+  std::vector<double> areasAround_; ///< by place: the area of a disk of its neighbours, for each
+  std::vector<double> areas_;       ///< by site: of its cell, scaled
+};
+
+/// Projects neighbours with similar normals into the tangent plane. Where nearly none are similar, the
+/// point's own normal is at fault, and without the others it would have the area of many: then all.
+void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space) const
+{
+  const Eigen::Vector3d& normal = sites_[site].normal;
+  const auto isSimilar = [&](const Neighbor& neighbor)
+  {
+    return sites_.hasSimilar(neighbor.place, normal);
+  };
+  const auto similar = std::count_if(space.neighbors.begin(), space.neighbors.end(), isSimilar);
+  // A quarter: in thin parts, of which half belong to the other side, one point in 200 has fewer.
+  const bool takesAll = 4 * static_cast<std::size_t>(similar) < space.neighbors.size();
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  space.around.clear();
+  space.reach = 0;
+  for (const Neighbor& neighbor : space.neighbors)
+  {
+    if (takesAll || isSimilar(neighbor))
+    {
+      const Eigen::Vector3d offset =
+        places_.positions()[neighbor.place] - places_.positions()[place];
+      const Eigen::Vector2d flat(offset.dot(u), offset.dot(v));
+      // Straight above or below, rounding alone would say where the cell is cut.
+      constexpr double rounding = 1e-9;
+      space.around.push_back(flat.squaredNorm() > rounding * rounding * neighbor.squaredDistance
+                               ? flat
+                               : Eigen::Vector2d(0, 0));
+      space.reach = std::sqrt(neighbor.squaredDistance);
+    }
+  }
+}
+
+void VoronoiAreas::makeCell(Workspace& space) const
+{
+  if (space.around.empty())
+  {
+    space.reach = std::sqrt(space.neighbors.back().squaredDistance);
+  }
+  space.cell.start(space.reach * farthestCorner(std::max<std::size_t>(space.around.size(), 1)));
+  for (const Eigen::Vector2d& neighbor : space.around)
+  {
+    space.cell.cut(neighbor);
+  }
+}
+
+/// What a point at a border may stand for at most: what its neighbours leave it on the side where
+/// they are, and not much more than they have themselves, or a far outlier would outweigh all.
+double VoronoiAreas::mostAreaOf(const Workspace& space, double coveredAngle) const
+{
+  double largest = 0;
+  for (const Neighbor& neighbor : space.neighbors)
+  {
+    largest = std::max(largest, areasAround_[neighbor.place]);
+  }
+  const double sector = std::max(coveredAngle, pi / 3) / 2 * space.reach * space.reach;
+  const auto count = static_cast<double>(std::max<std::size_t>(space.around.size(), 1));
+  return space.around.empty() ? largest : std::min(sector / count, 2 * largest);
+}
+
+/// Cuts the cell as if neighbours stood where it is open, too, as far apart as they do elsewhere.
+void VoronoiAreas::closeBorder(Workspace& space) const
+{
+  std::vector<double>&angles = space.angles, &open = space.openDirections;
+  angles.clear();
+  for (const Eigen::Vector2d& neighbor : space.around)
+  {
+    if (neighbor != Eigen::Vector2d::Zero())
+    {
+      const double angle = std::atan2(neighbor[1], neighbor[0]);
+      angles.push_back(angle < 0 ? angle + 2 * pi : angle);
+    }
+  }
+  if (angles.empty())
+  {
+    angles.push_back(0);
+  }
+  std::sort(angles.begin(), angles.end());
+  open.clear();
+  space.cell.appendOpenDirections(open);
+  std::vector<Gap>& gaps = space.gaps;
+  gaps.clear();
+  double coveredAngle = 2 * pi;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+  {
+    const bool isLast = i + 1 == angles.size();
+    const Gap gap = {angles[i], isLast ? angles[0] + 2 * pi : angles[i + 1]};
+    const bool isOpen = std::any_of(open.begin(), open.end(),
+      [&](double angle)
+      { return (gap.from < angle && angle < gap.to) || (isLast && angle < angles[0]); });
+    if (isOpen)
+    {
+      gaps.push_back(gap);
+      coveredAngle -= gap.to - gap.from;
+    }
+  }
+  // Neighbours in a hexagonal lattice, where each point has that area.
+  const double distance = std::sqrt(2 / std::sqrt(3.0) * this->mostAreaOf(space, coveredAngle));
+  for (const auto& [from, to] : gaps)
+  {
+    const int parts = std::max(2, static_cast<int>(std::ceil((to - from) / (pi / 3))));
+    for (int part = 1; part < parts; ++part)
+    {
+      const double angle = from + (to - from) * part / parts;
+      space.cell.cut(distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+  }
+}
+
+/// Calls work(place, site, space) for the sites of some places, with so many neighbours found.
+template <class Work>
+void VoronoiAreas::forEachSiteOf(const std::vector<std::uint32_t>& places, std::size_t neighbors,
+  const Work& work, Executor& executor)
+{
+  constexpr std::size_t placesPerBlock = 512;
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      Workspace space;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const std::size_t place = places[i];
+        search_.find(place, neighbors, space.neighbors);
+        for (std::size_t site = sites_.begin(place); site < sites_.end(place); ++site)
+        {
+          this->flatten(place, site, space);
+          work(place, site, space);
+        }
+      }
+    },
+    executor);
+}
+
+std::vector<double> VoronoiAreas::compute(Executor& executor)
+{
+  std::vector<double> areas(cloud_.positions.size());
+  if (places_.size() < 2)
+  {
+    return areas;
+  }
+  std::vector<std::uint32_t> places(places_.size());
+  std::iota(places.begin(), places.end(), 0);
+  std::vector<unsigned char> needsMore(places_.size());
+  this->forEachSiteOf(
+    places, neighbors_,
+    [&](std::size_t place, std::size_t site, Workspace& space)
+    {
+      areasAround_[place] =
+        pi * space.neighbors.back().squaredDistance / static_cast<double>(space.neighbors.size());
+      this->makeCell(space);
+      areas_[site] = space.cell.area();
+      // In thin parts half of the neighbours belong to the other side.
+      const bool areFew = 4 * space.around.size() < 3 * space.neighbors.size();
+      needsMore[place] = needsMore[place] || areFew || space.cell.isOpen();
+    },
+    executor);
+
+  // With more neighbours, and knowing what is around them.
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](std::uint32_t place) { return !needsMore[place]; }),
+    places.end());
+  this->forEachSiteOf(
+    places, 4 * neighbors_,
+    [&](std::size_t, std::size_t site, Workspace& space)
+    {
+      this->makeCell(space);
+      if (space.cell.isOpen())
+      {
+        this->closeBorder(space);
+      }
+      areas_[site] = space.cell.area();
+    },
+    executor);
+
+  for (std::size_t point = 0; point < areas.size(); ++point)
+  {
+    const std::size_t site = sites_.siteOf(point);
+    areas[point] = areas_[site] / sites_[site].points / places_.scale() / places_.scale();
+  }
+  return areas;
+}
+
+} // namespace
+
+std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors)
+{
+  return VoronoiAreas(cloud, executor, neighbors).compute(executor);
+}
+
+double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
+{
+  // Sorted before they are summed: the mean must not depend on the order of the points.
+  std::vector<double> areas = voronoiAreas(cloud, executor, neighbors);
+  std::sort(areas.begin(), areas.end());
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  return areas.empty() ? 0 : sum / static_cast<double>(areas.size());
+}
+
+void checkPointArea(double pointArea)
+{
+  if (!(pointArea >= 0) || !std::isfinite(pointArea))
+  {
+    throw Refusal("the point area is " + std::to_string(pointArea) +
+                  "; it must be more than 0, or 0 to be estimated");
+  }
+}
+
+std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
+  int neighbors, Executor& executor)
+{
+  if (method == PointAreaMethod::voronoi)
+  {
+    return voronoiAreas(cloud, executor, neighbors);
+  }
+  const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, neighbors);
+  return std::vector<double>(cloud.positions.size(), area);
+}
+
+} // namespace winding

@@ -1,0 +1,327 @@
+#include "distance/NearestKernels.h"
+
+#include <Eigen/Geometry>
+
+#include <limits>
+
+// Highway compiles the rest of this file once for every instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "distance/NearestKernels.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace winding
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Vectors of three, one per lane of D.
+template <class D> struct Offsets
+{
+  hn::Vec<D> x, y, z;
+};
+
+template <class D> HWY_INLINE Offsets<D> broadcast(D d, const double* from)
+{
+  return {hn::Set(d, from[0]), hn::Set(d, from[1]), hn::Set(d, from[2])};
+}
+
+template <class D> HWY_INLINE Offsets<D> difference(D, const Offsets<D>& a, const Offsets<D>& b)
+{
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class D> HWY_INLINE hn::Vec<D> product(D, const Offsets<D>& a, const Offsets<D>& b)
+{
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+/// from − factor·along
+template <class D>
+HWY_INLINE Offsets<D> stepBack(
+  D, const Offsets<D>& from, hn::Vec<D> factor, const Offsets<D>& along)
+{
+  return {hn::NegMulAdd(factor, along.x, from.x), hn::NegMulAdd(factor, along.y, from.y),
+    hn::NegMulAdd(factor, along.z, from.z)};
+}
+
+/// Offsets of samples from the nearest points so far, and their squares.
+template <class D> struct NearestOffsets
+{
+  hn::Vec<D> squared;
+  Offsets<D> offset;
+
+  template <class Mask> HWY_INLINE void take(D d, const Offsets<D>& other, Mask allowed)
+  {
+    const hn::Vec<D> square = product(d, other, other);
+    const auto isNearer = hn::And(allowed, hn::Lt(square, squared));
+    squared = hn::IfThenElse(isNearer, square, squared);
+    offset.x = hn::IfThenElse(isNearer, other.x, offset.x);
+    offset.y = hn::IfThenElse(isNearer, other.y, offset.y);
+    offset.z = hn::IfThenElse(isNearer, other.z, offset.z);
+  }
+
+  HWY_INLINE void take(D d, const Offsets<D>& other)
+  {
+    this->take(d, other, hn::Eq(hn::Zero(d), hn::Zero(d)));
+  }
+};
+
+/// The offset from the nearest point of a side, given that from the side's beginning.
+template <class D>
+HWY_INLINE Offsets<D> fromSide(
+  D d, const Offsets<D>& fromBegin, const Offsets<D>& along, double inverse)
+{
+  const hn::Vec<D> place = hn::Mul(product(d, fromBegin, along), hn::Set(d, inverse));
+  const hn::Vec<D> inside = hn::Min(hn::Max(place, hn::Zero(d)), hn::Set(d, 1.0));
+  return stepBack(d, fromBegin, inside, along);
+}
+
+template <class D>
+HWY_INLINE void takeNearer(
+  D d, const NearTriangle& triangle, const Offsets<D>& sample, NearestOffsets<D>& nearest)
+{
+  const Offsets<D> ab = broadcast(d, triangle.ab), ac = broadcast(d, triangle.ac);
+  const Offsets<D> ap = difference(d, sample, broadcast(d, triangle.a));
+  nearest.take(d, fromSide(d, ap, ab, triangle.inverseAB));
+  nearest.take(d, fromSide(d, ap, ac, triangle.inverseAC));
+  nearest.take(d, fromSide(d, difference(d, ap, ab), difference(d, ac, ab), triangle.inverseBC));
+  const Offsets<D> planeB = broadcast(d, triangle.v), planeC = broadcast(d, triangle.w);
+  const hn::Vec<D> v = product(d, ap, planeB), w = product(d, ap, planeC);
+  const auto isInside = hn::And(hn::And(hn::Ge(v, hn::Zero(d)), hn::Ge(w, hn::Zero(d))),
+    hn::Le(hn::Add(v, w), hn::Set(d, 1.0)));
+  Offsets<D> fromPlane = stepBack(d, stepBack(d, ap, v, ab), w, ac);
+  // Weights are inexact where a triangle is thin, by as many digits as that. What is left of them in the
+  // offset is so much smaller that it can be found again.
+  fromPlane = stepBack(d, stepBack(d, fromPlane, product(d, fromPlane, planeB), ab),
+    product(d, fromPlane, planeC), ac);
+  nearest.take(d, fromPlane, isInside);
+}
+
+template <class D>
+HWY_INLINE void takeNearer(
+  D d, const NearPoint& point, const Offsets<D>& sample, NearestOffsets<D>& nearest)
+{
+  nearest.take(d, difference(d, sample, broadcast(d, point.position)));
+}
+
+template <class Item>
+HWY_INLINE void lower(const Item* HWY_RESTRICT items, const NearItems* HWY_RESTRICT runs,
+  std::size_t count, const SampleBlock& samples, double* HWY_RESTRICT squared)
+{
+  using D = hn::ScalableTag<double>;
+  const D d;
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Offsets<D> sample = {
+      hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
+    NearestOffsets<D> nearest = {hn::Load(d, squared + s), sample};
+    for (const NearItems* run = runs; run != runs + count; ++run)
+    {
+      for (const Item* item = items + run->first; item != items + run->last; ++item)
+      {
+        takeNearer(d, *item, sample, nearest);
+      }
+    }
+    hn::Store(nearest.squared, d, squared + s);
+  }
+}
+
+HWY_INLINE const double* beginOf(const NearTriangle& triangle)
+{
+  return triangle.a;
+}
+
+HWY_INLINE const double* beginOf(const NearPoint& point)
+{
+  return point.position;
+}
+
+template <class Item>
+HWY_INLINE bool isNearer(const Item& item, const SampleBlock& samples, const double* squaredLimits)
+{
+  using D = hn::CappedTag<double, 8>;
+  const D d;
+  for (std::size_t s = 0; s < 8; s += hn::Lanes(d))
+  {
+    const Offsets<D> sample = {
+      hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
+    const Offsets<D> offset = difference(d, sample, broadcast(d, beginOf(item)));
+    NearestOffsets<D> nearest = {product(d, offset, offset), offset};
+    takeNearer(d, item, sample, nearest);
+    if (!hn::AllFalse(d, hn::Le(nearest.squared, hn::Load(d, squaredLimits + s))))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Item>
+HWY_INLINE void keep(const Item* HWY_RESTRICT items, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* HWY_RESTRICT squaredLimits,
+  std::vector<NearItems>& kept)
+{
+  for (const NearItems& run : runs)
+  {
+    for (std::uint32_t i = run.first; i != run.last; ++i)
+    {
+      if (!isNearer(items[i], samples, squaredLimits))
+      {
+        continue;
+      }
+      if (!kept.empty() && kept.back().last == i)
+      {
+        ++kept.back().last;
+        continue;
+      }
+      kept.push_back({i, i + 1});
+    }
+  }
+}
+
+template <class Item>
+HWY_INLINE void find(
+  const Item* HWY_RESTRICT items, const NearItems& run, const double* at, Nearest& nearest)
+{
+  using D = hn::CappedTag<double, 1>;
+  const D d;
+  const Offsets<D> sample = broadcast(d, at);
+  NearestOffsets<D> best = {hn::Set(d, nearest.squared), broadcast(d, nearest.offset)};
+  for (std::uint32_t i = run.first; i != run.last; ++i)
+  {
+    takeNearer(d, items[i], sample, best);
+    const double squared = hn::GetLane(best.squared);
+    nearest.item = squared < nearest.squared ? i : nearest.item;
+    nearest.squared = squared;
+  }
+  nearest.offset[0] = hn::GetLane(best.offset.x);
+  nearest.offset[1] = hn::GetLane(best.offset.y);
+  nearest.offset[2] = hn::GetLane(best.offset.z);
+}
+
+void lowerByTriangles(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared)
+{
+  lower(triangles, runs, count, samples, squared);
+}
+
+void lowerByPoints(const NearPoint* points, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared)
+{
+  lower(points, runs, count, samples, squared);
+}
+
+void keepTriangles(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  keep(triangles, runs, samples, squaredLimits, kept);
+}
+
+void keepPoints(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  keep(points, runs, samples, squaredLimits, kept);
+}
+
+void findAmongTriangles(
+  const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest)
+{
+  find(triangles, run, sample, nearest);
+}
+
+void findAmongPoints(
+  const NearPoint* points, const NearItems& run, const double* sample, Nearest& nearest)
+{
+  find(points, run, sample, nearest);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace winding
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace winding
+{
+
+HWY_EXPORT(lowerByTriangles);
+HWY_EXPORT(lowerByPoints);
+HWY_EXPORT(keepTriangles);
+HWY_EXPORT(keepPoints);
+HWY_EXPORT(findAmongTriangles);
+HWY_EXPORT(findAmongPoints);
+
+namespace
+{
+
+/// 1/x, or 0 where that is none.
+double inverseOf(double x)
+{
+  return x >= std::numeric_limits<double>::min() ? 1 / x : 0;
+}
+
+void store(const Eigen::Vector3d& from, double (&to)[3])
+{
+  Eigen::Vector3d::Map(to) = from;
+}
+
+} // namespace
+
+NearTriangle nearTriangle(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  const Eigen::Vector3d ab = b - a, ac = c - a;
+  const Eigen::Vector3d normal = ab.cross(ac);
+  const double inverse = inverseOf(normal.squaredNorm());
+  NearTriangle triangle;
+  store(a, triangle.a);
+  store(ab, triangle.ab);
+  store(ac, triangle.ac);
+  store(ac.cross(normal) * inverse, triangle.v);
+  store(normal.cross(ab) * inverse, triangle.w);
+  triangle.inverseAB = inverseOf(ab.squaredNorm());
+  triangle.inverseAC = inverseOf(ac.squaredNorm());
+  triangle.inverseBC = inverseOf((ac - ab).squaredNorm());
+  return triangle;
+}
+
+void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared)
+{
+  HWY_DYNAMIC_DISPATCH(lowerByTriangles)(triangles, runs, count, samples, squared);
+}
+
+void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared)
+{
+  HWY_DYNAMIC_DISPATCH(lowerByPoints)(points, runs, count, samples, squared);
+}
+
+void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  HWY_DYNAMIC_DISPATCH(keepTriangles)(triangles, runs, samples, squaredLimits, kept);
+}
+
+void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+{
+  HWY_DYNAMIC_DISPATCH(keepPoints)(points, runs, samples, squaredLimits, kept);
+}
+
+void findNearest(
+  const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest)
+{
+  HWY_DYNAMIC_DISPATCH(findAmongTriangles)(triangles, run, sample, nearest);
+}
+
+void findNearest(
+  const NearPoint* points, const NearItems& run, const double* sample, Nearest& nearest)
+{
+  HWY_DYNAMIC_DISPATCH(findAmongPoints)(points, run, sample, nearest);
+}
+
+} // namespace winding
+#endif

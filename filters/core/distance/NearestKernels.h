@@ -1,0 +1,102 @@
+#pragma once
+
+#include "base/Evaluator.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+/**
+ * @file
+ * The inner loops of distances, compiled once per instruction set and chosen at run time (Highway).
+ *
+ * The nearest point of a triangle abc to q is that of one of its sides, or where q projects to, if
+ * that is inside of it. All four are computed as points of the triangle, and the nearest is taken:
+ * so no case is decided on a small number: a needle costs few digits, a triangle without area none, and a
+ * projection that is mistaken for one inside leads to a point beside the triangle by rounding at most.
+ *
+ * Squares must stay finite: coordinates are scaled to about unit size (UnitScale.h).
+ */
+namespace winding
+{
+
+/// A triangle as the loops want it.
+struct NearTriangle
+{
+  double a[3];
+  double ab[3], ac[3]; ///< from a to the other corners
+  double v[3], w[3]; ///< (q − a)·v and (q − a)·w are the weights of b and c where q projects to
+  double inverseAB, inverseAC, inverseBC; ///< 1/|ab|² …; 0 where that is none
+};
+
+NearTriangle nearTriangle(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+struct NearPoint
+{
+  double position[3];
+};
+
+inline NearPoint nearPoint(const Eigen::Vector3d& position)
+{
+  return {{position[0], position[1], position[2]}};
+}
+
+/// Items first … last − 1 of an array.
+struct NearItems
+{
+  std::uint32_t first, last;
+};
+
+///@{
+/// Lowers squared[i] to the square of the distance of sample i from the nearest of the items, for all
+/// samples of a block, and for what pads them to whole vectors. squared: aligned as the block is.
+void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared);
+void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
+  const SampleBlock& samples, double* squared);
+///@}
+
+///@{
+/**
+ * Appends to `kept`, as runs, the items that are no farther than a limit from any of 8 samples, as
+ * the loops compute it: what rounding may do to that (see roundingOfOffset) is for the caller to
+ * add to the limits. squaredLimits: aligned as the block is, and padded to 8.
+ */
+void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
+void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
+  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
+///@}
+
+/// The nearest point found so far.
+struct Nearest
+{
+  double squared;         ///< of its distance
+  double offset[3];       ///< from it to the sample
+  std::uint32_t item = 0; ///< that it is of; its number in the array
+};
+
+/**
+ * How far the offset to a point of a source may be from one that leads to it, and a distance from
+ * exact. With r the distance and s the size of the source, the offset from a triangle's beginning
+ * has at most r + s, the sides at most s, and all that is taken from it to get to the nearest point
+ * at most 2s; each of those 3 sides, 3 products and 5 differences is rounded by half an epsilon of
+ * its length. Triangles so thin that their normal is inexact are excepted: there, points lie beside
+ * the triangle by as much as the normal has lost.
+ */
+inline double roundingOfOffset(double distance, double size)
+{
+  return 8 * std::numeric_limits<double>::epsilon() * (distance + size);
+}
+
+///@{
+/// Replaces the nearest point by that of an item, if that is nearer.
+void findNearest(
+  const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest);
+void findNearest(
+  const NearPoint* points, const NearItems& run, const double* sample, Nearest& nearest);
+///@}
+
+} // namespace winding

@@ -1,0 +1,165 @@
+#include "farfield/FarField.h"
+
+#include "base/FieldOutput.h"
+#include "base/FlushToZero.h"
+#include "farfield/Expansions.h"
+#include "farfield/FarFieldGradient.h"
+#include "farfield/FarFieldTraversal.h"
+#include "farfield/PointCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Puts values where they belong in the arrays of an extent.
+class ArraySink final : public RowSink
+{
+public:
+  ArraySink(const Extent& extent, const FieldOutput& output)
+    : extent_(extent)
+    , output_(output)
+  {
+  }
+
+  void row(int i, int j, int k, std::size_t count, const float* values, const bool*) const override
+  {
+    output_.write(values, sampleNumber(extent_, i, j, k), count);
+  }
+
+private:
+  Extent extent_;
+  FieldOutput output_;
+};
+
+} // namespace
+
+FarField::FarField(
+  std::unique_ptr<FarFieldSources> sources, const FarFieldAccuracy& accuracy, Executor& executor)
+  : tree_(std::move(sources), accuracy, executor)
+{
+}
+
+std::vector<FarFieldTask> FarField::tasks(
+  const TargetCells& cells, int level, FarFieldWork* work) const
+{
+  const FlushToZero flush;
+  std::vector<FarFieldTask> tasks;
+  const FarFieldWork done = FarFieldTraversal(tree_, cells).collect(level, tasks);
+  if (work)
+  {
+    *work += done;
+  }
+  return tasks;
+}
+
+FarFieldWork FarField::evaluate(
+  const TargetCells& cells, const FarFieldTask& task, bool watching) const
+{
+  const FlushToZero flush;
+  return FarFieldTraversal(tree_, cells).evaluate(task, watching);
+}
+
+bool FarField::evaluateAll(
+  const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const
+{
+  FarFieldWork total;
+  const std::vector<FarFieldTask> all = this->tasks(cells, taskLevel, &total);
+  std::vector<FarFieldWork> parts(all.size()); // one each: nobody waits for anybody
+  const bool complete = executor.run(
+    all.size(), [&](std::size_t task) { parts[task] = this->evaluate(cells, all[task], false); });
+  if (work)
+  {
+    *work += std::accumulate(parts.begin(), parts.end(), total,
+      [](FarFieldWork sum, const FarFieldWork& part) { return sum += part; });
+  }
+  return complete;
+}
+
+bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  Executor& executor, FarFieldWork* work) const
+{
+  if (sampleCount(extent) == 0)
+  {
+    return true;
+  }
+  GridCells cells(grid, extent, this->scale(), this->order());
+  const ArraySink sink(extent, output);
+  cells.setSink(sink);
+  return this->evaluateAll(cells, cells.taskLevel(), executor, work);
+}
+
+PointCells FarField::cellsOf(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
+  constexpr double farthest = 64;
+  const double radius = tree_.empty() ? 1 : tree_.moments.criteria.radius[0];
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest * std::max(1.0, radius));
+  const Eigen::AlignedBox3d region(tree_.moments.origin - reach, tree_.moments.origin + reach);
+  return {samples, region, this->scale(), this->order(), output, executor};
+}
+
+bool FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+  FarFieldWork* work) const
+{
+  try
+  {
+    const PointCells cells = this->cellsOf(samples, output, executor);
+    for (const std::uint32_t number : cells.others())
+    {
+      const double value = this->valueFarAway(samples[number]);
+      output.write(&value, number, 1);
+    }
+    return cells.empty() || this->evaluateAll(cells, cells.taskLevel(), executor, work);
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+}
+
+bool FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  try
+  {
+    const PointCells cells = this->cellsOf(samples, FieldOutput(), executor);
+    const FarFieldGradient gradient(tree_, cells, gradients);
+    const std::vector<FarFieldTask> all =
+      cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());
+    for (const std::uint32_t number : cells.others())
+    {
+      gradient.evaluateFarAway(samples[number], number);
+    }
+    return executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+}
+
+/// All sources are one dipole distribution there.
+double FarField::valueFarAway(const Eigen::Vector3d& sample) const
+{
+  if (!sample.allFinite())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (tree_.empty())
+  {
+    return 0;
+  }
+  const double inverse = 1.0 / tree_.moments.criteria.radius[0];
+  const float* const root = tree_.moments.of(0);
+  return inverse * momentsAt(this->order(), {root, root + coefficientCount(this->order())},
+                     tree_.offsetFromRoot(sample));
+}
+
+} // namespace winding

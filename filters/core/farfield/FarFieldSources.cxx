@@ -1,0 +1,370 @@
+#include "farfield/FarFieldSources.h"
+
+#include "farfield/BulkBounds.h"
+#include "source/UnitScale.h"
+#include "sums/RegularizedKernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+using Vector = Eigen::Map<const Eigen::Vector3d>;
+
+void store(const Eigen::Vector3d& from, double (&to)[3])
+{
+  std::copy_n(from.data(), 3, to);
+}
+
+template <class Item>
+void rearrange(std::vector<Item>& items, const std::vector<std::uint32_t>& order)
+{
+  std::vector<Item> arranged;
+  arranged.reserve(items.size());
+  for (const std::uint32_t item : order)
+  {
+    arranged.push_back(items[item]);
+  }
+  items = std::move(arranged);
+}
+
+double largestOf(const std::vector<double>& values)
+{
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+/// Of a cloud, of the areas of its points and of what they are spread over: those of few points may be
+/// much larger than it. Samples many units away are beyond all spreading.
+double scaleOf(const PointCloud& cloud, const std::vector<double>& areas)
+{
+  const double largest =
+    std::max(std::sqrt(largestOf(areas)), largestOf(cloud.regularizationLengths));
+  Bounds bounds = bulkBounds(cloud.positions, cloud.bounds);
+  if (largest > 0)
+  {
+    bounds.extend(bounds.min() + Eigen::Vector3d::Constant(largest));
+  }
+  return unitScale(bounds);
+}
+
+class PointSources final : public FarFieldSources
+{
+public:
+  PointSources(const PointCloud& cloud, const std::vector<double>& areas)
+    : FarFieldSources(scaleOf(cloud, areas))
+    , items_(cloud.positions.size())
+  {
+    for (std::size_t i = 0; i < items_.size(); ++i)
+    {
+      store(cloud.positions[i] * scale(), items_[i].position);
+      // Two factors of scale, one after the other: their product alone may leave the range.
+      store(cloud.normals[i] * (areas[i] * scale() * scale() / (4 * pi)), items_[i].moment);
+    }
+    inverseLengths_.reserve(cloud.regularizationLengths.size());
+    for (const double length : cloud.regularizationLengths)
+    {
+      inverseLengths_.push_back(inverseOfLength(length * scale()));
+    }
+  }
+
+  std::vector<Eigen::Vector3d> centers() const override
+  {
+    std::vector<Eigen::Vector3d> centers;
+    centers.reserve(items_.size());
+    for (const KernelDipole& item : items_)
+    {
+      centers.emplace_back(Vector(item.position));
+    }
+    return centers;
+  }
+
+  void arrange(const std::vector<std::uint32_t>& order, bool inSingle) override
+  {
+    rearrange(items_, order);
+    if (this->isSpread())
+    {
+      rearrange(inverseLengths_, order);
+    }
+    inSingle_ = inSingle;
+    singleMoments_.resize(inSingle_ ? items_.size() : 0);
+    for (std::size_t i = 0; i < singleMoments_.size(); ++i)
+    {
+      std::transform(items_[i].moment, items_[i].moment + 3, singleMoments_[i].begin(),
+        [](double moment) { return static_cast<float>(moment); });
+    }
+  }
+
+  void appendDipoles(ItemRange items, int, std::vector<Dipole>& dipoles) const override
+  {
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      dipoles.push_back({Vector(items_[i].position), Vector(items_[i].moment)});
+    }
+  }
+
+  double reach(ItemRange items, const Eigen::Vector3d& center) const override
+  {
+    double squared = 0;
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      squared = std::max(squared, (Vector(items_[i].position) - center).squaredNorm());
+    }
+    return std::sqrt(squared);
+  }
+
+  double spread(ItemRange items) const override
+  {
+    if (!this->isSpread())
+    {
+      return 0;
+    }
+    const double* const first = &inverseLengths_[items.begin];
+    return 1 / *std::min_element(first, first + (items.end - items.begin));
+  }
+
+  bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
+    bool*) const override
+  {
+    KernelSums sums;
+    for (const ItemRange& range : items)
+    {
+      const KernelDipole* const first = &items_[range.begin];
+      const std::size_t count = range.end - range.begin;
+      if (this->isSpread())
+      {
+        const double* const inverseLengths = &inverseLengths_[range.begin];
+        inSingle_ ? addRegularizedDipolesInSingle(
+                      first, &singleMoments_[range.begin], inverseLengths, count, samples, sums)
+                  : addRegularizedDipoles(first, inverseLengths, count, samples, sums);
+      }
+      else if (inSingle_)
+      {
+        addDipolesInSingle(first, &singleMoments_[range.begin], count, samples, sums);
+      }
+      else
+      {
+        addDipoles(first, count, samples, sums);
+      }
+    }
+    std::copy_n(sums.sum, samples.count, values);
+    return false;
+  }
+
+  void addGradients(const std::vector<ItemRange>& items, const SampleBlock& samples,
+    GradientSums& sums) const override
+  {
+    for (const ItemRange& range : items)
+    {
+      const KernelDipole* const first = &items_[range.begin];
+      const std::size_t count = range.end - range.begin;
+      if (this->isSpread())
+      {
+        addRegularizedDipoleGradients(first, &inverseLengths_[range.begin], count, samples, sums);
+      }
+      else
+      {
+        addDipoleGradients(first, count, samples, sums);
+      }
+    }
+  }
+
+  double secondsPerPair() const override
+  {
+    // Of spread points between those that lie within their spreading, at 1.1 and 2 ns, and those beyond.
+    return this->isSpread() ? (inSingle_ ? 0.6e-9 : 1.5e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
+  }
+  double secondsPerCutAndCoefficient() const override { return 1.5e-6; }
+  std::size_t leafSize() const override { return 24; }
+
+private:
+  bool isSpread() const { return !inverseLengths_.empty(); }
+
+  std::vector<KernelDipole> items_;
+  std::vector<double> inverseLengths_; ///< by item, if they are spread
+  bool inSingle_ = false;
+  std::vector<std::array<float, 3>> singleMoments_; ///< by item, if they are summed in single
+};
+
+/// Points and weights on [0, 1].
+using Rule = std::vector<std::pair<double, double>>;
+
+/**
+ * Gauss-Legendre points and weights on [0, 1], n of them: exact for polynomials of degree 2n − 1. By
+ * Newton's method from Tricomi's starting values.
+ */
+Rule gaussLegendre(int n)
+{
+  Rule rule;
+  for (int i = 1; i <= n; ++i)
+  {
+    double x = std::cos(pi * (i - 0.25) / (n + 0.5)), slope = 0;
+    for (int step = 0; step < 20; ++step)
+    {
+      double p = 1, before = 0;
+      for (int k = 1; k <= n; ++k)
+      {
+        const double next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
+        before = p;
+        p = next;
+      }
+      slope = n * (x * p - before) / (x * x - 1);
+      x -= p / slope;
+    }
+    rule.emplace_back(0.5 * (1 + x), 1 / ((1 - x * x) * slope * slope));
+  }
+  return rule;
+}
+
+/**
+ * For moments up to an order. Those of degree k integrate polynomials of degree k − 1; a product rule
+ * on the square, whose one side is collapsed to a corner, needs one degree more for the Jacobian.
+ */
+const Rule& ruleFor(int order)
+{
+  static const std::array<Rule, 6> rules = {gaussLegendre(0), gaussLegendre(1), gaussLegendre(2),
+    gaussLegendre(3), gaussLegendre(4), gaussLegendre(5)};
+  return rules[static_cast<std::size_t>((order + 2) / 2)];
+}
+
+class TriangleSources final : public FarFieldSources
+{
+public:
+  TriangleSources(const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+    : FarFieldSources(unitScale(bulkBounds(vertices, bounds)))
+  {
+    const auto add = [this](
+                       const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
+    {
+      const Eigen::Vector3d a = p * scale(), b = q * scale(), c = r * scale();
+      KernelTriangle& item = items_.emplace_back();
+      store(a, item.a);
+      store(b, item.b);
+      store(c, item.c);
+      store((b - a).cross(c - a), item.normal);
+    };
+    items_.reserve(triangles.size());
+    if (rule == SplitRule())
+    {
+      for (const Triangle& t : triangles)
+      {
+        add(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+      }
+      return;
+    }
+    // Enough for a surface across a grid of 512³, and no more than memory for a small source.
+    const std::size_t mostPieces = 2 * triangles.size() + 100'000;
+    forEachPiece(rule, vertices, triangles, mostPieces, add);
+  }
+
+  std::vector<Eigen::Vector3d> centers() const override
+  {
+    std::vector<Eigen::Vector3d> centers;
+    centers.reserve(items_.size());
+    for (const KernelTriangle& item : items_)
+    {
+      centers.emplace_back((Vector(item.a) + Vector(item.b) + Vector(item.c)) / 3);
+    }
+    return centers;
+  }
+
+  void arrange(const std::vector<std::uint32_t>& order, bool) override { rearrange(items_, order); }
+
+  void appendDipoles(ItemRange items, int order, std::vector<Dipole>& dipoles) const override
+  {
+    const Rule& rule = ruleFor(order);
+    dipoles.reserve(dipoles.size() + (items.end - items.begin) * rule.size() * rule.size());
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c), normal(items_[i].normal);
+      for (const auto& [u, weightU] : rule)
+      {
+        for (const auto& [v, weightV] : rule)
+        {
+          // Area element: |normal| u du dv.
+          const double weight = u * weightU * weightV / (4 * pi);
+          dipoles.push_back({(1 - u) * a + u * (1 - v) * b + u * v * c, weight * normal});
+        }
+      }
+    }
+  }
+
+  double reach(ItemRange items, const Eigen::Vector3d& center) const override
+  {
+    double squared = 0;
+    for (std::uint32_t i = items.begin; i < items.end; ++i)
+    {
+      for (const double* corner : {items_[i].a, items_[i].b, items_[i].c})
+      {
+        squared = std::max(squared, (Vector(corner) - center).squaredNorm());
+      }
+    }
+    return std::sqrt(squared);
+  }
+
+  double spread(ItemRange) const override { return 0; }
+
+  bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
+    bool* isSuspect) const override
+  {
+    AngleProducts products(samples.count);
+    for (const ItemRange& range : items)
+    {
+      (isSuspect ? multiplyAnglesWatching : multiplyAngles)(
+        &items_[range.begin], range.end - range.begin, samples, products);
+    }
+    sumAngles(products, samples.count, values);
+    bool any = false;
+    for (std::size_t i = 0; isSuspect && i < samples.count; ++i)
+    {
+      isSuspect[i] = products.suspect[i] != 0;
+      any = any || isSuspect[i];
+    }
+    return any;
+  }
+
+  /// The sides of all triangles; those between two of them cancel to the bit but for their order.
+  void addGradients(const std::vector<ItemRange>& items, const SampleBlock& samples,
+    GradientSums& sums) const override
+  {
+    for (const ItemRange& range : items)
+    {
+      for (std::uint32_t i = range.begin; i < range.end; ++i)
+      {
+        const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c);
+        const KernelEdge sides[] = {kernelEdge(a, b, 1), kernelEdge(b, c, 1), kernelEdge(c, a, 1)};
+        addEdgeGradients(sides, 3, samples, sums);
+      }
+    }
+  }
+
+  double secondsPerPair() const override { return 1e-9; }
+  double secondsPerCutAndCoefficient() const override { return 4e-6; }
+  std::size_t leafSize() const override { return 12; }
+
+private:
+  std::vector<KernelTriangle> items_;
+};
+
+} // namespace
+
+std::unique_ptr<FarFieldSources> farFieldSources(
+  const PointCloud& cloud, const std::vector<double>& areas)
+{
+  return std::make_unique<PointSources>(cloud, areas);
+}
+
+std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+{
+  return std::make_unique<TriangleSources>(vertices, triangles, bounds, rule);
+}
+
+} // namespace winding

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "farfield/TargetCells.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/// A cell of samples to evaluate, with what is known of it from larger cells.
+struct FarFieldTask
+{
+  TargetCell cell;
+  std::vector<float> local;        ///< the expansion of all that acts on the larger cells
+  std::vector<std::int32_t> nodes; ///< of the source tree, which the larger cells have left to it
+};
+
+} // namespace winding

@@ -1,0 +1,321 @@
+#include "farfield/FarFieldTraversal.h"
+
+#include "farfield/Expansions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Offsets beyond this, in units of the sources' size, are cut off: everything has long been 0
+/// there, and powers of them would leave the range of single precision.
+constexpr double farthest = 1e12;
+
+Eigen::Vector3f offsetBetween(const Eigen::Vector3d& to, const Eigen::Vector3d& from)
+{
+  return (to - from).cwiseMax(-farthest).cwiseMin(farthest).cast<float>();
+}
+
+/// Sources much larger than a cell are replaced by their parts, those of about its size are left to
+/// smaller cells.
+constexpr double splitRatio = 1.2;
+
+/// About what the values of a node's moments cost at one sample.
+double secondsPerValue(int order)
+{
+  return 0.1e-9 * coefficientCount(order);
+}
+
+} // namespace
+
+FarFieldTraversal::FarFieldTraversal(const FarFieldTree& tree, const TargetCells& cells)
+  : tree_(tree)
+  , cells_(cells)
+{
+}
+
+FarFieldWork FarFieldTraversal::evaluate(const FarFieldTask& task, bool watching)
+{
+  watching_ = watching;
+  this->start(task);
+  return work_;
+}
+
+void FarFieldTraversal::visit(const FarFieldTask& task, FarFieldLeafVisitor& visitor)
+{
+  visitor_ = &visitor;
+  this->start(task);
+}
+
+void FarFieldTraversal::start(const FarFieldTask& task)
+{
+  nodes_ = task.nodes;
+  Local local;
+  std::copy(task.local.begin(), task.local.end(), local.values);
+  this->descend(task.cell, local, 0);
+}
+
+FarFieldWork FarFieldTraversal::collect(int level, std::vector<FarFieldTask>& tasks)
+{
+  tasks_ = &tasks;
+  lastLevel_ = level;
+  nodes_.assign(tree_.empty() ? 0 : 1, 0);
+  Local local = {};
+  this->descend(cells_.root(), local, 0);
+  return work_;
+}
+
+/// nodes_[firstNode …] are those that the parent could not deal with; local is what it gave.
+void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_t firstNode)
+{
+  if (tasks_ && cell.level <= lastLevel_)
+  {
+    tasks_->push_back({cell, {std::begin(local.values), std::end(local.values)},
+      {nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end()}});
+    return;
+  }
+  ++work_.cells;
+  const std::size_t firstKept = nodes_.size();
+  this->classify(cell, local, firstNode);
+  if (tasks_ || this->isWorthCutting(cell, firstKept))
+  {
+    this->descendToChildren(cell, local, firstKept);
+  }
+  else
+  {
+    ++work_.leaves;
+    const int order = tree_.order();
+    alignas(
+      64) float polynomial[(static_cast<std::size_t>(monomialCount(largestOrder)) + 15) / 16 * 16];
+    multiplyMatrix(tree_.toPolynomial.data(),
+      (static_cast<std::size_t>(monomialCount(order)) + 15) / 16 * 16,
+      static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
+    if (visitor_)
+    {
+      this->collectNear(cell, firstKept);
+      visitor_->visit({cell, polynomial, byMoments_, exactly_});
+    }
+    else if (firstKept == nodes_.size())
+    {
+      const std::size_t rows = cells_.rowsOf(cell);
+      work_.rows += rows;
+      (rows > 0 ? work_.rowSamples : work_.blockSamples) += cell.samples;
+      cells_.storePolynomial(cell, order, polynomial);
+    }
+    else
+    {
+      this->collectNear(cell, firstKept);
+      this->evaluateNear(cell, polynomial);
+    }
+  }
+  nodes_.resize(firstKept);
+}
+
+/// Adds to local what acts through expansions, and appends to nodes_ what does not.
+void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size_t firstNode)
+{
+  const TargetLevel& level = cells_.level(cell.level);
+  const FarFieldAccuracy& accuracy = tree_.accuracy;
+  const Eigen::Vector3f center = offsetBetween(cell.center, tree_.moments.origin);
+  CellCriteria criteria;
+  criteria.x = center[0];
+  criteria.y = center[1];
+  criteria.z = center[2];
+  criteria.radius = static_cast<float>(level.radius);
+  criteria.reach = CellCriteria::reachOf(accuracy.order, level.radius);
+  criteria.inverseTheta = 1 / accuracy.theta;
+  criteria.momentMargin = accuracy.momentMargin();
+  criteria.splitRadius = static_cast<float>(splitRatio * std::max(level.radius, 0.25 * level.side));
+
+  accepted_.clear();
+  candidates_.assign(nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end());
+  while (!candidates_.empty())
+  {
+    const std::size_t count = candidates_.size(), kept = nodes_.size(), accepted = accepted_.size();
+    accepted_.resize(accepted + count + nodeListSlack);
+    split_.resize(count + nodeListSlack);
+    nodes_.resize(kept + count + nodeListSlack);
+    NodeLists lists{accepted_.data() + accepted, split_.data(), nodes_.data() + kept};
+    work_.nodeTests += count;
+    classifyNodes(tree_.moments.criteria, criteria, candidates_.data(), count, lists);
+    accepted_.resize(accepted + lists.acceptedCount);
+    nodes_.resize(kept + lists.keptCount);
+
+    candidates_.clear();
+    for (std::size_t i = 0; i < lists.splitCount; ++i)
+    {
+      const SourceNode& node = tree_.nodes()[static_cast<std::size_t>(split_[i])];
+      for (std::uint32_t child = 0; child < node.children; ++child)
+      {
+        candidates_.push_back(static_cast<std::int32_t>(node.firstChild + child));
+      }
+    }
+  }
+  this->addAccepted(cell, local);
+}
+
+/// Adds what the accepted nodes give to a cell's local expansion.
+void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local)
+{
+  if (accepted_.empty())
+  {
+    return;
+  }
+  ++work_.receivers;
+  work_.translations += accepted_.size();
+  LocalSums sums;
+  std::fill_n(sums.lanes, coefficientCount(tree_.order()) * 16, 0.0f);
+  const SourceMoments& moments = tree_.moments;
+  for (std::size_t first = 0; first < accepted_.size(); first += NodeBatch::capacity)
+  {
+    NodeBatch batch;
+    batch.count = std::min(NodeBatch::capacity, accepted_.size() - first);
+    for (std::size_t i = 0; i < batch.count; ++i)
+    {
+      const auto node = static_cast<std::size_t>(accepted_[first + i]);
+      const Eigen::Vector3f offset = offsetBetween(cell.center, moments.centers[node]);
+      batch.node[i] = accepted_[first + i];
+      batch.dx[i] = offset[0];
+      batch.dy[i] = offset[1];
+      batch.dz[i] = offset[2];
+      batch.radius[i] = moments.criteria.radius[node];
+    }
+    ++work_.translationBatches;
+    translateMoments(tree_.order(), moments.moments.data(), batch,
+      static_cast<float>(cells_.level(cell.level).side), sums);
+  }
+  addLanes(tree_.order(), sums, local.values);
+}
+
+bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t firstKept) const
+{
+  std::size_t items = 0;
+  for (std::size_t i = firstKept; i < nodes_.size(); ++i)
+  {
+    items += tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
+  }
+  const double seconds = static_cast<double>(items) * static_cast<double>(cell.allSamples) *
+                         tree_.sources->secondsPerPair();
+  return cell.level > 0 &&
+         seconds > tree_.sources->secondsPerCutAndCoefficient() * coefficientCount(tree_.order());
+}
+
+void FarFieldTraversal::descendToChildren(
+  const TargetCell& cell, const Local& local, std::size_t firstKept)
+{
+  TargetCells::Child children[8];
+  const int count = cells_.childrenOf(cell, children);
+  const std::size_t rows = paddedCoefficients(tree_.order());
+  work_.shifts += static_cast<std::uint64_t>(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const LocalShifts& shifts = *cells_.level(cell.level - 1).fromParent;
+    Local shifted;
+    multiplyMatrix(shifts.matrices[children[i].octant].data(), rows,
+      static_cast<std::size_t>(coefficientCount(tree_.order())), local.values, shifted.values);
+    this->descend(children[i].cell, shifted, firstKept);
+  }
+}
+
+/// Of the nodes that were kept, which act through their moments and which items exactly.
+void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKept)
+{
+  byMoments_.clear();
+  exactly_.clear();
+  stack_.assign(nodes_.rbegin(), nodes_.rend() - static_cast<std::ptrdiff_t>(firstKept));
+  const TargetSphere sphere = cells_.sphereOf(cell);
+  const Eigen::Vector3f center = offsetBetween(sphere.center, tree_.moments.origin);
+  const auto radius = static_cast<float>(sphere.radius);
+  const NodeCriteria& nodes = tree_.moments.criteria;
+  const double perValue = secondsPerValue(tree_.order());
+  const double perPair = tree_.sources->secondsPerPair();
+  while (!stack_.empty())
+  {
+    const auto number = static_cast<std::size_t>(stack_.back());
+    stack_.pop_back();
+    ++work_.nearTests;
+    const SourceNode& node = tree_.nodes()[number];
+    const float dx = center[0] - nodes.x[number], dy = center[1] - nodes.y[number],
+                dz = center[2] - nodes.z[number];
+    const float needed =
+      radius + std::max(tree_.accuracy.momentMargin() * nodes.radius[number], nodes.rho[number]);
+    const bool isFar = dx * dx + dy * dy + dz * dz >= needed * needed;
+    if (isFar && node.size() * perPair > perValue)
+    {
+      byMoments_.push_back(static_cast<std::int32_t>(number));
+    }
+    else if (isFar || node.children == 0)
+    {
+      if (!exactly_.empty() && exactly_.back().end == node.begin)
+      {
+        exactly_.back().end = node.end;
+      }
+      else
+      {
+        exactly_.push_back({node.begin, node.end});
+      }
+    }
+    else
+    {
+      for (std::uint32_t child = node.children; child-- > 0;)
+      {
+        stack_.push_back(static_cast<std::int32_t>(node.firstChild + child));
+      }
+    }
+  }
+}
+
+void FarFieldTraversal::countNear(const TargetCell& cell)
+{
+  ++work_.nearLeaves;
+  work_.nearSamples += cell.samples;
+  work_.exactSamples += exactly_.empty() ? 0 : cell.samples;
+  work_.momentValues += byMoments_.size() * cell.samples;
+  for (const ItemRange& range : exactly_)
+  {
+    work_.exactPairs += (range.end - range.begin) * cell.samples;
+  }
+}
+
+void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polynomial)
+{
+  this->countNear(cell);
+  const int order = tree_.order();
+  TargetBlock block;
+  alignas(64) float far[SampleBlock::capacity];
+  double near[SampleBlock::capacity];
+  bool isSuspect[SampleBlock::capacity];
+  for (std::size_t first = 0; first < cell.samples; first += block.samples.count)
+  {
+    cells_.fill(cell, first, block);
+    const std::size_t count = block.samples.count;
+    const std::size_t padded = (count + 15) / 16 * 16;
+    std::fill(block.u + count, block.u + padded, 0.0f);
+    std::fill(block.v + count, block.v + padded, 0.0f);
+    std::fill(block.w + count, block.w + padded, 0.0f);
+    evaluatePolynomial(order, polynomial, block.u, block.v, block.w, count, far);
+    for (const std::int32_t number : byMoments_)
+    {
+      const auto node = static_cast<std::size_t>(number);
+      const Eigen::Vector3d& center = tree_.moments.centers[node];
+      addMomentValues(order, tree_.moments.of(node), {center[0], center[1], center[2]},
+        tree_.moments.criteria.radius[node], block.samples, far);
+    }
+    bool any = false;
+    if (!exactly_.empty())
+    {
+      any = tree_.sources->sum(exactly_, block.samples, near, watching_ ? isSuspect : nullptr);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        far[i] = static_cast<float>(far[i] + near[i]);
+      }
+    }
+    cells_.store(cell, first, count, far, any ? isSuspect : nullptr);
+  }
+}
+
+} // namespace winding

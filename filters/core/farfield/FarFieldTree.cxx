@@ -1,0 +1,58 @@
+#include "farfield/FarFieldTree.h"
+
+#include "farfield/Expansions.h"
+#include "source/UnitScale.h"
+
+namespace winding
+{
+
+namespace
+{
+
+/// Brings the sources into the tree's order before their moments are made.
+const FarFieldSources& arranged(
+  FarFieldSources& sources, const SourceTree& hierarchy, const FarFieldAccuracy& accuracy)
+{
+  sources.arrange(hierarchy.order(), accuracy.allowsSingleSums());
+  return sources;
+}
+
+std::vector<float> polynomialColumns(int order)
+{
+  const Eigen::MatrixXd matrix = polynomialMatrix(order);
+  const Eigen::Index rows = (matrix.rows() + 15) / 16 * 16;
+  std::vector<float> columns(static_cast<std::size_t>(rows * matrix.cols()));
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+  {
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    {
+      columns[static_cast<std::size_t>(column * rows + row)] =
+        static_cast<float>(matrix(row, column));
+    }
+  }
+  return columns;
+}
+
+} // namespace
+
+FarFieldTree::FarFieldTree(std::unique_ptr<FarFieldSources> sourcesToArrange,
+  const FarFieldAccuracy& wanted, Executor& executor)
+  : sources(std::move(sourcesToArrange))
+  , accuracy(wanted)
+  , hierarchy(sources->centers(), sources->leafSize(), executor)
+  , moments(hierarchy, arranged(*sources, hierarchy, accuracy), accuracy, executor)
+  , toPolynomial(polynomialColumns(accuracy.order))
+{
+}
+
+Eigen::Vector3d FarFieldTree::offsetFromRoot(const Eigen::Vector3d& sample) const
+{
+  Eigen::Vector3d offset;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    offset[axis] = scaledCoordinate(sample[axis], this->scale()) - moments.origin[axis];
+  }
+  return offset / moments.criteria.radius[0];
+}
+
+} // namespace winding

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "base/FieldOutput.h"
+#include "base/Views.h"
+#include "farfield/TargetCells.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+
+namespace winding
+{
+
+/**
+ * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not finite,
+ * or lie outside the given region, are left out; `others` lists them. A sample alone is one cell of no
+ * size, so that its value costs little beside what acts on it.
+ */
+class PointCells final : public TargetCells
+{
+public:
+  /// Positions are those of the samples times scale. Keeps references to samples and output. Throws
+  /// Interrupted when the executor is, Refusal for more than 2³¹ − 1 samples.
+  PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
+    const FieldOutput& output, Executor& executor);
+
+  const std::vector<std::uint32_t>& others() const { return others_; }
+  bool empty() const { return samples_.empty(); }
+
+  /// The number of a cell's n-th sample.
+  std::size_t numberOf(const TargetCell& cell, std::size_t n) const
+  {
+    return samples_[static_cast<std::size_t>(cell.index[0]) + n].number;
+  }
+
+  /// The level of cells that make good tasks.
+  int taskLevel() const;
+
+  TargetCell root() const override;
+  int childrenOf(const TargetCell& cell, Child (&children)[8]) const override;
+  TargetSphere sphereOf(const TargetCell& cell) const override;
+  void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const override;
+  void store(const TargetCell& cell, std::size_t first, std::size_t count, const float* values,
+    const bool* isSuspect) const override;
+
+private:
+  /// A sample's place on the curve and its number.
+  struct Sample
+  {
+    std::uint32_t key, number;
+  };
+
+  /// Levels below the root, of several samples: as many as 32 bits of a key hold.
+  static constexpr int deepest = 10;
+
+  Eigen::Vector3d positionOf(std::uint32_t number) const;
+
+  const VectorsView& view_;
+  double scale_;
+  FieldOutput output_;
+  int depth_;           ///< levels below the root
+  Eigen::Vector3d low_; ///< corner of the root's cube
+  std::vector<Sample> samples_;
+  std::vector<std::uint32_t> others_;
+};
+
+} // namespace winding

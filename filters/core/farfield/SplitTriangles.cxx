@@ -1,0 +1,127 @@
+#include "farfield/SplitTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Of vectors of any size; stableNorm() is ten times slower, and needed only where squares leave the
+/// range.
+double lengthOf(const Eigen::Vector3d& vector)
+{
+  const double squared = vector.squaredNorm();
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : vector.stableNorm();
+}
+
+/// The triangle turned so that its longest side is a → b.
+struct Longest
+{
+  Eigen::Vector3d a, b, c;
+  double length;
+
+  Longest(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
+  {
+    const double pq = lengthOf(q - p), qr = lengthOf(r - q), rp = lengthOf(p - r);
+    length = std::max({pq, qr, rp});
+    const bool first = pq == length, second = !first && qr == length;
+    a = first ? p : second ? q : r;
+    b = first ? q : second ? r : p;
+    c = first ? r : second ? p : q;
+  }
+};
+
+template <class Visit>
+void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle, const Visit& visit)
+{
+  if (!visit.goesOn())
+  {
+    return;
+  }
+  const double allowed = relaxed * rule.allowedFor(triangle.a, triangle.b, triangle.c);
+  const Eigen::Vector3d middle = 0.5 * triangle.a + 0.5 * triangle.b;
+  // Between neighbouring numbers there is no middle, and what has no length is left alone.
+  if (!(triangle.length > allowed) || middle == triangle.a || middle == triangle.b)
+  {
+    visit(triangle.a, triangle.b, triangle.c);
+    return;
+  }
+  visitPieces(rule, relaxed, Longest(triangle.a, middle, triangle.c), visit);
+  visitPieces(rule, relaxed, Longest(middle, triangle.b, triangle.c), visit);
+}
+
+/// Counts up to a limit.
+struct Counter
+{
+  std::size_t limit;
+  mutable std::size_t count = 0;
+
+  bool goesOn() const { return count <= limit; }
+  void operator()(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&) const
+  {
+    ++count;
+  }
+};
+
+using Visit =
+  std::function<void(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)>;
+
+struct Caller
+{
+  const Visit& visit;
+
+  bool goesOn() const { return true; }
+  void operator()(
+    const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  {
+    visit(a, b, c);
+  }
+};
+
+} // namespace
+
+double SplitRule::allowedFor(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+{
+  const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  const Eigen::Vector3d gap =
+    (region.min() - high).cwiseMax(low - region.max()).cwiseMax(Eigen::Vector3d::Zero());
+  return std::max(longestSide, 0.5 * lengthOf(gap));
+}
+
+bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles)
+{
+  return std::all_of(triangles.begin(), triangles.end(),
+    [&](const Triangle& t)
+    {
+      const Longest triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+      return triangle.length <= rule.longestSide ||
+             triangle.length <= rule.allowedFor(triangle.a, triangle.b, triangle.c);
+    });
+}
+
+void forEachPiece(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, std::size_t mostPieces, const Visit& visit)
+{
+  const auto visitAll = [&](double relaxed, const auto& call)
+  {
+    for (const Triangle& t : triangles)
+    {
+      visitPieces(rule, relaxed, Longest(vertices[t[0]], vertices[t[1]], vertices[t[2]]), call);
+    }
+  };
+  double relaxed = 1;
+  for (bool fits = false; !fits; relaxed *= fits ? 1 : 2)
+  {
+    const Counter counter{std::max(mostPieces, triangles.size())};
+    visitAll(relaxed, counter);
+    fits = counter.goesOn();
+  }
+  visitAll(relaxed, Caller{visit});
+}
+
+} // namespace winding

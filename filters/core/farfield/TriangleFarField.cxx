@@ -1,0 +1,124 @@
+#include "farfield/TriangleFarField.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Sides of triangles that are not cut, in voxels: those of a cell whose near sources are summed.
+constexpr double voxelsPerSide = 8;
+
+/// They are not cut any further, in units of the surface: where all samples are in one place, there
+/// is no end to what is large beside their distances.
+constexpr double shortestSide = 1e-4;
+
+} // namespace
+
+TriangleFarField::TriangleFarField(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy)
+  : vertices_(vertices)
+  , triangles_(triangles)
+  , bounds_(bounds)
+  , accuracy_(accuracy)
+{
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  const Grid& grid, Executor& executor) const
+{
+  const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
+  SplitRule rule;
+  rule.region = Bounds(grid.firstSample, grid.sample(last[0], last[1], last[2]));
+  // The geometric mean of the spacings; that of an axis with one sample is none.
+  double logarithms = 0;
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    logarithms += grid.dimensions[axis] > 1 ? std::log(grid.spacing[axis]) : 0;
+    axes += grid.dimensions[axis] > 1;
+  }
+  rule.longestSide = axes > 0 ? voxelsPerSide * std::exp(logarithms / axes) : 0;
+  return this->suiting(rule, executor);
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  const VectorsView& samples, Executor& executor) const
+{
+  if (samples.size() == 1)
+  {
+    return this->whole(executor);
+  }
+  // Far away samples have no say in what is near, nor has how they are distributed: as if evenly.
+  SplitRule rule;
+  std::size_t count = 0;
+  const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (around.contains(samples[i]))
+    {
+      rule.region.extend(samples[i]);
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    rule.longestSide =
+      voxelsPerSide * rule.region.sizes().maxCoeff() / std::cbrt(static_cast<double>(count));
+  }
+  return this->suiting(rule, executor);
+}
+
+std::shared_ptr<const FarField> TriangleFarField::suiting(SplitRule rule, Executor& executor) const
+{
+  if (!bounds_.isEmpty())
+  {
+    rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
+  }
+  if (leavesWhole(rule, vertices_, triangles_))
+  {
+    return this->whole(executor);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_ || !(rule == rule_))
+  {
+    last_ = nullptr; // the old and the new one need not fit into memory together
+    last_ = this->build(rule, executor);
+    rule_ = rule;
+  }
+  return last_;
+}
+
+std::shared_ptr<const FarField> TriangleFarField::whole(Executor& executor) const
+{
+  if (!hasWhole_.load(std::memory_order_acquire))
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!whole_)
+    {
+      whole_ = this->build(SplitRule(), executor);
+      hasWhole_.store(whole_ != nullptr, std::memory_order_release);
+    }
+    return whole_; // null if interrupted
+  }
+  return whole_;
+}
+
+std::shared_ptr<const FarField> TriangleFarField::build(
+  const SplitRule& rule, Executor& executor) const
+{
+  try
+  {
+    return std::make_shared<const FarField>(
+      farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
+  }
+  catch (const Interrupted&)
+  {
+    return nullptr;
+  }
+}
+
+} // namespace winding

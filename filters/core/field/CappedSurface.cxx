@@ -1,0 +1,241 @@
+#include "field/CappedSurface.h"
+
+#include "farfield/FarFieldCost.h"
+#include "farfield/GridCells.h"
+#include "farfield/TriangleFarField.h"
+#include "surface/Cap.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+CappedSurface::CappedSurface(
+  const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
+  : rows_(surface.vertices, surface.triangles, cap_)
+  , capRows_(surface.vertices, cap_)
+  , fanRows_(fanVertices_, fan_)
+  , surfaceSum_(surface.vertices, surface.triangles, surface.bounds)
+  , capSum_(surface.vertices, cap_, surface.bounds)
+  , fanSum_(fanVertices_, fan_, surface.bounds)
+{
+  if (!chain.edges.empty())
+  {
+    const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
+    cap_ = capOf(loops);
+    fanVertices_ = surface.vertices;
+    fan_ = fanOf(loops, fanVertices_);
+  }
+  if (tolerance < FarFieldAccuracy::finest || cap_.empty())
+  {
+    return;
+  }
+  const FarFieldAccuracy accuracy = FarFieldAccuracy::of(tolerance);
+  if (capSum == CapSum::farField ||
+      !isCheaperDirectly(Primitive::triangle, cap_.size(), accuracy.order))
+  {
+    capFarField_ =
+      std::make_unique<const TriangleFarField>(surface.vertices, cap_, surface.bounds, accuracy);
+  }
+}
+
+CappedSurface::~CappedSurface() = default;
+
+/**
+ * All rows of cells that lie behind each other along x: the runs of equal χ in them, to which the
+ * far field's values of the cap come in pieces.
+ */
+class CappedSurface::Bar final : public RowSink
+{
+public:
+  /// rows: the range of j and k, as in an extent, those of a band.
+  Bar(const CappedSurface& surface, const RowCrossings::OnGrid& onGrid, const Grid& grid,
+    const Extent& extent, const Extent& rows, std::size_t band, const FieldOutput& output)
+    : surface_(surface)
+    , grid_(grid)
+    , extent_(extent)
+    , rows_(rows)
+    , output_(output)
+  {
+    for (int k = rows[4]; k <= rows[5]; ++k)
+    {
+      onGrid.evaluate(k, band,
+        [this](int, int, const std::vector<RowRun>& runs)
+        {
+          starts_.push_back(runs_.size());
+          runs_.insert(runs_.end(), runs.begin(), runs.end());
+        });
+    }
+  }
+
+  void row(int i, int j, int k, std::size_t count, const float* capValues,
+    const bool* isSuspect) const override
+  {
+    const RowRun* run = &runs_[starts_[sampleNumber(rows_, rows_[0], j, k)]];
+    while (run->end <= i)
+    {
+      ++run;
+    }
+    float values[SampleBlock::capacity];
+    for (std::size_t n = 0; n < count;)
+    {
+      const auto last = std::min(count, static_cast<std::size_t>(run->end - i));
+      const auto inside = static_cast<float>(run->value);
+      for (std::size_t m = n; m < last; ++m)
+      {
+        values[m] = inside - capValues[m];
+      }
+      for (std::size_t m = n; isSuspect && m < last; ++m)
+      {
+        if (isSuspect[m])
+        {
+          values[m] = static_cast<float>(
+            surface_.resolveOnCap(grid_, i + static_cast<int>(m), j, k, run->value));
+        }
+      }
+      n = last;
+      ++run;
+    }
+    output_.write(values, sampleNumber(extent_, i, j, k), count);
+  }
+
+private:
+  const CappedSurface& surface_;
+  const Grid& grid_;
+  Extent extent_, rows_;
+  const FieldOutput& output_;
+  std::vector<std::size_t> starts_; ///< of the runs of each row
+  std::vector<RowRun> runs_;
+};
+
+bool CappedSurface::evaluateByFarField(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
+  if (!farField)
+  {
+    return false;
+  }
+  GridCells cells(grid, extent, farField->scale(), farField->order());
+  std::vector<FarFieldTask> tasks = farField->tasks(cells, cells.taskLevel());
+  // Cells with the same rows together, so that these are found once.
+  const auto rowsOf = [](const FarFieldTask& task)
+  {
+    return std::pair(task.cell.index[2], task.cell.index[1]);
+  };
+  std::stable_sort(tasks.begin(), tasks.end(),
+    [&](const FarFieldTask& a, const FarFieldTask& b) { return rowsOf(a) < rowsOf(b); });
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    if (i == 0 || rowsOf(tasks[i]) != rowsOf(tasks[i - 1]))
+    {
+      starts.push_back(i);
+    }
+  }
+  starts.push_back(tasks.size());
+
+  if (tasks.empty())
+  {
+    return true;
+  }
+  // A bar's rows are one band.
+  const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
+  const RowBands bands = {extent[2] / height * height, height};
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
+  return executor.run(starts.size() - 1,
+    [&](std::size_t number)
+    {
+      Extent rows = cells.samplesOf(tasks[starts[number]].cell);
+      rows[0] = rows[1] = 0;
+      const Bar bar(*this, *onGrid, grid, extent, rows, bands.bandOf(rows[2]), output);
+      GridCells barCells = cells;
+      barCells.setSink(bar);
+      for (std::size_t task = starts[number]; task < starts[number + 1]; ++task)
+      {
+        farField->evaluate(barCells, tasks[task], true);
+      }
+    });
+}
+
+bool CappedSurface::prepare(const Grid& grid, Executor& executor) const
+{
+  return !capFarField_ || capFarField_->suiting(grid, executor) != nullptr;
+}
+
+bool CappedSurface::evaluate(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  if (capFarField_ && sampleCount(extent) > 0)
+  {
+    return this->evaluateByFarField(grid, extent, output, executor);
+  }
+  // Enough work to be worth a block, and little enough to answer an interrupt within a moment.
+  const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
+  return rows_.evaluate(
+    grid, extent, samplesPerBlock,
+    [&](int j, int k, const std::vector<RowRun>& runs)
+    { this->evaluateRow(grid, extent, j, k, runs, output); },
+    executor);
+}
+
+void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
+  const std::vector<RowRun>& runs, const FieldOutput& output) const
+{
+  const auto width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const auto height = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  const std::size_t row =
+    (static_cast<std::size_t>(k - extent[4]) * height + static_cast<std::size_t>(j - extent[2])) *
+    width;
+  for (const RowRun& run : runs)
+  {
+    const std::size_t first = row + static_cast<std::size_t>(run.begin - extent[0]);
+    const auto count = static_cast<std::size_t>(run.end - run.begin);
+    if (cap_.empty())
+    {
+      output.fill(run.value, first, count);
+      continue;
+    }
+    for (std::size_t done = 0; done < count; done += SampleBlock::capacity)
+    {
+      SampleBlock block;
+      block.count = std::min(SampleBlock::capacity, count - done);
+      for (std::size_t n = 0; n < block.count; ++n)
+      {
+        block.set(n, grid.sample(run.begin + static_cast<int>(done + n), j, k));
+      }
+      double values[SampleBlock::capacity];
+      bool isSuspect[SampleBlock::capacity];
+      const bool any = capSum_.evaluateWatching(block, values, isSuspect);
+      for (std::size_t n = 0; n < block.count; ++n)
+      {
+        values[n] = run.value - values[n];
+        if (any && isSuspect[n])
+        {
+          values[n] =
+            this->resolveOnCap(grid, run.begin + static_cast<int>(done + n), j, k, run.value);
+        }
+      }
+      output.write(values, first + done, block.count);
+    }
+  }
+}
+
+/// The value of a sample on the cap: χ of the surface and the other cap, minus that cap's sum.
+double CappedSurface::resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const
+{
+  SampleBlock block;
+  block.count = 1;
+  block.set(0, grid.sample(i, j, k));
+  double value;
+  bool isSuspect;
+  if (fanSum_.evaluateWatching(block, &value, &isSuspect))
+  {
+    // On both caps, so most likely on the rim: the definition itself.
+    surfaceSum_.evaluate(block, &value);
+    return value;
+  }
+  return rowValue - capRows_.valueAt(grid, i, j, k) + fanRows_.valueAt(grid, i, j, k) - value;
+}
+
+} // namespace winding

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "farfield/FarField.h"
+#include "field/Field.h"
+#include "source/PointCloud.h"
+#include "sums/DirectSum.h"
+
+namespace winding
+{
+
+/// The field of oriented points.
+class CloudField final : public Field
+{
+public:
+  /// Throws Interrupted.
+  CloudField(
+    const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
+  ~CloudField() override;
+
+  const FieldInfo& info() const override { return info_; }
+
+  bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
+
+  const PointCloud* cloud() const override { return &cloud_; }
+  EvaluationCost expectedCost(std::size_t samples) const override;
+  double reference(const Eigen::Vector3d& sample) const override;
+  PointOnSource pointOnSource() const override;
+
+protected:
+  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
+  const Evaluator& evaluator() const override { return *sum_; }
+  const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
+
+private:
+  void turnOutward(Executor& executor);
+  void warn(const std::string& what);
+  void chooseAreas(const FieldOptions& options, Executor& executor);
+  void regularize(double spacings);
+  void chooseMethod(const FieldOptions& options, Executor& executor);
+
+  bool usesFarField(std::size_t samples) const;
+
+  PointCloud cloud_;
+  FieldInfo info_;
+  double slowdown_ = 1;                      ///< of the far field, by regularization
+  bool isAskedFor_ = false;                  ///< the method, by the user
+  std::unique_ptr<const FarField> farField_; ///< method hierarchical
+  std::unique_ptr<const DipoleSum> sum_;
+};
+
+} // namespace winding

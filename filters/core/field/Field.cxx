@@ -1,0 +1,223 @@
+#include "field/Field.h"
+
+#include "base/DividedShare.h"
+#include "base/Evaluator.h"
+#include "distance/DistanceCost.h"
+#include "distance/GridDistances.h"
+#include "distance/SampleDistances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+/**
+ * Samples per block of work: many, so that what is done per block costs nothing, but few enough
+ * that a block over all primitives ends in a fraction of a second and an interrupt is answered
+ * soon.
+ */
+std::size_t samplesPerBlock(std::size_t primitives)
+{
+  constexpr std::size_t pairsPerBlock = 20'000'000;
+  const std::size_t samples = pairsPerBlock / std::max<std::size_t>(primitives, 1);
+  // Multiples of 16 fill the widest vectors.
+  return std::clamp<std::size_t>(samples / 16 * 16, 16, SampleBlock::capacity);
+}
+
+/// Calls work(block, number of its first sample) for blocks of samples at positionOf(number).
+template <class PositionOf, class Work>
+bool forEachBlock(std::size_t samples, std::size_t blockSize, const PositionOf& positionOf,
+  const Work& work, Executor& executor)
+{
+  return executor.run((samples + blockSize - 1) / blockSize,
+    [&](std::size_t number)
+    {
+      const std::size_t first = number * blockSize;
+      SampleBlock block;
+      block.count = std::min(blockSize, samples - first);
+      for (std::size_t i = 0; i < block.count; ++i)
+      {
+        block.set(i, positionOf(first + i));
+      }
+      work(block, first);
+    });
+}
+
+/// Nowhere is not a place: samples that are NaN or infinite get NaN from every method. `components`
+/// numbers per sample.
+void markNonFinite(const SampleBlock& block, std::size_t components, double* values)
+{
+  for (std::size_t i = 0; i < block.count; ++i)
+  {
+    if (!std::isfinite(block.x[i]) || !std::isfinite(block.y[i]) || !std::isfinite(block.z[i]))
+    {
+      std::fill_n(values + components * i, components, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
+
+} // namespace
+
+const char* nameOf(Method method)
+{
+  switch (method)
+  {
+  case Method::automatic:
+    return "automatic";
+  case Method::rows:
+    return "rows";
+  case Method::hierarchical:
+    return "hierarchical";
+  case Method::direct:
+    return "direct";
+  case Method::parity:
+    return "parity";
+  }
+  return "";
+}
+
+Field::Field() = default;
+Field::~Field() = default;
+
+bool Field::prepare(const Grid&, Executor&) const
+{
+  return true;
+}
+
+bool Field::prepare(const VectorsView&, Executor&) const
+{
+  return true;
+}
+
+template <class PositionOf>
+bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
+  const FieldOutput& output, Executor& executor) const
+{
+  const Evaluator& method = this->evaluator();
+  return forEachBlock(
+    samples, samplesPerBlock(this->info().primitives), positionOf,
+    [&](const SampleBlock& block, std::size_t first)
+    {
+      double values[SampleBlock::capacity];
+      method.evaluate(block, values);
+      markNonFinite(block, 1, values);
+      output.write(values, first, block.count);
+    },
+    executor);
+}
+
+bool Field::evaluateValues(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBlocks(
+    sampleCount(extent),
+    [&](std::size_t n)
+    {
+      const Eigen::Vector3i index = sampleIndex(extent, n);
+      return grid.sample(index[0], index[1], index[2]);
+    },
+    output, executor);
+}
+
+bool Field::evaluateValues(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBlocks(
+    samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
+}
+
+/// Null when the executor was interrupted.
+const DistanceTree* Field::distanceTree(Executor& executor) const
+try
+{
+  const std::lock_guard<std::mutex> lock(distanceTreeLock_);
+  if (!distanceTree_)
+  {
+    distanceTree_ = this->makeDistanceTree(executor);
+  }
+  return distanceTree_.get();
+}
+catch (const Interrupted&)
+{
+  return nullptr;
+}
+
+bool Field::prepareDistances(Executor& executor) const
+{
+  return this->distanceTree(executor) != nullptr;
+}
+
+EvaluationCost Field::expectedCostOfDistances(std::size_t samples) const
+{
+  const FieldInfo& info = this->info();
+  return costOfDistances(
+    info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
+}
+
+/// Values, then distances with the signs that those give.
+template <class EvaluateValues, class EvaluateDistances>
+bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
+  const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const
+{
+  if (!output.hasDistances())
+  {
+    return evaluateValues(output);
+  }
+  FieldOutput signedOutput = output;
+  std::vector<unsigned char> inside;
+  if (!output.values && !output.doubleValues && !output.inside)
+  {
+    inside.resize(samples);
+    signedOutput.inside = inside.data();
+  }
+  const double ofValues = this->expectedCost(samples).seconds;
+  const double share = ofValues / (ofValues + this->expectedCostOfDistances(samples).seconds);
+  DividedShare divided(executor);
+  divided.set(0, share);
+  const bool hasValues = evaluateValues(signedOutput);
+  divided.set(share, 1);
+  const DistanceTree* tree = hasValues ? this->distanceTree(executor) : nullptr;
+  return tree && evaluateDistances(*tree, signedOutput);
+}
+
+bool Field::evaluate(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBoth(
+    sampleCount(extent), output, executor,
+    [&](const FieldOutput& values) { return this->evaluateValues(grid, extent, values, executor); },
+    [&](const DistanceTree& tree, const FieldOutput& distances)
+    { return GridDistances(tree, grid, extent, distances).evaluate(executor); });
+}
+
+bool Field::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  return this->evaluateBoth(
+    samples.size(), output, executor,
+    [&](const FieldOutput& values) { return this->evaluateValues(samples, values, executor); },
+    [&](const DistanceTree& tree, const FieldOutput& distances)
+    { return evaluateDistances(tree, samples, distances, executor); });
+}
+
+bool Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+{
+  const FieldInfo& info = this->info();
+  const GradientEvaluator& method = this->gradientEvaluator();
+  return forEachBlock(
+    samples.size(), samplesPerBlock(info.isSurface ? info.netBoundaryEdges : info.primitives),
+    [&](std::size_t n) { return samples[n]; },
+    [&](const SampleBlock& block, std::size_t first)
+    {
+      method.evaluateGradients(block, gradients + 3 * first);
+      markNonFinite(block, 3, gradients + 3 * first);
+    },
+    executor);
+}
+
+} // namespace winding

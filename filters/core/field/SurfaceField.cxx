@@ -1,0 +1,252 @@
+#include "field/SurfaceField.h"
+
+#include "base/Refusal.h"
+#include "distance/DistanceTree.h"
+#include "farfield/FarFieldCost.h"
+#include "rays/CrossingCost.h"
+#include "rays/RayParity.h"
+#include "source/Sanitize.h"
+#include "sums/DirectSum.h"
+#include "sums/DirectSumCost.h"
+#include "sums/ReferenceSum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace winding
+{
+
+SurfaceField::SurfaceField(
+  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
+  : surface_(sanitize(views, executor))
+{
+  info_.inputPrimitives = surface_.inputTriangles;
+  info_.primitives = surface_.triangles.size();
+  info_.dropped = surface_.dropped();
+  info_.weldedVertices = surface_.vertices.size();
+  info_.bounds = surface_.bounds;
+  if (surface_.dropped() > 0)
+  {
+    info_.warning =
+      std::to_string(surface_.dropped()) + " of " + std::to_string(surface_.inputTriangles) +
+      " triangles were unusable and left out (" + std::to_string(surface_.nonFiniteTriangles) +
+      " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
+      " with ids of points that do not exist)";
+  }
+  BoundaryChain chain = boundaryChain(surface_, executor);
+  if (options.method == Method::rows && options.scattered && !chain.edges.empty())
+  {
+    throw Refusal(
+      "rows needs a grid, or a closed surface; these are scattered samples and there are " +
+      std::to_string(chain.edges.size()) + " boundary edges; choose another method");
+  }
+  info_.boundaryEdges = chain.edgesOfOneTriangle;
+  info_.netBoundaryEdges = chain.edges.size();
+  this->chooseMethod(options, chain);
+  boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
+}
+
+SurfaceField::~SurfaceField() = default;
+
+void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain& chain)
+{
+  const Method asked = options.method;
+  isAskedFor_ = asked != Method::automatic;
+  if (options.tolerance >= FarFieldAccuracy::finest)
+  {
+    order_ = FarFieldAccuracy::of(options.tolerance).order;
+  }
+  if (asked == Method::parity)
+  {
+    info_.method = Method::parity;
+    info_.why = chain.edges.empty() ? "asked for" : "asked for, though the surface is not closed";
+    evaluator_ = std::make_unique<RayParity>(surface_);
+    return;
+  }
+  evaluator_ = std::make_unique<TriangleSum>(surface_);
+  if (asked == Method::direct)
+  {
+    info_.why = "asked for";
+    return;
+  }
+  if (asked == Method::hierarchical)
+  {
+    this->chooseFarField(options, "asked for");
+    return;
+  }
+  const std::string triangles = std::to_string(surface_.triangles.size()) + " triangles";
+  if (chain.edges.empty())
+  {
+    crossings_ = std::make_unique<PointCrossings>(surface_);
+  }
+  if (options.scattered && !crossings_)
+  {
+    this->chooseFarField(options, "scattered samples of " + triangles);
+    return;
+  }
+  if (options.scattered)
+  {
+    info_.method = Method::rows;
+    info_.why = "closed after welding: integers, by counting what lies ahead of each sample";
+    return;
+  }
+
+  capped_ = std::make_unique<CappedSurface>(surface_, chain, options.tolerance);
+  info_.capTriangles = capped_->capTriangles();
+  const std::string cap = std::to_string(info_.capTriangles) + " triangles over " +
+                          std::to_string(chain.edges.size()) + " boundary edges";
+  if (asked == Method::automatic && info_.capTriangles >= surface_.triangles.size())
+  {
+    // What is summed at every sample is the cap or the surface; finding the rows' crossings costs
+    // nothing beside either.
+    capped_ = nullptr;
+    this->chooseFarField(options, "a cap would have " + cap + ", no fewer than the surface itself");
+    return;
+  }
+  info_.method = Method::rows;
+  info_.why = chain.edges.empty()
+                ? "closed after welding: integers, found for whole rows"
+                : "open: rows find the integer part, a cap of " + cap + " gives the rest";
+  if (!crossings_)
+  {
+    this->makeFarField(options.tolerance); // takes nothing before scattered samples come
+  }
+}
+
+/// The far field where the tolerance admits it and it is faster than the direct sum, else that.
+void SurfaceField::chooseFarField(const FieldOptions& options, const std::string& why)
+{
+  info_.why = why;
+  if (options.tolerance < FarFieldAccuracy::finest)
+  {
+    info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
+    return;
+  }
+  if (options.method == Method::automatic &&
+      isCheaperDirectly(Primitive::triangle, info_.primitives, order_))
+  {
+    info_.why += "; so few are summed directly";
+    return;
+  }
+  info_.method = Method::hierarchical;
+  this->makeFarField(options.tolerance);
+}
+
+/// Of all triangles, if the tolerance admits one.
+void SurfaceField::makeFarField(double tolerance)
+{
+  if (tolerance >= FarFieldAccuracy::finest)
+  {
+    farField_ = std::make_unique<TriangleFarField>(
+      surface_.vertices, surface_.triangles, surface_.bounds, FarFieldAccuracy::of(tolerance));
+  }
+}
+
+/// Few samples are not worth a tree, unless it was asked for.
+bool SurfaceField::usesFarField(std::size_t samples) const
+{
+  return farField_ && ((isAskedFor_ && info_.method == Method::hierarchical) ||
+                        !isCheaperDirectly(Primitive::triangle, info_.primitives, samples, order_));
+}
+
+const RowCrossings* SurfaceField::integerRows() const
+{
+  return capped_ && capped_->capTriangles() == 0 ? &capped_->rows() : nullptr;
+}
+
+EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
+{
+  const auto triangle = Primitive::triangle;
+  if (info_.method == Method::rows && !capped_)
+  {
+    return crossings_->expectedCost(samples);
+  }
+  if (info_.method == Method::rows)
+  {
+    EvaluationCost cost = costOfRows(info_.primitives + info_.capTriangles, samples);
+    cost += capped_->usesFarField() ? costOfFarField(triangle, info_.capTriangles, samples, order_)
+                                    : costOfDirectSum(triangle, info_.capTriangles, samples);
+    return cost;
+  }
+  return this->usesFarField(samples) ? costOfFarField(triangle, info_.primitives, samples, order_)
+                                     : costOfDirectSum(triangle, info_.primitives, samples);
+}
+
+bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
+{
+  return capped_ ? capped_->prepare(grid, executor)
+                 : !farField_ || farField_->suiting(grid, executor) != nullptr;
+}
+
+bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
+{
+  return crossings_ || !this->usesFarField(samples.size()) ||
+         farField_->suiting(samples, executor) != nullptr;
+}
+
+bool SurfaceField::evaluateValues(
+  const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+{
+  if (capped_)
+  {
+    return capped_->evaluate(grid, extent, output, executor);
+  }
+  if (!farField_)
+  {
+    return Field::evaluateValues(grid, extent, output, executor);
+  }
+  const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
+  return suiting && suiting->evaluate(grid, extent, output, executor);
+}
+
+bool SurfaceField::evaluateValues(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  if (crossings_)
+  {
+    return crossings_->evaluate(samples, output, executor);
+  }
+  if (!this->usesFarField(samples.size()))
+  {
+    return Field::evaluateValues(samples, output, executor);
+  }
+  const std::shared_ptr<const FarField> suiting = farField_->suiting(samples, executor);
+  return suiting && suiting->evaluate(samples, output, executor);
+}
+
+std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& executor) const
+{
+  return std::make_unique<const DistanceTree>(surface_, executor);
+}
+
+double SurfaceField::reference(const Eigen::Vector3d& sample) const
+{
+  return referenceSum<double>(surface_, sample);
+}
+
+Field::PointOnSource SurfaceField::pointOnSource() const
+{
+  std::vector<double> cumulativeAreas;
+  cumulativeAreas.reserve(surface_.triangles.size());
+  double area = 0;
+  for (const Triangle& t : surface_.triangles)
+  {
+    const Eigen::Vector3d& a = surface_.vertices[t[0]];
+    area += (surface_.vertices[t[1]] - a).cross(surface_.vertices[t[2]] - a).stableNorm();
+    cumulativeAreas.push_back(area);
+  }
+  return [this, areas = std::move(cumulativeAreas)](double u, double v, double t)
+  {
+    const auto found = std::upper_bound(areas.begin(), areas.end(), t * areas.back());
+    const std::size_t i = std::min<std::size_t>(
+      static_cast<std::size_t>(found - areas.begin()), surface_.triangles.size() - 1);
+    const Triangle& triangle = surface_.triangles[i];
+    const double root = std::sqrt(u);
+    return Eigen::Vector3d((1 - root) * surface_.vertices[triangle[0]] +
+                           root * (1 - v) * surface_.vertices[triangle[1]] +
+                           root * v * surface_.vertices[triangle[2]]);
+  };
+}
+
+} // namespace winding

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "base/Evaluator.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "farfield/TriangleFarField.h"
+#include "field/CappedSurface.h"
+#include "field/Field.h"
+#include "rays/PointCrossings.h"
+#include "source/Surface.h"
+#include "surface/BoundaryGradient.h"
+
+namespace winding
+{
+
+/// The field of triangles: chooses between the methods for surfaces.
+class SurfaceField final : public Field
+{
+public:
+  /// Throws Interrupted.
+  SurfaceField(
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
+  ~SurfaceField() override;
+
+  const FieldInfo& info() const override { return info_; }
+
+  bool prepare(const Grid& grid, Executor& executor) const override;
+  bool prepare(const VectorsView& samples, Executor& executor) const override;
+
+  const Surface* surface() const override { return &surface_; }
+  const RowCrossings* integerRows() const override;
+  EvaluationCost expectedCost(std::size_t samples) const override;
+  double reference(const Eigen::Vector3d& sample) const override;
+  PointOnSource pointOnSource() const override;
+
+protected:
+  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+    Executor& executor) const override;
+  bool evaluateValues(
+    const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
+  const Evaluator& evaluator() const override { return *evaluator_; }
+  const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
+
+private:
+  void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
+  void chooseFarField(const FieldOptions& options, const std::string& why);
+  void makeFarField(double tolerance);
+
+  bool usesFarField(std::size_t samples) const;
+
+  Surface surface_;
+  FieldInfo info_;
+  bool isAskedFor_ = false; ///< the method, by the user
+  int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
+  std::unique_ptr<const BoundaryGradient> boundaryGradient_;
+  std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
+  std::unique_ptr<const PointCrossings> crossings_;  ///< method rows, closed: for scattered samples
+  std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical, and scattered samples
+  std::unique_ptr<const Evaluator> evaluator_;       ///< what these leave
+};
+
+} // namespace winding

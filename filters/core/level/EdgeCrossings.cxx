@@ -1,0 +1,216 @@
+#include "level/EdgeCrossings.h"
+
+#include "base/BucketSort.h"
+#include "rays/RowTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// With an axis for x, the axes that are y and z: a turn, which keeps the orientation of triangles.
+int turned(int axis, int by)
+{
+  return (axis + by) % 3;
+}
+
+/// So few are asked at once, rather than narrowed down.
+constexpr int fewRows = 4;
+
+struct FoundCrossing
+{
+  std::uint32_t edge;
+  EdgeCrossings::Crossing crossing;
+};
+
+/// The crossings of triangles with the edges.
+class TriangleOnLines
+{
+public:
+  TriangleOnLines(const LevelEdges& edges, const Grid& grid)
+    : edges_(edges)
+    , dimensions_(grid.dimensions)
+    , stretching_(grid.spacing.maxCoeff() * grid.spacing.cwiseInverse())
+  {
+  }
+
+  /// Corners in units of the grid.
+  void cross(const Eigen::Vector3d (&corners)[3], std::vector<FoundCrossing>& crossings) const
+  {
+    IndexRange ranges[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+      ranges[axis] = indicesBetween(low, high, 0, dimensions_[axis] - 1);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const IndexRange &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
+      if (rows.first <= rows.second && layers.first <= layers.second)
+      {
+        this->crossLines(corners, axis, rows, layers, crossings);
+      }
+    }
+  }
+
+private:
+  /// Those with the lines along an axis, taken for x.
+  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const IndexRange& rows,
+    const IndexRange& layers, std::vector<FoundCrossing>& crossings) const
+  {
+    const int y = turned(axis, 1), z = turned(axis, 2);
+    Eigen::Vector3d turnedCorners[3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      turnedCorners[corner] = {corners[corner][axis], corners[corner][y], corners[corner][z]};
+    }
+    const RowTriangle triangle(turnedCorners[0], turnedCorners[1], turnedCorners[2]);
+    const auto [firstJ, lastJ] = rows;
+    for (int k = layers.first; k <= layers.second; ++k)
+    {
+      const RowTriangle::Range range = lastJ - firstJ < fewRows ? RowTriangle::Range{firstJ, lastJ}
+                                                                : triangle.rowsIn(k, firstJ, lastJ);
+      for (int j = range.first; j <= range.last; ++j)
+      {
+        const int sign = triangle.crossingSign(j, k);
+        if (sign == 0)
+        {
+          continue;
+        }
+        const int first = triangle.firstBehind(j, k, sign, 0, dimensions_[axis] - 1) - 1;
+        if (first < 0 || first == dimensions_[axis] - 1)
+        {
+          continue; // not between samples
+        }
+        std::array<int, 3> sample;
+        sample[axis] = first;
+        sample[y] = j;
+        sample[z] = k;
+        const double fraction = std::clamp(triangle.crossingAt(j, k) - first, 0.0, 1.0);
+        const auto add = [&](double at, int change)
+        {
+          const std::size_t edge = edges_.find(sample, axis);
+          if (edge != edges_.size())
+          {
+            crossings.push_back(
+              {static_cast<std::uint32_t>(edge), {at, this->normalOf(triangle, axis), change}});
+          }
+        };
+        add(fraction, -sign);
+        const int next = fraction < 0.5 ? first - 1 : first + 1;
+        if (std::min(fraction, 1 - fraction) < EdgeCrossings::atSample && next >= 0 &&
+            next < dimensions_[axis] - 1)
+        {
+          sample[axis] = next;
+          add(fraction < 0.5 ? 1 : 0, 0);
+        }
+      }
+    }
+  }
+
+  /// In the unit of length, of a triangle with an axis for x.
+  Eigen::Vector3f normalOf(const RowTriangle& triangle, int axis) const
+  {
+    Eigen::Vector3d normal;
+    for (int by = 0; by < 3; ++by)
+    {
+      normal[turned(axis, by)] = triangle.areaVector()[by];
+    }
+    return normal.cwiseProduct(stretching_).stableNormalized().cast<float>();
+  }
+
+  const LevelEdges& edges_;
+  Eigen::Vector3i dimensions_;
+  Eigen::Vector3d
+    stretching_; ///< of normals, from units of the grid; 1 along the longest side of a voxel
+};
+
+} // namespace
+
+EdgeCrossings::EdgeCrossings(
+  const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor)
+{
+  const TriangleOnLines lines(edges, grid);
+  constexpr std::size_t perBlock = 1024;
+  std::vector<Eigen::Vector3d> vertices(surface.vertices.size()); // in units of the grid
+  runBlocks(
+    vertices.size(), perBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        vertices[i] = grid.inGridUnits(surface.vertices[i]);
+      }
+    },
+    executor);
+  // From layer to layer, as the edges are, so that few of these are at work at a time.
+  const int layers = grid.dimensions[2];
+  const int shift = bucketShift(static_cast<std::size_t>(layers), 1);
+  const auto emit = [&](std::size_t first, std::size_t last, const auto& put)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Triangle& ids = surface.triangles[i];
+      const double lowest =
+        std::min({vertices[ids[0]][2], vertices[ids[1]][2], vertices[ids[2]][2]});
+      const double layer = std::clamp<double>(lowest, 0, layers - 1);
+      put(static_cast<std::size_t>(layer) >> shift, ids);
+    }
+  };
+  const Buckets<Triangle> triangles =
+    distribute<Triangle>(surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
+  const Triangle* const firstTriangle = triangles.begin(0);
+  std::vector<std::vector<FoundCrossing>> found(
+    (surface.triangles.size() + perBlock - 1) / perBlock);
+  runBlocks(
+    surface.triangles.size(), perBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      std::vector<FoundCrossing>& crossings = found[block];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Triangle& ids = firstTriangle[i];
+        const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
+        lines.cross(corners, crossings);
+      }
+    },
+    executor);
+
+  starts_.assign(edges.size() + 2, 0);
+  for (const std::vector<FoundCrossing>& crossings : found)
+  {
+    for (const FoundCrossing& crossing : crossings)
+    {
+      ++starts_[crossing.edge + 2];
+    }
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  crossings_.resize(starts_.back());
+  for (const std::vector<FoundCrossing>& crossings : found)
+  {
+    for (const FoundCrossing& crossing : crossings)
+    {
+      crossings_[starts_[crossing.edge + 1]++] = crossing.crossing;
+    }
+  }
+  const auto isBefore = [](const Crossing& a, const Crossing& b)
+  {
+    return a.fraction < b.fraction;
+  };
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+  {
+    if (starts_[edge + 1] - starts_[edge] > 1)
+    {
+      std::stable_sort(crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
+        crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]), isBefore);
+    }
+  }
+}
+
+} // namespace winding

@@ -1,0 +1,409 @@
+#include "level/LevelEdges.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double bytesPerSample = sizeof(float) + 1;
+
+int layersOfSlab(const Grid& grid, double bytes)
+{
+  constexpr int few = 16; // what slabs share counts little then, and multiples suit far fields
+  const double layers = bytes / (bytesPerSample * grid.dimensions[0] * grid.dimensions[1]);
+  return layers < grid.dimensions[2] ? std::max(few, static_cast<int>(layers) / few * few)
+                                     : grid.dimensions[2];
+}
+
+} // namespace
+
+/// The samples of a layer of rows as they change: where the inside rule or w does, walking along x.
+class LevelEdges::Layer
+{
+public:
+  struct State
+  {
+    bool isInside = false;
+    std::int8_t winding = 0; ///< 0 unless whole rows are integers
+  };
+
+  /// Between the samples i and i + 1.
+  struct Change
+  {
+    int i;
+    State after;
+  };
+
+  /// One of its rows.
+  struct Row
+  {
+    State begin;
+    const Change *first = nullptr, *last = nullptr;
+  };
+
+  explicit Layer(int border)
+    : border_(border)
+  {
+  }
+
+  /// Calls have to come in the order of the rows. `runs` cover a row.
+  template <class Runs, class StateOf> void addRow(const Runs& runs, const StateOf& stateOf)
+  {
+    // The border's samples are outside.
+    State before = border_ > 0 ? State() : stateOf(runs.front());
+    begins_.push_back(before);
+    starts_.push_back(changes_.size());
+    for (const RowRun& run : runs)
+    {
+      this->change(before, stateOf(run), run.begin - 1);
+    }
+    if (border_ > 0)
+    {
+      this->change(before, State(), runs.back().end - 1);
+    }
+  }
+
+  Row row(int j) const
+  {
+    const auto n = static_cast<std::size_t>(j);
+    if (j < 0 || n >= starts_.size())
+    {
+      return {};
+    }
+    const std::size_t last = n + 1 < starts_.size() ? starts_[n + 1] : changes_.size();
+    return {begins_[n], changes_.data() + starts_[n], changes_.data() + last};
+  }
+
+private:
+  void change(State& before, State after, int at)
+  {
+    if (before.isInside != after.isInside || before.winding != after.winding)
+    {
+      changes_.push_back({at, after});
+      before = after;
+    }
+  }
+
+  int border_;
+  std::vector<std::size_t> starts_;
+  std::vector<State> begins_;
+  std::vector<Change> changes_;
+};
+
+/// Values of the samples of some layers, the last of those before among them.
+class LevelEdges::Slab
+{
+public:
+  Slab(const Grid& grid, int layers)
+    : extent_(grid.wholeExtent())
+    , layerSize_(
+        static_cast<std::size_t>(grid.dimensions[0]) * static_cast<std::size_t>(grid.dimensions[1]))
+    , values_(layerSize_ * static_cast<std::size_t>(layers + 1))
+    , inside_(layerSize_ * static_cast<std::size_t>(layers))
+  {
+    extent_[4] = extent_[5] = -1;
+  }
+
+  /// False when the executor was interrupted.
+  bool evaluate(const Field& field, const Grid& grid, int firstLayer, int lastLayer,
+    InsideRule rule, double threshold, Executor& executor)
+  {
+    const auto lastBefore = static_cast<std::ptrdiff_t>(layerSize_) * (extent_[5] - extent_[4]);
+    if (lastBefore > 0)
+    {
+      std::copy_n(values_.begin() + lastBefore, layerSize_, values_.begin());
+    }
+    extent_[4] = firstLayer - 1;
+    extent_[5] = lastLayer;
+    Extent evaluated = extent_;
+    evaluated[4] = firstLayer;
+    FieldOutput output;
+    output.values = values_.data() + layerSize_;
+    output.inside = inside_.data();
+    output.rule = rule;
+    output.threshold = threshold;
+    return field.evaluate(grid, evaluated, output, executor);
+  }
+
+  float value(const std::array<int, 3>& sample) const
+  {
+    return values_[sampleNumber(extent_, sample[0], sample[1], sample[2])];
+  }
+
+  /// The row as runs, of 1 inside and 0 outside.
+  void findRuns(int j, int k, std::vector<RowRun>& runs) const
+  {
+    const int width = extent_[1] + 1;
+    const std::uint8_t* row = inside_.data() + sampleNumber(extent_, 0, j, k) - layerSize_;
+    runs.clear();
+    for (int begin = 0; begin < width;)
+    {
+      const int end = static_cast<int>(std::find(row + begin, row + width, !row[begin]) - row);
+      runs.push_back({begin, end, row[begin]});
+      begin = end;
+    }
+  }
+
+private:
+  Extent extent_;
+  std::size_t layerSize_;
+  std::vector<float> values_;
+  std::vector<std::uint8_t> inside_;
+};
+
+LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+  bool withBorder, double slabBytes)
+  : field_(field)
+  , grid_(grid)
+  , rule_(rule)
+  , threshold_(threshold)
+  , border_(withBorder ? 1 : 0)
+  , layersPerSlab_(layersOfSlab(grid, slabBytes))
+  , lastLayer_(std::make_unique<Layer>(border_))
+  , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
+  , beginsInside_(starts_.size() / 3, 0)
+{
+  if (const RowCrossings* rows = field.integerRows())
+  {
+    // Those of a layer are one band.
+    rows_ = rows->on(grid, grid.wholeExtent(), {0, grid.dimensions[1]});
+  }
+}
+
+LevelEdges::~LevelEdges() = default;
+
+double LevelEdges::bytesOfRows(const Grid& grid)
+{
+  return (3.0 * sizeof(std::uint32_t) + 1) * grid.dimensions[1] * grid.dimensions[2];
+}
+
+double LevelEdges::bytesOfSlab(const Grid& grid)
+{
+  return bytesPerSample * (layersOfSlab(grid, usualSlabBytes) + 1) * grid.dimensions[0] *
+         grid.dimensions[1];
+}
+
+int LevelEdges::endOfNext() const
+{
+  const int layers = rows_ ? grid_.dimensions[2] : layersPerSlab_;
+  return std::min(nextLayer_ + layers, grid_.dimensions[2]);
+}
+
+bool LevelEdges::advance(Executor& executor)
+{
+  const bool complete = rows_ ? this->advanceByRuns(executor) : this->advanceBySamples(executor);
+  if (this->isDone())
+  {
+    // No edge begins in the border behind the last layer.
+    std::fill(starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, -border_, nextLayer_)),
+      starts_.end(), static_cast<std::uint32_t>(edges_.size()));
+  }
+  return complete;
+}
+
+bool LevelEdges::advanceByRuns(Executor& executor)
+{
+  const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
+  std::vector<Layer> layers(depth + 2, Layer(border_));
+  const auto stateOf = [this](const RowRun& run)
+  {
+    return Layer::State{isInside(run.value, rule_, threshold_),
+      static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
+  };
+  const auto findLayer = [&](std::size_t k)
+  {
+    rows_->evaluate(static_cast<int>(k), 0,
+      [&](int, int, const std::vector<RowRun>& runs) { layers[k + 1].addRow(runs, stateOf); });
+  };
+  if (!executor.run(depth, findLayer))
+  {
+    return false;
+  }
+  this->addEdges(layers, nullptr, executor);
+  nextLayer_ = grid_.dimensions[2];
+  return true;
+}
+
+bool LevelEdges::advanceBySamples(Executor& executor)
+{
+  const int end = this->endOfNext();
+  if (!slab_)
+  {
+    slab_ = std::make_unique<Slab>(grid_, end);
+  }
+  if (!slab_->evaluate(field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor))
+  {
+    return false;
+  }
+  const auto count = static_cast<std::size_t>(end - nextLayer_);
+  std::vector<Layer> layers(count + 1, Layer(border_));
+  layers[0] = std::move(*lastLayer_);
+  runBlocks(
+    count, 1,
+    [&](std::size_t n, std::size_t, std::size_t)
+    {
+      std::vector<RowRun> runs;
+      for (int j = 0; j < grid_.dimensions[1]; ++j)
+      {
+        slab_->findRuns(j, nextLayer_ + static_cast<int>(n), runs);
+        layers[n + 1].addRow(runs,
+          [](const RowRun& run) {
+            return Layer::State{run.value != 0, 0};
+          });
+      }
+    },
+    executor);
+  if (end == grid_.dimensions[2])
+  {
+    layers.emplace_back(border_);
+  }
+  this->addEdges(layers, slab_.get(), executor);
+  *lastLayer_ = std::move(layers.back());
+  nextLayer_ = end;
+  if (this->isDone())
+  {
+    slab_ = nullptr;
+  }
+  return true;
+}
+
+namespace
+{
+
+/// Calls visit(begin, end, state of a, state of b) for all i from begin to end − 1, at most last,
+/// at which two rows differ in what is inside; ascending.
+template <class Row, class Visit>
+void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
+{
+  while (begin <= last)
+  {
+    int end = last + 1;
+    for (const Row* row : {&a, &b})
+    {
+      end = row->first != row->last ? std::min(end, row->first->i + 1) : end;
+    }
+    if (a.begin.isInside != b.begin.isInside && begin < end)
+    {
+      visit(begin, end, a.begin, b.begin);
+    }
+    for (Row* row : {&a, &b})
+    {
+      if (row->first != row->last && row->first->i + 1 == end)
+      {
+        row->begin = row->first->after;
+        ++row->first;
+      }
+    }
+    begin = end;
+  }
+}
+
+} // namespace
+
+/// Those that begin in a list of layers but the last, the first being the one before nextLayer_.
+void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Executor& executor)
+{
+  const int firstRow = -border_, lastRow = grid_.dimensions[1] - 1 + border_;
+  const int firstSample = -border_, lastSample = grid_.dimensions[0] - 1 + border_;
+  // Calls visit(axis, j, first i, end of i, states of both samples) for all edges of a layer.
+  const auto forEachEdge = [&](std::size_t layer, int k, const auto& visit)
+  {
+    for (int j = firstRow; j <= lastRow; ++j)
+    {
+      const Layer::Row row = layers[layer].row(j);
+      Layer::State before = row.begin;
+      for (const Layer::Change* change = row.first; change != row.last; ++change)
+      {
+        if (before.isInside != change->after.isInside)
+        {
+          visit(0, j, change->i, change->i + 1, before, change->after);
+        }
+        before = change->after;
+      }
+      const auto forOthers = [&](int axis, const Layer::Row& other)
+      {
+        forEachDifference(row, other, firstSample, lastSample,
+          [&](int begin, int end, Layer::State a, Layer::State b)
+          { visit(axis, j, begin, end, a, b); });
+      };
+      if (j < lastRow)
+      {
+        forOthers(1, layers[layer].row(j + 1));
+      }
+      if (k < grid_.dimensions[2] - 1 + border_)
+      {
+        forOthers(2, layers[layer + 1].row(j));
+      }
+    }
+  };
+  // Without a border no edge begins before the first layer.
+  const std::size_t first = nextLayer_ == 0 && border_ == 0 ? 1 : 0;
+  const std::size_t count = layers.size() - 1 - first;
+  const auto layerOf = [&](std::size_t n)
+  {
+    return nextLayer_ - 1 + static_cast<int>(n + first);
+  };
+
+  runBlocks(
+    count, 1,
+    [&](std::size_t n, std::size_t, std::size_t)
+    {
+      const int k = layerOf(n);
+      for (int j = firstRow; j <= lastRow; ++j)
+      {
+        beginsInside_[this->lineOf(0, j, k) / 3] = layers[n + first].row(j).begin.isInside;
+      }
+      forEachEdge(n + first, k,
+        [&](int axis, int j, int begin, int end, Layer::State, Layer::State)
+        { starts_[this->lineOf(axis, j, k) + 1] += static_cast<std::uint32_t>(end - begin); });
+    },
+    executor);
+  const auto sumsBegin =
+    starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, firstRow, layerOf(0)));
+  const auto sumsEnd =
+    starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, firstRow, layerOf(count)));
+  std::partial_sum(sumsBegin, sumsEnd + 1, sumsBegin);
+  edges_.resize(*sumsEnd);
+  values_.resize(slab ? edges_.size() : 0);
+
+  runBlocks(
+    count, 1,
+    [&](std::size_t n, std::size_t, std::size_t)
+    {
+      const int k = layerOf(n);
+      std::size_t next = starts_[this->lineOf(0, firstRow, k)];
+      forEachEdge(n + first, k,
+        [&](int axis, int j, int begin, int end, Layer::State a, Layer::State b)
+        {
+          for (int i = begin; i < end; ++i)
+          {
+            const GridEdge edge = {
+              {i, j, k}, static_cast<std::uint8_t>(axis), a.isInside, {a.winding, b.winding}};
+            if (slab && !this->isAtBorder(edge))
+            {
+              std::array<int, 3> second = edge.sample;
+              ++second[axis];
+              values_[next] = {slab->value(edge.sample), slab->value(second)};
+            }
+            edges_[next++] = edge;
+          }
+        });
+    },
+    executor);
+}
+
+std::size_t LevelEdges::find(const std::array<int, 3>& sample, int axis) const
+{
+  const auto [first, last] = this->inRow(axis, sample[1], sample[2]);
+  const auto found = std::lower_bound(edges_.begin() + static_cast<std::ptrdiff_t>(first),
+    edges_.begin() + static_cast<std::ptrdiff_t>(last), sample[0],
+    [](const GridEdge& edge, int i) { return edge.sample[0] < i; });
+  const auto number = static_cast<std::size_t>(found - edges_.begin());
+  return number != last && found->sample[0] == sample[0] ? number : edges_.size();
+}
+
+} // namespace winding

@@ -1,0 +1,269 @@
+#include "level/LevelRoots.h"
+
+#include "base/Views.h"
+#include "farfield/FarFieldAccuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Brackets are halved until they are this long, as a fraction of an edge. A power of 2.
+constexpr int halvings = 14;
+constexpr double shortest = 1.0 / (1 << halvings);
+
+/// Where a crossing is asked for before and behind it. Far more than the rounding of crossings, far
+/// less than what matters.
+constexpr double besideCrossing = 1.0 / (1 << 20);
+
+constexpr std::size_t edgesPerBlock = 4096;
+
+/// Where ITP evaluates next, with κ₁ = 0.2, κ₂ = 2 and n₀ = 1, on a bracket that was of length 1.
+double nextByItp(double low, double high, double lowLevel, double highLevel, int step)
+{
+  const double middle = 0.5 * (low + high), width = high - low;
+  const double slope = highLevel - lowLevel;
+  const double secant =
+    slope != 0 ? std::clamp((highLevel * low - lowLevel * high) / slope, low, high) : middle;
+  const double towardsMiddle = std::copysign(1.0, middle - secant);
+  const double shift = 0.2 * width * width;
+  const double truncated =
+    shift <= std::abs(middle - secant) ? secant + towardsMiddle * shift : middle;
+  const double slack = std::max(0.0, std::ldexp(shortest, halvings - step) - 0.5 * width);
+  return std::abs(truncated - middle) <= slack ? truncated : middle - towardsMiddle * slack;
+}
+
+} // namespace
+
+LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges,
+  InsideRule rule, double threshold, double tolerance, Executor& executor)
+  : field_(field)
+  , grid_(grid)
+  , edges_(edges)
+  , rule_(rule)
+  , threshold_(threshold)
+  , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
+  , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
+  , isParity_(field.info().method == Method::parity)
+  , fractions_(edges.size(), 0.5)
+  , normals_(edges.size(), Eigen::Vector3f::Zero())
+{
+  if (field.surface())
+  {
+    crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges, executor);
+  }
+  // Of most edges of closed surfaces nothing else is asked, nor is memory taken for them.
+  std::vector<std::vector<Search>> found((edges.size() + edgesPerBlock - 1) / edgesPerBlock);
+  runBlocks(
+    edges.size(), edgesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (edges.isAtBorder(edges[i]))
+        {
+          continue;
+        }
+        Search search = {};
+        search.edge = static_cast<std::uint32_t>(i);
+        const std::array<float, 2>* values = edges.values(i);
+        search.lowWinding = values ? (*values)[0] : edges[i].windings[0];
+        search.highWinding = values ? (*values)[1] : edges[i].windings[1];
+        if (this->isFoundByCrossings(search))
+        {
+          continue;
+        }
+        search.lowLevel = levelOf(search.lowWinding, rule_, threshold_);
+        search.highLevel = levelOf(search.highWinding, rule_, threshold_);
+        found[block].push_back(search);
+      }
+    },
+    executor);
+  for (const std::vector<Search>& some : found)
+  {
+    searches_.insert(searches_.end(), some.begin(), some.end());
+  }
+  if (!this->dropFound(executor))
+  {
+    throw Interrupted();
+  }
+}
+
+/// The crossings of an edge from a fraction to another, both included; none of clouds.
+LevelRoots::CrossingRange LevelRoots::crossingsBetween(
+  std::size_t edge, double low, double high) const
+{
+  if (!crossings_)
+  {
+    return {};
+  }
+  const EdgeCrossings::Crossing *first = crossings_->begin(edge), *last = crossings_->end(edge);
+  while (first != last && first->fraction < low)
+  {
+    ++first;
+  }
+  while (first != last && last[-1].fraction > high)
+  {
+    --last;
+  }
+  return {first, last};
+}
+
+/// Whether there is but one crossing in a bracket, and all that the field changes by there; then it
+/// is kept.
+bool LevelRoots::isFoundByCrossings(const Search& search)
+{
+  const auto changes = [](const EdgeCrossings::Crossing& crossing)
+  {
+    return crossing.change != 0;
+  };
+  const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+  if (!jumpsOnly_ || std::count_if(first, last, changes) != 1)
+  {
+    return false;
+  }
+  const auto* const crossing = std::find_if(first, last, changes);
+  double unexplained = search.highWinding - search.lowWinding - crossing->change;
+  unexplained = isParity_ ? std::remainder(unexplained, 2) : unexplained;
+  // The field is inexact, but next to integers off the surface.
+  if (std::abs(unexplained) > 0.25)
+  {
+    return false;
+  }
+  fractions_[search.edge] = crossing->fraction;
+  normals_[search.edge] = crossing->normal;
+  return true;
+}
+
+/// Whether what is known of a root is enough; then it is kept.
+bool LevelRoots::isFound(const Search& search)
+{
+  if (this->isFoundByCrossings(search))
+  {
+    return true;
+  }
+  double& root = fractions_[search.edge];
+  if (search.high - search.low <= shortest)
+  {
+    root = 0.5 * (search.low + search.high);
+    const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+    if (first != last)
+    {
+      normals_[search.edge] = first[(last - first) / 2].normal;
+    }
+    return true;
+  }
+  const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
+  root = lowIsCloser ? search.low : search.high;
+  // A field of jumps has the level by accident only: where a sample on the surface has a mean of
+  // what is around.
+  return !jumpsOnly_ &&
+         std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
+}
+
+void LevelRoots::chooseNext(Search& search) const
+{
+  auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
+  while (first != last && first->fraction == search.low)
+  {
+    ++first;
+  }
+  while (first != last && last[-1].fraction == search.high)
+  {
+    --last;
+  }
+  if (first != last)
+  {
+    const double crossing = first[(last - first) / 2].fraction;
+    const double before = crossing - besideCrossing, behind = crossing + besideCrossing;
+    search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
+    return;
+  }
+  // The field changes beside one of the two samples, which lies on the surface.
+  const double beside = std::min(besideCrossing, 0.5 * (search.high - search.low));
+  if (jumpsOnly_ && search.steps < 2)
+  {
+    search.next = search.steps == 0 ? search.low + beside : search.high - beside;
+    ++search.steps;
+    return;
+  }
+  search.next = nextByItp(search.low, search.high, search.lowLevel, search.highLevel, search.steps);
+  ++search.steps;
+}
+
+void LevelRoots::narrow(Search& search, double windingNumber) const
+{
+  const double level = levelOf(windingNumber, rule_, threshold_);
+  if (isInside(windingNumber, rule_, threshold_) == edges_[search.edge].firstIsInside)
+  {
+    search.low = search.next;
+    search.lowWinding = windingNumber;
+    search.lowLevel = level;
+  }
+  else
+  {
+    search.high = search.next;
+    search.highWinding = windingNumber;
+    search.highLevel = level;
+  }
+}
+
+/// Keeps the searches that go on, in their order. False when the executor was interrupted.
+bool LevelRoots::dropFound(Executor& executor)
+{
+  std::vector<unsigned char> goesOn(searches_.size());
+  const bool complete = executor.runBriefly((searches_.size() + edgesPerBlock - 1) / edgesPerBlock,
+    [&](std::size_t block)
+    {
+      const std::size_t first = block * edgesPerBlock;
+      const std::size_t last = std::min(searches_.size(), first + edgesPerBlock);
+      for (std::size_t i = first; i < last; ++i)
+      {
+        goesOn[i] = !this->isFound(searches_[i]);
+        if (goesOn[i])
+        {
+          this->chooseNext(searches_[i]);
+        }
+      }
+    });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    if (goesOn[i])
+    {
+      searches_[kept++] = searches_[i];
+    }
+  }
+  searches_.resize(kept);
+  return complete;
+}
+
+bool LevelRoots::advance(Executor& executor)
+{
+  std::vector<double> positions(3 * searches_.size()), values(searches_.size());
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    const GridEdge& edge = edges_[searches_[i].edge];
+    Eigen::Vector3d steps(edge.sample[0], edge.sample[1], edge.sample[2]);
+    steps[edge.axis] += searches_[i].next;
+    const Eigen::Vector3d position = grid_.firstSample + steps.cwiseProduct(grid_.spacing);
+    std::copy_n(position.data(), 3, &positions[3 * i]);
+  }
+  FieldOutput output;
+  output.doubleValues = values.data();
+  if (!field_.evaluate(VectorsView(positions.data(), searches_.size()), output, executor))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < searches_.size(); ++i)
+  {
+    this->narrow(searches_[i], values[i]);
+  }
+  return this->dropFound(executor);
+}
+
+} // namespace winding

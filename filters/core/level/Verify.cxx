@@ -1,0 +1,150 @@
+#include "level/Verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace winding
+{
+
+namespace
+{
+
+bool contains(const Extent& extent, const Eigen::Vector3i& index)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (index[axis] < extent[2 * axis] || index[axis] > extent[2 * axis + 1])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Numbers in [0, 1) that are the same with every standard library.
+class UnitRandom
+{
+public:
+  explicit UnitRandom(unsigned seed)
+    : engine_(seed)
+  {
+  }
+  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  int below(int count) { return std::min(static_cast<int>((*this)() * count), count - 1); }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+std::vector<Eigen::Vector3i> drawEverywhere(
+  const Grid& grid, std::size_t samples, UnitRandom& random)
+{
+  std::vector<Eigen::Vector3i> drawn(samples);
+  for (Eigen::Vector3i& index : drawn)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = random.below(grid.dimensions[axis]);
+    }
+  }
+  return drawn;
+}
+
+std::vector<Eigen::Vector3i> drawNear(
+  const Field& field, const Grid& grid, std::size_t samples, UnitRandom& random)
+{
+  std::vector<Eigen::Vector3i> drawn;
+  if (field.info().primitives == 0)
+  {
+    return drawn;
+  }
+  const Field::PointOnSource pointOnSource = field.pointOnSource();
+  constexpr double farthest = 2; // voxels
+  // A grid may miss the source altogether, so there is an end to the tries.
+  for (std::size_t tries = 0; tries < 20 * samples && drawn.size() < samples; ++tries)
+  {
+    const double u = random(), v = random(), t = random();
+    const Eigen::Array3d position = grid.inGridUnits(pointOnSource(u, v, t)).array();
+    Eigen::Array3d jittered = position;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      jittered[axis] += (2 * random() - 1) * farthest;
+    }
+    const Eigen::Array3d nearest = jittered.round();
+    const Eigen::Array3d last = (grid.dimensions.array() - 1).cast<double>();
+    if ((nearest >= 0).all() && (nearest <= last).all() &&
+        (nearest - position).matrix().norm() <= farthest)
+    {
+      drawn.push_back(nearest.cast<int>().matrix());
+    }
+  }
+  return drawn;
+}
+
+} // namespace
+
+void ErrorStatistics::add(double error)
+{
+  ++samples;
+  // A value that is no number must not hide: it counts as infinitely wrong.
+  const double size = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::abs(error);
+  max = std::max(max, size);
+  sumOfSquares += size * size;
+}
+
+void ErrorStatistics::add(const ErrorStatistics& other)
+{
+  samples += other.samples;
+  max = std::max(max, other.max);
+  sumOfSquares += other.sumOfSquares;
+}
+
+double ErrorStatistics::rms() const
+{
+  return samples == 0 ? 0 : std::sqrt(sumOfSquares / static_cast<double>(samples));
+}
+
+Verification verify(const Field& field, const Grid& grid, const Extent& extent,
+  const std::function<double(std::size_t)>& valueOf, std::size_t samples, unsigned seed,
+  Executor& executor)
+{
+  UnitRandom random(seed);
+  std::vector<Eigen::Vector3i> drawn = drawEverywhere(grid, samples, random);
+  const std::vector<Eigen::Vector3i> near = drawNear(field, grid, samples, random);
+  drawn.insert(drawn.end(), near.begin(), near.end());
+
+  const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  std::vector<double> errors(drawn.size());
+  const bool complete = executor.run(drawn.size(),
+    [&](std::size_t i)
+    {
+      const Eigen::Vector3i& index = drawn[i];
+      if (contains(extent, index))
+      {
+        const std::size_t x = static_cast<std::size_t>(index[0] - extent[0]);
+        const std::size_t y = static_cast<std::size_t>(index[1] - extent[2]);
+        const std::size_t z = static_cast<std::size_t>(index[2] - extent[4]);
+        errors[i] = valueOf((z * ny + y) * nx + x) -
+                    field.reference(grid.sample(index[0], index[1], index[2]));
+      }
+    });
+
+  Verification result;
+  if (!complete)
+  {
+    return result;
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    if (contains(extent, drawn[i]))
+    {
+      (i < samples ? result.everywhere : result.nearSurface).add(errors[i]);
+    }
+  }
+  return result;
+}
+
+} // namespace winding

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "field/Field.h"
+
+namespace winding
+{
+
+/// Largest and root-mean-square difference to the reference, over the samples that were compared.
+struct ErrorStatistics
+{
+  std::size_t samples = 0;
+  double max = 0;
+  double sumOfSquares = 0;
+
+  void add(double error);
+  void add(const ErrorStatistics& other);
+  double rms() const;
+};
+
+struct Verification
+{
+  ErrorStatistics everywhere;  ///< samples drawn from the whole grid
+  ErrorStatistics nearSurface; ///< samples within two voxels of the source
+};
+
+/**
+ * Compares values with the reference: `samples` random samples of the grid and as many within two
+ * voxels of the source (fewer where the grid does not reach the source). The draw depends on the
+ * seed and the whole grid only; those of its samples that lie in the extent are compared, so that
+ * the pieces of a grid together compare what the whole does.
+ *
+ * When the executor is interrupted, no sample counts as compared.
+ *
+ * valueOf(n) is the value of the n-th sample of the extent.
+ */
+Verification verify(const Field& field, const Grid& grid, const Extent& extent,
+  const std::function<double(std::size_t)>& valueOf, std::size_t samples, unsigned seed,
+  Executor& executor);
+
+} // namespace winding

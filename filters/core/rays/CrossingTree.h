@@ -1,0 +1,92 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "source/Surface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * Triangles of closed parts of a surface, sorted so that those which a ray along +x meets are found in
+ * logarithmic time, however unlike in size they are: a tree of boxes over their projections along the
+ * rays. A ray ignores parts in whose bounds it does not begin: they wind round nothing there.
+ */
+class CrossingTree
+{
+public:
+  /// By triangle, the number of its part; and by part, its bounds: empty for parts that are left out.
+  /// Keeps references, which must outlive this. O(n log n) time, 4 bytes per triangle and 56 per eight.
+  CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
+    const std::vector<Bounds>& boundsOfPart);
+
+  /**
+   * Calls visit(part, crossing) for the triangles that the ray from a vertex meets, with a crossing of
+   * +1 or −1 (RayTriangle.h); in no particular order. The vertex itself counts as moved by the
+   * infinitesimal steps of sideOfPlane(), so what it is a corner of may be among them.
+   */
+  template <class Visit> void forEachCrossing(std::int32_t vertex, const Visit& visit) const
+  {
+    const Eigen::Vector3d& from = surface_.vertices[vertex];
+    std::int32_t stack[64]; // of a tree that halves its triangles at every step
+    int size = 0;
+    if (!nodes_.empty())
+    {
+      stack[size++] = 0;
+    }
+    while (size > 0)
+    {
+      const Node& node = nodes_[stack[--size]];
+      if (!node.isMetFrom(from))
+      {
+        continue;
+      }
+      if (node.second >= 0)
+      {
+        stack[size++] = node.second;
+        stack[size++] = static_cast<std::int32_t>(&node - nodes_.data()) + 1;
+        continue;
+      }
+      for (std::int32_t i = node.begin; i < node.end; ++i)
+      {
+        const std::int32_t part = partOfTriangle_[triangles_[i]];
+        const int crossing =
+          boundsOfPart_[part].contains(from) ? this->crossingOf(triangles_[i], from) : 0;
+        if (crossing != 0)
+        {
+          visit(part, crossing);
+        }
+      }
+    }
+  }
+
+private:
+  /// Its first child comes right after it.
+  struct Node
+  {
+    double startX; ///< rays from lower x ignore all of it
+    double highX, lowY, highY, lowZ, highZ;
+    std::int32_t begin, end; ///< in triangles_
+    std::int32_t second;     ///< its other child; −1 for a leaf
+
+    bool isMetFrom(const Eigen::Vector3d& from) const
+    {
+      return from[0] >= startX && from[0] <= highX && from[1] >= lowY && from[1] <= highY &&
+             from[2] >= lowZ && from[2] <= highZ;
+    }
+  };
+
+  std::int32_t makeNode(std::int32_t begin, std::int32_t end);
+  int crossingOf(std::int32_t triangle, const Eigen::Vector3d& from) const;
+
+  const Surface& surface_;
+  const std::vector<std::int32_t>& partOfTriangle_;
+  const std::vector<Bounds>& boundsOfPart_;
+  double scale_; ///< UnitScale.h
+  std::vector<std::int32_t> triangles_;
+  std::vector<Node> nodes_;
+};
+
+} // namespace winding

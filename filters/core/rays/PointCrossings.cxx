@@ -1,0 +1,275 @@
+#include "rays/PointCrossings.h"
+
+#include "base/Bounds.h"
+#include "base/BucketSort.h"
+#include "base/DividedShare.h"
+#include "rays/RayCounter.h"
+#include "rays/ReachOfTriangles.h"
+#include "source/UnitScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Samples of a block: so few that small inputs occupy several cores, too.
+constexpr std::size_t samplesPerBlock = 4096;
+
+/// Of what the executor shows as progress.
+struct Share
+{
+  double first, last;
+
+  double at(double part) const { return first + (last - first) * part; }
+  Share part(double from, double to) const { return {this->at(from), this->at(to)}; }
+};
+
+/**
+ * Counts and writes the crossings of rays in columns, a task to a column. A task that has too much to
+ * do gives up, and its column is divided into columns of its own: so all tasks are short, of whatever
+ * there is much in few columns.
+ */
+class ColumnTasks
+{
+public:
+  ColumnTasks(const RayCounter& counter, const FieldOutput& output, Executor& executor)
+    : counter_(counter)
+    , output_(output)
+    , executor_(executor)
+    , share_(executor)
+  {
+  }
+
+  /// False when interrupted; or throws Interrupted.
+  bool run(const RaysInColumns& rays, const CandidateTriangles& triangles, const Share& share)
+  {
+    const ReachOfTriangles reach(counter_, triangles, rays, executor_);
+    const double all = static_cast<double>(rays.starts.back() - rays.starts.front());
+    const auto until = [&](std::size_t column)
+    {
+      return static_cast<double>(rays.starts[column] - rays.starts.front()) / all;
+    };
+    for (std::size_t round = 0; round + 1 < reach.rounds().size(); ++round)
+    {
+      const std::size_t first = reach.rounds()[round], last = reach.rounds()[round + 1];
+      if (!this->run(rays, reach, first, last, share.part(until(first), until(last))))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  struct Full
+  {
+    std::size_t column;
+    TriangleIds triangles;
+  };
+
+  /// The columns first … last − 1.
+  bool run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
+    std::size_t last, const Share& share)
+  {
+    std::vector<Full> full;
+    double tasksEnd;
+    {
+      const Buckets<std::uint32_t> triangles = reach.inColumns(first, last);
+      bool mayGiveUp = false; // a guess: where it is wrong, what is left shows no progress
+      for (std::size_t i = 0; i < triangles.count(); ++i)
+      {
+        mayGiveUp = mayGiveUp || static_cast<double>(rays.size(first + i)) *
+                                     static_cast<double>(triangles.size(i)) >
+                                   static_cast<double>(RayCounter::mostSteps);
+      }
+      std::mutex mutex;
+      tasksEnd = mayGiveUp ? 0.5 : 1;
+      this->show(share.part(0, tasksEnd));
+      const bool isComplete = executor_.run(last - first,
+        [&](std::size_t i)
+        {
+          Ray* const begin = rays.starts[first + i];
+          Ray* const end = rays.starts[first + i + 1];
+          if (begin == end)
+          {
+            return;
+          }
+          TriangleIds ids(triangles.begin(i), triangles.end(i));
+          if (counter_.count(begin, end, ids))
+          {
+            this->write(begin, end);
+            return;
+          }
+          std::for_each(begin, end, [](Ray& ray) { ray.crossings = 0; });
+          const std::lock_guard<std::mutex> lock(mutex);
+          full.push_back({first + i, std::move(ids)});
+        });
+      if (!isComplete)
+      {
+        return false;
+      }
+    }
+    const Share rest = share.part(tasksEnd, 1);
+    for (std::size_t i = 0; i < full.size(); ++i)
+    {
+      const double count = static_cast<double>(full.size()), at = static_cast<double>(i);
+      const std::size_t column = full[i].column;
+      if (!this->divide(rays.starts[column], rays.starts[column + 1], full[i].triangles,
+            rest.part(at / count, (at + 1) / count)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Into columns that are not too full even if all triangles reach all of them, if possible.
+  bool divide(Ray* first, Ray* last, const TriangleIds& triangles, const Share& share)
+  {
+    constexpr double pairsPerColumn = RayCounter::mostSteps / 4.0;
+    const double rays = static_cast<double>(last - first);
+    const double wanted = rays * static_cast<double>(triangles.size()) / pairsPerColumn;
+    const double most = std::min(rays, static_cast<double>(mostBuckets));
+    const Columns columns(
+      RayBox(first, last), static_cast<std::size_t>(std::clamp(wanted, std::min(4.0, most), most)));
+    if (columns.count() > 1)
+    {
+      const RaysInColumns inColumns = RayCounter::sort(first, last, columns);
+      return this->run(inColumns, CandidateTriangles(triangles), share);
+    }
+    this->show(share);
+    return executor_.run(1,
+      [&](std::size_t)
+      {
+        counter_.countAll(first, last, triangles);
+        this->write(first, last);
+      });
+  }
+
+  void show(const Share& share) { share_.set(share.first, share.last); }
+
+  void write(const Ray* first, const Ray* last) const
+  {
+    for (; first != last; ++first)
+    {
+      output_.fill(first->crossings, first->sample, 1);
+    }
+  }
+
+  const RayCounter& counter_;
+  const FieldOutput& output_;
+  Executor& executor_;
+  DividedShare share_;
+};
+
+RaysThroughTriangles raysThrough(const Surface& surface)
+{
+  RaysThroughTriangles rays = {0, 0};
+  const Eigen::Array2d sizes = surface.bounds.sizes().tail<2>();
+  if (surface.bounds.isEmpty() || !(sizes.minCoeff() > 0))
+  {
+    return rays;
+  }
+  for (const Triangle& ids : surface.triangles)
+  {
+    const Eigen::Array2d a = surface.vertices[ids[0]].tail<2>();
+    const Eigen::Array2d u = (surface.vertices[ids[1]].tail<2>().array() - a) / sizes;
+    const Eigen::Array2d v = (surface.vertices[ids[2]].tail<2>().array() - a) / sizes;
+    rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
+    rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
+  }
+  return rays;
+}
+
+} // namespace
+
+PointCrossings::PointCrossings(const Surface& surface)
+  : surface_(surface)
+{
+}
+
+EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
+{
+  std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(surface_); });
+  return costOfCrossings(surface_.triangles.size(), samples, rays_);
+}
+
+bool PointCrossings::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+try
+{
+  const Bounds& bounds = surface_.bounds;
+  const double scale = unitScale(bounds);
+  // Rays that start beside or behind the surface cross nothing.
+  const auto mayCross = [&](const Eigen::Vector3d& q)
+  {
+    return q[1] >= bounds.min()[1] && q[1] <= bounds.max()[1] && q[2] >= bounds.min()[2] &&
+           q[2] <= bounds.max()[2] && q[0] <= bounds.max()[0] && std::isfinite(q[0]);
+  };
+  RayBox box;
+  std::mutex mutex;
+  runBlocks(
+    samples.size(), samplesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      RayBox ours;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Eigen::Vector3d q = samples[i];
+        if (mayCross(q))
+        {
+          ours.add(q * scale);
+          continue;
+        }
+        output.fill(q.allFinite() ? 0 : std::numeric_limits<double>::quiet_NaN(), i, 1);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      box.add(ours);
+    },
+    executor);
+
+  if (box.isEmpty())
+  {
+    return true; // nothing may cross
+  }
+  const Columns columns(box, std::min(mostBuckets, samples.size()));
+  Buckets<Ray> rays = distribute<Ray>(
+    samples.size(), columns.count(),
+    [&](std::size_t first, std::size_t last, const auto& put)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Eigen::Vector3d q = samples[i];
+        if (mayCross(q))
+        {
+          const Ray ray = {q[0] * scale, q[1] * scale, q[2] * scale, i, 0};
+          put(columns.of(ray.start()), ray);
+        }
+      }
+    },
+    executor, samplesPerBlock);
+  RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
+  for (std::size_t column = 0; column < columns.count(); ++column)
+  {
+    inColumns.starts[column] = rays.begin(column);
+  }
+  inColumns.starts.back() = rays.end(columns.count() - 1);
+
+  const RayCounter counter(surface_, scale);
+  return ColumnTasks(counter, output, executor)
+    .run(inColumns, CandidateTriangles(surface_.triangles.size()), {0, 1});
+}
+catch (const Interrupted&)
+{
+  return false;
+}
+
+} // namespace winding

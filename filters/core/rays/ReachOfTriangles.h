@@ -1,0 +1,69 @@
+#pragma once
+
+#include "base/BucketSort.h"
+#include "base/Executor.h"
+#include "rays/RayCounter.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace winding
+{
+
+/// All triangles of a surface, or some of them.
+class CandidateTriangles
+{
+public:
+  explicit CandidateTriangles(std::size_t count)
+    : count_(count)
+  {
+  }
+  explicit CandidateTriangles(const TriangleIds& ids)
+    : ids_(ids.data())
+    , count_(ids.size())
+  {
+  }
+
+  std::size_t size() const { return count_; }
+  std::uint32_t operator[](std::size_t i) const
+  {
+    return ids_ ? ids_[i] : static_cast<std::uint32_t>(i);
+  }
+
+private:
+  const std::uint32_t* ids_ = nullptr;
+  std::size_t count_;
+};
+
+/// Which of some triangles reach which columns of rays.
+class ReachOfTriangles
+{
+public:
+  /// Keeps references. Throws Interrupted.
+  ReachOfTriangles(const RayCounter& counter, const CandidateTriangles& triangles,
+    const RaysInColumns& rays, Executor& executor);
+
+  /// Rounds are runs of columns of which there are lists at a time: starts, and the end.
+  const std::vector<std::size_t>& rounds() const { return rounds_; }
+
+  /// The triangles that reach the columns first … last − 1. Throws Interrupted.
+  Buckets<std::uint32_t> inColumns(std::size_t first, std::size_t last) const;
+
+private:
+  struct Window;
+
+  ColumnRange rangeOf(std::uint32_t id, const RayBox& all, const std::vector<RayBox>& boxes) const;
+  template <class Visit>
+  void forEachColumn(std::size_t i, const Window& window, const Visit& visit) const;
+  void makeRounds(std::size_t inBoxes);
+
+  const RayCounter& counter_;
+  const CandidateTriangles& triangles_;
+  const Columns& columns_;
+  Executor& executor_;
+  std::unique_ptr<ColumnRange[]> ranges_;
+  std::vector<std::size_t> rounds_;
+};
+
+} // namespace winding

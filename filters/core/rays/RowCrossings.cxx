@@ -1,0 +1,271 @@
+#include "rays/RowCrossings.h"
+
+#include "rays/RowTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/**
+ * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of a
+ * layer that stand beside each other; the first may begin before the extent.
+ */
+class Bands
+{
+public:
+  Bands(const Extent& extent, const RowBands& rows, const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+    : firstLayer_(extent[4])
+    , perLayer_(rows.countIn(extent))
+    , starts_(static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_ + 2, 0)
+  {
+    const auto forEach = [&](const auto& visit)
+    {
+      std::uint32_t number = 0;
+      for (const std::vector<Triangle>* list : {&triangles, &cap})
+      {
+        for (const Triangle& triangle : *list)
+        {
+          const auto [firstRow, lastRow] = samplesBetween(vertices, triangle, 1, extent);
+          const auto [firstLayer, lastLayer] = samplesBetween(vertices, triangle, 2, extent);
+          if (firstRow <= lastRow)
+          {
+            const std::size_t firstBand = rows.bandOf(firstRow), lastBand = rows.bandOf(lastRow);
+            for (int k = firstLayer; k <= lastLayer; ++k)
+            {
+              for (std::size_t band = firstBand; band <= lastBand; ++band)
+              {
+                visit(this->place(k, band), number);
+              }
+            }
+          }
+          ++number;
+        }
+      }
+    };
+    // Counted two places up, so that filling leaves each start where it belongs.
+    forEach([&](std::size_t place, std::uint32_t) { ++starts_[place + 2]; });
+    for (std::size_t i = 2; i < starts_.size(); ++i)
+    {
+      starts_[i] += starts_[i - 1];
+    }
+    triangles_.resize(starts_.back());
+    forEach(
+      [&](std::size_t place, std::uint32_t number) { triangles_[starts_[place + 1]++] = number; });
+  }
+
+  const std::uint32_t* begin(int k, std::size_t band) const
+  {
+    return triangles_.data() + starts_[this->place(k, band)];
+  }
+  const std::uint32_t* end(int k, std::size_t band) const
+  {
+    return triangles_.data() + starts_[this->place(k, band) + 1];
+  }
+
+private:
+  /// First and last index along an axis between a triangle's lowest and highest vertex; none if the
+  /// first is the larger one.
+  static IndexRange samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
+    const Triangle& triangle, int axis, const Extent& extent)
+  {
+    const auto [low, high] = std::minmax(
+      {vertices[triangle[0]][axis], vertices[triangle[1]][axis], vertices[triangle[2]][axis]});
+    return indicesBetween(low, high, extent[2 * axis], extent[2 * axis + 1]);
+  }
+
+  std::size_t place(int k, std::size_t band) const
+  {
+    return static_cast<std::size_t>(k - firstLayer_) * perLayer_ + band;
+  }
+
+  int firstLayer_;
+  std::size_t perLayer_;
+  std::vector<std::size_t> starts_;
+  std::vector<std::uint32_t> triangles_;
+};
+
+struct Crossing
+{
+  int row;    ///< j
+  int behind; ///< first sample behind it
+  int sign;
+};
+
+/// Sorts the crossings of a layer by row: a counting sort, for there are as many rows as crossings.
+class RowBuckets
+{
+public:
+  void sort(const std::vector<Crossing>& crossings, int firstRow, int rows)
+  {
+    starts_.assign(static_cast<std::size_t>(rows) + 2, 0);
+    for (const Crossing& crossing : crossings)
+    {
+      ++starts_[static_cast<std::size_t>(crossing.row - firstRow) + 2];
+    }
+    for (std::size_t i = 2; i < starts_.size(); ++i)
+    {
+      starts_[i] += starts_[i - 1];
+    }
+    sorted_.resize(crossings.size());
+    for (const Crossing& crossing : crossings)
+    {
+      sorted_[starts_[static_cast<std::size_t>(crossing.row - firstRow) + 1]++] = crossing;
+    }
+  }
+
+  Crossing* begin(int row) { return sorted_.data() + starts_[static_cast<std::size_t>(row)]; }
+  Crossing* end(int row) { return this->begin(row + 1); }
+
+private:
+  std::vector<std::size_t> starts_;
+  std::vector<Crossing> sorted_;
+};
+
+/// Turns the crossings of a row into runs of equal values over [low, high].
+void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<RowRun>& runs)
+{
+  std::sort(first, last, [](const Crossing& a, const Crossing& b) { return a.behind < b.behind; });
+  runs.clear();
+  // A sample's value is the sum of the signs of the crossings ahead of it.
+  int value = 0;
+  for (const Crossing* crossing = first; crossing != last; ++crossing)
+  {
+    value += crossing->sign;
+  }
+  int begin = low;
+  for (const Crossing* crossing = first; crossing != last; ++crossing)
+  {
+    if (crossing->behind > begin)
+    {
+      runs.push_back({begin, crossing->behind, value});
+      begin = crossing->behind;
+    }
+    value -= crossing->sign;
+  }
+  if (begin <= high)
+  {
+    runs.push_back({begin, high + 1, value});
+  }
+}
+
+/// A chain's vertices in units of a grid, and its triangles by the bands that they reach.
+class ChainOnGrid final : public RowCrossings::OnGrid
+{
+public:
+  ChainOnGrid(const Grid& grid, const Extent& extent, const RowBands& rows,
+    const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+    const std::vector<Triangle>& cap)
+    : extent_(extent)
+    , rows_(rows)
+    , vertices_(vertices.size())
+    , triangles_(triangles)
+    , cap_(cap)
+  {
+    std::transform(vertices.begin(), vertices.end(), vertices_.begin(),
+      [&grid](const Eigen::Vector3d& vertex) { return grid.inGridUnits(vertex); });
+    bands_ = std::make_unique<const Bands>(extent, rows, vertices_, triangles_, cap_);
+  }
+
+  void evaluate(int k, std::size_t band, const RowCrossings::RowWork& work) const override
+  {
+    const int firstRow = std::max(extent_[2], rows_.firstRowOf(band));
+    const int lastRow = std::min(extent_[3], rows_.firstRowOf(band + 1) - 1);
+    std::vector<Crossing> crossings;
+    for (const std::uint32_t* number = bands_->begin(k, band); number != bands_->end(k, band);
+         ++number)
+    {
+      const Triangle& ids =
+        *number < triangles_.size() ? triangles_[*number] : cap_[*number - triangles_.size()];
+      const RowTriangle triangle(vertices_[ids[0]], vertices_[ids[1]], vertices_[ids[2]]);
+      const RowTriangle::Range range = triangle.rowsIn(k, firstRow, lastRow);
+      for (int j = range.first; j <= range.last; ++j)
+      {
+        if (const int sign = triangle.crossingSign(j, k))
+        {
+          crossings.push_back({j, triangle.firstBehind(j, k, sign, extent_[0], extent_[1]), sign});
+        }
+      }
+    }
+    RowBuckets buckets;
+    buckets.sort(crossings, firstRow, lastRow - firstRow + 1);
+    std::vector<RowRun> runs;
+    for (int j = firstRow; j <= lastRow; ++j)
+    {
+      makeRuns(
+        buckets.begin(j - firstRow), buckets.end(j - firstRow), extent_[0], extent_[1], runs);
+      work(j, k, runs);
+    }
+  }
+
+private:
+  Extent extent_;
+  RowBands rows_;
+  std::vector<Eigen::Vector3d> vertices_;
+  const std::vector<Triangle>& triangles_;
+  const std::vector<Triangle>& cap_;
+  std::unique_ptr<const Bands> bands_;
+};
+
+} // namespace
+
+RowCrossings::RowCrossings(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+  : vertices_(vertices)
+  , triangles_(triangles)
+  , cap_(cap)
+{
+}
+
+const std::vector<Triangle>& RowCrossings::noTriangles()
+{
+  static const std::vector<Triangle> none;
+  return none;
+}
+
+std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
+  const Grid& grid, const Extent& extent, const RowBands& rows) const
+{
+  return std::make_unique<const ChainOnGrid>(grid, extent, rows, vertices_, triangles_, cap_);
+}
+
+bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
+  const RowWork& work, Executor& executor) const
+{
+  if (sampleCount(extent) == 0)
+  {
+    return true;
+  }
+  const std::size_t width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const std::size_t height = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  const std::size_t depth = static_cast<std::size_t>(extent[5] - extent[4] + 1);
+  const RowBands rows = {
+    extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
+  const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent, rows);
+  const std::size_t bands = rows.countIn(extent);
+  return executor.run(bands * depth, [&](std::size_t block)
+    { onGrid->evaluate(extent[4] + static_cast<int>(block / bands), block % bands, work); });
+}
+
+int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const
+{
+  int value = 0;
+  for (const std::vector<Triangle>* list : {&triangles_, &cap_})
+  {
+    for (const Triangle& ids : *list)
+    {
+      const RowTriangle triangle(grid.inGridUnits(vertices_[ids[0]]),
+        grid.inGridUnits(vertices_[ids[1]]), grid.inGridUnits(vertices_[ids[2]]));
+      const int sign = triangle.crossingSign(j, k);
+      value += sign != 0 && triangle.firstBehind(j, k, sign, i, i) > i ? sign : 0;
+    }
+  }
+  return value;
+}
+
+} // namespace winding

@@ -1,0 +1,150 @@
+#include "report/SurfaceReport.h"
+
+#include "base/Bounds.h"
+#include "base/DisjointSets.h"
+#include "source/DistinctPoints.h"
+#include "source/UnitScale.h"
+#include "surface/ClosedComponents.h"
+#include "surface/Orientation.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+namespace
+{
+
+std::size_t countDuplicates(const Surface& surface)
+{
+  std::vector<Triangle> sorted = surface.triangles;
+  for (Triangle& triangle : sorted)
+  {
+    std::sort(triangle.begin(), triangle.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto unique = std::unique(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(sorted.end() - unique);
+}
+
+std::size_t countVertexComponents(const Surface& surface)
+{
+  DisjointSets pieces(surface.vertices.size());
+  std::size_t count = surface.vertices.size();
+  for (const Triangle& triangle : surface.triangles)
+  {
+    count -= pieces.unite(triangle[0], triangle[1]);
+    count -= pieces.unite(triangle[1], triangle[2]);
+  }
+  return count;
+}
+
+OrientationCounts countOrientations(
+  const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+{
+  OrientationCounts counts;
+  for (const ClosedComponent& component :
+    closedComponents(surface, componentsOf(surface, edges), executor))
+  {
+    ++counts.closed;
+    counts.inverted += component.isInverted();
+    counts.nestedSolids += component.isNestedSolid();
+  }
+  counts.oneSided = countOneSided(surface, edges);
+  return counts;
+}
+
+} // namespace
+
+EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges)
+{
+  EdgeCounts counts;
+  counts.edges = edges.size();
+  counts.boundary = counts.netBoundary = edges.rims.size();
+  counts.nonManifold = edges.crowds.size();
+  counts.components = surface.triangles.size();
+  DisjointSets pieces(surface.triangles.size());
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    counts.components -= pieces.unite(pair.triangles[0], pair.triangles[1]);
+    counts.inconsistent += !pair.agrees;
+  }
+  counts.netBoundary += counts.inconsistent;
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    std::ptrdiff_t net = 0;
+    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+    {
+      net += use->sense;
+      counts.components -= pieces.unite(edges.begin(crowd)->triangle, use->triangle);
+    }
+    counts.netBoundary += net != 0;
+  }
+  DisjointSets rims(surface.vertices.size());
+  std::vector<std::int32_t> rimVertices;
+  for (const SurfaceEdges::Rim& rim : edges.rims)
+  {
+    rims.unite(rim.low, rim.high);
+    rimVertices.push_back(rim.low);
+  }
+  for (std::int32_t& vertex : rimVertices)
+  {
+    vertex = rims.find(vertex);
+  }
+  std::sort(rimVertices.begin(), rimVertices.end());
+  counts.boundaryLoops = static_cast<std::size_t>(
+    std::unique(rimVertices.begin(), rimVertices.end()) - rimVertices.begin());
+  return counts;
+}
+
+SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+{
+  SurfaceReport report;
+  report.edges = countEdges(surface, edges);
+  report.orientation = countOrientations(surface, edges, executor);
+  report.vertexComponents = countVertexComponents(surface);
+  report.duplicateTriangles = countDuplicates(surface);
+  const Eigen::Vector3d center =
+    surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
+  for (const Triangle& triangle : surface.triangles)
+  {
+    // Only the volume is taken from the centre: its rounding would give area to points on a line.
+    const Eigen::Vector3d& a = surface.vertices[triangle[0]];
+    const Eigen::Vector3d& b = surface.vertices[triangle[1]];
+    const Eigen::Vector3d& c = surface.vertices[triangle[2]];
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    report.zeroAreaTriangles += normal == Eigen::Vector3d::Zero();
+    report.area += 0.5 * normal.norm();
+    report.volume += (a - center).dot(normal) / 6;
+  }
+  report.eulerCharacteristic = static_cast<long long>(surface.vertices.size()) -
+                               static_cast<long long>(report.edges.edges) +
+                               static_cast<long long>(surface.triangles.size());
+  return report;
+}
+
+VertexCounts countVertices(
+  const std::vector<VectorsView>& points, const Surface& surface, Executor& executor)
+{
+  VertexCounts counts;
+  std::vector<Eigen::Vector3d> finite;
+  Bounds bounds;
+  for (const VectorsView& view : points)
+  {
+    counts.points += view.size();
+    for (std::size_t i = 0; i < view.size(); ++i)
+    {
+      const Eigen::Vector3d point = view[i];
+      if (point.allFinite())
+      {
+        finite.push_back(point);
+        bounds.extend(point);
+      }
+    }
+  }
+  counts.different = DistinctPoints(finite, unitScale(bounds), executor).size();
+  counts.unreferenced = counts.different - std::min(counts.different, surface.vertices.size());
+  return counts;
+}
+
+} // namespace winding

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "source/Surface.h"
+#include "surface/SurfaceEdges.h"
+
+namespace winding
+{
+
+/// How often each edge of the welded surface is used, summed up.
+struct EdgeCounts
+{
+  std::size_t edges = 0;
+  std::size_t boundary = 0;      ///< used by one triangle
+  std::size_t netBoundary = 0;   ///< used more often in one direction than in the other
+  std::size_t nonManifold = 0;   ///< used by more than two triangles
+  std::size_t inconsistent = 0;  ///< used by two triangles in the same direction
+  std::size_t boundaryLoops = 0; ///< connected pieces of the boundary edges
+  std::size_t components = 0;    ///< pieces connected through edges
+
+  /// Whether every edge cancels: then w is an integer everywhere off the surface.
+  bool isClosed() const { return netBoundary == 0; }
+};
+
+EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
+
+/// How the components of a surface are oriented (Components.h, ClosedComponents.h, Orientation.h).
+struct OrientationCounts
+{
+  std::size_t closed = 0;       ///< components whose edges cancel
+  std::size_t inverted = 0;     ///< of these, inward with nothing around
+  std::size_t nestedSolids = 0; ///< of these, outward inside an odd number of others
+  std::size_t oneSided = 0;     ///< parts that no turning could make agree
+};
+
+/// The health of a surface. The counts of what was dropped are in the Surface.
+struct SurfaceReport
+{
+  EdgeCounts edges;
+  OrientationCounts orientation;
+  std::size_t vertexComponents = 0;   ///< pieces connected through vertices
+  std::size_t duplicateTriangles = 0; ///< beyond the first with the same three vertices
+  std::size_t zeroAreaTriangles = 0;  ///< three different vertices on a line
+  double area = 0;
+  double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
+
+  /// V − E + F: 2 for a sphere, 0 for a torus.
+  long long eulerCharacteristic = 0;
+};
+
+/// The same for every executor. Throws Interrupted.
+SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
+
+/// The points that a surface was made from, triangles or no triangles.
+struct VertexCounts
+{
+  std::size_t points = 0;
+  std::size_t different = 0; ///< finite positions, equal ones counted once
+  std::size_t unreferenced =
+    0; ///< of these, the ones that no triangle of the surface has for a corner
+};
+
+/// The points are those of the views that the surface was made from. O(n log n) time, 100 bytes per
+/// point while it runs. Throws Interrupted.
+VertexCounts countVertices(
+  const std::vector<VectorsView>& points, const Surface& surface, Executor& executor);
+
+} // namespace winding

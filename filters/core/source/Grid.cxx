@@ -1,0 +1,160 @@
+#include "source/Grid.h"
+
+#include "base/Refusal.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace winding
+{
+
+namespace
+{
+
+template <class... Parts> [[noreturn]] void refuse(const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw Refusal(message.str());
+}
+
+void checkBounds(const Bounds& bounds)
+{
+  const Eigen::Vector3d &low = bounds.min(), &high = bounds.max();
+  if (!low.allFinite() || !high.allFinite() || (low.array() > high.array()).any() ||
+      !(high - low).allFinite())
+  {
+    refuse("the bounds ", low[0], " ", high[0], " ", low[1], " ", high[1], " ", low[2], " ",
+      high[2], " are inverted or not finite; give min <= max for each axis");
+  }
+}
+
+/// Voxels of the given size that cover a length, at least one.
+int countVoxels(double length, double voxelSize)
+{
+  // A length that is a multiple of the size up to rounding must not gain a voxel by that rounding.
+  const double exact = length / voxelSize;
+  const double count = std::max(1.0, std::ceil(exact * (1 - 1e-12)));
+  if (!(count < std::numeric_limits<int>::max()))
+  {
+    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize,
+      ", more than 2147483646; choose larger voxels");
+  }
+  return static_cast<int>(count);
+}
+
+void checkSampleCount(const Grid& grid)
+{
+  const double samples = grid.dimensions.cast<double>().prod();
+  if (samples > 9e18)
+  {
+    refuse("a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ", grid.dimensions[2],
+      " voxels has more samples than can be counted; choose larger voxels");
+  }
+}
+
+} // namespace
+
+std::size_t sampleCount(const Extent& extent)
+{
+  std::size_t count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const long long length = static_cast<long long>(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+    count *= length > 0 ? static_cast<std::size_t>(length) : 0;
+  }
+  return count;
+}
+
+std::size_t sampleNumber(const Extent& extent, int i, int j, int k)
+{
+  const auto nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const auto ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  return (static_cast<std::size_t>(k - extent[4]) * ny + static_cast<std::size_t>(j - extent[2])) *
+           nx +
+         static_cast<std::size_t>(i - extent[0]);
+}
+
+Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n)
+{
+  const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  return {extent[0] + static_cast<int>(n % nx), extent[2] + static_cast<int>(n / nx % ny),
+    extent[4] + static_cast<int>(n / nx / ny)};
+}
+
+Grid layOutGrid(const GridRequest& request)
+{
+  checkBounds(request.bounds);
+  if (!(request.padding >= 0) || !std::isfinite(request.padding))
+  {
+    refuse("the padding is ", request.padding, "; it must be 0 or more");
+  }
+  const double longest = request.bounds.sizes().maxCoeff();
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
+  const Bounds padded(request.bounds.min() - margin, request.bounds.max() + margin);
+  checkBounds(padded);
+  const Eigen::Vector3d sides = padded.sizes();
+
+  Grid grid;
+  if (request.dimensions != Eigen::Vector3i::Zero())
+  {
+    if ((request.dimensions.array() < 1).any())
+    {
+      refuse("the dimensions are ", request.dimensions[0], " ", request.dimensions[1], " ",
+        request.dimensions[2], "; each must be at least 1");
+    }
+    if (!(sides.minCoeff() > 0))
+    {
+      refuse("the bounds have sides ", sides[0], " ", sides[1], " ", sides[2],
+        "; with given dimensions each must be more than 0");
+    }
+    grid.dimensions = request.dimensions;
+    grid.spacing = sides.cwiseQuotient(grid.dimensions.cast<double>());
+  }
+  else
+  {
+    if (!(request.voxelSize >= 0) || !std::isfinite(request.voxelSize))
+    {
+      refuse("the voxel size is ", request.voxelSize, "; it must be 0 (from resolution) or more");
+    }
+    if (request.voxelSize == 0 && request.resolution < 1)
+    {
+      refuse("the resolution is ", request.resolution, "; it must be at least 1");
+    }
+    if (request.voxelSize == 0 && !(longest > 0))
+    {
+      refuse("the bounds are a single point; give a voxel size or larger bounds");
+    }
+    const double size =
+      request.voxelSize > 0 ? request.voxelSize : sides.maxCoeff() / request.resolution;
+    grid.spacing.setConstant(size);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      grid.dimensions[axis] = countVoxels(sides[axis], size);
+    }
+  }
+  checkSampleCount(grid);
+  // What cubic voxels reach over is shared by both sides; given dimensions fill the box exactly.
+  const Eigen::Vector3d excess =
+    request.dimensions != Eigen::Vector3i::Zero()
+      ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+      : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
+  grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;
+  const Eigen::Vector3d steps = (grid.dimensions - Eigen::Vector3i::Ones()).cast<double>();
+  const Eigen::Vector3d last = grid.firstSample + steps.cwiseProduct(grid.spacing);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.dimensions[axis] > 1 &&
+        !(grid.firstSample[axis] + grid.spacing[axis] > grid.firstSample[axis] &&
+          last[axis] - grid.spacing[axis] < last[axis]))
+    {
+      refuse("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
+        grid.firstSample[axis], " in double precision; move the data towards the origin");
+    }
+  }
+  return grid;
+}
+
+} // namespace winding

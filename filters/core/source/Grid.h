@@ -1,0 +1,89 @@
+#pragma once
+
+#include "base/Bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace winding
+{
+
+/// A box of samples of a grid, as inclusive index ranges {i0, i1, j0, j1, k0, k1}.
+using Extent = std::array<int, 6>;
+
+/**
+ * A grid of voxels; the samples are their centres. Sample (i, j, k) lies at
+ * firstSample + (i, j, k)·spacing, computed that way for every caller, so that any part of the grid
+ * has the very positions that the whole has.
+ */
+struct Grid
+{
+  Eigen::Vector3d firstSample = Eigen::Vector3d::Zero();
+  Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
+  Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis
+
+  /// The corner of the first voxel, half a voxel before the first sample.
+  Eigen::Vector3d corner() const { return firstSample - 0.5 * spacing; }
+
+  Eigen::Vector3d sample(int i, int j, int k) const
+  {
+    return firstSample + Eigen::Vector3d(i, j, k).cwiseProduct(spacing);
+  }
+
+  /// A position as indices of samples: integers are samples.
+  Eigen::Vector3d inGridUnits(const Eigen::Vector3d& position) const
+  {
+    return (position - firstSample).cwiseQuotient(spacing);
+  }
+
+  Extent wholeExtent() const
+  {
+    return {0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1};
+  }
+};
+
+/// First and last index along an axis; none if the first is the larger one.
+using IndexRange = std::pair<int, int>;
+
+/// The indices of first to last, which are 0 or more, that lie between two coordinates in grid units.
+inline IndexRange indicesBetween(double low, double high, int first, int last)
+{
+  if (!(high >= first && low <= last))
+  {
+    return {0, -1};
+  }
+  // Both are 0 or more, where a cast rounds down.
+  const double from = std::max<double>(low, first), to = std::min<double>(high, last);
+  const int whole = static_cast<int>(from);
+  return {whole + (whole < from), static_cast<int>(to)};
+}
+
+/// Samples in an extent; 0 if any range is empty.
+std::size_t sampleCount(const Extent& extent);
+
+/// The number of a sample of an extent, x fastest.
+std::size_t sampleNumber(const Extent& extent, int i, int j, int k);
+
+/// Indices of the n-th sample of an extent, x fastest.
+Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
+
+/// What a user says about a grid.
+struct GridRequest
+{
+  Bounds bounds;      ///< what to cover: of the source, or the user's own
+  double padding = 0; ///< margin on each side, as a fraction of the longest side
+  Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
+  double voxelSize = 0; ///< side of the cubic voxels; 0: from resolution
+  int resolution = 64;  ///< cubic voxels along the longest side
+};
+
+/**
+ * Lays a grid over the bounds. With dimensions given it fills the padded bounds exactly; cubic
+ * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most.
+ * Throws Refusal for sizes, bounds or paddings that make no grid, with the numbers.
+ */
+Grid layOutGrid(const GridRequest& request);
+
+} // namespace winding

@@ -1,0 +1,357 @@
+#include "source/Sanitize.h"
+#include "base/Executor.h"
+
+#include "base/Concatenation.h"
+#include "base/Refusal.h"
+#include "source/Weld.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace winding
+{
+
+namespace
+{
+
+bool hasValidIds(const TrianglesView& view, std::size_t triangle)
+{
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    const std::int64_t id = view.triangles(triangle, corner);
+    if (id < 0 || static_cast<std::uint64_t>(id) >= view.points.size())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Eigen::Vector3d corner(const TrianglesView& view, std::size_t triangle, std::size_t index)
+{
+  return view.points[static_cast<std::size_t>(view.triangles(triangle, index))];
+}
+
+enum class TriangleFault
+{
+  none,
+  invalidId,
+  nonFinite,
+  collapsed
+};
+
+TriangleFault faultOf(const TrianglesView& view, std::size_t i)
+{
+  if (!hasValidIds(view, i))
+  {
+    return TriangleFault::invalidId;
+  }
+  const Eigen::Vector3d a = corner(view, i, 0), b = corner(view, i, 1), c = corner(view, i, 2);
+  if (!a.allFinite() || !b.allFinite() || !c.allFinite())
+  {
+    return TriangleFault::nonFinite;
+  }
+  return a == b || b == c || c == a ? TriangleFault::collapsed : TriangleFault::none;
+}
+
+enum class PointFault
+{
+  none,
+  nonFinite,
+  zeroNormal,
+  badArea
+};
+
+PointFault faultOf(const OrientedPointsView& view, std::size_t i)
+{
+  const Eigen::Vector3d normal = view.normals.empty() ? Eigen::Vector3d(0, 0, 1) : view.normals[i];
+  const double area = view.areas.empty() ? 0 : view.areas[i];
+  if (!view.positions[i].allFinite() || !normal.allFinite() || !std::isfinite(area))
+  {
+    return PointFault::nonFinite;
+  }
+  if (normal == Eigen::Vector3d::Zero())
+  {
+    return PointFault::zeroNormal;
+  }
+  return area < 0 ? PointFault::badArea : PointFault::none;
+}
+
+/// Whether the parts of a cloud have something. Throws Refusal where some have and others have not.
+template <class IsMissing>
+bool allOrNone(
+  const std::vector<OrientedPointsView>& views, const std::string& what, const IsMissing& isMissing)
+{
+  bool any = false, all = true;
+  for (const OrientedPointsView& view : views)
+  {
+    any = any || !isMissing(view);
+    all = all && (view.positions.empty() || !isMissing(view));
+  }
+  if (any && !all)
+  {
+    throw Refusal(
+      "some parts of the cloud have " + what + " and others have none; give " + what + " to all");
+  }
+  return any;
+}
+
+constexpr std::size_t primitivesPerBlock = 16384;
+
+std::size_t blocksOf(std::size_t primitives)
+{
+  return (primitives + primitivesPerBlock - 1) / primitivesPerBlock;
+}
+
+/// How many primitives of a block have each fault, or none.
+using FaultCounts = std::array<std::size_t, 4>;
+
+template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
+{
+  std::size_t sum = 0;
+  for (const FaultCounts& block : blocks)
+  {
+    sum += block[static_cast<std::size_t>(fault)];
+  }
+  return sum;
+}
+
+/// Where each block's primitives without a fault go, and how many there are in all.
+std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
+{
+  std::vector<std::size_t> starts(1, 0);
+  for (const FaultCounts& block : blocks)
+  {
+    starts.push_back(starts.back() + block[0]);
+  }
+  return starts;
+}
+
+} // namespace
+
+void checkLengths(const OrientedPointsView& view)
+{
+  const std::size_t points = view.positions.size();
+  if ((!view.normals.empty() && view.normals.size() != points) ||
+      (!view.areas.empty() && view.areas.size() != points))
+  {
+    throw Refusal("the cloud has " + std::to_string(points) + " points but " +
+                  std::to_string(view.normals.size()) + " normals and " +
+                  std::to_string(view.areas.size()) + " areas; give one of each to every point");
+  }
+}
+
+Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
+{
+  const Concatenation triangles(
+    views, [](const TrianglesView& view) { return view.triangles.size(); });
+  Surface surface;
+  surface.inputTriangles = triangles.size();
+  if (triangles.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Refusal("the surface has more than 2147483647 triangles; split it");
+  }
+  Weld weld(views);
+  std::vector<FaultCounts> faults(blocksOf(triangles.size()));
+  runBlocks(
+    triangles.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      FaultCounts counts{};
+      triangles.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const TrianglesView& view = views[number];
+          const std::size_t firstPoint = weld.firstPoint(number);
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const TriangleFault fault = faultOf(view, i);
+            ++counts[static_cast<std::size_t>(fault)];
+            if (fault == TriangleFault::none)
+            {
+              for (std::size_t corner = 0; corner < 3; ++corner)
+              {
+                weld.use(firstPoint + static_cast<std::size_t>(view.triangles(i, corner)));
+              }
+            }
+          }
+        });
+      faults[block] = counts;
+    },
+    executor);
+  surface.nonFiniteTriangles = sumOf(faults, TriangleFault::nonFinite);
+  surface.invalidIdTriangles = sumOf(faults, TriangleFault::invalidId);
+  surface.collapsedTriangles = sumOf(faults, TriangleFault::collapsed);
+  if (surface.inputTriangles > 0 && surface.dropped() == surface.inputTriangles)
+  {
+    throw Refusal(
+      "all " + std::to_string(surface.inputTriangles) + " triangles are unusable: " +
+      std::to_string(surface.nonFiniteTriangles) + " with NaN or infinite coordinates, " +
+      std::to_string(surface.invalidIdTriangles) + " with ids of points that do not exist");
+  }
+
+  weld.makeVertices(surface, executor);
+  const std::vector<std::size_t> starts = startsOfKept(faults);
+  surface.triangles.resize(starts.back());
+  runBlocks(
+    triangles.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      const bool keepsAll = starts[block + 1] - starts[block] == last - first;
+      Triangle* kept = surface.triangles.data() + starts[block];
+      triangles.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const TrianglesView& view = views[number];
+          const std::size_t firstPoint = weld.firstPoint(number);
+          const auto vertexOf = [&](std::size_t i, std::size_t corner)
+          {
+            return weld.vertexOf(firstPoint + static_cast<std::size_t>(view.triangles(i, corner)));
+          };
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            if (keepsAll || faultOf(view, i) == TriangleFault::none)
+            {
+              *kept++ = {vertexOf(i, 0), vertexOf(i, 1), vertexOf(i, 2)};
+            }
+          }
+        });
+    },
+    executor);
+  return surface;
+}
+
+PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor)
+{
+  for (const OrientedPointsView& view : views)
+  {
+    checkLengths(view);
+  }
+  const bool withNormals = allOrNone(
+    views, "normals", [](const OrientedPointsView& view) { return view.normals.empty(); });
+  const bool withAreas =
+    allOrNone(views, "areas", [](const OrientedPointsView& view) { return view.areas.empty(); });
+  const Concatenation points(
+    views, [](const OrientedPointsView& view) { return view.positions.size(); });
+  std::vector<FaultCounts> faults(blocksOf(points.size()));
+  runBlocks(
+    points.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      FaultCounts counts{};
+      points.forEachPart(first, last,
+        [&](std::size_t view, std::size_t begin, std::size_t end, std::size_t)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            ++counts[static_cast<std::size_t>(faultOf(views[view], i))];
+          }
+        });
+      faults[block] = counts;
+    },
+    executor);
+  PointCloud cloud;
+  cloud.inputPoints = points.size();
+  cloud.nonFinitePoints = sumOf(faults, PointFault::nonFinite);
+  cloud.zeroNormalPoints = sumOf(faults, PointFault::zeroNormal);
+  cloud.badAreaPoints = sumOf(faults, PointFault::badArea);
+  if (cloud.inputPoints > 0 && cloud.dropped() == cloud.inputPoints)
+  {
+    throw Refusal("all " + std::to_string(cloud.inputPoints) + " points are unusable: " +
+                  std::to_string(cloud.nonFinitePoints) + " with NaN or infinite values, " +
+                  std::to_string(cloud.zeroNormalPoints) + " with normals of length 0, " +
+                  std::to_string(cloud.badAreaPoints) + " with negative areas");
+  }
+
+  const std::vector<std::size_t> starts = startsOfKept(faults);
+  cloud.positions.resize(starts.back());
+  cloud.normals.resize(withNormals ? starts.back() : 0);
+  cloud.areas.resize(withAreas ? starts.back() : 0);
+  std::vector<Bounds> bounds(faults.size());
+  runBlocks(
+    points.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      std::size_t kept = starts[block];
+      Bounds ofBlock;
+      points.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const OrientedPointsView& view = views[number];
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            if (!isUsable(view, i))
+            {
+              continue;
+            }
+            cloud.positions[kept] = view.positions[i];
+            if (withNormals)
+            {
+              // By the largest component first: the square of a very long or short normal leaves
+              // the range.
+              const Eigen::Vector3d normal = view.normals[i];
+              cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
+            }
+            if (withAreas)
+            {
+              cloud.areas[kept] = view.areas[i];
+            }
+            ofBlock.extend(cloud.positions[kept]);
+            ++kept;
+          }
+        });
+      bounds[block] = ofBlock;
+    },
+    executor);
+  for (const Bounds& ofBlock : bounds)
+  {
+    cloud.bounds.extend(ofBlock);
+  }
+  return cloud;
+}
+
+bool isUsable(const TrianglesView& view, std::size_t triangle)
+{
+  return faultOf(view, triangle) == TriangleFault::none;
+}
+
+bool isUsable(const OrientedPointsView& view, std::size_t point)
+{
+  return faultOf(view, point) == PointFault::none;
+}
+
+Bounds boundsOf(const std::vector<TrianglesView>& views)
+{
+  Bounds bounds;
+  for (const TrianglesView& view : views)
+  {
+    for (std::size_t i = 0; i < view.triangles.size(); ++i)
+    {
+      if (faultOf(view, i) == TriangleFault::none)
+      {
+        bounds.extend(corner(view, i, 0)).extend(corner(view, i, 1)).extend(corner(view, i, 2));
+      }
+    }
+  }
+  return bounds;
+}
+
+Bounds boundsOf(const std::vector<OrientedPointsView>& views)
+{
+  Bounds bounds;
+  for (const OrientedPointsView& view : views)
+  {
+    checkLengths(view);
+    for (std::size_t i = 0; i < view.positions.size(); ++i)
+    {
+      if (isUsable(view, i))
+      {
+        bounds.extend(view.positions[i]);
+      }
+    }
+  }
+  return bounds;
+}
+
+} // namespace winding

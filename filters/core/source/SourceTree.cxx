@@ -1,0 +1,118 @@
+#include "source/SourceTree.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+
+namespace winding
+{
+
+namespace
+{
+
+struct Item
+{
+  Eigen::Vector3d center;
+  std::uint32_t number;
+};
+
+/// Cuts items in two in the middle of the longest side of their tight box; null if all are equal.
+Item* cutInTwo(Item* first, Item* last)
+{
+  Eigen::AlignedBox3d box;
+  for (const Item* item = first; item != last; ++item)
+  {
+    box.extend(item->center);
+  }
+  Eigen::Index axis;
+  if (box.isEmpty() || !(box.sizes().maxCoeff(&axis) > 0))
+  {
+    return nullptr;
+  }
+  const double low = box.min()[axis], high = box.max()[axis];
+  // Between neighbouring numbers there is no middle.
+  double middle = low + (high - low) / 2;
+  middle = middle > low ? middle : high;
+  return std::partition(
+    first, last, [axis, middle](const Item& item) { return item.center[axis] < middle; });
+}
+
+/// Up to five limits of up to four runs; the number of runs.
+std::size_t cutInFour(Item* first, Item* last, std::size_t leafSize, std::array<Item*, 5>& limits)
+{
+  limits[0] = first;
+  Item* const middle = cutInTwo(first, last);
+  if (!middle)
+  {
+    return 0;
+  }
+  std::size_t runs = 0;
+  for (const auto& [begin, end] : {std::pair(first, middle), std::pair(middle, last)})
+  {
+    const bool isSmall = static_cast<std::size_t>(end - begin) <= leafSize;
+    if (Item* const quarter = isSmall ? nullptr : cutInTwo(begin, end))
+    {
+      limits[++runs] = quarter;
+    }
+    limits[++runs] = end;
+  }
+  return runs;
+}
+
+} // namespace
+
+SourceTree::SourceTree(
+  const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor)
+{
+  std::vector<Item> items(centers.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    items[i] = {centers[i], static_cast<std::uint32_t>(i)};
+  }
+  depthStarts_.push_back(0);
+  if (!items.empty())
+  {
+    nodes_.push_back({0, static_cast<std::uint32_t>(items.size()), 0, 0});
+  }
+  std::vector<std::array<Item*, 5>> limits;
+  while (depthStarts_.back() < nodes_.size())
+  {
+    const std::size_t first = depthStarts_.back();
+    const std::size_t count = nodes_.size() - first;
+    depthStarts_.push_back(nodes_.size());
+    limits.resize(count);
+    // Blocks of about equal work: deep down there are many small nodes.
+    constexpr std::size_t nodesPerBlock = 64;
+    const std::size_t perBlock = count < 8 * nodesPerBlock ? 1 : nodesPerBlock;
+    runBlocks(
+      count, perBlock,
+      [&](std::size_t, std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          SourceNode& node = nodes_[first + i];
+          if (node.size() > leafSize)
+          {
+            node.children = static_cast<std::uint32_t>(
+              cutInFour(items.data() + node.begin, items.data() + node.end, leafSize, limits[i]));
+          }
+        }
+      },
+      executor);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      nodes_[first + i].firstChild = static_cast<std::uint32_t>(nodes_.size());
+      for (std::uint32_t child = 0; child < nodes_[first + i].children; ++child)
+      {
+        nodes_.push_back({static_cast<std::uint32_t>(limits[i][child] - items.data()),
+          static_cast<std::uint32_t>(limits[i][child + 1] - items.data()), 0, 0});
+      }
+    }
+  }
+  order_.resize(items.size());
+  std::transform(
+    items.begin(), items.end(), order_.begin(), [](const Item& item) { return item.number; });
+}
+
+} // namespace winding

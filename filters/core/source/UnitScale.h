@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "base/Evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/**
+ * @file
+ * Coordinates are scaled to about unit size before kernels multiply them: products of three lengths
+ * would leave the range of double for sources of size 1e±110 and beyond. The factor is a power of
+ * two, so the scaling itself rounds nothing.
+ */
+namespace winding
+{
+
+/// 2^k such that the longest side of the bounds becomes 1 … 2; 1 for bounds without extent.
+inline double unitScale(const Bounds& bounds)
+{
+  const double longest = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  // The largest exponents are left out: 2^k itself must stay a finite, normal number.
+  return longest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000)) : 1.0;
+}
+
+/**
+ * A coordinate of a sample times a scale. Farther than 1e90 unit sizes it is cut off at that distance,
+ * where every winding number has long been 0, so that cubes of distances stay finite.
+ */
+inline double scaledCoordinate(double coordinate, double scale)
+{
+  constexpr double farthest = 1e90;
+  return std::clamp(coordinate * scale, -farthest, farthest);
+}
+
+/// A component of a gradient with respect to scaled coordinates as one with respect to the caller's;
+/// cut off at the largest double, which gradients in very small coordinates may exceed.
+inline double unscaledGradient(double gradient, double scale)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::clamp(gradient * scale, -largest, largest);
+}
+
+inline void scaleSamples(const SampleBlock& block, double scale, SampleBlock& scaled)
+{
+  const auto apply = [&](const double(&from)[SampleBlock::capacity], double* to)
+  {
+    for (std::size_t i = 0; i < block.count; ++i)
+    {
+      to[i] = scaledCoordinate(from[i], scale);
+    }
+  };
+  apply(block.x, scaled.x);
+  apply(block.y, scaled.y);
+  apply(block.z, scaled.z);
+  scaled.count = block.count;
+}
+
+} // namespace winding

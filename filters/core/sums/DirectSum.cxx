@@ -1,0 +1,140 @@
+#include "sums/DirectSum.h"
+
+#include "source/UnitScale.h"
+#include "sums/DirectSumKernels.h"
+#include "sums/GradientKernels.h"
+#include "sums/RegularizedKernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+void store(const Eigen::Vector3d& from, double (&to)[3])
+{
+  std::copy_n(from.data(), 3, to);
+}
+
+} // namespace
+
+TriangleSum::TriangleSum(const std::vector<Eigen::Vector3d>& vertices,
+  const std::vector<Triangle>& triangles, const Bounds& bounds)
+  : vertices_(vertices)
+  , triangles_(triangles)
+  , scale_(unitScale(bounds))
+{
+}
+
+void TriangleSum::multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const
+{
+  // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
+  // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
+  KernelTriangle chunk[kernelChunk];
+  for (std::size_t first = 0; first < triangles_.size(); first += kernelChunk)
+  {
+    const std::size_t count = std::min(kernelChunk, triangles_.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Triangle& triangle = triangles_[first + i];
+      const Eigen::Vector3d a = vertices_[triangle[0]] * scale_;
+      const Eigen::Vector3d b = vertices_[triangle[1]] * scale_;
+      const Eigen::Vector3d c = vertices_[triangle[2]] * scale_;
+      store(a, chunk[i].a);
+      store(b, chunk[i].b);
+      store(c, chunk[i].c);
+      store((b - a).cross(c - a), chunk[i].normal);
+    }
+    (watching ? multiplyAnglesWatching : multiplyAngles)(chunk, count, scaled, products);
+  }
+}
+
+void TriangleSum::evaluate(const SampleBlock& block, double* values) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  AngleProducts products(scaled.count);
+  this->multiply(scaled, products, false);
+  sumAngles(products, scaled.count, values);
+}
+
+bool TriangleSum::evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  AngleProducts products(scaled.count);
+  this->multiply(scaled, products, true);
+  sumAngles(products, scaled.count, values);
+  bool any = false;
+  for (std::size_t i = 0; i < scaled.count; ++i)
+  {
+    isSuspect[i] = products.suspect[i] != 0;
+    any = any || isSuspect[i];
+  }
+  return any;
+}
+
+DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
+  : cloud_(cloud)
+  , areas_(areas)
+  , scale_(unitScale(cloud.bounds))
+{
+}
+
+/// Calls addChunk(dipoles, inverse lengths, count) with all points in turn, scaled; the lengths are null
+/// for pure dipoles.
+template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
+{
+  KernelDipole chunk[kernelChunk];
+  double inverseLengths[kernelChunk];
+  const std::vector<double>& lengths = cloud_.regularizationLengths;
+  const std::size_t total = cloud_.positions.size();
+  for (std::size_t first = 0; first < total; first += kernelChunk)
+  {
+    const std::size_t count = std::min(kernelChunk, total - first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Two factors of scale, one after the other: their product alone may leave the range.
+      const double weight = areas_[first + i] * scale_ * scale_ / (4 * pi);
+      store(cloud_.positions[first + i] * scale_, chunk[i].position);
+      store(cloud_.normals[first + i] * weight, chunk[i].moment);
+      inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[first + i] * scale_);
+    }
+    addChunk(chunk, lengths.empty() ? nullptr : inverseLengths, count);
+  }
+}
+
+void DipoleSum::evaluate(const SampleBlock& block, double* values) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  KernelSums sums;
+  this->forEachChunk(
+    [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
+    {
+      inverseLengths ? addRegularizedDipoles(dipoles, inverseLengths, count, scaled, sums)
+                     : addDipoles(dipoles, count, scaled, sums);
+    });
+  std::copy_n(sums.sum, scaled.count, values);
+}
+
+void DipoleSum::evaluateGradients(const SampleBlock& block, double* gradients) const
+{
+  SampleBlock scaled;
+  scaleSamples(block, scale_, scaled);
+  GradientSums sums;
+  this->forEachChunk(
+    [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
+    {
+      inverseLengths ? addRegularizedDipoleGradients(dipoles, inverseLengths, count, scaled, sums)
+                     : addDipoleGradients(dipoles, count, scaled, sums);
+    });
+  storeGradients(sums, scaled.count, scale_, gradients);
+}
+
+} // namespace winding

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "base/Evaluator.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
+
+namespace winding
+{
+
+struct AngleProducts;
+
+/**
+ * The direct sum over all triangles, in double, vectorised over samples.
+ *
+ * The angles are not summed but multiplied: each triangle gives the complex factor
+ * denominator + i·numerator of SolidAngle.h, whose argument is Ω/2; the product's argument is the
+ * sum, and the turns that it loses at the branch cut are counted. One atan2 per sample remains.
+ *
+ * Guaranteed: (1) the properties of SolidAngle.h; (2) a sample's value has the same bits whatever
+ * other samples are evaluated with it; (3) values are finite for finite samples,
+ * and clouds with coordinates of size 1e±100; (4) equals
+ * referenceSum<long double> within 1e-8 (measured: 8e-15 on 70 k triangles of a scan, 1.3e-9 on a
+ * torus squeezed to a thousandth, whose samples lie within rounding of its triangles' planes).
+ * Not guaranteed: the same bits on machines with and without fused multiply-add (they differ by
+ * rounding, as in (4)).
+ */
+class TriangleSum final : public Evaluator
+{
+public:
+  /// Keeps references: vertices and triangles must outlive this. The bounds need not be tight; they
+  /// tell the size of things.
+  TriangleSum(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+    const Bounds& bounds);
+
+  explicit TriangleSum(const Surface& surface)
+    : TriangleSum(surface.vertices, surface.triangles, surface.bounds)
+  {
+  }
+
+  void evaluate(const SampleBlock& block, double* values) const override;
+
+  /// The same, and sets isSuspect[i] where sample i lies on a triangle within rounding, so that its
+  /// value is one of those around it by chance. Returns whether there is any.
+  bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
+
+private:
+  void multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const;
+
+  const std::vector<Eigen::Vector3d>& vertices_;
+  const std::vector<Triangle>& triangles_;
+  double scale_; ///< a power of two: brings the surface to about unit size, without rounding
+};
+
+/**
+ * The direct sum over all points of a cloud, in double, and that of their gradients; guarantees as
+ * for TriangleSum. Points are spread over the lengths that the cloud has, if any (SolidAngle.h). One that
+ * is not gives nothing to the gradient at its own place; none gives anything to the value there.
+ */
+class DipoleSum final : public Evaluator, public GradientEvaluator
+{
+public:
+  /// Keeps references: cloud and areas (one per point) must outlive this.
+  DipoleSum(const PointCloud& cloud, const std::vector<double>& areas);
+
+  void evaluate(const SampleBlock& block, double* values) const override;
+  void evaluateGradients(const SampleBlock& block, double* gradients) const override;
+
+private:
+  template <class AddChunk> void forEachChunk(const AddChunk& addChunk) const;
+
+  const PointCloud& cloud_;
+  const std::vector<double>& areas_;
+  double scale_;
+};
+
+} // namespace winding

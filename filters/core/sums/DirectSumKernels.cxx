@@ -1,0 +1,233 @@
+#include "sums/DirectSumKernels.h"
+
+// Highway compiles the rest of this file once for every instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sums/DirectSumKernels.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// After highway.h, of which they want to know the instruction set.
+#include "sums/SingleKernels-inl.h"
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace winding
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<double>;
+using Vec = hn::Vec<Tag>;
+
+HWY_INLINE Vec dot(Vec ax, Vec ay, Vec az, Vec bx, Vec by, Vec bz)
+{
+  return hn::MulAdd(ax, bx, hn::MulAdd(ay, by, hn::Mul(az, bz)));
+}
+
+/// 2^−k for values of magnitude 2^k … 2^(k+1): scaling by it rounds nothing.
+HWY_INLINE Vec inverseMagnitude(Tag d, Vec value)
+{
+  const hn::RebindToUnsigned<Tag> du;
+  const auto exponent = hn::And(hn::BitCast(du, value), hn::Set(du, 0x7FF0000000000000ull));
+  return hn::BitCast(d, hn::Sub(hn::Set(du, 0x7FE0000000000000ull), exponent));
+}
+
+template <bool Watching>
+HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  const Tag d;
+  const Vec zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Vec qx = hn::Load(d, samples.x + s);
+    const Vec qy = hn::Load(d, samples.y + s);
+    const Vec qz = hn::Load(d, samples.z + s);
+    Vec re = hn::Load(d, products.re + s);
+    Vec im = hn::Load(d, products.im + s);
+    Vec turns = hn::Load(d, products.turns + s);
+    Vec suspect = zero;
+    for (const KernelTriangle* t = triangles; t != triangles + count; ++t)
+    {
+      const Vec ax = hn::Sub(hn::Set(d, t->a[0]), qx);
+      const Vec ay = hn::Sub(hn::Set(d, t->a[1]), qy);
+      const Vec az = hn::Sub(hn::Set(d, t->a[2]), qz);
+      const Vec bx = hn::Sub(hn::Set(d, t->b[0]), qx);
+      const Vec by = hn::Sub(hn::Set(d, t->b[1]), qy);
+      const Vec bz = hn::Sub(hn::Set(d, t->b[2]), qz);
+      const Vec cx = hn::Sub(hn::Set(d, t->c[0]), qx);
+      const Vec cy = hn::Sub(hn::Set(d, t->c[1]), qy);
+      const Vec cz = hn::Sub(hn::Set(d, t->c[2]), qz);
+      const Vec a = hn::Sqrt(dot(ax, ay, az, ax, ay, az));
+      const Vec b = hn::Sqrt(dot(bx, by, bz, bx, by, bz));
+      const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
+      // + 0 makes −0 of it +0: times a factor of 1 − 0i, a product at the branch cut would change the
+      // sign of its imaginary part and so lose a turn.
+      const Vec num = hn::Add(zero, dot(ax, ay, az, hn::Set(d, t->normal[0]),
+                                      hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2])));
+      // Symmetric in b and c to the bit, so that the sum is odd under their exchange.
+      const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
+      Vec den = hn::MulAdd(a, bc,
+        hn::Add(hn::Mul(c, dot(ax, ay, az, bx, by, bz)), hn::Mul(b, dot(ax, ay, az, cx, cy, cz))));
+      if (Watching)
+      {
+        const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
+        const auto isOn = hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound));
+        const Vec nearest = hn::Min(a, hn::Min(b, c)), sides = hn::Add(a, hn::Add(b, c));
+        const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
+        suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
+      }
+      // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
+      den = hn::IfThenElse(hn::Eq(num, zero), one, den);
+
+      const Vec newRe = hn::Sub(hn::Mul(re, den), hn::Mul(im, num));
+      const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
+      // The argument crossed the branch cut iff both angles had one sign and their sum has the
+      // other.
+      // Only the sign of `crossed` means anything: with it 1 can be compared, whatever the processor
+      // takes the other bits for.
+      const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
+      const auto hasCrossed = hn::Lt(hn::CopySign(one, crossed), zero);
+      const Vec step = hn::IfThenZeroElse(hn::Eq(num, zero), hn::CopySign(one, num));
+      turns = hn::Add(turns, hn::IfThenElseZero(hasCrossed, step));
+
+      const Vec scale = inverseMagnitude(d, hn::Max(hn::Abs(newRe), hn::Abs(newIm)));
+      re = hn::Mul(newRe, scale);
+      im = hn::Mul(newIm, scale);
+    }
+    hn::Store(re, d, products.re + s);
+    hn::Store(im, d, products.im + s);
+    hn::Store(turns, d, products.turns + s);
+    if (Watching)
+    {
+      hn::Store(hn::Max(suspect, hn::Load(d, products.suspect + s)), d, products.suspect + s);
+    }
+  }
+}
+
+void multiplyAnglesLoop(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  multiply<false>(triangles, count, samples, products);
+}
+
+void multiplyAnglesWatchingLoop(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  multiply<true>(triangles, count, samples, products);
+}
+
+void sumAnglesLoop(const AngleProducts& products, std::size_t count, double* HWY_RESTRICT values)
+{
+  const Tag d;
+  const Vec half = hn::Set(d, 0.5), quarter = hn::Set(d, 0.25);
+  const Vec perTurn = hn::Set(d, 0.15915494309189533577); // 1 / 2π
+  alignas(64) double room[hn::MaxLanes(Tag())];
+  for (std::size_t s = 0; s < count; s += hn::Lanes(d))
+  {
+    // atan2 by the angle to the nearer axis.
+    const Vec re = hn::Load(d, products.re + s), im = hn::Load(d, products.im + s);
+    const Vec x = hn::Abs(re), y = hn::Abs(im);
+    const Vec angle = hn::Mul(perTurn, hn::Atan(d, hn::Div(hn::Min(x, y), hn::Max(x, y))));
+    const Vec first = hn::IfThenElse(hn::Gt(y, x), hn::Sub(quarter, angle), angle);
+    const Vec upper = hn::IfThenElse(hn::Lt(re, hn::Zero(d)), hn::Sub(half, first), first);
+    hn::Store(hn::Add(hn::Load(d, products.turns + s), hn::CopySign(upper, im)), d, room);
+    std::copy_n(room, std::min(hn::Lanes(d), count - s), values + s);
+  }
+}
+
+void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
+  const SampleBlock& samples, KernelSums& sums)
+{
+  const Tag d;
+  const Vec zero = hn::Zero(d);
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Vec qx = hn::Load(d, samples.x + s);
+    const Vec qy = hn::Load(d, samples.y + s);
+    const Vec qz = hn::Load(d, samples.z + s);
+    Vec sum = hn::Load(d, sums.sum + s);
+    for (const KernelDipole* p = dipoles; p != dipoles + count; ++p)
+    {
+      const Vec x = hn::Sub(hn::Set(d, p->position[0]), qx);
+      const Vec y = hn::Sub(hn::Set(d, p->position[1]), qy);
+      const Vec z = hn::Sub(hn::Set(d, p->position[2]), qz);
+      const Vec r2 = dot(x, y, z, x, y, z);
+      const Vec cube = hn::Mul(r2, hn::Sqrt(r2));
+      const Vec flux =
+        dot(x, y, z, hn::Set(d, p->moment[0]), hn::Set(d, p->moment[1]), hn::Set(d, p->moment[2]));
+      // At the point itself, and where the cube of the distance underflows, the share is 0.
+      sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(cube, zero), hn::Div(flux, cube)));
+    }
+    hn::Store(sum, d, sums.sum + s);
+  }
+}
+
+void addDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
+  const std::array<float, 3>* HWY_RESTRICT moments, std::size_t count, const SampleBlock& samples,
+  KernelSums& sums)
+{
+  addInSingle(dipoles, moments, count, samples, sums,
+    [](std::size_t, SingleVec flux, SingleVec, SingleVec inverse) HWY_ATTR
+    {
+      // Factor by factor: the cube alone would leave the range near the point.
+      return hn::Mul(hn::Mul(hn::Mul(flux, inverse), inverse), inverse);
+    });
+}
+
+const char* instructionSetName()
+{
+  return hwy::TargetName(HWY_TARGET);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace winding
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace winding
+{
+
+HWY_EXPORT(multiplyAnglesLoop);
+HWY_EXPORT(multiplyAnglesWatchingLoop);
+HWY_EXPORT(sumAnglesLoop);
+HWY_EXPORT(addDipolesLoop);
+HWY_EXPORT(addDipolesInSingleLoop);
+HWY_EXPORT(instructionSetName);
+
+void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
+  AngleProducts& products)
+{
+  HWY_DYNAMIC_DISPATCH(multiplyAnglesLoop)(triangles, count, samples, products);
+}
+
+void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  HWY_DYNAMIC_DISPATCH(multiplyAnglesWatchingLoop)(triangles, count, samples, products);
+}
+
+void sumAngles(const AngleProducts& products, std::size_t count, double* values)
+{
+  HWY_DYNAMIC_DISPATCH(sumAnglesLoop)(products, count, values);
+}
+
+void addDipoles(
+  const KernelDipole* dipoles, std::size_t count, const SampleBlock& samples, KernelSums& sums)
+{
+  HWY_DYNAMIC_DISPATCH(addDipolesLoop)(dipoles, count, samples, sums);
+}
+
+void addDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
+  std::size_t count, const SampleBlock& samples, KernelSums& sums)
+{
+  HWY_DYNAMIC_DISPATCH(addDipolesInSingleLoop)(dipoles, moments, count, samples, sums);
+}
+
+const char* kernelInstructionSet()
+{
+  return HWY_DYNAMIC_DISPATCH(instructionSetName)();
+}
+
+} // namespace winding
+#endif

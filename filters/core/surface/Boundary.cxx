@@ -1,0 +1,136 @@
+#include "surface/Boundary.h"
+
+#include "surface/Edges.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// How often an edge is run along from its low to its high vertex, less how often the other way.
+std::int32_t netOf(const EdgeUse* first, const EdgeUse* last)
+{
+  std::int32_t net = 0;
+  for (; first != last; ++first)
+  {
+    net += first->sense();
+  }
+  return net;
+}
+
+} // namespace
+
+BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
+{
+  const EdgeUses uses(surface, executor);
+  std::vector<BoundaryChain> parts(uses.ranges());
+  runBlocks(
+    parts.size(), 1,
+    [&](std::size_t range, std::size_t, std::size_t)
+    {
+      BoundaryChain& part = parts[range];
+      const auto addEdge = [&part](std::int32_t low, const EdgeUse* first, const EdgeUse* last)
+      {
+        const std::int32_t high = first->high(), net = netOf(first, last);
+        part.edgesOfOneTriangle += last - first == 1;
+        if (net > 0)
+        {
+          part.edges.push_back({low, high, net});
+        }
+        else if (net < 0)
+        {
+          part.edges.push_back({high, low, -net});
+        }
+      };
+      uses.forEachVertex(range,
+        [&addEdge](std::int32_t low, EdgeUse* first, EdgeUse* last)
+        {
+          // Nearly everywhere, and found out faster than the uses are sorted.
+          if (!pairUp(first, last))
+          {
+            EdgeUses::forEachEdge(low, first, last, addEdge);
+          }
+        });
+    },
+    executor);
+
+  BoundaryChain chain;
+  std::vector<std::size_t> starts(1, 0);
+  for (const BoundaryChain& part : parts)
+  {
+    chain.edgesOfOneTriangle += part.edgesOfOneTriangle;
+    starts.push_back(starts.back() + part.edges.size());
+  }
+  chain.edges.resize(starts.back());
+  for (std::size_t range = 0; range < parts.size(); ++range)
+  {
+    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges); // freed at once
+    std::copy(
+      edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
+  }
+  return chain;
+}
+
+std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
+{
+  // Edges by the vertex that they leave.
+  std::vector<std::size_t> starts(vertices + 1, 0);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    ++starts[static_cast<std::size_t>(edge.from) + 1];
+  }
+  for (std::size_t v = 1; v <= vertices; ++v)
+  {
+    starts[v] += starts[v - 1];
+  }
+  std::vector<BoundaryEdge> leaving(chain.edges.size());
+  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    leaving[next[static_cast<std::size_t>(edge.from)]++] = edge;
+  }
+  next.assign(starts.begin(), starts.end() - 1);
+
+  // Walk on until a vertex comes up again, cut the loop off that this closes, and walk on from there.
+  // As many edges leave each vertex as arrive, so a walk can only get stuck where it began.
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::int32_t> path;
+  std::vector<std::int32_t> placeInPath(vertices, -1);
+  for (const BoundaryEdge& seed : chain.edges)
+  {
+    std::int32_t here = seed.from;
+    while (true)
+    {
+      if (placeInPath[here] >= 0)
+      {
+        const auto cut = path.begin() + placeInPath[here];
+        loops.emplace_back(cut, path.end());
+        for (auto visited = cut; visited != path.end(); ++visited)
+        {
+          placeInPath[*visited] = -1;
+        }
+        path.erase(cut, path.end());
+      }
+      std::size_t& edge = next[here];
+      while (edge < starts[here + 1] && leaving[edge].multiplicity == 0)
+      {
+        ++edge;
+      }
+      if (edge == starts[here + 1])
+      {
+        break;
+      }
+      placeInPath[here] = static_cast<std::int32_t>(path.size());
+      path.push_back(here);
+      --leaving[edge].multiplicity;
+      here = leaving[edge].to;
+    }
+  }
+  return loops;
+}
+
+} // namespace winding

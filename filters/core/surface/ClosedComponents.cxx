@@ -1,0 +1,294 @@
+#include "surface/ClosedComponents.h"
+
+#include "base/Bounds.h"
+#include "rays/CrossingTree.h"
+#include "source/UnitScale.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Sums over the triangles of a component, in units of the surface's size (UnitScale.h).
+struct Volume
+{
+  double sum = 0;
+  double magnitude = 0; ///< of the products that the sum is made of
+  std::size_t triangles = 0;
+  std::int32_t origin = -1; ///< a vertex of its own: a small component may lie far away from others
+
+  void add(const Surface& surface, const Triangle& t, double scale)
+  {
+    origin = origin < 0 ? t[0] : origin;
+    const Eigen::Vector3d& a = surface.vertices[t[0]];
+    const Eigen::Vector3d offset = (a - surface.vertices[origin]) * scale;
+    const Eigen::Vector3d u = (surface.vertices[t[1]] - a) * scale;
+    const Eigen::Vector3d v = (surface.vertices[t[2]] - a) * scale;
+    sum += offset.dot(u.cross(v));
+    magnitude += offset.norm() * u.norm() * v.norm();
+    ++triangles;
+  }
+
+  int sign() const
+  {
+    // A term takes about ten roundings, and each addition one more.
+    const double bound =
+      (10 + static_cast<double>(triangles)) * std::numeric_limits<double>::epsilon() * magnitude;
+    return (sum > bound) - (sum < -bound);
+  }
+};
+
+std::vector<int> sensesOf(const Surface& surface, const Components& components)
+{
+  const double scale = unitScale(surface.bounds);
+  std::vector<Volume> volumes(components.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    volumes[components.ofTriangle[i]].add(surface, surface.triangles[i], scale);
+  }
+  std::vector<int> senses;
+  for (const Volume& volume : volumes)
+  {
+    senses.push_back(volume.sign());
+  }
+  return senses;
+}
+
+/// By component; empty for open ones.
+std::vector<Bounds> boundsOf(const Surface& surface, const Components& components)
+{
+  std::vector<Bounds> bounds(components.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    const std::int32_t component = components.ofTriangle[i];
+    if (components.isClosed[component])
+    {
+      for (const std::int32_t vertex : surface.triangles[i])
+      {
+        bounds[component].extend(surface.vertices[vertex]);
+      }
+    }
+  }
+  return bounds;
+}
+
+/// By vertex, the closed component that alone has it.
+class Owners
+{
+public:
+  static constexpr std::int32_t nobody = -1, several = -2;
+
+  Owners(const Surface& surface, const Components& components)
+    : owners_(surface.vertices.size(), nobody)
+  {
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    {
+      const std::int32_t component = components.ofTriangle[i];
+      for (const std::int32_t vertex : surface.triangles[i])
+      {
+        std::int32_t& owner = owners_[vertex];
+        owner = owner == nobody || owner == component ? component : several;
+      }
+    }
+    for (std::int32_t& owner : owners_)
+    {
+      owner = owner >= 0 && !components.isClosed[owner] ? nobody : owner;
+    }
+  }
+
+  const std::vector<std::int32_t>& ofVertices() const { return owners_; }
+
+private:
+  std::vector<std::int32_t> owners_;
+};
+
+/// Adds crossings up to what winds round a point.
+class WindingComponents
+{
+public:
+  void add(std::int32_t component, int crossing) { crossings_.emplace_back(component, crossing); }
+
+  /// The components that wind round the point, ascending; crossings are forgotten.
+  const std::vector<std::int32_t>& take()
+  {
+    components_.clear();
+    std::sort(crossings_.begin(), crossings_.end());
+    for (std::size_t first = 0, last; first < crossings_.size(); first = last)
+    {
+      const std::int32_t component = crossings_[first].first;
+      int winding = 0;
+      for (last = first; last < crossings_.size() && crossings_[last].first == component; ++last)
+      {
+        winding += crossings_[last].second;
+      }
+      if (winding != 0)
+      {
+        components_.push_back(component);
+      }
+    }
+    crossings_.clear();
+    return components_;
+  }
+
+private:
+  std::vector<std::pair<std::int32_t, int>> crossings_;
+  std::vector<std::int32_t> components_;
+};
+
+/// Which closed components lie inside which others.
+class Nesting
+{
+public:
+  Nesting(const Surface& surface, const Components& components)
+    : bounds_(boundsOf(surface, components))
+    , owners_(surface, components)
+    , tree_(surface, components.ofTriangle, bounds_)
+  {
+  }
+
+  /// By component.
+  std::vector<int> depths(const Surface& surface, Executor& executor)
+  {
+    this->findCandidates(surface, executor);
+    this->refute(executor);
+    std::vector<int> depths(bounds_.size(), 0);
+    for (std::size_t inner = 0; inner < depths.size(); ++inner)
+    {
+      for (std::size_t i = starts_[inner]; i < starts_[inner + 1]; ++i)
+      {
+        depths[inner] += isRefuted_[i] ? 0 : 1;
+      }
+    }
+    return depths;
+  }
+
+private:
+  const std::vector<std::int32_t>& around(std::int32_t vertex, WindingComponents& windings) const
+  {
+    tree_.forEachCrossing(vertex,
+      [&windings](std::int32_t component, int crossing) { windings.add(component, crossing); });
+    return windings.take();
+  }
+
+  /// What winds round one vertex of a component, and has room for the whole of it.
+  void findCandidates(const Surface& surface, Executor& executor)
+  {
+    // The one farthest along the rays: they leave the component itself at once.
+    std::vector<std::int32_t> foremost(bounds_.size(), -1);
+    for (std::size_t v = 0; v < surface.vertices.size(); ++v)
+    {
+      const std::int32_t owner = owners_.ofVertices()[v];
+      if (owner >= 0 &&
+          (foremost[owner] < 0 || surface.vertices[v][0] > surface.vertices[foremost[owner]][0]))
+      {
+        foremost[owner] = static_cast<std::int32_t>(v);
+      }
+    }
+    std::vector<std::vector<std::int32_t>> candidates(bounds_.size());
+    runBlocks(
+      candidates.size(), 256,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        WindingComponents windings;
+        for (std::size_t inner = first; inner < last; ++inner)
+        {
+          if (foremost[inner] < 0)
+          {
+            continue;
+          }
+          for (const std::int32_t outer : this->around(foremost[inner], windings))
+          {
+            if (outer != static_cast<std::int32_t>(inner) &&
+                bounds_[outer].contains(bounds_[inner]))
+            {
+              candidates[inner].push_back(outer);
+            }
+          }
+        }
+      },
+      executor);
+    for (const std::vector<std::int32_t>& outers : candidates)
+    {
+      candidates_.insert(candidates_.end(), outers.begin(), outers.end());
+      starts_.push_back(candidates_.size());
+    }
+  }
+
+  /// Looks at the other vertices of the components that have candidates.
+  void refute(Executor& executor)
+  {
+    isRefuted_ = std::make_unique<std::atomic<bool>[]>(candidates_.size());
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+    {
+      isRefuted_[i] = false;
+    }
+    std::vector<std::int32_t> vertices;
+    for (std::size_t v = 0; v < owners_.ofVertices().size(); ++v)
+    {
+      const std::int32_t owner = owners_.ofVertices()[v];
+      if (owner >= 0 && starts_[owner] < starts_[owner + 1])
+      {
+        vertices.push_back(static_cast<std::int32_t>(v));
+      }
+    }
+    runBlocks(
+      vertices.size(), 1024,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        WindingComponents windings;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const std::vector<std::int32_t>& outers = this->around(vertices[i], windings);
+          const std::int32_t inner = owners_.ofVertices()[vertices[i]];
+          for (std::size_t c = starts_[inner]; c < starts_[inner + 1]; ++c)
+          {
+            if (!std::binary_search(outers.begin(), outers.end(), candidates_[c]))
+            {
+              isRefuted_[c] = true;
+            }
+          }
+        }
+      },
+      executor);
+  }
+
+  std::vector<Bounds> bounds_;
+  Owners owners_;
+  CrossingTree tree_;
+  std::vector<std::int32_t> candidates_;           ///< component by component
+  std::vector<std::size_t> starts_ = {0};          ///< of each component's
+  std::unique_ptr<std::atomic<bool>[]> isRefuted_; ///< by candidate
+};
+
+} // namespace
+
+std::vector<ClosedComponent> closedComponents(
+  const Surface& surface, const Components& components, Executor& executor)
+{
+  const auto count = std::count(components.isClosed.begin(), components.isClosed.end(), char(1));
+  if (count == 0)
+  {
+    return {};
+  }
+  const std::vector<int> senses = sensesOf(surface, components);
+  const std::vector<int> depths = count > 1 ? Nesting(surface, components).depths(surface, executor)
+                                            : std::vector<int>(components.size(), 0);
+  std::vector<ClosedComponent> result;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    if (components.isClosed[i])
+    {
+      result.push_back({static_cast<std::int32_t>(i), senses[i], depths[i]});
+    }
+  }
+  return result;
+}
+
+} // namespace winding

@@ -1,0 +1,138 @@
+#include "surface/Components.h"
+
+#include "base/DisjointSets.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Which triangles are of one set, and which sets have an edge that does not cancel within them.
+class OpenSets
+{
+public:
+  OpenSets(const Surface& surface, const SurfaceEdges& edges)
+    : edges_(edges)
+    , sets_(surface.triangles.size())
+    , isOpen_(surface.triangles.size(), 0)
+  {
+  }
+
+  DisjointSets& sets() { return sets_; }
+
+  bool isOpen(std::int32_t triangle) { return isOpen_[sets_.find(triangle)] != 0; }
+
+  /// For the sets as they are now.
+  void findOpenOnes()
+  {
+    std::fill(isOpen_.begin(), isOpen_.end(), 0);
+    for (const SurfaceEdges::Rim& rim : edges_.rims)
+    {
+      isOpen_[sets_.find(rim.triangle)] = 1;
+    }
+    for (const SurfaceEdges::Pair& pair : edges_.pairs)
+    {
+      if (!pair.agrees)
+      {
+        isOpen_[sets_.find(pair.triangles[0])] = 1;
+      }
+    }
+    for (const SurfaceEdges::Crowd& crowd : edges_.crowds)
+    {
+      this->findOpenOnesAt(crowd);
+    }
+  }
+
+private:
+  void findOpenOnesAt(const SurfaceEdges::Crowd& crowd)
+  {
+    uses_.assign(edges_.begin(crowd), edges_.end(crowd));
+    for (SurfaceEdges::Use& use : uses_)
+    {
+      use.triangle = sets_.find(use.triangle);
+    }
+    std::sort(uses_.begin(), uses_.end(),
+      [](const SurfaceEdges::Use& a, const SurfaceEdges::Use& b)
+      { return a.triangle < b.triangle; });
+    for (auto use = uses_.begin(); use != uses_.end();)
+    {
+      const std::int32_t set = use->triangle;
+      std::int32_t net = 0;
+      for (; use != uses_.end() && use->triangle == set; ++use)
+      {
+        net += use->sense;
+      }
+      if (net != 0)
+      {
+        isOpen_[set] = 1;
+      }
+    }
+  }
+
+  const SurfaceEdges& edges_;
+  DisjointSets sets_;
+  std::vector<char> isOpen_; ///< by representative
+  std::vector<SurfaceEdges::Use> uses_;
+};
+
+} // namespace
+
+Components componentsOf(
+  const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts)
+{
+  OpenSets pieces(surface, edges);
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    pieces.sets().unite(pair.triangles[0], pair.triangles[1]);
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    if (parts[i])
+    {
+      pieces.sets().unite(static_cast<std::int32_t>(i - 1), static_cast<std::int32_t>(i));
+    }
+  }
+  pieces.findOpenOnes();
+  // What is open now stays so while others are joined to it: only sets that are open are.
+  std::vector<std::pair<std::int32_t, std::int32_t>> joints;
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    std::int32_t first = -1;
+    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+    {
+      if (pieces.isOpen(use->triangle))
+      {
+        first = first < 0 ? use->triangle : first;
+        joints.emplace_back(first, use->triangle);
+      }
+    }
+  }
+  for (const auto& [a, b] : joints)
+  {
+    pieces.sets().unite(a, b);
+  }
+  pieces.findOpenOnes();
+
+  Components components;
+  components.ofTriangle.resize(surface.triangles.size());
+  for (std::size_t i = 0; i < components.ofTriangle.size(); ++i)
+  {
+    const auto triangle = static_cast<std::int32_t>(i);
+    const std::int32_t first = pieces.sets().find(triangle);
+    if (first == triangle)
+    {
+      components.ofTriangle[i] = static_cast<std::int32_t>(components.size());
+      components.isClosed.push_back(!pieces.isOpen(triangle));
+    }
+    else
+    {
+      components.ofTriangle[i] = components.ofTriangle[first]; // which stands before
+    }
+  }
+  return components;
+}
+
+} // namespace winding

@@ -1,0 +1,185 @@
+#include "surface/NearlyClosed.h"
+
+#include "source/UnitScale.h"
+#include "surface/Boundary.h"
+#include "surface/Cap.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// A vertex as one component has it: where components touch, their boundaries stay apart.
+using OwnVertex = std::pair<std::int32_t, std::int32_t>; // component, vertex
+
+int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (triangle[i] == low && triangle[(i + 1) % 3] == high)
+    {
+      return 1;
+    }
+  }
+  return -1;
+}
+
+/// A cap that is the same whichever way the loop runs, but for the sense of its triangles: a component
+/// must not be judged by another one once it is turned round.
+std::vector<Triangle> unsidedCapOf(BoundaryLoop loop)
+{
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  const bool isReversed = loop.back() < loop[1];
+  if (isReversed)
+  {
+    std::reverse(loop.begin() + 1, loop.end());
+  }
+  std::vector<Triangle> cap = capOf({loop});
+  for (Triangle& triangle : cap)
+  {
+    if (isReversed)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return cap;
+}
+
+/// The boundary chains of all open components, each over vertices of its own.
+class OwnBoundaries
+{
+public:
+  OwnBoundaries(const Surface& surface, const SurfaceEdges& edges, const Components& components)
+  {
+    for (const SurfaceEdges::Rim& rim : edges.rims)
+    {
+      this->add(components.ofTriangle[rim.triangle], rim.low, rim.high,
+        senseOf(surface.triangles[rim.triangle], rim.low, rim.high));
+    }
+    for (const SurfaceEdges::Pair& pair : edges.pairs)
+    {
+      if (!pair.agrees)
+      {
+        this->add(components.ofTriangle[pair.triangles[0]], pair.low, pair.high,
+          2 * senseOf(surface.triangles[pair.triangles[0]], pair.low, pair.high));
+      }
+    }
+    for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+    {
+      // All that is open there is one component, and what is closed cancels.
+      std::int32_t component = -1, net = 0;
+      for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+      {
+        net += use->sense;
+        const std::int32_t own = components.ofTriangle[use->triangle];
+        component = components.isClosed[own] ? component : own;
+      }
+      if (net != 0)
+      {
+        this->add(component, crowd.low, crowd.high, net);
+      }
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  }
+
+  /// Calls visit(component, cap) for every loop.
+  template <class Visit> void forEachCap(const Visit& visit) const
+  {
+    BoundaryChain chain;
+    for (const Edge& edge : edges_)
+    {
+      const std::int32_t low = this->numberOf({edge.component, edge.low});
+      const std::int32_t high = this->numberOf({edge.component, edge.high});
+      chain.edges.push_back(
+        {edge.net > 0 ? low : high, edge.net > 0 ? high : low, std::abs(edge.net)});
+    }
+    for (const BoundaryLoop& loop : boundaryLoops(chain, vertices_.size()))
+    {
+      std::vector<Triangle> cap = unsidedCapOf(loop);
+      for (Triangle& triangle : cap)
+      {
+        for (std::int32_t& corner : triangle)
+        {
+          corner = vertices_[corner].second;
+        }
+      }
+      visit(vertices_[loop.front()].first, cap);
+    }
+  }
+
+private:
+  struct Edge
+  {
+    std::int32_t component, low, high, net;
+  };
+
+  void add(std::int32_t component, std::int32_t low, std::int32_t high, std::int32_t net)
+  {
+    edges_.push_back({component, low, high, net});
+    vertices_.emplace_back(component, low);
+    vertices_.emplace_back(component, high);
+  }
+
+  std::int32_t numberOf(const OwnVertex& vertex) const
+  {
+    return static_cast<std::int32_t>(
+      std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin());
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<OwnVertex> vertices_;
+};
+
+/// Twice the area, in units of the surface's size.
+double areaOf(const Surface& surface, const Triangle& t, double scale)
+{
+  const Eigen::Vector3d& a = surface.vertices[t[0]];
+  const Eigen::Vector3d u = (surface.vertices[t[1]] - a) * scale;
+  const Eigen::Vector3d v = (surface.vertices[t[2]] - a) * scale;
+  return u.cross(v).norm();
+}
+
+} // namespace
+
+void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components)
+{
+  const double scale = unitScale(surface.bounds);
+  std::vector<double> areas(components.size(), 0), capAreas(components.size(), 0);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    areas[components.ofTriangle[i]] += areaOf(surface, surface.triangles[i], scale);
+  }
+  const OwnBoundaries boundaries(surface, edges, components);
+  boundaries.forEachCap(
+    [&](std::int32_t component, const std::vector<Triangle>& cap)
+    {
+      for (const Triangle& triangle : cap)
+      {
+        capAreas[component] += areaOf(surface, triangle, scale);
+      }
+    });
+  // The larger the cap, the less w differs behind the surface and before it, and the less the side tells.
+  constexpr double mostOfArea = 0.5;
+  const auto isNearlyClosed = [&](std::int32_t component)
+  {
+    return capAreas[component] <= mostOfArea * areas[component];
+  };
+  boundaries.forEachCap(
+    [&](std::int32_t component, const std::vector<Triangle>& cap)
+    {
+      if (isNearlyClosed(component))
+      {
+        surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
+        components.ofTriangle.insert(components.ofTriangle.end(), cap.size(), component);
+        components.isClosed[component] = 1;
+      }
+    });
+}
+
+} // namespace winding

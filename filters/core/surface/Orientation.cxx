@@ -1,0 +1,358 @@
+#include "surface/Orientation.h"
+
+#include "base/DisjointSets.h"
+#include "source/UnitScale.h"
+#include "surface/NearlyClosed.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <tuple>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// What must be turned together: triangles that share edges with no third one, and those of polygons.
+class Patches
+{
+public:
+  Patches(const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts)
+    : places_(surface.triangles.size())
+    , isOneSided_(surface.triangles.size(), 0)
+  {
+    SensedSets sets(surface.triangles.size());
+    std::vector<std::int32_t> contradictions;
+    for (const SurfaceEdges::Pair& pair : edges.pairs)
+    {
+      if (!sets.unite(pair.triangles[0], pair.triangles[1], !pair.agrees))
+      {
+        contradictions.push_back(pair.triangles[0]);
+      }
+    }
+    for (std::size_t i = 1; i < parts.size(); ++i)
+    {
+      const auto triangle = static_cast<std::int32_t>(i);
+      if (parts[i] && !sets.unite(triangle - 1, triangle, false))
+      {
+        contradictions.push_back(triangle);
+      }
+    }
+    for (const std::int32_t triangle : contradictions)
+    {
+      isOneSided_[sets.find(triangle).representative] = 1;
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+    {
+      places_[i] = sets.find(static_cast<std::int32_t>(i));
+    }
+  }
+
+  /// The number of a patch: its first triangle.
+  std::int32_t of(std::size_t triangle) const { return places_[triangle].representative; }
+
+  /// Whether it must be turned if the patch's first triangle is not.
+  bool isOpposite(std::size_t triangle) const
+  {
+    return places_[triangle].isOpposite && !this->isOneSided(this->of(triangle));
+  }
+
+  bool isOneSided(std::int32_t patch) const { return isOneSided_[patch] != 0; }
+
+  std::size_t oneSided() const
+  {
+    return static_cast<std::size_t>(std::count(isOneSided_.begin(), isOneSided_.end(), char(1)));
+  }
+
+private:
+  std::vector<SensedSets::Place> places_;
+  std::vector<char> isOneSided_; ///< by patch
+};
+
+/// By triangle, in units of the surface's size.
+std::vector<double> areasOf(const Surface& surface)
+{
+  const double scale = unitScale(surface.bounds);
+  std::vector<double> areas;
+  areas.reserve(surface.triangles.size());
+  for (const Triangle& t : surface.triangles)
+  {
+    const Eigen::Vector3d& a = surface.vertices[t[0]];
+    const Eigen::Vector3d u = (surface.vertices[t[1]] - a) * scale;
+    const Eigen::Vector3d v = (surface.vertices[t[2]] - a) * scale;
+    areas.push_back(u.cross(v).norm());
+  }
+  return areas;
+}
+
+/// What of an area is turned, and what is not.
+struct TurnedArea
+{
+  double turned = 0, kept = 0;
+
+  void add(double area, bool isTurned) { (isTurned ? turned : kept) += area; }
+  bool isMostlyTurned() const { return turned > kept; }
+};
+
+/// Which patches to turn, their first triangles that is, in steps 1 and 2.
+class PatchSenses
+{
+public:
+  PatchSenses(const Surface& surface, const SurfaceEdges& edges, const Patches& patches)
+    : edges_(edges)
+    , patches_(patches)
+    , isTurned_(surface.triangles.size(), 0)
+    , areas_(areasOf(surface))
+  {
+    std::vector<TurnedArea> areas(isTurned_.size());
+    for (std::size_t i = 0; i < isTurned_.size(); ++i)
+    {
+      areas[patches.of(i)].add(areas_[i], patches.isOpposite(i));
+    }
+    for (std::size_t patch = 0; patch < areas.size(); ++patch)
+    {
+      isTurned_[patch] =
+        areas[patch].isMostlyTurned() && !patches.isOneSided(static_cast<std::int32_t>(patch));
+    }
+    this->cancelAtCrowds(areas);
+  }
+
+  bool isTurned(std::size_t triangle) const
+  {
+    return (isTurned_[patches_.of(triangle)] != 0) != patches_.isOpposite(triangle);
+  }
+
+  const std::vector<double>& areas() const { return areas_; }
+
+private:
+  /// How a patch uses an edge that more than two triangles share.
+  struct CrowdUse
+  {
+    std::int32_t patch;
+    std::size_t crowd;
+    std::int32_t net; ///< as the patch is turned at first
+  };
+
+  std::vector<CrowdUse> netUses() const
+  {
+    std::vector<CrowdUse> uses;
+    for (std::size_t crowd = 0; crowd < edges_.crowds.size(); ++crowd)
+    {
+      const SurfaceEdges::Crowd& edge = edges_.crowds[crowd];
+      for (const SurfaceEdges::Use* use = edges_.begin(edge); use != edges_.end(edge); ++use)
+      {
+        uses.push_back({patches_.of(static_cast<std::size_t>(use->triangle)), crowd,
+          this->isTurned(static_cast<std::size_t>(use->triangle)) ? -use->sense : use->sense});
+      }
+    }
+    std::sort(uses.begin(), uses.end(),
+      [](const CrowdUse& a, const CrowdUse& b)
+      { return std::tie(a.patch, a.crowd, a.net) < std::tie(b.patch, b.crowd, b.net); });
+    // One for each patch and edge; what cancels within a patch is none.
+    std::vector<CrowdUse> result;
+    for (const CrowdUse& use : uses)
+    {
+      if (!result.empty() && result.back().patch == use.patch && result.back().crowd == use.crowd)
+      {
+        result.back().net += use.net;
+      }
+      else
+      {
+        result.push_back(use);
+      }
+    }
+    result.erase(std::remove_if(
+                   result.begin(), result.end(), [](const CrowdUse& use) { return use.net == 0; }),
+      result.end());
+    return result;
+  }
+
+  /// The uses of one patch.
+  struct PatchUses
+  {
+    double area;
+    std::size_t first, last;
+  };
+
+  std::vector<PatchUses> byPatch(
+    const std::vector<CrowdUse>& uses, const std::vector<TurnedArea>& areas) const
+  {
+    std::vector<PatchUses> result;
+    for (std::size_t first = 0, last; first < uses.size(); first = last)
+    {
+      const std::int32_t patch = uses[first].patch;
+      for (last = first; last < uses.size() && uses[last].patch == patch; ++last)
+      {
+      }
+      if (!patches_.isOneSided(patch))
+      {
+        result.push_back({areas[patch].turned + areas[patch].kept, first, last});
+      }
+    }
+    // Equal areas in the order of the patches.
+    std::stable_sort(result.begin(), result.end(),
+      [](const PatchUses& a, const PatchUses& b) { return a.area < b.area; });
+    return result;
+  }
+
+  void cancelAtCrowds(const std::vector<TurnedArea>& areas)
+  {
+    std::vector<CrowdUse> uses = this->netUses();
+    const std::vector<PatchUses> patches = this->byPatch(uses, areas);
+    std::vector<std::int32_t> nets(edges_.crowds.size(), 0);
+    for (const CrowdUse& use : uses)
+    {
+      nets[use.crowd] += use.net;
+    }
+    std::vector<std::vector<std::size_t>> patchesAt(nets.size());
+    std::deque<std::size_t> queue;
+    std::vector<char> isQueued(patches.size(), 1);
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+    {
+      queue.push_back(patch);
+      for (std::size_t i = patches[patch].first; i < patches[patch].last; ++i)
+      {
+        patchesAt[uses[i].crowd].push_back(patch);
+      }
+    }
+    // Every turn makes the sum of all |net| smaller, so this ends.
+    for (; !queue.empty(); queue.pop_front())
+    {
+      const PatchUses& patch = patches[queue.front()];
+      isQueued[queue.front()] = 0;
+      std::int64_t gain = 0;
+      for (std::size_t i = patch.first; i < patch.last; ++i)
+      {
+        const std::int32_t net = nets[uses[i].crowd];
+        gain += std::abs(net) - std::abs(net - 2 * uses[i].net);
+      }
+      if (gain <= 0)
+      {
+        continue;
+      }
+      char& isTurned = isTurned_[uses[patch.first].patch];
+      isTurned = !isTurned;
+      for (std::size_t i = patch.first; i < patch.last; ++i)
+      {
+        nets[uses[i].crowd] -= 2 * uses[i].net;
+        uses[i].net = -uses[i].net;
+        for (const std::size_t neighbor : patchesAt[uses[i].crowd])
+        {
+          if (!isQueued[neighbor])
+          {
+            isQueued[neighbor] = 1;
+            queue.push_back(neighbor);
+          }
+        }
+      }
+    }
+  }
+
+  const SurfaceEdges& edges_;
+  const Patches& patches_;
+  std::vector<char> isTurned_; ///< by patch
+  std::vector<double> areas_;
+};
+
+void turn(Surface& surface, const std::vector<char>& isTurned)
+{
+  for (std::size_t i = 0; i < isTurned.size(); ++i)
+  {
+    if (isTurned[i])
+    {
+      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
+    }
+  }
+}
+
+/// Says of each closed component whether it is to be turned, if that can be told.
+void decideByNesting(const Surface& surface, const Components& components,
+  std::vector<char>& isTurned, Executor& executor)
+{
+  for (const ClosedComponent& solid : closedComponents(surface, components, executor))
+  {
+    if (solid.sense != 0)
+    {
+      isTurned[solid.component] = solid.isInverted() || solid.isNestedSolid();
+    }
+  }
+}
+
+/// By component, whether step 3 turns it.
+std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
+  const Components& components, const std::vector<TurnedArea>& areas,
+  const std::vector<char>& isFixed, Executor& executor)
+{
+  Surface closedUp = turned;
+  Components solids = components;
+  closeNearlyClosed(closedUp, edges, solids);
+  std::vector<char> result(components.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = areas[i].isMostlyTurned();
+  }
+  if (solids.isClosed != components.isClosed)
+  {
+    decideByNesting(closedUp, solids, result, executor);
+  }
+  // What a cap alone encloses is no cavity.
+  decideByNesting(turned, components, result, executor);
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = result[i] && !isFixed[i];
+  }
+  return result;
+}
+
+} // namespace
+
+Orientation orient(
+  const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
+{
+  const Patches patches(surface, edges, parts);
+  const PatchSenses senses(surface, edges, patches);
+  const std::size_t count = surface.triangles.size();
+  Orientation result;
+  result.isTurned.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    result.isTurned[i] = senses.isTurned(i);
+  }
+  Surface turned = surface;
+  turn(turned, result.isTurned);
+  const SurfaceEdges turnedEdges = edges.withTurned(result.isTurned);
+  const Components components = componentsOf(turned, turnedEdges, parts);
+  std::vector<TurnedArea> areas(components.size());
+  std::vector<char> isFixed(components.size(), 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t component = components.ofTriangle[i];
+    areas[component].add(senses.areas()[i], result.isTurned[i]);
+    isFixed[component] |= static_cast<char>(patches.isOneSided(patches.of(i)));
+  }
+  const std::vector<char> turnsWhole =
+    componentsToTurn(turned, turnedEdges, components, areas, isFixed, executor);
+  std::vector<char> hasTurned(components.size(), 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t component = components.ofTriangle[i];
+    result.isTurned[i] = (result.isTurned[i] != 0) != (turnsWhole[component] != 0);
+    result.triangles += result.isTurned[i] != 0;
+    hasTurned[component] |= result.isTurned[i];
+  }
+  result.components =
+    static_cast<std::size_t>(std::count(hasTurned.begin(), hasTurned.end(), char(1)));
+  return result;
+}
+
+std::size_t countOneSided(const Surface& surface, const SurfaceEdges& edges)
+{
+  const bool allAgree = std::all_of(edges.pairs.begin(), edges.pairs.end(),
+    [](const SurfaceEdges::Pair& pair) { return pair.agrees; });
+  return allAgree ? 0 : Patches(surface, edges, {}).oneSided();
+}
+
+} // namespace winding

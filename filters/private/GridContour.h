@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "level/LevelEdges.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkCellArray;
+class vtkFloatArray;
+class vtkPoints;
+
+namespace winding
+{
+
+/**
+ * The triangles between the inside and the outside samples of a grid, by marching cubes: every edge
+ * between two samples of which one is inside has a vertex. Triangles face outward. The same for every
+ * executor; all that takes one throws Interrupted.
+ *
+ * VTK's own filters look at every cell of a grid. Here only cells with vertices are looked at.
+ */
+class GridContour
+{
+public:
+  /// Keeps references. The grid and its border together have two samples or more along each axis.
+  GridContour(const Grid& grid, const LevelEdges& edges, Executor& executor);
+
+  /// The vertices, in the order of the edges, at these fractions of them: 0 at the first sample, 1 at the
+  /// second, but kept a little away from both so that no two vertices coincide.
+  vtkSmartPointer<vtkPoints> place(
+    const std::vector<double>& fractions, int type, Executor& executor) const;
+
+  vtkCellArray* triangles() const { return triangles_; }
+
+  /// Unit normals of placed vertices, outward: these of the vertices, turned if need be; where they are 0,
+  /// the mean of the triangles around, weighted by area, or 0 where those cancel.
+  vtkSmartPointer<vtkFloatArray> normalsOf(
+    vtkPoints* points, const std::vector<Eigen::Vector3f>& known, Executor& executor) const;
+
+private:
+  std::vector<Eigen::Vector3d> areasAround(vtkPoints* points, Executor& executor) const;
+  template <class Real>
+  void addAreas(
+    const Real* coordinates, std::vector<Eigen::Vector3d>& sums, Executor& executor) const;
+
+  const Grid& grid_;
+  const LevelEdges& edges_;
+  std::vector<vtkIdType> layerStarts_; ///< of the triangles between each layer and the next
+  vtkSmartPointer<vtkCellArray> triangles_;
+};
+
+} // namespace winding

@@ -1,0 +1,306 @@
+#include "private/InputViews.h"
+
+#include "base/Refusal.h"
+#include "private/ContentHash.h"
+#include "private/FlatTriangles.h"
+#include "private/SourceParts.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
+  : options_(options)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (composite)
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      this->addLeaf(iterator->GetCurrentDataObject(),
+        "block " + std::to_string(iterator->GetCurrentFlatIndex()));
+    }
+  }
+  else if (source)
+  {
+    this->addLeaf(source, "the source");
+  }
+}
+
+InputViews::~InputViews() = default;
+
+void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
+{
+  auto* points = vtkPointSet::SafeDownCast(leaf);
+  if (!points)
+  {
+    throw Refusal(name + " is a " + std::string(leaf->GetClassName()) +
+                  "; a source is a surface or points (vtkPointSet)");
+  }
+  if (points->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const bool isMesh = hasFaces(points);
+  const bool isSurface = isMesh && !options_.asPoints;
+  const auto own = withoutGhosts(points, isMesh);
+  if (own->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (!leaves_.empty() && isSurface != isSurface_)
+  {
+    throw Refusal("the source mixes surfaces and point clouds; extract the blocks of one kind");
+  }
+  isSurface_ = isSurface;
+  leaves_.push_back(own);
+  identity_.emplace_back(points, points->GetMTime());
+}
+
+std::uint64_t InputViews::fingerprint() const
+{
+  ContentHash hash;
+  hash.addValue(isSurface_);
+  for (vtkPointSet* leaf : leaves_)
+  {
+    hash.addArray(leaf->GetPoints()->GetData());
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+    {
+      hash.addCells(polyData->GetPolys());
+      hash.addCells(polyData->GetStrips());
+    }
+    else
+    {
+      // Cells of volume meshes have many forms; any change of the data set counts as one of them.
+      hash.addValue(leaf->GetMTime());
+    }
+    if (!isSurface_)
+    {
+      hash.addArray(this->normalsOf(leaf));
+      hash.addArray(this->areasOf(leaf));
+    }
+  }
+  return hash.value();
+}
+
+/// The named point array, or the active normals for no name; null if there is none.
+vtkDataArray* InputViews::findArray(
+  vtkPointSet* leaf, const std::string& name, int components) const
+{
+  vtkPointData* data = leaf->GetPointData();
+  vtkDataArray* array = name.empty() ? data->GetNormals() : data->GetArray(name.c_str());
+  if (array && array->GetNumberOfComponents() != components)
+  {
+    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
+                  "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
+                  std::to_string(components) + "; choose another array");
+  }
+  if (!array && !name.empty())
+  {
+    throw Refusal("there is no point array '" + name + "'; choose another array");
+  }
+  return array;
+}
+
+vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
+{
+  return this->findArray(leaf, options_.normalsArray, 3);
+}
+
+/// Whether there are points without normals, and no triangles that could tell them either.
+bool InputViews::lacksNormals() const
+{
+  return std::any_of(leaves_.begin(), leaves_.end(),
+    [this](vtkPointSet* leaf) { return !hasFaces(leaf) && !this->normalsOf(leaf); });
+}
+
+vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
+{
+  if (options_.areas != AreaSource::array)
+  {
+    return nullptr;
+  }
+  if (options_.areaArray.empty())
+  {
+    throw Refusal("areas are to come from an array but none is named; name it");
+  }
+  return this->findArray(leaf, options_.areaArray, 1);
+}
+
+template <class View> View InputViews::viewOf(vtkDataArray* array)
+{
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  {
+    return View(floats->GetPointer(0), count);
+  }
+  auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array);
+  if (!doubles)
+  {
+    auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+    copy->DeepCopy(array);
+    doubles = copy;
+    copies_.emplace_back(copy);
+  }
+  return View(doubles->GetPointer(0), count);
+}
+
+VectorsView InputViews::vectorsOf(vtkDataArray* array)
+{
+  return this->viewOf<VectorsView>(array);
+}
+
+ScalarsView InputViews::scalarsOf(vtkDataArray* array)
+{
+  return this->viewOf<ScalarsView>(array);
+}
+
+TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
+{
+  if (polygons->IsHomogeneous() == 3)
+  {
+    const auto count = static_cast<std::size_t>(polygons->GetNumberOfCells());
+    if (polygons->IsStorage64Bit())
+    {
+      // vtkTypeInt64 may be another 64 bit type than std::int64_t, with the same representation.
+      return {
+        reinterpret_cast<const std::int64_t*>(polygons->GetConnectivityArray64()->GetPointer(0)),
+        count};
+    }
+    return {polygons->GetConnectivityArray32()->GetPointer(0), count};
+  }
+  ids_.push_back(trianglesOfPolygons(polygons));
+  return {ids_.back().data(), ids_.back().size() / 3};
+}
+
+/// The polygons of a data set: its own, or the outer surface of volume cells.
+vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData;
+  }
+  vtkSmartPointer<vtkPolyData>& skin = skins_[leaf];
+  if (!skin)
+  {
+    skin = outerSurfaceOf(leaf);
+  }
+  return skin;
+}
+
+void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
+{
+  vtkPolyData* polyData = this->skinOf(leaf);
+  if (polyData->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
+  if (polyData->GetNumberOfPolys() > 0)
+  {
+    views.push_back({points, this->idsOf(polyData->GetPolys())});
+  }
+  if (polyData->GetNumberOfStrips() > 0)
+  {
+    ids_.push_back(trianglesOfStrips(polyData->GetStrips()));
+    views.push_back({points, {ids_.back().data(), ids_.back().size() / 3}});
+  }
+}
+
+std::vector<TrianglesView> InputViews::triangles()
+{
+  std::vector<TrianglesView> views;
+  for (vtkPointSet* leaf : leaves_)
+  {
+    this->addTriangles(leaf, views);
+  }
+  return views;
+}
+
+const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
+{
+  std::vector<TrianglesView> views;
+  this->addTriangles(mesh, views);
+  vertices_.push_back(meshVertices(views, static_cast<std::size_t>(mesh->GetNumberOfPoints())));
+  return vertices_.back();
+}
+
+std::vector<OrientedPointsView> InputViews::orientedPoints()
+{
+  const bool withoutNormals = this->lacksNormals();
+  if (withoutNormals && !options_.estimateNormals)
+  {
+    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
+                  "have them estimated (EstimateNormals, --estimate-normals), or compute oriented "
+                  "ones first, for instance by vtkPCANormalEstimation");
+  }
+  std::vector<OrientedPointsView> views;
+  pointSets_.clear();
+  for (vtkPointSet* source : leaves_)
+  {
+    // Points inside of a volume mesh are no points of its surface.
+    const bool isMesh = hasFaces(source);
+    vtkPointSet* leaf = isMesh ? this->skinOf(source) : source;
+    if (leaf->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    if (options_.areas == AreaSource::mesh && !isMesh)
+    {
+      throw Refusal(
+        "areas from the mesh need triangles, and these are points alone; choose Voronoi "
+        "areas");
+    }
+    OrientedPointsView view;
+    view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
+    vtkDataArray* ownNormals = this->normalsOf(leaf);
+    const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
+                                     ? &this->verticesOf(leaf)
+                                     : nullptr;
+    // Those of a part are left out where another has none: all are to be oriented together.
+    if (!withoutNormals)
+    {
+      view.normals = ownNormals ? this->vectorsOf(ownNormals)
+                                : VectorsView(vertices->normals.data(), vertices->areas.size());
+    }
+    if (vtkDataArray* areas = this->areasOf(leaf))
+    {
+      view.areas = this->scalarsOf(areas);
+    }
+    else if (options_.areas == AreaSource::mesh)
+    {
+      view.areas = {vertices->areas.data(), vertices->areas.size()};
+    }
+    views.push_back(view);
+    pointSets_.push_back(leaf);
+  }
+  return views;
+}
+
+std::vector<VectorsView> InputViews::points()
+{
+  std::vector<VectorsView> views;
+  for (vtkPointSet* leaf : leaves_)
+  {
+    vtkPointSet* own = isSurface_ ? this->skinOf(leaf) : leaf;
+    if (own->GetNumberOfPoints() > 0)
+    {
+      views.push_back(this->vectorsOf(own->GetPoints()->GetData()));
+    }
+  }
+  return views;
+}
+
+} // namespace winding

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/Views.h"
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkDataSetAttributes;
+
+namespace winding
+{
+
+/// A data set, and its part of all samples.
+struct ProbeLeaf
+{
+  vtkDataSet* data;
+  vtkIdType first, count;
+};
+
+/**
+ * The points or the cells of a data set, or of all data sets in a composite one, as one list of samples:
+ * so that it costs nothing to have them in many small data sets.
+ */
+class ProbeQueries
+{
+public:
+  /// Cells have their samples at their parametric centres; those of empty cells are NaN. Keeps the data.
+  ProbeQueries(vtkDataObject* queries, bool atCells);
+
+  vtkIdType size() const { return size_; }
+  const std::vector<ProbeLeaf>& leaves() const { return leaves_; }
+
+  /// Valid as long as this, and as the data stays as it is.
+  VectorsView samples() const { return samples_; }
+
+  /// Gives a leaf's part of arrays that have an entry for every sample, and their active scalars, to
+  /// attributes.
+  void addPart(
+    const ProbeLeaf& leaf, vtkDataSetAttributes* ofAll, vtkDataSetAttributes* attributes) const;
+
+private:
+  ProbeQueries(const ProbeQueries&) = delete;
+  void operator=(const ProbeQueries&) = delete;
+
+  vtkIdType size_ = 0;
+  std::vector<ProbeLeaf> leaves_;
+  std::vector<double> positions_; ///< none if samples_ are the data's own
+  VectorsView samples_;
+};
+
+} // namespace winding

@@ -1,0 +1,156 @@
+#include "private/ResultArrays.h"
+
+#include "private/FreeMemory.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr const char* coverageName = "Coverage";
+constexpr const char* distanceName = "SignedDistance";
+
+/// Asks for large pages where the system hands them out on request only. Touching fresh memory in
+/// small pages for the first time takes several times as long as filling it.
+void adviseLargePages(vtkDataArray* array)
+{
+#ifdef MADV_HUGEPAGE
+  constexpr std::uintptr_t largePage = 2u << 20;
+  const auto begin = reinterpret_cast<std::uintptr_t>(array->GetVoidPointer(0));
+  const std::uintptr_t end =
+    begin + static_cast<std::uintptr_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+  const std::uintptr_t first = (begin + largePage - 1) / largePage * largePage;
+  if (first < end)
+  {
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  }
+#else
+  (void)array;
+#endif
+}
+
+vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkIdType samples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(samples);
+  adviseLargePages(array);
+  return array;
+}
+
+void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
+{
+  if (auto* ofFloats = vtkFloatArray::SafeDownCast(array))
+  {
+    floats = ofFloats->GetPointer(0);
+  }
+  else if (auto* ofDoubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    doubles = ofDoubles->GetPointer(0);
+  }
+}
+
+/// Arrays, those that there are, and their names.
+using Names = std::vector<std::pair<bool, std::string>>;
+
+void checkNames(const Names& names)
+{
+  std::set<std::string> taken;
+  for (const auto& [exists, name] : names)
+  {
+    if (exists && !taken.insert(name).second)
+    {
+      throw Refusal("two arrays of the result have the name '" + name + "'; rename one of them");
+    }
+  }
+}
+
+} // namespace
+
+vtkIdType bytesPerSample(const ResultOptions& options)
+{
+  const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
+  // Signs have to be kept somewhere until distances are there.
+  const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
+  return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
+         (hasSides ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+}
+
+ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
+{
+  if (options.scalarType != VTK_FLOAT && options.scalarType != VTK_DOUBLE)
+  {
+    throw Refusal("the output scalar type is " + std::to_string(options.scalarType) +
+                  "; it must be VTK_FLOAT or VTK_DOUBLE");
+  }
+  if (!options.withValues && !options.withInside && !options.withDistances)
+  {
+    throw Refusal(
+      "neither the winding number nor Inside nor the signed distance is to be generated; "
+      "turn one of them on");
+  }
+  const std::string name = options.name.empty() ? "WindingNumber" : options.name;
+  checkNames({{options.withValues, name}, {options.withInside, options.insideName},
+    {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
+  refuseBeyondFreeMemory(
+    static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
+    "the result of " + std::to_string(samples) + " samples",
+    "choose larger voxels or write it in pieces");
+  if (options.withValues)
+  {
+    values_ = makeArray(options.scalarType, name, samples);
+  }
+  if (options.withInside)
+  {
+    inside_ =
+      vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
+  }
+  if (options.withCoverage)
+  {
+    coverage_ = vtkFloatArray::SafeDownCast(makeArray(VTK_FLOAT, coverageName, samples));
+  }
+  if (options.withDistances)
+  {
+    distances_ = makeArray(options.scalarType, distanceName, samples);
+  }
+}
+
+FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
+{
+  FieldOutput output;
+  pointInto(values_, output.values, output.doubleValues);
+  pointInto(distances_, output.distances, output.doubleDistances);
+  output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
+  output.rule = rule;
+  output.threshold = threshold;
+  return output;
+}
+
+void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
+{
+  // SetScalars() would throw the array out that was active until now.
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(coverage_), distances_.Get(),
+         static_cast<vtkDataArray*>(inside_), values_.Get()})
+  {
+    if (array)
+    {
+      attributes->AddArray(array);
+      attributes->SetActiveScalars(array->GetName());
+    }
+  }
+}
+
+} // namespace winding

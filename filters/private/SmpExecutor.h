@@ -1,0 +1,56 @@
+#pragma once
+
+#include "base/Executor.h"
+
+#include <utility>
+
+class vtkAlgorithm;
+
+namespace winding
+{
+
+/**
+ * Runs the core's blocks on vtkSMPTools for a filter. The blocks go out in batches of about a tenth
+ * of a second; between batches, on the calling thread, the filter's progress is updated, and before
+ * each its abort flag is asked. Which blocks make a batch depends on the clock, what they compute
+ * does not. For no filter (null) there is no progress, and nothing interrupts.
+ */
+class SmpExecutor final : public Executor
+{
+public:
+  /// threads: the most to use, 0 for as many as vtkSMPTools would; never more than there are cores.
+  SmpExecutor(vtkAlgorithm* filter, int threads);
+
+  /// Work that comes after this takes progress from `first` to `last`, where it is shown; at first
+  /// from 0 to 1.
+  void setShare(double first, double last) override;
+  std::pair<double, double> share() const override { return {firstShare_, lastShare_}; }
+
+  /// Progress goes to the end of its share.
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+
+  /// Progress stays. Observers hear of it after every batch all the same, for that is when they can
+  /// set the abort flag.
+  bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
+
+  /// About how many threads it uses.
+  int threads() const;
+
+  /// Whether there was anything to do yet.
+  bool hasRun() const { return hasRun_; }
+
+private:
+  void runOnBackend(const std::function<void()>& work);
+  bool runBatches(
+    std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
+  void runBatch(
+    std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
+
+  vtkAlgorithm* filter_;
+  int threads_;
+  double firstShare_ = 0;
+  double lastShare_ = 1;
+  bool hasRun_ = false;
+};
+
+} // namespace winding

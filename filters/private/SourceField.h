@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "field/Field.h"
+#include "private/InputViews.h"
+
+class vtkDataObject;
+
+namespace winding
+{
+
+/// Everything that a field depends on beside the source itself.
+struct SourceOptions
+{
+  InputOptions input;
+  FieldOptions field;
+};
+
+/**
+ * The field of a filter's source, kept for as long as the source and the options that it depends on
+ * stay the same.
+ */
+class SourceField
+{
+public:
+  /// Builds the field, or keeps the last one. Null when the executor was interrupted: then there is
+  /// none to keep either, and the next call builds. Throws Refusal.
+  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor);
+
+  /// Bounds of the source's usable primitives, without building; kept likewise. Throws Refusal.
+  const Bounds& bounds(vtkDataObject* source, const InputOptions& options);
+
+  /// Information on the last field; that of an empty one before the first.
+  const FieldInfo& info() const;
+
+  /// Whether the last prepare() had to build.
+  bool wasBuilt() const { return wasBuilt_; }
+
+private:
+  /// Remembers a source, and tells whether the next one is the same.
+  class Memory
+  {
+  public:
+    bool isSame(const InputViews& views, const InputOptions& options);
+
+  private:
+    InputViews::Identity identity_;
+    InputOptions options_; ///< the fingerprint is of what these pick
+    std::uint64_t fingerprint_ = 0;
+  };
+
+  Memory source_;
+  FieldOptions options_;
+  std::shared_ptr<const Field> field_;
+  bool wasBuilt_ = false;
+
+  Memory boundedSource_;
+  Bounds bounds_;
+};
+
+} // namespace winding

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "field/Field.h"
+
+namespace winding
+{
+
+class SmpExecutor;
+
+/// What makes a voxel inside; see vtkWindingNumberField::CoverageType.
+enum class Coverage
+{
+  center,
+  any,
+  fraction
+};
+
+/// The voxels of an extent of a grid, to be made into arrays.
+struct VoxelEvaluation
+{
+  Coverage coverage = Coverage::center;
+  int samplesPerAxis = 4;     ///< for fractions; see CoverageFractions.h
+  FieldOutput output;         ///< w, of the centres, and inside, of the voxels
+  float* fractions = nullptr; ///< set for fractions
+
+  /// What is expected in addition to the field of so many voxels.
+  EvaluationCost additionalCost(const Field& field, std::size_t voxels) const;
+
+  /// False when the executor was interrupted. Takes its progress from 0 to 1.
+  bool run(const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const;
+
+private:
+  void evaluateFractions(const Field& field, const Grid& grid, const Extent& extent,
+    double firstProgress, SmpExecutor& executor) const;
+};
+
+} // namespace winding

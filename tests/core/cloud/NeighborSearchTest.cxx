@@ -1,0 +1,154 @@
+#include "cloud/NeighborSearch.h"
+
+#include "core/support/ShuffledThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace
+{
+
+using winding::DistinctPoints;
+using winding::Neighbor;
+using winding::NeighborSearch;
+using Point = Eigen::Vector3d;
+
+std::vector<double> allSquaredDistances(const DistinctPoints& places, std::size_t place)
+{
+  std::vector<double> distances;
+  for (std::size_t other = 0; other < places.size(); ++other)
+  {
+    if (other != place)
+    {
+      distances.push_back((places.positions()[other] - places.positions()[place]).squaredNorm());
+    }
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+/// By distances: of equally far ones any may be found.
+void check(const std::vector<Point>& points, std::size_t count)
+{
+  winding::SerialExecutor serial;
+  const DistinctPoints places(points, 1, serial);
+  const NeighborSearch search(places);
+  std::vector<Neighbor> found;
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    search.find(place, count, found);
+    const std::vector<double> expected = allSquaredDistances(places, place);
+    ASSERT_EQ(found.size(), std::min(count, expected.size()));
+    std::set<std::uint32_t> different{static_cast<std::uint32_t>(place)};
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      const Point offset = places.positions()[found[i].place] - places.positions()[place];
+      EXPECT_DOUBLE_EQ(found[i].squaredDistance, expected[i]);
+      EXPECT_DOUBLE_EQ(found[i].squaredDistance, offset.squaredNorm());
+      EXPECT_TRUE(different.insert(found[i].place).second) << "twice, or itself";
+    }
+  }
+}
+
+} // namespace
+
+TEST(NeighborSearch, FindsTheNearestOthers)
+{
+  for (unsigned seed = 901; seed < 911; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    check(shapes::randomPoints(400, -1, 1, seed), 1 + 3 * (seed - 901));
+  }
+}
+
+TEST(NeighborSearch, FindsAllWhereThereAreFew)
+{
+  check({Point(1, 2, 3)}, 5);
+  check({Point(1, 2, 3), Point(1, 2, 3)}, 5);
+  check({Point(1, 2, 3), Point(3, 2, 1), Point(1, 2, 3)}, 5);
+  check(shapes::randomPoints(8, -1, 1, 921), 7);
+  check(shapes::randomPoints(8, -1, 1, 921), 8);
+}
+
+TEST(NeighborSearch, FindsThemOnLinesLatticesAndFarFromOutliers)
+{
+  std::vector<Point> line, lattice, graded;
+  for (int i = 0; i < 500; ++i)
+  {
+    line.emplace_back(i, 2 * i, -i);
+    lattice.emplace_back(i % 8, i / 8 % 8, i / 64);
+    graded.emplace_back(std::ldexp(1.0, -i % 60), 0, 0);
+  }
+  check(line, 6);
+  check(lattice, 6);
+  check(graded, 6);
+  std::vector<Point> withOutlier = shapes::randomPoints(300, -1, 1, 931);
+  withOutlier.emplace_back(3e6, 1e6, 0);
+  check(withOutlier, 8);
+}
+
+TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
+{
+  std::vector<Point> lattice; // full of equal distances
+  for (int i = 0; i < 4096; ++i)
+  {
+    lattice.emplace_back(i % 16, i / 16 % 16, i / 256);
+  }
+  winding::SerialExecutor serial;
+  const DistinctPoints places(lattice, 1, serial);
+  const NeighborSearch search(places), again(places);
+  std::vector<std::vector<std::uint32_t>> byThreads(places.size());
+  shapes::ShuffledThreads threads(941);
+  winding::runBlocks(
+    places.size(), 64,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::vector<Neighbor> found;
+      for (std::size_t place = first; place < last; ++place)
+      {
+        search.find(place, 10, found);
+        for (const Neighbor& neighbor : found)
+        {
+          byThreads[place].push_back(neighbor.place);
+        }
+      }
+    },
+    threads);
+  std::vector<Neighbor> found;
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    again.find(place, 10, found);
+    ASSERT_EQ(found.size(), byThreads[place].size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      EXPECT_EQ(found[i].place, byThreads[place][i]);
+    }
+  }
+}
+
+TEST(NeighborSearch, NeverFindsItselfWhereSquaresUnderflow)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 50; ++i)
+  {
+    points.emplace_back(1e-200 * i, 0, 0);
+  }
+  points.emplace_back(1, 0, 0);
+  winding::SerialExecutor serial;
+  const DistinctPoints places(points, 1, serial);
+  const NeighborSearch search(places);
+  std::vector<Neighbor> found;
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    search.find(place, 5, found);
+    ASSERT_EQ(found.size(), 5u);
+    for (const Neighbor& neighbor : found)
+    {
+      EXPECT_NE(neighbor.place, place);
+    }
+  }
+}

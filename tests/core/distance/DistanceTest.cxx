@@ -1,0 +1,587 @@
+#include "distance/NearestKernels.h"
+#include "field/Field.h"
+
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "core/support/Interruption.h"
+#include "core/support/NaiveDistance.h"
+#include "core/support/ShuffledThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/**
+ * Signed distances of grids and of scattered samples, as fields give them.
+ */
+namespace
+{
+
+using namespace shapes;
+using winding::Extent;
+using winding::Field;
+using winding::FieldOutput;
+using winding::Grid;
+using winding::sampleCount;
+using winding::sampleIndex;
+using winding::sampleNumber;
+
+/// The largest relative error measured is 1.3e-12.
+constexpr double rounding = 1e-10;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
+{
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
+}
+
+std::shared_ptr<const Field> fieldOf(const Cloud& cloud)
+{
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
+}
+
+struct Distances
+{
+  std::vector<double> distances;
+  std::vector<unsigned char> inside;
+
+  explicit Distances(std::size_t count)
+    : distances(count, -7)
+    , inside(count, 7)
+  {
+  }
+
+  FieldOutput output(double limit)
+  {
+    FieldOutput output;
+    output.doubleDistances = distances.data();
+    output.inside = inside.data();
+    output.distanceLimit = limit;
+    return output;
+  }
+};
+
+Distances evaluate(const Field& field, const Grid& grid, const Extent& extent,
+  double limit = infinite, winding::Executor&& executor = winding::SerialExecutor())
+{
+  Distances result(sampleCount(extent));
+  EXPECT_TRUE(field.evaluate(grid, extent, result.output(limit), executor));
+  return result;
+}
+
+Distances evaluate(const Field& field, const Grid& grid)
+{
+  return evaluate(field, grid, grid.wholeExtent());
+}
+
+Distances evaluate(const Field& field, const std::vector<Point>& samples, double limit = infinite)
+{
+  winding::SerialExecutor serial;
+  Distances result(samples.size());
+  const winding::VectorsView view(samples.empty() ? nullptr : samples[0].data(), samples.size());
+  EXPECT_TRUE(field.evaluate(view, result.output(limit), serial));
+  return result;
+}
+
+std::vector<Point> samplesOf(const Grid& grid)
+{
+  std::vector<Point> samples;
+  const Extent whole = grid.wholeExtent();
+  for (std::size_t n = 0; n < sampleCount(whole); ++n)
+  {
+    const Eigen::Vector3i index = sampleIndex(whole, n);
+    samples.push_back(grid.sample(index[0], index[1], index[2]));
+  }
+  return samples;
+}
+
+Grid gridOver(const Point& low, const Point& high, const Eigen::Vector3i& dimensions)
+{
+  winding::GridRequest request;
+  request.bounds = winding::Bounds(low, high);
+  request.dimensions = dimensions;
+  return winding::layOutGrid(request);
+}
+
+/// Against the naive distance, and signs against sides; the largest relative error.
+template <class Source>
+double checkAll(const Distances& found, const std::vector<Point>& samples, const Source& source)
+{
+  double worst = 0;
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    const double expected = naiveDistance(samples[n], source);
+    const double error =
+      expected == 0 ? found.distances[n] : std::abs(found.distances[n]) / expected - 1;
+    worst = std::max(worst, std::abs(error));
+    EXPECT_EQ(found.distances[n] < 0, found.inside[n] == 1 && found.distances[n] != 0) << n;
+  }
+  return worst;
+}
+
+struct NamedMesh
+{
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<NamedMesh> someMeshes()
+{
+  return {{"tetrahedron", tetrahedron()}, {"cube", cube()}, {"open cube", openCube()},
+    {"sphere", icosphere(3)}, {"part of a sphere", icosphere(2).part(0, 200)},
+    {"torus", torus(40, 20)}, {"strip", moebiusStrip(30)}, {"soup", triangleSoup(700, 811)},
+    {"a triangle", tetrahedron().part(0, 1)},
+    {"far apart", icosphere(1).with(icosphere(1).mapped(
+                    [](const Point& p) { return Point(1e3 + p[0], p[1], p[2]); }))},
+    {"flat", torus(30, 10).mapped([](const Point& p) { return Point(p[0], p[1], 0); })}};
+}
+
+/// Cubic voxels, others, few, one, and a plane and a line of them.
+std::vector<Grid> someGrids()
+{
+  const Point low(-1.6, -1.5, -1.4), high(1.3, 1.5, 1.7);
+  return {gridOver(low, high, {11, 13, 12}), gridOver(low, high, {40, 3, 11}),
+    gridOver(low, high, {1, 1, 1}), gridOver(low, high, {1, 33, 20}),
+    gridOver(low, high, {1, 1, 67}), gridOver(4 * low, 5 * high, {9, 9, 9}),
+    gridOver(Point(0.99, 0, 0), Point(1.01, 0.02, 0.03), {12, 12, 12}),
+    gridOver(Point(1e6, 0, 0), Point(1e6 + 1, 1, 1), {5, 5, 5})};
+}
+
+} // namespace
+
+TEST(Distance, GridsAndScatteredSamplesHaveTheNaiveDistance)
+{
+  SCOPED_TRACE("seed 811");
+  double worst = 0;
+  for (const auto& [name, mesh] : someMeshes())
+  {
+    const auto field = fieldOf(mesh);
+    for (const Grid& grid : someGrids())
+    {
+      SCOPED_TRACE(name + " over " + std::to_string(grid.dimensions[0]) + " along x");
+      const std::vector<Point> samples = samplesOf(grid);
+      const double error = std::max(checkAll(evaluate(*field, grid), samples, mesh),
+        checkAll(evaluate(*field, samples), samples, mesh));
+      EXPECT_LT(error, rounding);
+      worst = std::max(worst, error);
+    }
+  }
+  record("largest relative error", worst);
+}
+
+TEST(Distance, OfCloudsIsThatOfTheirNearestPoint)
+{
+  SCOPED_TRACE("seed 812");
+  Cloud one = randomCloud(1, 812);
+  Cloud equal = randomCloud(1, 812);
+  equal.positions.resize(50, equal.positions[0]);
+  equal.normals.resize(50, equal.normals[0]);
+  for (const Cloud& cloud : {sphereCloud(900), randomCloud(2000, 812), one, equal})
+  {
+    const auto field = fieldOf(cloud);
+    for (const Grid& grid : someGrids())
+    {
+      const std::vector<Point> samples = samplesOf(grid);
+      EXPECT_LT(checkAll(evaluate(*field, grid), samples, cloud.positions), rounding);
+      EXPECT_LT(checkAll(evaluate(*field, samples), samples, cloud.positions), rounding);
+    }
+  }
+}
+
+TEST(Distance, CloseSamplesAreAsExact)
+{
+  SCOPED_TRACE("seed 813");
+  for (const auto& [name, mesh] : someMeshes())
+  {
+    SCOPED_TRACE(name);
+    const auto field = fieldOf(mesh);
+    for (const double distance : {1e-3, 1e-6, 1e-9})
+    {
+      const std::vector<Point> samples = pointsNear(mesh, 300, distance, 813);
+      // Positions are rounded: to 1e-16 about 1, and to 1e-13 far apart.
+      const double limit = 3e-13 / distance;
+      const Distances found = evaluate(*field, samples);
+      for (std::size_t n = 0; n < samples.size(); ++n)
+      {
+        const double expected = naiveDistance(samples[n], mesh);
+        EXPECT_NEAR(std::abs(found.distances[n]), expected, limit * distance);
+      }
+    }
+  }
+}
+
+TEST(Distance, GridsMuchFinerThanTheTrianglesBesideThemAreAsExact)
+{
+  SCOPED_TRACE("seed 816");
+  Random random(816);
+  double worst = 0;
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        Mesh mesh = tetrahedron();
+        for (Point& p : mesh.points)
+        {
+          p = Point::Constant(origin) + random.point(-1, 1);
+        }
+        // About a vertex, a point of an edge and one of a face.
+        const std::size_t corner = random.bits() % 4;
+        const Point& a = mesh.points[corner];
+        const Point u = mesh.points[(corner + 1) % 4] - a, v = mesh.points[(corner + 2) % 4] - a;
+        const double along = i % 3 == 0 ? 0 : random(0, 1);
+        const Point at = a + along * u + (i % 3 == 2 ? random(0, 1 - along) : 0) * v;
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample = at - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(mesh);
+        const std::vector<Point> samples = samplesOf(grid);
+        for (const double limit : {infinite, 3.3 * spacing})
+        {
+          const Distances found = evaluate(*field, grid, grid.wholeExtent(), limit);
+          for (std::size_t n = 0; n < samples.size(); ++n)
+          {
+            const double expected = std::min(limit, naiveDistance(samples[n], mesh));
+            const double error =
+              std::abs(std::abs(found.distances[n]) - expected) / (1 + expected / rounding);
+            ASSERT_LT(error, 1e-15) // measured: 1.4e-16
+              << "tetrahedron " << i << " at " << origin << ", spacing " << spacing << ", sample "
+              << n << ", limit " << limit;
+            worst = std::max(worst, error);
+          }
+        }
+      }
+    }
+  }
+  record("largest error", worst);
+}
+
+TEST(Distance, CloudsMuchLargerThanAGridAreAsExact)
+{
+  SCOPED_TRACE("seed 817");
+  Random random(817);
+  for (const double origin : {0.0, 1e3})
+  {
+    for (double spacing = 1e-2; spacing > 0.5e-8; spacing *= 0.1)
+    {
+      for (unsigned i = 0; i < 10; ++i)
+      {
+        // Of many points as close as the samples, too.
+        Cloud cloud = randomCloud(60, 817 + i);
+        for (std::size_t n = 0; n < 60; ++n)
+        {
+          const Point near = cloud.positions[0] + 3 * spacing * random.direction();
+          cloud.positions[n] = Point::Constant(origin) + (n % 2 ? near : cloud.positions[n]);
+        }
+        Grid grid;
+        grid.dimensions = {13, 12, 11};
+        grid.spacing = Point::Constant(spacing);
+        grid.firstSample =
+          cloud.positions[1] - spacing * (Point::Constant(6) + random.point(-1, 1));
+        const auto field = fieldOf(cloud);
+        EXPECT_LT(checkAll(evaluate(*field, grid), samplesOf(grid), cloud.positions), rounding)
+          << "cloud " << i << " at " << origin << ", spacing " << spacing;
+      }
+    }
+  }
+}
+
+TEST(Distance, OnTheSourceItIsPlainZero)
+{
+  for (const Mesh& mesh : {cube(), icosphere(2)})
+  {
+    for (const double distance : evaluate(*fieldOf(mesh), mesh.points).distances)
+    {
+      // Corners but the first of a triangle are as exact as the sides that lead to them.
+      EXPECT_LT(std::abs(distance), 1e-15);
+    }
+  }
+  const Grid grid = gridOver(Point(-0.5, -0.5, -0.5), Point(2.5, 2.5, 2.5), {3, 3, 3});
+  const Distances found = evaluate(*fieldOf(cube()), grid);
+  ASSERT_EQ(samplesOf(grid)[0], Point(0, 0, 0));
+  EXPECT_EQ(found.distances[0], 0);
+  EXPECT_FALSE(std::signbit(found.distances[0]));
+  const Cloud cloud = sphereCloud(100);
+  for (const double distance : evaluate(*fieldOf(cloud), cloud.positions).distances)
+  {
+    EXPECT_EQ(distance, 0);
+    EXPECT_FALSE(std::signbit(distance));
+  }
+}
+
+TEST(Distance, ScaleAndPlaceChangeNothing)
+{
+  const Mesh mesh = torus(30, 15);
+  const std::vector<Point> samples = samplesOf(someGrids()[0]);
+  for (const double scale : {1e-100, 1e-30, 1e30, 1e100})
+  {
+    const Mesh scaled = mesh.mapped([&](const Point& p) { return Point(scale * p); });
+    Grid grid = someGrids()[0];
+    grid.firstSample *= scale;
+    grid.spacing *= scale;
+    EXPECT_LT(checkAll(evaluate(*fieldOf(scaled), grid), samplesOf(grid), scaled), rounding);
+  }
+  const Point far(1e6, -2e6, 3e6); // what is rounded there is the input
+  const Mesh moved = mesh.mapped([&](const Point& p) { return Point(p + far); });
+  Grid grid = someGrids()[0];
+  grid.firstSample += far;
+  EXPECT_LT(checkAll(evaluate(*fieldOf(moved), grid), samplesOf(grid), moved), rounding);
+}
+
+TEST(Distance, HasTheSameBitsInAnyExtentAndOnAnyThreads)
+{
+  SCOPED_TRACE("seeds 814, 815");
+  for (const auto& field : {fieldOf(triangleSoup(500, 814)), fieldOf(randomCloud(500, 814))})
+  {
+    for (const Grid& grid :
+      {someGrids()[0], someGrids()[1], gridOver(Point(-2, -2, -2), Point(2, 2, 2), {50, 45, 40})})
+    {
+      for (const double limit : {infinite, 0.2})
+      {
+        const Extent whole = grid.wholeExtent();
+        const Distances expected = evaluate(*field, grid, whole, limit);
+        EXPECT_EQ(
+          evaluate(*field, grid, whole, limit, ShuffledThreads(815)).distances, expected.distances);
+        for (const Extent& part : {Extent{3, 9, 1, 1, 0, 7}, Extent{0, 0, 0, 0, 0, 0},
+               Extent{5, whole[1], 1, whole[3], 3, whole[5]}})
+        {
+          const Distances found = evaluate(*field, grid, part, limit);
+          for (std::size_t n = 0; n < sampleCount(part); ++n)
+          {
+            const Eigen::Vector3i index = sampleIndex(part, n);
+            ASSERT_EQ(found.distances[n],
+              expected.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+          }
+        }
+        EXPECT_TRUE(evaluate(*field, grid, {3, 2, 0, 1, 0, 1}, limit).distances.empty());
+      }
+    }
+  }
+}
+
+TEST(Distance, BandIsTheFullRangeCutOff)
+{
+  SCOPED_TRACE("seed 816");
+  for (const auto& field :
+    {fieldOf(icosphere(3)), fieldOf(triangleSoup(300, 816)), fieldOf(sphereCloud(700))})
+  {
+    for (const Grid& grid : someGrids())
+    {
+      for (const double limit : {0.01, 0.3, 2.0})
+      {
+        const Distances full = evaluate(*field, grid);
+        const Distances band = evaluate(*field, grid, grid.wholeExtent(), limit);
+        const Distances scattered = evaluate(*field, samplesOf(grid), limit);
+        for (std::size_t n = 0; n < full.distances.size(); ++n)
+        {
+          const double expected =
+            std::copysign(std::min(std::abs(full.distances[n]), limit), full.distances[n]);
+          ASSERT_NEAR(band.distances[n], expected, 1e-14 * limit);
+          ASSERT_NEAR(std::abs(scattered.distances[n]), std::abs(expected), 1e-14 * limit);
+          ASSERT_EQ(std::abs(full.distances[n]) > limit * (1 + 1e-12),
+            std::abs(full.distances[n]) > limit * (1 + 1e-12) &&
+              std::abs(band.distances[n]) == limit);
+        }
+      }
+    }
+  }
+}
+
+TEST(Distance, SignFollowsTheRuleWhateverElseIsWritten)
+{
+  const Mesh twice = icosphere(2).with(icosphere(2).mapped(
+    [](const Point& p) { return Point(0.7 * p[0] + 0.2, 0.7 * p[1], 0.7 * p[2]); }));
+  const auto field = fieldOf(twice);
+  const Grid grid = someGrids()[0];
+  const std::size_t count = sampleCount(grid.wholeExtent());
+  winding::SerialExecutor serial;
+  for (const auto rule : {winding::InsideRule::signedThreshold,
+         winding::InsideRule::absoluteThreshold, winding::InsideRule::odd})
+  {
+    for (const double threshold : {0.5, 1.5})
+    {
+      std::vector<float> values(count), ofValues(count), ofInside(count), ofNothing(count);
+      std::vector<double> doubles(count);
+      std::vector<unsigned char> inside(count);
+      FieldOutput withValues, withInside, withNothing;
+      for (FieldOutput* output : {&withValues, &withInside, &withNothing})
+      {
+        output->rule = rule;
+        output->threshold = threshold;
+      }
+      withValues.values = values.data();
+      withValues.distances = ofValues.data();
+      withInside.inside = inside.data();
+      withInside.distances = ofInside.data();
+      withNothing.distances = ofNothing.data();
+      for (const FieldOutput& output : {withValues, withInside, withNothing})
+      {
+        ASSERT_TRUE(field->evaluate(grid, grid.wholeExtent(), output, serial));
+      }
+      EXPECT_EQ(ofValues, ofInside);
+      EXPECT_EQ(ofValues, ofNothing);
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        ASSERT_EQ(ofInside[n] < 0, inside[n] == 1);
+      }
+      EXPECT_GT(std::count(inside.begin(), inside.end(), 1), 0);
+    }
+  }
+}
+
+TEST(Distance, FloatsNeitherVanishNorBecomeInfinite)
+{
+  std::vector<float> distances(2);
+  std::vector<unsigned char> inside(2);
+  FieldOutput output;
+  output.distances = distances.data();
+  output.inside = inside.data();
+  winding::SerialExecutor serial;
+  for (const double scale : {1e-60, 1e60})
+  {
+    const Mesh mesh = icosphere(1).mapped([&](const Point& p) { return Point(scale * p); });
+    const std::vector<Point> samples = {Point(0, 0, 0), Point(3 * scale, 0, 0)};
+    ASSERT_TRUE(
+      fieldOf(mesh)->evaluate(winding::VectorsView(samples[0].data(), 2), output, serial));
+    const float expected =
+      scale < 1 ? std::numeric_limits<float>::min() : std::numeric_limits<float>::max();
+    EXPECT_EQ(distances[0], -expected);
+    EXPECT_EQ(distances[1], expected);
+  }
+}
+
+TEST(Distance, NowhereIsNoDistanceAndNothingIsFarFromAll)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point> samples = {
+    Point(nan, 0, 0), Point(0, infinite, 0), Point(0, 0, -infinite), Point(1e300, 0, 0)};
+  const Distances found = evaluate(*fieldOf(icosphere(1)), samples);
+  for (std::size_t n = 0; n < 3; ++n)
+  {
+    EXPECT_TRUE(std::isnan(found.distances[n]));
+    EXPECT_EQ(found.inside[n], 0);
+  }
+  EXPECT_GT(found.distances[3], 1e89) << "cut off where w has long been 0";
+
+  const double most = std::numeric_limits<double>::max();
+  for (const auto& field : {fieldOf(Mesh()), fieldOf(Cloud())})
+  {
+    const Grid grid = someGrids()[0];
+    for (const double distance : evaluate(*field, grid).distances)
+    {
+      ASSERT_EQ(distance, most);
+    }
+    for (const double distance : evaluate(*field, grid, grid.wholeExtent(), 3).distances)
+    {
+      ASSERT_EQ(distance, 3);
+    }
+    EXPECT_EQ(evaluate(*field, std::vector<Point>{Point(0, 0, 0)}).distances[0], most);
+  }
+  EXPECT_TRUE(evaluate(*fieldOf(icosphere(1)), std::vector<Point>()).distances.empty());
+}
+
+TEST(Distance, UnusableTrianglesAreNotNear)
+{
+  Mesh mesh = icosphere(1);
+  const auto bad = static_cast<std::int32_t>(mesh.points.size());
+  mesh.points.emplace_back(5, 5, std::numeric_limits<double>::quiet_NaN());
+  mesh.points.emplace_back(5, 5, 5);
+  mesh.triangles.push_back({bad, bad + 1, 0});
+  mesh.triangles.push_back({bad + 1, 9999, 0});
+  mesh.triangles.push_back({bad + 1, bad + 1, bad + 1});
+  const double distance = evaluate(*fieldOf(mesh), std::vector<Point>{Point(5, 5, 5)}).distances[0];
+  EXPECT_NEAR(distance, naiveDistance(Point(5, 5, 5), icosphere(1)), 1e-14);
+}
+
+TEST(Distance, InterruptionIsToldWhereverItCame)
+{
+  const Grid grid = someGrids()[0];
+  int runs = 0;
+  for (bool isOver = false; !isOver; ++runs)
+  {
+    const auto field = fieldOf(icosphere(2));
+    Interruption executor(runs);
+    Distances result(sampleCount(grid.wholeExtent()));
+    const bool isComplete =
+      field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor);
+    isOver = !executor.cameToPass();
+    EXPECT_EQ(isComplete, isOver) << runs;
+    // The next evaluation is none the worse for it.
+    EXPECT_EQ(evaluate(*field, grid).distances, evaluate(*fieldOf(icosphere(2)), grid).distances);
+  }
+  EXPECT_GT(runs, 3) << "values, the tree in some steps, and distances";
+}
+
+TEST(Distance, TasksAreSmallWhereEverythingIsAsNear)
+{
+  /// Counts tasks.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      tasks += count;
+      return winding::SerialExecutor().run(count, work);
+    }
+    std::size_t tasks = 0;
+  };
+  const Mesh mesh = icosphere(6);
+  const auto field = fieldOf(mesh);
+  winding::SerialExecutor serial;
+  ASSERT_TRUE(field->prepareDistances(serial));
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-7);
+  grid.firstSample.setConstant(-8.3e-7);
+  const Extent whole = grid.wholeExtent(), part = {3, 4, 9, 9, 15, 15};
+  const auto tasksFor = [&](const Extent& extent, Distances& result)
+  {
+    Counting executor;
+    EXPECT_TRUE(field->evaluate(grid, extent, result.output(infinite), executor));
+    return executor.tasks;
+  };
+  Distances all(sampleCount(whole)), some(sampleCount(part));
+  const std::size_t few = tasksFor(part, some);
+  EXPECT_GT(tasksFor(whole, all), few + 1);
+  for (std::size_t n = 0; n < all.distances.size(); ++n)
+  {
+    // Of inscribed triangles.
+    ASSERT_LT(all.distances[n], -0.999) << n;
+    ASSERT_GT(all.distances[n], -1) << n;
+  }
+  for (std::size_t n = 0; n < some.distances.size(); ++n)
+  {
+    const Eigen::Vector3i index = sampleIndex(part, n);
+    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+  }
+}
+
+TEST(Distance, TreeIsMadeOnceAndBeforeIfAskedFor)
+{
+  /// Counts what is run.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++runs;
+      return winding::SerialExecutor().run(count, work);
+    }
+    int runs = 0;
+  };
+  const auto field = fieldOf(icosphere(2));
+  Counting preparing, again;
+  EXPECT_TRUE(field->prepareDistances(preparing));
+  EXPECT_GT(preparing.runs, 1);
+  EXPECT_TRUE(field->prepareDistances(again));
+  EXPECT_EQ(again.runs, 0);
+  EXPECT_GT(field->expectedCostOfDistances(1000).bytes, 320 * sizeof(winding::NearTriangle));
+}

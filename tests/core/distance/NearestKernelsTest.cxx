@@ -1,0 +1,176 @@
+#include "distance/NearestKernels.h"
+
+#include "core/support/NaiveDistance.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Nearest;
+using winding::NearItems;
+using winding::NearTriangle;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double findDistance(const NearTriangle& triangle, const Point& q)
+{
+  Nearest nearest = {infinite, {0, 0, 0}};
+  winding::findNearest(&triangle, {0, 1}, q.data(), nearest);
+  return std::sqrt(nearest.squared);
+}
+
+struct Corners
+{
+  Point a, b, c;
+};
+
+/// Of all shapes: needles, caps, nearly and exactly without area, large beside their distance and small.
+Corners someTriangle(Random& random, int kind)
+{
+  const Point a = random.point(-1, 1), along = random.direction(), beside = random.direction();
+  const double thin = std::pow(10, -random(1, 14));
+  switch (kind)
+  {
+  case 0:
+    return {a, random.point(-1, 1), random.point(-1, 1)};
+  case 1:
+    return {a, a + along, a + along + thin * beside};
+  case 2:
+    return {a, a + along, a + random(0, 1) * along + thin * beside};
+  case 3:
+    return {a, a + thin * along, a + thin * beside};
+  case 4:
+    return {a, a + 0.5 * along, a + 0.25 * along};
+  default:
+    return {a, a + along, a + along};
+  }
+}
+
+} // namespace
+
+TEST(NearestKernels, DistancesFromTrianglesOfAnyShapeAreExact)
+{
+  SCOPED_TRACE("seed 801");
+  Random random(801);
+  double worst = 0;
+  for (int i = 0; i < 60000; ++i)
+  {
+    const Corners t = someTriangle(random, i % 6);
+    const double distance = std::pow(10, random(-6, 2));
+    const double u = random(-0.5, 1.5), v = random(-0.5, 1.5);
+    const Point q = t.a + u * (t.b - t.a) + v * (t.c - t.a) + distance * random.direction();
+    const double expected = naiveDistance(q, t.a, t.b, t.c);
+    const double found = findDistance(winding::nearTriangle(t.a, t.b, t.c), q);
+    // Positions of size 1 are rounded, and where a triangle is thin, that tells.
+    const double error = std::abs(found - expected) / (0.1 + expected);
+    ASSERT_LT(error, 3e-12) << "triangle " << i; // measured: 9e-13, of a needle 1e-7 thick
+    worst = std::max(worst, error);
+  }
+  record("largest error", worst);
+}
+
+TEST(NearestKernels, CornersAreAtNoDistance)
+{
+  SCOPED_TRACE("seed 802");
+  Random random(802);
+  for (int i = 0; i < 600; ++i)
+  {
+    const Corners t = someTriangle(random, i % 6);
+    // Offsets to b and c are rounded, a itself is not.
+    EXPECT_EQ(findDistance(winding::nearTriangle(t.a, t.b, t.c), t.a), 0);
+  }
+}
+
+TEST(NearestKernels, AllSamplesOfABlockAndAllInstructionSetsAgree)
+{
+  SCOPED_TRACE("seed 803");
+  Random random(803);
+  std::vector<NearTriangle> triangles;
+  std::vector<winding::NearPoint> points;
+  for (int i = 0; i < 40; ++i)
+  {
+    const Corners t = someTriangle(random, i % 6);
+    triangles.push_back(winding::nearTriangle(t.a, t.b, t.c));
+    points.push_back(winding::nearPoint(t.a));
+  }
+  const std::vector<NearItems> runs = {{0, 5}, {7, 8}, {20, 40}};
+  winding::SampleBlock block;
+  block.count = 77;
+  for (std::size_t i = 0; i < block.count; ++i)
+  {
+    block.set(i, random.point(-2, 2));
+  }
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+  {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    alignas(64) double ofTriangles[winding::SampleBlock::capacity];
+    alignas(64) double ofPoints[winding::SampleBlock::capacity];
+    std::fill(std::begin(ofTriangles), std::end(ofTriangles), infinite);
+    std::fill(std::begin(ofPoints), std::end(ofPoints), infinite);
+    winding::lowerSquaredDistances(triangles.data(), runs.data(), runs.size(), block, ofTriangles);
+    winding::lowerSquaredDistances(points.data(), runs.data(), runs.size(), block, ofPoints);
+    for (std::size_t i = 0; i < block.count; ++i)
+    {
+      const double q[3] = {block.x[i], block.y[i], block.z[i]};
+      Nearest triangle = {infinite, {0, 0, 0}}, point = triangle;
+      for (const NearItems& run : runs)
+      {
+        winding::findNearest(triangles.data(), run, q, triangle);
+        winding::findNearest(points.data(), run, q, point);
+      }
+      ASSERT_NEAR(std::sqrt(ofTriangles[i]), std::sqrt(triangle.squared), 1e-14);
+      ASSERT_NEAR(std::sqrt(ofPoints[i]), std::sqrt(point.squared), 1e-14);
+      // What it is the square of leads to the nearest point.
+      ASSERT_NEAR(Eigen::Map<const Point>(triangle.offset).squaredNorm(), triangle.squared, 1e-14);
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(NearestKernels, KeptIsWhatIsNearerThanALimit)
+{
+  SCOPED_TRACE("seed 804");
+  Random random(804);
+  std::vector<NearTriangle> triangles;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Corners t = someTriangle(random, i % 6);
+    triangles.push_back(winding::nearTriangle(t.a, t.b, t.c));
+  }
+  winding::SampleBlock corners;
+  corners.count = 8;
+  alignas(64) double limits[8];
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    corners.set(i, random.point(-1, 1));
+    limits[i] = std::pow(random(0, 0.3), 2);
+  }
+  std::vector<NearItems> kept;
+  winding::keepNearer(triangles.data(), {{0, 50}, {60, 200}}, corners, limits, kept);
+  std::vector<bool> isKept(200);
+  for (const NearItems& run : kept)
+  {
+    ASSERT_LT(run.first, run.last);
+    std::fill(isKept.begin() + run.first, isKept.begin() + run.last, true);
+  }
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < 200; ++n)
+  {
+    bool isNearer = false;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const Point q(corners.x[i], corners.y[i], corners.z[i]);
+      isNearer = isNearer || findDistance(triangles[n], q) <= std::sqrt(limits[i]);
+    }
+    const bool isAsked = n < 50 || n >= 60;
+    EXPECT_EQ(isKept[n], isAsked && isNearer) << n;
+    count += isKept[n];
+  }
+  EXPECT_GT(count, 10u);
+  EXPECT_LT(count, 180u);
+}

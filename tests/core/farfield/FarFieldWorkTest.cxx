@@ -1,0 +1,133 @@
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "core/support/FarFields.h"
+#include "core/support/ShuffledThreads.h"
+
+/**
+ * What far fields say that they did: the same for any executor, and all of it.
+ */
+
+namespace
+{
+
+using namespace shapes;
+using winding::Extent;
+using winding::FarField;
+using winding::FarFieldAccuracy;
+using winding::FarFieldWork;
+using winding::Grid;
+
+struct Case
+{
+  std::string name;
+  FarField field;
+  Grid grid;
+};
+
+std::vector<Case> someCases()
+{
+  winding::SerialExecutor serial;
+  std::vector<Case> cases;
+  for (const double tolerance : {1e-2, 1e-5})
+  {
+    for (const bool isCloud : {false, true})
+    {
+      const auto source =
+        isCloud ? farSource(randomCloud(3000, 321)) : farSource(icosphere(3).part(0, 900));
+      cases.push_back({(isCloud ? "cloud " : "triangles ") + std::to_string(tolerance),
+        FarField(source->sources(), FarFieldAccuracy::of(tolerance), serial),
+        shapes::gridAround(source->bounds(), {61, 37, 50})});
+    }
+  }
+  return cases;
+}
+
+FarFieldWork workOn(const Case& one, const Extent& extent, winding::Executor& executor)
+{
+  std::vector<float> values(winding::sampleCount(extent));
+  winding::FieldOutput output;
+  output.values = values.data();
+  FarFieldWork work;
+  EXPECT_TRUE(one.field.evaluate(one.grid, extent, output, executor, &work));
+  return work;
+}
+
+FarFieldWork workAt(
+  const FarField& field, const std::vector<Point>& samples, winding::Executor& executor)
+{
+  std::vector<float> values(samples.size());
+  winding::FieldOutput output;
+  output.values = values.data();
+  FarFieldWork work;
+  EXPECT_TRUE(field.evaluate(
+    winding::VectorsView(samples[0].data(), samples.size()), output, executor, &work));
+  return work;
+}
+
+} // namespace
+
+TEST(FarFieldWork, IsTheSameOnAnyThreads)
+{
+  for (const Case& one : someCases())
+  {
+    SCOPED_TRACE(one.name);
+    winding::SerialExecutor serial;
+    const FarFieldWork expected = workOn(one, one.grid.wholeExtent(), serial);
+    ShuffledThreads threads(7);
+    EXPECT_TRUE(workOn(one, one.grid.wholeExtent(), threads) == expected);
+    const std::vector<Point> samples = randomPoints(5000, -1.5, 1.5, 5);
+    EXPECT_TRUE(workAt(one.field, samples, threads) == workAt(one.field, samples, serial));
+  }
+}
+
+TEST(FarFieldWork, DeliversEverySampleOnce)
+{
+  winding::SerialExecutor serial;
+  for (const Case& one : someCases())
+  {
+    SCOPED_TRACE(one.name);
+    for (const Extent& extent : {one.grid.wholeExtent(), Extent{0, 60, 11, 11, 0, 49},
+           Extent{1, 58, 7, 30, 2, 45}, Extent{17, 17, 18, 18, 19, 19}})
+    {
+      EXPECT_EQ(workOn(one, extent, serial).samples(), winding::sampleCount(extent));
+    }
+    EXPECT_EQ(workAt(one.field, randomPoints(5000, -1.5, 1.5, 5), serial).samples(), 5000u);
+  }
+}
+
+TEST(FarFieldWork, AddsUp)
+{
+  for (const Case& one : someCases())
+  {
+    SCOPED_TRACE(one.name);
+    winding::SerialExecutor serial;
+    const FarFieldWork work = workOn(one, one.grid.wholeExtent(), serial);
+    for (const auto count : winding::farFieldCounts)
+    {
+      if (count != &FarFieldWork::blockSamples && count != &FarFieldWork::rowSamples &&
+          count != &FarFieldWork::rows)
+      {
+        EXPECT_GT(work.*count, 0u) << &count - winding::farFieldCounts;
+      }
+    }
+    EXPECT_EQ(work.cells, work.shifts + 1) << "all but the root have a parent";
+    EXPECT_LT(work.leaves, work.cells);
+    EXPECT_LE(work.nearLeaves, work.leaves);
+    EXPECT_LE(work.receivers, work.translationBatches);
+    EXPECT_LE(work.translationBatches, work.translations);
+    EXPECT_LE(work.translations, work.nodeTests) << "no node is accepted without a test";
+    EXPECT_LE(work.exactSamples, work.nearSamples);
+    EXPECT_GE(work.exactPairs, work.exactSamples);
+  }
+}
+
+TEST(FarFieldWork, IsNoneOverSourcesWithoutSources)
+{
+  winding::SerialExecutor serial;
+  const Case empty = {"",
+    FarField(farSource(Cloud())->sources(), FarFieldAccuracy::of(1e-3), serial),
+    gridOf({-1, -1, -1}, {0.1, 0.1, 0.1}, {19, 20, 21})};
+  const FarFieldWork work = workOn(empty, empty.grid.wholeExtent(), serial);
+  EXPECT_EQ(work.samples(), 19u * 20 * 21);
+  EXPECT_EQ(work.nodeTests + work.translations + work.nearLeaves, 0u);
+}

@@ -1,0 +1,246 @@
+#include "field/Field.h"
+
+#include "base/Refusal.h"
+#include "base/Views.h"
+#include "cloud/PointAreas.h"
+#include "core/support/Shapes.h"
+#include "sums/ReferenceSum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+// What a field is made of: its information, its refusals, and the functions that verify it.
+
+namespace
+{
+
+using namespace shapes;
+using winding::Field;
+using winding::FieldInfo;
+using winding::FieldOptions;
+using winding::FieldOutput;
+using winding::Method;
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
+{
+  FieldOptions options;
+  options.method = method;
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+}
+
+std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options = {})
+{
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+}
+
+double valueAt(const Field& field, const Point& sample)
+{
+  double value = notANumber;
+  FieldOutput output;
+  output.doubleValues = &value;
+  winding::SerialExecutor serial;
+  EXPECT_TRUE(field.evaluate(winding::VectorsView(sample.data(), 1), output, serial));
+  return value;
+}
+
+template <class Source>
+void expectRefused(const Source& source, const FieldOptions& options, const std::string& mention)
+{
+  try
+  {
+    winding::SerialExecutor serial;
+    Field::build(std::vector<decltype(source.view())>{source.view()}, options, serial);
+    FAIL() << "not refused";
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    const std::string message = refusal.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find(mention), std::string::npos) << message;
+  }
+}
+
+} // namespace
+
+TEST(FieldInfo, DescribesASurface)
+{
+  Mesh mesh = openCube();
+  mesh.points.push_back({notANumber, 0, 0});
+  mesh.triangles.push_back({0, 1, 8});
+  mesh.triangles.push_back({0, 1, 99});
+  mesh.triangles.push_back({0, 0, 1});
+  const FieldInfo info = fieldOf(mesh)->info();
+  EXPECT_TRUE(info.isSurface);
+  EXPECT_EQ(info.inputPrimitives, 13u);
+  EXPECT_EQ(info.primitives, 10u);
+  EXPECT_EQ(info.dropped, 2u);
+  EXPECT_EQ(info.weldedVertices, 8u);
+  EXPECT_EQ(info.boundaryEdges, 4u);
+  EXPECT_EQ(info.netBoundaryEdges, 4u);
+  EXPECT_EQ(info.bounds.max(), Point(1, 1, 1));
+  EXPECT_EQ(info.warning.rfind("2 of 13 ", 0), 0u) << info.warning;
+  EXPECT_FALSE(info.why.empty());
+  EXPECT_TRUE(fieldOf(cube())->info().warning.empty());
+}
+
+TEST(FieldInfo, NamesTheMethodThatWasChosenAndNeverAutomatic)
+{
+  EXPECT_NE(fieldOf(cube())->info().method, Method::automatic);
+  EXPECT_NE(fieldOf(sphereCloud(10))->info().method, Method::automatic);
+  EXPECT_EQ(fieldOf(cube(), Method::direct)->info().method, Method::direct);
+  EXPECT_EQ(fieldOf(cube(), Method::parity)->info().method, Method::parity);
+  EXPECT_STREQ(winding::nameOf(Method::automatic), "automatic");
+  EXPECT_STREQ(winding::nameOf(Method::direct), "direct");
+  EXPECT_STREQ(winding::nameOf(Method::parity), "parity");
+}
+
+TEST(Field, EvaluatesTheMethodThatWasAskedFor)
+{
+  const Mesh two = cube().with(cube({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}));
+  const Point overlap(0.75, 0.75, 0.75);
+  EXPECT_NEAR(valueAt(*fieldOf(two), overlap), 2, 1e-14);
+  EXPECT_NEAR(valueAt(*fieldOf(two, Method::direct), overlap), 2, 1e-14);
+  EXPECT_EQ(valueAt(*fieldOf(two, Method::parity), overlap), 0);
+}
+
+TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
+{
+  Cloud cloud = sphereCloud(1000);
+  const Point center(0, 0, 0);
+  const double area = 4 * 3.14159265358979323846 / 1000;
+  FieldOptions options;
+  options.tolerance = 0;
+  winding::SerialExecutor serial;
+  const std::vector<double> cells = winding::voronoiAreas(clean(cloud), serial, 20);
+  const auto voronoi = fieldOf(cloud, options);
+  EXPECT_EQ(voronoi->reference(Point(0.1, 0, 0)),
+    winding::referenceSum<double>(clean(cloud), cells, Point(0.1, 0, 0)));
+  EXPECT_NEAR(valueAt(*voronoi, center), 1, 0.01);
+
+  options.pointAreaMethod = winding::PointAreaMethod::constant;
+  const auto estimated = fieldOf(cloud, options);
+  EXPECT_NEAR(estimated->info().pointArea, winding::meanPointArea(clean(cloud), serial, 20), 1e-15);
+  EXPECT_NEAR(valueAt(*estimated, center), estimated->info().pointArea / area, 1e-12);
+
+  options.pointArea = 2 * area;
+  const auto given = fieldOf(cloud, options);
+  EXPECT_NEAR(given->info().pointArea, 2 * area, 1e-15);
+  EXPECT_NEAR(valueAt(*given, center), 2, 1e-12);
+
+  const std::vector<double> areas(1000, 3 * area);
+  winding::OrientedPointsView view = cloud.view();
+  view.areas = {areas.data(), areas.size()};
+  const auto own = Field::build(std::vector<winding::OrientedPointsView>{view}, options, serial);
+  EXPECT_NEAR(own->info().pointArea, 3 * area, 1e-15);
+  EXPECT_NEAR(valueAt(*own, center), 3, 1e-12);
+}
+
+TEST(Field, WithoutPrimitivesIsZero)
+{
+  const Point sample(0.5, 0.5, 0.5);
+  for (const auto& field : {fieldOf(Mesh()), fieldOf(Mesh(), Method::parity), fieldOf(Cloud())})
+  {
+    EXPECT_EQ(valueAt(*field, sample), 0);
+    EXPECT_EQ(field->info().primitives, 0u);
+    EXPECT_TRUE(field->info().bounds.isEmpty());
+  }
+  const Mesh collapsed{{{1, 1, 1}}, {{0, 0, 0}}};
+  EXPECT_EQ(valueAt(*fieldOf(collapsed), sample), 0);
+}
+
+TEST(Field, OfAPointWithoutAnAreaIsZeroAndWarns)
+{
+  const auto field = fieldOf(Cloud{{{0, 0, 0}}, {{0, 0, 1}}});
+  EXPECT_EQ(valueAt(*field, {0, 0, -1}), 0);
+  EXPECT_NE(field->info().warning.find("area"), std::string::npos);
+}
+
+TEST(Field, IsNoNumberWhereTheSampleIsNone)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& field :
+    {fieldOf(cube()), fieldOf(cube(), Method::parity), fieldOf(sphereCloud(100))})
+  {
+    for (const Point& sample : {Point(notANumber, 0.5, 0.5), Point(0.5, 0.5, notANumber),
+           Point(infinity, 0.5, 0.5), Point(0.5, -infinity, 0.5)})
+    {
+      EXPECT_TRUE(std::isnan(valueAt(*field, sample))) << sample.transpose();
+    }
+    EXPECT_NEAR(valueAt(*field, {0.25, 0.5, 0.5}), 1, 0.05);
+  }
+}
+
+TEST(Field, RefusesWhatItCannotServe)
+{
+  FieldOptions parity;
+  parity.method = Method::parity;
+  expectRefused(sphereCloud(10), parity, "parity");
+  for (const double area : {-1.0, notANumber, std::numeric_limits<double>::infinity()})
+  {
+    FieldOptions options;
+    options.pointArea = area;
+    expectRefused(sphereCloud(10), options, "point area");
+  }
+  Mesh bad = cube();
+  bad.points.assign(8, {notANumber, notANumber, notANumber});
+  expectRefused(bad, FieldOptions(), "12 triangles");
+}
+
+TEST(FieldReference, IsTheReferenceSum)
+{
+  SCOPED_TRACE("seeds 111, 112");
+  const Mesh mesh = triangleSoup(100, 111);
+  const Cloud cloud = sphereCloud(100);
+  const auto surfaceField = fieldOf(mesh);
+  const auto cloudField = fieldOf(cloud);
+  winding::SerialExecutor serial;
+  const std::vector<double> areas = winding::voronoiAreas(clean(cloud), serial, 20);
+  for (const Point& q : randomPoints(20, -1, 1, 112))
+  {
+    EXPECT_EQ(surfaceField->reference(q), winding::referenceSum<double>(clean(mesh), q));
+    EXPECT_EQ(cloudField->reference(q), winding::referenceSum<double>(clean(cloud), areas, q));
+  }
+}
+
+TEST(FieldPointOnSource, IsEvenlySpreadOverTheSurface)
+{
+  SCOPED_TRACE("seed 113");
+  // Sides of 1, 2 and 4: faces of areas 2, 4 and 8, two of each.
+  const auto field = fieldOf(cube({0, 0, 0}, {1, 2, 4}));
+  Random random(113);
+  Point onFaces(0, 0, 0), mean(0, 0, 0);
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i)
+  {
+    const double u = random(0, 1), v = random(0, 1), t = random(0, 1);
+    const Point p = field->pointOnSource()(u, v, t);
+    // Weighted means of three corners: a few roundings, none of them above 4e-16.
+    constexpr double rounding = 1e-15;
+    const Eigen::Array3d unit = p.array() / Eigen::Array3d(1, 2, 4);
+    const Eigen::Array3d fromFace = unit.min(1 - unit);
+    ASSERT_GT(fromFace.minCoeff(), -rounding);
+    ASSERT_LT(fromFace.minCoeff(), rounding);
+    onFaces += (fromFace < rounding).cast<double>().matrix();
+    mean += unit.matrix();
+  }
+  // The shares' standard deviation is below 0.0036, the means' below 0.0033; four of these.
+  EXPECT_LT((onFaces / count - Point(8, 4, 2) / 14).cwiseAbs().maxCoeff(), 0.0145);
+  EXPECT_LT((mean / count - Point(0.5, 0.5, 0.5)).cwiseAbs().maxCoeff(), 0.0135);
+}
+
+TEST(FieldPointOnSource, OfACloudIsEachOfItsPoints)
+{
+  const Cloud cloud = sphereCloud(50);
+  const auto field = fieldOf(cloud);
+  for (std::size_t i = 0; i < 50; ++i)
+  {
+    EXPECT_EQ(
+      field->pointOnSource()(0, 0, (static_cast<double>(i) + 0.5) / 50), cloud.positions[i]);
+  }
+}

@@ -1,0 +1,417 @@
+#include "rays/PointCrossings.h"
+
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "core/support/Interruption.h"
+#include "core/support/LatticeSolids.h"
+#include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace shapes;
+
+std::vector<double> crossings(
+  const winding::Surface& surface, const std::vector<Point>& samples, winding::Executor& executor)
+{
+  std::vector<double> values(samples.size(), -7);
+  winding::FieldOutput output;
+  output.doubleValues = values.data();
+  const double* first = samples.empty() ? nullptr : samples[0].data();
+  EXPECT_TRUE(winding::PointCrossings(surface).evaluate(
+    winding::VectorsView(first, samples.size()), output, executor));
+  return values;
+}
+
+std::vector<double> crossings(const Mesh& mesh, const std::vector<Point>& samples)
+{
+  winding::SerialExecutor serial;
+  return crossings(clean(mesh), samples, serial);
+}
+
+/// Against the direct sum, which is no integer on the surface and within rounding of it.
+void expectTheIntegers(const Mesh& mesh, const std::vector<Point>& samples)
+{
+  const winding::Surface surface = clean(mesh);
+  winding::SerialExecutor serial;
+  const std::vector<double> values = crossings(surface, samples, serial);
+  const std::vector<double> expected = valuesOf(winding::TriangleSum(surface), samples);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    EXPECT_EQ(values[i], std::round(values[i]));
+    if (std::abs(expected[i] - std::round(expected[i])) < 1e-7)
+    {
+      ++compared;
+      ASSERT_EQ(values[i], std::round(expected[i])) << samples[i].transpose();
+    }
+  }
+  EXPECT_GT(compared, samples.size() * 9 / 10);
+}
+
+Mesh scaled(const Mesh& mesh, double factor, const Point& shift = Point::Zero())
+{
+  return mesh.mapped([&](const Point& p) -> Point { return factor * p + shift; });
+}
+
+/// Closed, and through each other: the first corner anywhere, and the others within a box around it or,
+/// for needles, one of them anywhere and two near the first.
+Mesh tetrahedra(int count, double size, bool areNeedles, unsigned seed)
+{
+  Random random(seed);
+  Mesh mesh;
+  for (int i = 0; i < count; ++i)
+  {
+    Mesh next = tetrahedron();
+    next.points[0] = random.point(-1, 1);
+    for (std::size_t corner = 1; corner < 4; ++corner)
+    {
+      next.points[corner] = areNeedles && corner == 1
+                              ? random.point(-1, 1)
+                              : Point(next.points[0] + random.point(-size, size));
+    }
+    mesh = i == 0 ? next : mesh.with(next);
+  }
+  return mesh;
+}
+
+/// Its axis is that of no coordinate, and its sides are slivers.
+Mesh tiltedCylinder(int sides)
+{
+  const Point axis = Point(1, 0.8, 0.7).normalized();
+  const Point u = axis.cross(Point(0, 0, 1)).normalized(), v = axis.cross(u);
+  Mesh mesh;
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2 * std::acos(-1.0) * i / sides;
+    const Point across = 0.3 * (std::cos(angle) * u + std::sin(angle) * v);
+    mesh.points.push_back(across - 0.9 * axis);
+    mesh.points.push_back(across + 0.9 * axis);
+    const int a = 2 * i, b = 2 * ((i + 1) % sides), centre = 2 * sides;
+    mesh.triangles.push_back({a, b, a + 1});
+    mesh.triangles.push_back({b, b + 1, a + 1});
+    mesh.triangles.push_back({a, centre, b});
+    mesh.triangles.push_back({a + 1, b + 1, centre + 1});
+  }
+  mesh.points.push_back(-0.9 * axis);
+  mesh.points.push_back(0.9 * axis);
+  return mesh;
+}
+
+/// Most of them in a small place, so that one column of all holds them.
+std::vector<Point> cluster(std::size_t count, unsigned seed)
+{
+  std::vector<Point> samples = randomPoints(count, -1e-6, 1e-6, seed);
+  for (Point& p : samples)
+  {
+    p += Point(0.1, 0.2, 0.3);
+  }
+  samples.emplace_back(-0.9, -0.9, -0.9);
+  samples.emplace_back(0.9, 0.9, 0.9);
+  return samples;
+}
+
+/// The same from several threads.
+void expectTheIntegersFromThreads(const Mesh& mesh, const std::vector<Point>& samples)
+{
+  expectTheIntegers(mesh, samples);
+  ShuffledThreads threads(268);
+  EXPECT_EQ(crossings(clean(mesh), samples, threads), crossings(mesh, samples));
+}
+
+/// Writes down what becomes of its share, and how many blocks there were.
+class ShareLog final : public winding::Executor
+{
+public:
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    blocks += count;
+    return winding::SerialExecutor().run(count, work);
+  }
+  bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    return winding::SerialExecutor().run(count, work);
+  }
+  void setShare(double first, double last) override { shares.emplace_back(first, last); }
+  std::pair<double, double> share() const override { return shares.back(); }
+
+  std::vector<std::pair<double, double>> shares = {{0.25, 0.75}};
+  std::size_t blocks = 0;
+};
+
+} // namespace
+
+TEST(PointCrossings, AreTheWindingNumbersOfLatticeSolidsWhateverTheRaysHit)
+{
+  SCOPED_TRACE("seed 261");
+  for (const LatticeSolid& solid : latticeSolids(261))
+  {
+    const std::vector<double> values = crossings(solid.mesh, solid.samples);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      ASSERT_TRUE(
+        solid.isOff(i) ? values[i] == solid.windings[i] : values[i] == 0 || values[i] == 1)
+        << solid.samples[i].transpose() << ": " << values[i];
+    }
+  }
+}
+
+TEST(PointCrossings, AgreeWithTheDirectSum)
+{
+  SCOPED_TRACE("seeds 262, 263");
+  const Mesh overlapping = icosphere(3).with(scaled(icosphere(2), 0.7, Point(0.6, 0, 0)));
+  for (const Mesh& mesh : {tetrahedron(), cube(), icosphere(4), torus(48, 24), overlapping,
+         icosphere(2).reversed().with(torus(24, 12)), icosphere(1).with(icosphere(1)),
+         torus(7, 5).mapped(
+           [](const Point& p) -> Point {
+             return {1e3 * p[0], p[1], 1e-3 * p[2]};
+           })})
+  {
+    const winding::Bounds bounds = clean(mesh).bounds;
+    std::vector<Point> samples = randomPoints(5000, -0.1, 1.1, 262);
+    for (Point& p : samples)
+    {
+      p = bounds.min() + p.cwiseProduct(bounds.sizes());
+    }
+    expectTheIntegers(mesh, samples);
+    expectTheIntegers(mesh, pointsNear(mesh, 1000, 1e-6 * bounds.sizes().minCoeff(), 263));
+  }
+}
+
+TEST(PointCrossings, OfUnevenSamplesAndTriangles)
+{
+  SCOPED_TRACE("seeds 264 …");
+  // A speck inside a box of twelve large triangles, and most samples at the speck.
+  const Point place(0.31, 0.62, 0.43);
+  const Mesh mesh = cube().with(scaled(icosphere(4), 1e-5, place));
+  std::vector<Point> samples = randomPoints(200, -0.2, 1.2, 264);
+  for (const Point& p : randomPoints(6000, -1.5, 1.5, 265))
+  {
+    samples.push_back(place + 1e-5 * p);
+  }
+  // Along x, along y, along a diagonal, and all in one place.
+  for (int i = 0; i < 1500; ++i)
+  {
+    const double t = -0.1 + 1.2 * i / 1500;
+    samples.emplace_back(t, place[1], place[2]);
+    samples.emplace_back(place[0], t, place[2]);
+    samples.emplace_back(t, t, t);
+    samples.push_back(place);
+  }
+  expectTheIntegers(mesh, samples);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    // Each of these alone, so that there is nothing else that columns could be made of.
+    std::vector<Point> alike;
+    for (std::size_t n = samples.size() - 6000 + i; n < samples.size(); n += 4)
+    {
+      alike.push_back(samples[n]);
+    }
+    expectTheIntegers(mesh, alike);
+  }
+}
+
+TEST(PointCrossings, DoNotDependOnUnitOriginOtherSamplesOrThreads)
+{
+  SCOPED_TRACE("seed 266");
+  const Mesh mesh = torus(96, 48);
+  const std::vector<Point> samples = randomPoints(20'000, -1.5, 1.5, 266);
+  const std::vector<double> expected = crossings(mesh, samples);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 1000);
+  for (const double factor : {0x1p-330, 0x1p330})
+  {
+    std::vector<Point> there = samples;
+    for (Point& p : there)
+    {
+      p *= factor;
+    }
+    EXPECT_EQ(crossings(scaled(mesh, factor), there), expected) << factor;
+  }
+  const winding::Surface surface = clean(mesh);
+  ShuffledThreads threads(266);
+  EXPECT_EQ(crossings(surface, samples, threads), expected);
+  winding::SerialExecutor serial;
+  for (std::size_t i = 0; i < samples.size(); i += 97)
+  {
+    EXPECT_EQ(crossings(surface, {samples[i]}, serial)[0], expected[i]);
+  }
+  // A million sizes away the coordinates are rounded, the same for the mesh and for the samples.
+  const Point far(1e6, -1e6, 1e6);
+  std::vector<Point> there = samples;
+  for (Point& p : there)
+  {
+    p += far;
+  }
+  expectTheIntegers(scaled(mesh, 1, far), there);
+}
+
+TEST(PointCrossings, OfSamplesThatAreNowhereOrFarAway)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Point> samples = {{nan, 0, 0}, {0, nan, 0}, {0, 0, nan}, {infinity, 0, 0},
+    {-infinity, 0, 0}, {0, infinity, 0}, {0, 0, -infinity}, {1e300, 0.1, 0.1}, {-1e300, 0.1, 0.1},
+    {0.1, 1e308, 0.1}, {0.1, 0.1, 0.1}};
+  const std::vector<double> values = crossings(icosphere(2), samples);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (samples[i].allFinite())
+    {
+      EXPECT_EQ(values[i], i + 1 == samples.size()) << i;
+    }
+    else
+    {
+      EXPECT_TRUE(std::isnan(values[i])) << i;
+    }
+  }
+  EXPECT_TRUE(crossings(icosphere(2), {}).empty());
+  EXPECT_EQ(crossings(Mesh(), {Point(0, 0, 0)}), std::vector<double>{0});
+}
+
+TEST(PointCrossings, OfNeedlesAndSlivers)
+{
+  SCOPED_TRACE("seeds 268 … 272");
+  for (const Mesh& mesh : {tetrahedra(300, 1e-3, true, 269), tiltedCylinder(1500)})
+  {
+    expectTheIntegersFromThreads(mesh, randomPoints(4000, -1, 1, 270));
+    expectTheIntegersFromThreads(mesh, cluster(4000, 271));
+    expectTheIntegersFromThreads(mesh, pointsNear(mesh, 2000, 1e-6, 272));
+  }
+  // Thinner than the roundings of their places.
+  expectTheIntegers(tetrahedra(200, 1e-15, true, 273), randomPoints(2000, -1, 1, 270));
+}
+
+TEST(PointCrossings, OfSamplesOnLinesThroughOverlappingTriangles)
+{
+  SCOPED_TRACE("seeds 268, 274, 275");
+  const Mesh mesh = tetrahedra(150, 1, false, 274);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<Point> line, plane, grid, nearLine;
+    Random random(275);
+    for (int i = 0; i < 10'000; ++i)
+    {
+      Point p(0.1, 0.2, 0.3);
+      p[axis] = -1.1 + 2.2 * i / 10'000;
+      line.push_back(p);
+      p[(axis + 1) % 3] *= 1 + 0x1p-52 * static_cast<double>(random.bits() % 4);
+      nearLine.push_back(p);
+      Point q = random.point(-1, 1);
+      q[axis] = 0.1;
+      plane.push_back(q);
+      q[(axis + 1) % 3] = -1 + 0.02 * (i % 100);
+      q[(axis + 2) % 3] = -1 + 0.02 * (i / 100);
+      grid.push_back(q);
+    }
+    for (const std::vector<Point>& samples : {line, nearLine, plane, grid})
+    {
+      expectTheIntegersFromThreads(mesh, samples);
+    }
+  }
+}
+
+TEST(PointCrossings, OfRaysAlongFacesFromSortedStarts)
+{
+  // Many starts to a line, in the planes of faces and on edges: off the surface, the values are known.
+  SCOPED_TRACE("seed 276");
+  const Cells cells = randomCells(4, 276);
+  const Mesh mesh = surfaceOf(cells);
+  for (const double y : {1.0, 1.5, 2.0})
+  {
+    std::vector<Point> samples;
+    for (int i = 0; i < 1000; ++i)
+    {
+      samples.emplace_back(-1 + i * 0x1p-8 * 1.5, y, 2);
+    }
+    const std::vector<double> values = crossings(mesh, samples);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const double expected = windingOf(cells, samples[i]);
+      ASSERT_TRUE(
+        expected == 0 || expected == 1 ? values[i] == expected : values[i] == 0 || values[i] == 1)
+        << samples[i].transpose();
+    }
+  }
+}
+
+TEST(PointCrossings, DivideWhatThereIsMuchOf)
+{
+  SCOPED_TRACE("seeds 277, 278");
+  const Mesh mesh = tetrahedra(1000, 2, false, 277);
+  const std::vector<Point> samples = cluster(8000, 278);
+  expectTheIntegersFromThreads(mesh, samples);
+
+  const winding::Surface surface = clean(mesh);
+  ShareLog log;
+  crossings(surface, samples, log);
+  EXPECT_GT(log.blocks, 1024) << "1024 columns, and those that one of them was divided into";
+  ASSERT_GT(log.shares.size(), 3);
+  EXPECT_EQ(log.shares.front(), log.shares.back()) << "as it was";
+  double last = 0.25;
+  for (std::size_t i = 1; i + 1 < log.shares.size(); ++i)
+  {
+    EXPECT_GE(log.shares[i].first, last - 1e-12) << "progress never goes back";
+    EXPECT_GE(log.shares[i].second, log.shares[i].first);
+    last = log.shares[i].first;
+  }
+  EXPECT_NEAR(log.shares[log.shares.size() - 2].second, 0.75, 1e-12);
+}
+
+TEST(PointCrossings, AreExpectedToTakeLongerWhereTrianglesOverlapAndForNeedles)
+{
+  SCOPED_TRACE("seeds 279, 280");
+  const auto seconds = [](const Mesh& mesh)
+  {
+    const winding::Surface surface = clean(mesh);
+    return winding::PointCrossings(surface).expectedCost(100'000).seconds;
+  };
+  const Mesh sphere = icosphere(3); // 1280 triangles
+  EXPECT_GT(seconds(tetrahedra(320, 1, false, 279)), 2 * seconds(sphere));
+  EXPECT_GT(seconds(tetrahedra(320, 1e-3, true, 280)), 1.2 * seconds(sphere));
+  // Whatever the unit, and where there is no area across the rays at all.
+  EXPECT_EQ(seconds(scaled(sphere, 0x1p-300)), seconds(sphere));
+  EXPECT_LT(seconds(Mesh()), seconds(sphere));
+  EXPECT_LT(seconds(sphere.mapped(
+              [](const Point& p) -> Point {
+                return {p[0], p[1], 0};
+              })),
+    seconds(sphere));
+}
+
+TEST(PointCrossings, StopWhenInterrupted)
+{
+  SCOPED_TRACE("seeds 267, 277, 278");
+  const std::pair<Mesh, std::vector<Point>> cases[] = {
+    {icosphere(3), randomPoints(1000, -1, 1, 267)},
+    {tetrahedra(600, 2, false, 277), cluster(6000, 278)}};
+  int callsOfCase[2] = {0, 0};
+  for (int i = 0; i < 2; ++i)
+  {
+    const winding::Surface surface = clean(cases[i].first);
+    const std::vector<Point>& samples = cases[i].second;
+    std::vector<double> values(samples.size());
+    winding::FieldOutput output;
+    output.doubleValues = values.data();
+    for (bool complete = false; !complete; ++callsOfCase[i])
+    {
+      Interruption executor(callsOfCase[i], 1);
+      complete = winding::PointCrossings(surface).evaluate(
+        winding::VectorsView(samples[0].data(), samples.size()), output, executor);
+      EXPECT_NE(complete, executor.cameToPass());
+    }
+  }
+  EXPECT_GT(callsOfCase[0], 2) << "there was something to interrupt";
+  EXPECT_GT(callsOfCase[1], callsOfCase[0] + 4) << "and so were the columns in a column";
+}

@@ -1,0 +1,258 @@
+#include "rays/RowCrossings.h"
+
+#include "base/Bounds.h"
+#include "core/support/RowValues.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Extent;
+using winding::Grid;
+
+std::vector<int> valuesOn(const Mesh& mesh, const Grid& grid)
+{
+  const winding::Surface surface = clean(mesh);
+  winding::SerialExecutor serial;
+  return rowValues({surface.vertices, surface.triangles}, grid, grid.wholeExtent(), 65536, serial);
+}
+
+/// Samples in a plane of the surface count as moved this way.
+const Point symbolicStep(1e-10, 1e-6, 1e-8);
+
+} // namespace
+
+TEST(RowCrossings, AreExactOnLatticeSolidsWhateverTheRowsHit)
+{
+  // Rows on the lattice run along faces and edges and through vertices; on the half lattice too.
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d sheared = (Eigen::Matrix3d() << 1, 2, 1, 0, 1, 1, 0, 0, 1).finished();
+  const Eigen::Matrix3d turned = (Eigen::Matrix3d() << 1, -1, 1, 1, 1, 0, -1, 2, 3).finished();
+  SCOPED_TRACE("seeds 131, 132");
+  for (const Cells& cells : {lShape(), randomCells(4, 131), randomCells(3, 132)})
+  {
+    for (const Eigen::Matrix3d& matrix : {identity, sheared, turned})
+    {
+      const Mesh mesh =
+        surfaceOf(cells).mapped([&](const Point& p) -> Point { return matrix * p; });
+      const winding::Bounds bounds = clean(mesh).bounds;
+      const Eigen::Matrix3d inverse = matrix.inverse();
+      for (const double spacing : {1.0, 0.5})
+      {
+        const Grid grid = gridOf(bounds.min() - Point::Constant(spacing), Point::Constant(spacing),
+          ((bounds.sizes() / spacing).array() + 3).cast<int>());
+        const std::vector<int> values = valuesOn(mesh, grid);
+        for (std::size_t n = 0; n < values.size(); ++n)
+        {
+          const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
+          const Point q = grid.sample(index[0], index[1], index[2]);
+          ASSERT_EQ(values[n], shapes::windingOf(cells, inverse * (q + symbolicStep)))
+            << q.transpose();
+        }
+      }
+    }
+  }
+}
+
+TEST(RowCrossings, GiveBoxesOnGridPlanesTheirLowerFacesAndNotTheUpper)
+{
+  const Grid grid = gridOf({-2, -2, -2}, {0.5, 0.5, 0.5}, {16, 16, 16});
+  const std::vector<int> values = valuesOn(cube({-1, -0.5, 0}, {2, 2.5, 3}), grid);
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
+    const Point q = grid.sample(index[0], index[1], index[2]);
+    const bool isIn = (q.array() >= Point(-1, -0.5, 0).array()).all() &&
+                      (q.array() < Point(2, 2.5, 3).array()).all();
+    ASSERT_EQ(values[n], isIn) << q.transpose();
+  }
+}
+
+TEST(RowCrossings, GiveEverySampleToOneOfTheBoxesThatFillARoom)
+{
+  // With decimal sides on a decimal grid: what is rounded, is rounded alike for neighbours.
+  Mesh room;
+  for (int n = 0; n < 27; ++n)
+  {
+    const Point low = 0.3 * Point(n % 3, n / 3 % 3, n / 9);
+    const Point high = 0.3 * Point(n % 3 + 1, n / 3 % 3 + 1, n / 9 + 1);
+    room = room.with(cube(low, high));
+  }
+  for (const double spacing : {0.1, 0.05, 0.3, 0.15})
+  {
+    const int count = static_cast<int>(std::ceil(0.7 / spacing));
+    const Grid grid = gridOf(Point::Constant(0.1), Point::Constant(spacing), {count, count, count});
+    const std::vector<int> values = valuesOn(room, grid);
+    EXPECT_EQ(values, std::vector<int>(values.size(), 1)) << spacing;
+  }
+}
+
+TEST(RowCrossings, AgreeWithTheDirectSumOffTheSurface)
+{
+  SCOPED_TRACE("seed 133");
+  Random random(133);
+  for (const Mesh& mesh : {tetrahedron(), icosphere(3), torus(48, 24),
+         icosphere(2).reversed().with(torus(24, 12)), icosphere(1).with(icosphere(1)),
+         torus(7, 5).mapped(
+           [](const Point& p) -> Point {
+             return {1e3 * p[0], p[1], 1e-3 * p[2]};
+           })})
+  {
+    const winding::Surface surface = clean(mesh);
+    const winding::TriangleSum sum(surface);
+    // Anisotropic, and a little beyond the bounds.
+    const Point spacing = surface.bounds.sizes().cwiseQuotient(random.point(11, 31));
+    const Grid grid = gridOf(surface.bounds.min() - 1.3 * spacing, spacing, {33, 34, 35});
+    const std::vector<int> values = valuesOn(mesh, grid);
+    std::vector<Point> samples;
+    for (std::size_t n = 0; n < values.size(); ++n)
+    {
+      const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
+      samples.push_back(grid.sample(index[0], index[1], index[2]));
+    }
+    const std::vector<double> expected = shapes::valuesOf(sum, samples);
+    for (std::size_t n = 0; n < values.size(); ++n)
+    {
+      // Slivers cost the direct sum digits, but no turn.
+      ASSERT_NEAR(values[n], expected[n], 1e-6) << samples[n].transpose();
+    }
+  }
+}
+
+TEST(RowCrossings, OfAClosedChainSumToZeroAlongEveryRow)
+{
+  // The rows begin and end outside.
+  SCOPED_TRACE("seed 134");
+  for (const Mesh& mesh : {icosphere(3), torus(48, 24), surfaceOf(randomCells(6, 134))})
+  {
+    const winding::Surface surface = clean(mesh);
+    const Point spacing = surface.bounds.sizes() / 24;
+    const Grid grid = gridOf(surface.bounds.min() - spacing, spacing, {27, 27, 27});
+    const std::vector<int> values = valuesOn(mesh, grid);
+    for (std::size_t row = 0; row < values.size(); row += 27)
+    {
+      ASSERT_EQ(values[row], 0);
+      ASSERT_EQ(values[row + 26], 0);
+    }
+  }
+}
+
+TEST(RowCrossings, DoNotDependOnExtentBandsOrThreads)
+{
+  SCOPED_TRACE("seeds 135 …");
+  for (unsigned seed = 135; seed < 165; ++seed)
+  {
+    const ClosedLatticeChain chain(seed);
+    const winding::RowCrossings rows = chain.rows();
+    const Extent whole = chain.grid().wholeExtent();
+    winding::SerialExecutor serial;
+    const std::vector<int> expected = rowValues(rows, chain.grid(), whole, 65536, serial);
+    ShuffledThreads threads(seed);
+    for (const std::size_t samplesPerBlock : {1, 7, 1'000'000'000})
+    {
+      ASSERT_EQ(rowValues(rows, chain.grid(), whole, samplesPerBlock, serial), expected);
+      ASSERT_EQ(rowValues(rows, chain.grid(), whole, samplesPerBlock, threads), expected);
+    }
+    Random random(seed);
+    for (int i = 0; i < 20; ++i)
+    {
+      Extent part;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto size = static_cast<std::uint64_t>(chain.grid().dimensions[axis]);
+        const int one = static_cast<int>(random.bits() % size);
+        const int other = static_cast<int>(random.bits() % size);
+        part[2 * axis] = std::min(one, other);
+        part[2 * axis + 1] = std::max(one, other);
+      }
+      const std::vector<int> values = rowValues(rows, chain.grid(), part, 40, serial);
+      for (std::size_t n = 0; n < values.size(); ++n)
+      {
+        const Eigen::Vector3i index = winding::sampleIndex(part, n);
+        ASSERT_EQ(values[n], expected[placeIn(whole, index)]);
+      }
+    }
+  }
+}
+
+TEST(RowCrossings, OfOneSampleAreThoseOfItsRow)
+{
+  SCOPED_TRACE("seeds 166 …");
+  for (unsigned seed = 166; seed < 366; ++seed)
+  {
+    const ClosedLatticeChain chain(seed);
+    const winding::RowCrossings rows = chain.rows();
+    winding::SerialExecutor serial;
+    const Extent whole = chain.grid().wholeExtent();
+    const std::vector<int> expected = rowValues(rows, chain.grid(), whole, 65536, serial);
+    for (std::size_t n = 0; n < expected.size(); ++n)
+    {
+      const Eigen::Vector3i index = winding::sampleIndex(whole, n);
+      ASSERT_EQ(rows.valueAt(chain.grid(), index[0], index[1], index[2]), expected[n]) << seed;
+    }
+  }
+}
+
+TEST(RowCrossings, FindTheInsideOfTrianglesFarLargerThanTheGrid)
+{
+  const Mesh huge =
+    tetrahedron().mapped([](const Point& p) -> Point { return 4e7 * (p - Point(0.2, 0.2, 0.2)); });
+  const Grid grid = gridOf({-8, -8, -8}, {1, 1, 1}, {17, 17, 17});
+  const std::vector<int> values = valuesOn(huge, grid);
+  EXPECT_EQ(values, std::vector<int>(values.size(), 1));
+  // The plane x + y + z = 0 through the samples: those in it are moved over it.
+  const Mesh cut =
+    huge.mapped([](const Point& p) -> Point { return p - Point::Constant(16e6 / 3); });
+  const winding::Surface surface = clean(cut);
+  const std::vector<int> inside = valuesOn(cut, grid);
+  for (std::size_t n = 0; n < inside.size(); ++n)
+  {
+    const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
+    const int sum = index.sum() - 24;
+    if (sum != 0)
+    {
+      ASSERT_EQ(inside[n], sum < 0);
+    }
+  }
+}
+
+TEST(RowCrossings, AreNoneFarAwayAndRightOnAGridOfOneSample)
+{
+  for (const double distance : {10.0, -10.0, 1e9, -1e12})
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Grid grid = gridOf(distance * Point::Unit(axis), {0.1, 0.2, 0.3}, {5, 6, 7});
+      EXPECT_EQ(valuesOn(icosphere(1), grid), std::vector<int>(210, 0));
+    }
+  }
+  EXPECT_EQ(valuesOn(icosphere(1), gridOf({0.1, 0, 0}, {1, 1, 1}, {1, 1, 1})), std::vector<int>{1});
+  EXPECT_EQ(valuesOn(icosphere(1), gridOf({2, 0, 0}, {1, 1, 1}, {1, 1, 1})), std::vector<int>{0});
+  EXPECT_EQ(valuesOn(Mesh(), gridOf({0, 0, 0}, {1, 1, 1}, {2, 1, 1})), (std::vector<int>{0, 0}));
+}
+
+TEST(RowCrossings, DoNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
+{
+  SCOPED_TRACE("seed 137");
+  const Mesh solid = surfaceOf(randomCells(4, 137)).with(icosphere(2));
+  const Grid grid = gridOf({-1.13, -1.13, -1.13}, {0.31, 0.31, 0.31}, {19, 19, 19});
+  const std::vector<int> expected = valuesOn(solid, grid);
+  for (const double scale : {1e-200, 1e-30, 1e-6, 1e6, 1e30, 1e200})
+  {
+    const Mesh scaled = solid.mapped([&](const Point& p) -> Point { return scale * p; });
+    const Grid same = gridOf(scale * grid.firstSample, scale * grid.spacing, grid.dimensions);
+    EXPECT_EQ(valuesOn(scaled, same), expected) << scale;
+  }
+  // A million diagonals away.
+  const Point away(6e6, -5e6, 4e6);
+  const Mesh moved = solid.mapped([&](const Point& p) -> Point { return p + away; });
+  const Grid there = gridOf(grid.firstSample + away, grid.spacing, grid.dimensions);
+  EXPECT_EQ(valuesOn(moved, there), expected);
+}

@@ -1,0 +1,158 @@
+#include "report/Advice.h"
+
+#include "base/Bounds.h"
+#include "core/support/Samples.h"
+#include "core/support/Shapes.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using winding::adviceOn;
+using winding::CloudReport;
+
+std::string adviceOnSurface(const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return adviceOn(surface, winding::reportOn(surface, winding::edgesOf(surface, serial), serial));
+}
+
+std::string adviceOnMesh(const shapes::Mesh& mesh)
+{
+  winding::SerialExecutor serial;
+  return adviceOnSurface(winding::sanitize({mesh.view()}, serial));
+}
+
+/// A cloud without faults.
+CloudReport goodReport()
+{
+  CloudReport report;
+  report.points = report.places = 100;
+  report.hasNormals = true;
+  report.orientation = {1, 0, 1, 0};
+  return report;
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST(Advice, OnSurfacesSaysWhetherTheyAreClosed)
+{
+  EXPECT_EQ(adviceOnMesh(shapes::cube()), "closed: every winding number is an integer");
+  EXPECT_TRUE(has(adviceOnMesh(shapes::cube().reversed()), "inside out"));
+  EXPECT_EQ(adviceOnMesh(shapes::openCube()),
+    "open: 4 boundary edges in 1 loop; near them winding numbers are between integers");
+  EXPECT_TRUE(has(adviceOnMesh(shapes::moebiusStrip(10)), "1 edge is inconsistently oriented"));
+  EXPECT_TRUE(has(adviceOnMesh(shapes::Mesh()), "nothing to evaluate"));
+}
+
+TEST(Advice, OnSurfacesNamesNonManifoldEdges)
+{
+  const std::string cubes = adviceOnMesh(shapes::surfaceOf({{0, 0, 0}, {1, 1, 0}}));
+  EXPECT_EQ(
+    cubes.rfind("closed: every winding number is an integer; 1 edge is non-manifold", 0), 0u)
+    << cubes;
+  // Three membranes in one closed rim: every edge is used three times.
+  shapes::Mesh pages{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}};
+  const std::string open = adviceOnMesh(pages);
+  EXPECT_EQ(open.rfind("open, though every edge has two triangles or more", 0), 0u) << open;
+  EXPECT_TRUE(has(open, "3 edges are non-manifold")) << open;
+  EXPECT_TRUE(has(open, "2 triangles repeat others")) << open;
+}
+
+TEST(Advice, OnSurfacesCountsWhatIsLeftOut)
+{
+  shapes::Mesh mesh = shapes::cube();
+  mesh.triangles.push_back({0, 1, 99});
+  mesh.points.emplace_back(std::nan(""), 0, 0);
+  mesh.triangles.push_back({0, 1, 8});
+  winding::SerialExecutor serial;
+  const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
+  EXPECT_EQ(adviceOnSurface(surface),
+    "closed: every winding number is an integer; 1 triangle is left out for NaN or infinite "
+    "coordinates; 1 triangle is left out for points that do not exist");
+}
+
+TEST(Advice, OnCloudsSaysWhatTheyLack)
+{
+  EXPECT_EQ(adviceOn(goodReport()),
+    "oriented points, outward: winding numbers are approximate, and best away from the points");
+  EXPECT_TRUE(has(adviceOn(CloudReport()), "there are no points"));
+
+  CloudReport bare = goodReport();
+  bare.hasNormals = false;
+  for (const char* part : {"no normals", "EstimateNormals", "--estimate-normals", "vtkPCANormal"})
+  {
+    EXPECT_TRUE(has(adviceOn(bare), part)) << adviceOn(bare);
+  }
+
+  CloudReport zero = goodReport();
+  zero.zeroNormals = 100;
+  EXPECT_EQ(
+    adviceOn(zero).rfind("all normals have length 0: leave them out, then have them estimated", 0),
+    0u);
+
+  CloudReport nothing = goodReport();
+  nothing.nonFinite = 100;
+  EXPECT_EQ(adviceOn(nothing), "nothing to evaluate: all points are NaN or infinite");
+
+  CloudReport heap = goodReport();
+  heap.places = 1;
+  heap.duplicates = 99;
+  EXPECT_TRUE(has(adviceOn(heap), "all points lie at one place"));
+}
+
+TEST(Advice, OnCloudsWarnsOfNormalsThatContradictEachOther)
+{
+  CloudReport report = goodReport();
+  report.oppositeNeighbors = 0.15;
+  EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
+  report.oppositeNeighbors = 0.456;
+  EXPECT_EQ(adviceOn(report).rfind("46 % of neighbours have opposite normals", 0), 0u);
+}
+
+TEST(Advice, OnCloudsSaysWhatTheFieldSaysOfTheirNormals)
+{
+  CloudReport report = goodReport();
+  report.orientation = {0, -1, 0, 0.9};
+  EXPECT_EQ(adviceOn(report).rfind("oriented points, but inside out", 0), 0u) << adviceOn(report);
+  report.orientation = {0.456, -0.543, 0.1, 0.2};
+  EXPECT_EQ(adviceOn(report).rfind("the field tells inside from outside at 20 % of the points (it "
+                                   "is mostly 0.46 and -0.54 behind and before them)",
+              0),
+    0u)
+    << adviceOn(report);
+}
+
+TEST(Advice, OnCloudsCountsDuplicatesAndWhatIsLeftOut)
+{
+  CloudReport report = goodReport();
+  report.duplicates = 1;
+  report.zeroNormals = 2;
+  report.nonFinite = 3;
+  const std::string advice = adviceOn(report);
+  EXPECT_TRUE(has(advice, "; 1 point lies where others do")) << advice;
+  EXPECT_TRUE(has(advice, "; 2 points are left out for normals of length 0")) << advice;
+  EXPECT_TRUE(has(advice, "; 3 points are left out for NaN or infinite values")) << advice;
+}
+
+TEST(Advice, OnCloudsNamesOutliers)
+{
+  CloudReport report = goodReport();
+  report.spacing = {0.9, 1, 1, 90};
+  report.bounds = winding::Bounds(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(100, 100, 1));
+  EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
+  report.spacing.largest = 110;
+  EXPECT_TRUE(has(adviceOn(report), "; at least one point is far from all others"));
+  report.bounds.extend(Eigen::Vector3d(1000, 0, 0)); // a gap, and not all of the bounds
+  EXPECT_EQ(adviceOn(report), adviceOn(goodReport()));
+}

@@ -1,0 +1,198 @@
+#include "report/SurfaceReport.h"
+
+#include "core/support/Shapes.h"
+#include "source/Sanitize.h"
+#include "source/Surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace shapes;
+using winding::EdgeCounts;
+using winding::SurfaceReport;
+
+SurfaceReport report(const Mesh& mesh)
+{
+  winding::SerialExecutor serial;
+  const winding::Surface surface = clean(mesh);
+  return winding::reportOn(surface, winding::edgesOf(surface, serial), serial);
+}
+
+struct Expected
+{
+  std::size_t edges, boundary, netBoundary, nonManifold, inconsistent, boundaryLoops, components;
+};
+
+void expectEdges(const Mesh& mesh, const Expected& expected)
+{
+  const EdgeCounts counts = report(mesh).edges;
+  EXPECT_EQ(counts.edges, expected.edges);
+  EXPECT_EQ(counts.boundary, expected.boundary);
+  EXPECT_EQ(counts.netBoundary, expected.netBoundary);
+  EXPECT_EQ(counts.nonManifold, expected.nonManifold);
+  EXPECT_EQ(counts.inconsistent, expected.inconsistent);
+  EXPECT_EQ(counts.boundaryLoops, expected.boundaryLoops);
+  EXPECT_EQ(counts.components, expected.components);
+  EXPECT_EQ(counts.isClosed(), expected.netBoundary == 0);
+}
+
+/// Pages that meet in the edge from (0, 0, 0) to (0, 0, 1), all in the same direction or by turns.
+Mesh book(std::int32_t pages, bool byTurns)
+{
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (std::int32_t i = 0; i < pages; ++i)
+  {
+    mesh.points.push_back({std::cos(i), std::sin(i), 0.5});
+    const bool back = byTurns && i % 2 == 1;
+    mesh.triangles.push_back({back ? 1 : 0, back ? 0 : 1, i + 2});
+  }
+  return mesh;
+}
+
+} // namespace
+
+TEST(CountEdges, FindsClosedShapesClosed)
+{
+  expectEdges(cube(), {18, 0, 0, 0, 0, 0, 1});
+  expectEdges(tetrahedron(), {6, 0, 0, 0, 0, 0, 1});
+  expectEdges(torus(12, 8), {288, 0, 0, 0, 0, 0, 1});
+  expectEdges(Mesh(), {0, 0, 0, 0, 0, 0, 0});
+}
+
+TEST(CountEdges, FindsTheRimOfAnOpenCube)
+{
+  expectEdges(openCube(), {17, 4, 4, 0, 0, 1, 1});
+}
+
+TEST(CountEdges, FindsEveryHoleOnce)
+{
+  Mesh mesh = icosphere(2);
+  // Far apart: children of different faces of the icosahedron.
+  for (const std::size_t hole : {300, 150, 0})
+  {
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+  }
+  expectEdges(mesh, {480, 9, 9, 0, 0, 3, 1});
+}
+
+TEST(CountEdges, FindsTheOneRimAndTheTwistOfAMoebiusStrip)
+{
+  // The edge where the ends meet is used twice in the same direction.
+  expectEdges(moebiusStrip(10), {40, 20, 21, 0, 1, 1, 1});
+}
+
+TEST(CountEdges, TellsTwoCubesApart)
+{
+  expectEdges(cube().with(cube({2, 0, 0}, {3, 1, 1})), {36, 0, 0, 0, 0, 0, 2});
+}
+
+TEST(CountEdges, ConnectsThroughEdgesAndNotThroughVertices)
+{
+  const Mesh corner = cube().with(cube({1, 1, 1}, {2, 2, 2}));
+  expectEdges(corner, {36, 0, 0, 0, 0, 0, 2});
+  EXPECT_EQ(report(corner).vertexComponents, 1u);
+  // Two cubes that share an edge: four triangles meet there.
+  expectEdges(surfaceOf({{0, 0, 0}, {1, 1, 0}}), {35, 0, 0, 1, 0, 0, 1});
+}
+
+TEST(CountEdges, CountsTheUsesOfTheBackOfABook)
+{
+  expectEdges(book(3, false), {7, 6, 7, 1, 0, 1, 1});
+  expectEdges(book(4, true), {9, 8, 8, 1, 0, 1, 1});
+}
+
+TEST(CountEdges, FindsAFlippedTriangle)
+{
+  Mesh mesh = cube();
+  std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+  expectEdges(mesh, {18, 0, 3, 0, 3, 0, 1});
+  expectEdges(cube().reversed(), {18, 0, 0, 0, 0, 0, 1});
+}
+
+TEST(SurfaceReport, HasTheAreaVolumeAndEulerCharacteristicOfTheCube)
+{
+  const SurfaceReport cubes = report(cube());
+  EXPECT_DOUBLE_EQ(cubes.area, 6);
+  EXPECT_DOUBLE_EQ(cubes.volume, 1);
+  EXPECT_EQ(cubes.eulerCharacteristic, 2);
+  EXPECT_EQ(cubes.duplicateTriangles, 0u);
+  EXPECT_EQ(cubes.zeroAreaTriangles, 0u);
+  EXPECT_DOUBLE_EQ(report(cube().reversed()).volume, -1);
+  EXPECT_EQ(report(torus(12, 8)).eulerCharacteristic, 0);
+  EXPECT_EQ(report(cube().with(cube({2, 0, 0}, {3, 1, 1}))).eulerCharacteristic, 4);
+}
+
+TEST(SurfaceReport, ComesCloseToTheAreaAndVolumeOfTheSphere)
+{
+  const SurfaceReport sphere = report(icosphere(4));
+  constexpr double pi = 3.14159265358979323846;
+  // The mesh is inscribed, with edges of 0.07: it lacks about edge²/4 of the volume. Measured: 0.0032
+  // and 0.0016 relative.
+  EXPECT_NEAR(sphere.volume, 4 * pi / 3, 0.02);
+  EXPECT_NEAR(sphere.area, 4 * pi, 0.03);
+}
+
+TEST(SurfaceReport, KeepsItsVolumeFarFromTheOrigin)
+{
+  const Point far(4e6, -3e6, 5e6);
+  const SurfaceReport moved = report(cube(far, far + Point(1, 1, 1)));
+  EXPECT_DOUBLE_EQ(moved.volume, 1);
+  EXPECT_DOUBLE_EQ(moved.area, 6);
+}
+
+TEST(SurfaceReport, CountsDuplicatesInEitherOrientation)
+{
+  Mesh mesh = cube();
+  mesh.triangles.push_back({mesh.triangles[0][1], mesh.triangles[0][2], mesh.triangles[0][0]});
+  mesh.triangles.push_back({mesh.triangles[5][1], mesh.triangles[5][0], mesh.triangles[5][2]});
+  mesh.triangles.push_back(mesh.triangles[0]);
+  EXPECT_EQ(report(mesh).duplicateTriangles, 3u);
+}
+
+TEST(SurfaceReport, CountsTrianglesWithoutArea)
+{
+  SCOPED_TRACE("seed 131");
+  // Three points of a line of the lattice, without rounding; and a box with an odd centre, which must
+  // not make triangles of them.
+  Random random(131);
+  Mesh mesh = cube({-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5});
+  for (Point& p : mesh.points)
+  {
+    p = p == Point(1.5, 1.5, 1.5) ? Point(1.5 + 1e-9 / 3, 1.5 + 1e-9 / 7, 1.5 + 1e-9 / 11) : p;
+  }
+  for (int i = 0; i < 100; ++i)
+  {
+    const auto latticePoint = [&]() -> Point
+    {
+      return (random.point(-512, 512)).array().round().matrix() / 1024;
+    };
+    const Point start = latticePoint(), step = latticePoint();
+    const auto id = static_cast<std::int32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), {start, start + step, start + 2 * step});
+    mesh.triangles.push_back({id, id + 1, id + 2});
+  }
+  EXPECT_EQ(report(mesh).zeroAreaTriangles, 100u);
+}
+
+TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
+{
+  Mesh mesh = cube().with(cube({1, 0, 0}, {2, 1, 1})); // four corners are those of both
+  const double nan = std::nan("");
+  // Two places without triangles, one of them twice, and the corner of a triangle that collapses.
+  mesh.points.insert(
+    mesh.points.end(), {{7, 7, 7}, {7, 7, 7}, {8, 7, 7}, {nan, 0, 0}, {0, -0.0, 0}});
+  mesh.triangles.push_back({18, 18, 0});
+  winding::SerialExecutor serial;
+  const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
+  const winding::VertexCounts counts =
+    winding::countVertices({mesh.view().points}, surface, serial);
+  EXPECT_EQ(counts.points, 21u);
+  EXPECT_EQ(counts.different, 12u + 2u);
+  EXPECT_EQ(counts.unreferenced, 2u);
+  const winding::VertexCounts none = winding::countVertices({}, winding::Surface(), serial);
+  EXPECT_EQ(none.points + none.different + none.unreferenced, 0u);
+}

@@ -1,0 +1,224 @@
+#include "source/Grid.h"
+
+#include "base/Bounds.h"
+#include "base/Refusal.h"
+#include "core/support/Samples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using shapes::Point;
+using winding::Bounds;
+using winding::Grid;
+using winding::GridRequest;
+using winding::layOutGrid;
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+GridRequest over(const Point& low, const Point& high)
+{
+  GridRequest request;
+  request.bounds = Bounds(low, high);
+  return request;
+}
+
+GridRequest overSome()
+{
+  return over({1, 2, 3}, {5, 4, 4});
+}
+
+/// Refused, in one line that says something and has a number or a name of the culprit in it.
+void expectRefused(const GridRequest& request, const std::string& mention)
+{
+  try
+  {
+    layOutGrid(request);
+    FAIL() << "not refused, though " << mention;
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    const std::string message = refusal.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find(mention), std::string::npos) << message;
+  }
+}
+
+} // namespace
+
+TEST(LayOutGrid, MakesCubicVoxelsOfTheResolutionAlongTheLongestSide)
+{
+  GridRequest request = overSome();
+  request.resolution = 8;
+  const Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(8, 4, 2));
+  EXPECT_EQ(grid.spacing, Point(0.5, 0.5, 0.5));
+  EXPECT_EQ(grid.firstSample, Point(1.25, 2.25, 3.25));
+  EXPECT_EQ(grid.corner(), Point(1, 2, 3));
+  EXPECT_EQ(grid.sample(7, 3, 1), Point(4.75, 3.75, 3.75));
+}
+
+TEST(LayOutGrid, PadsByAFractionOfTheLongestSideOnEachSide)
+{
+  GridRequest request = overSome();
+  request.resolution = 12;
+  request.padding = 0.25;
+  const Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(12, 8, 6));
+  EXPECT_EQ(grid.corner(), Point(0, 1, 2));
+}
+
+TEST(LayOutGrid, TakesTheVoxelSizeInPlaceOfTheResolution)
+{
+  GridRequest request = overSome();
+  request.voxelSize = 0.25;
+  request.resolution = 0;
+  const Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(16, 8, 4));
+  EXPECT_EQ(grid.spacing, Point(0.25, 0.25, 0.25));
+}
+
+TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
+{
+  SCOPED_TRACE("seed 81");
+  shapes::Random random(81);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Point low = random.point(-10, 10);
+    GridRequest request = over(low, low + random.point(0.01, 3));
+    request.resolution = 1 + static_cast<int>(random(0, 100));
+    request.padding = random(0, 1);
+    const Grid grid = layOutGrid(request);
+    const Point margin = Point::Constant(request.padding * request.bounds.sizes().maxCoeff());
+    const Point before = request.bounds.min() - margin - grid.corner();
+    const Point last =
+      grid.sample(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1);
+    const Point after = last + 0.5 * grid.spacing - request.bounds.max() - margin;
+    const double rounding =
+      1e-11 * grid.spacing[0]; // the 1e-12 of a side that countVoxels forgives
+    EXPECT_EQ(grid.dimensions.maxCoeff(), request.resolution);
+    EXPECT_EQ(grid.spacing.minCoeff(), grid.spacing.maxCoeff());
+    EXPECT_LT((before - after).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_GT(before.minCoeff(), -rounding - 1e-13);
+    EXPECT_LT((before + after).maxCoeff(), grid.spacing[0]);
+  }
+}
+
+TEST(LayOutGrid, GainsNoVoxelByRounding)
+{
+  GridRequest request = over({0, 0, 0}, {0.3, 0.7, 2.1});
+  request.voxelSize = 0.1;
+  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(3, 7, 21));
+}
+
+TEST(LayOutGrid, FillsTheBoundsExactlyWithGivenDimensions)
+{
+  GridRequest request = overSome();
+  request.dimensions = {2, 4, 1};
+  const Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.dimensions, request.dimensions);
+  EXPECT_EQ(grid.spacing, Point(2, 0.5, 1));
+  EXPECT_EQ(grid.corner(), Point(1, 2, 3));
+}
+
+TEST(LayOutGrid, GivesFlatBoundsOneLayerOfVoxelsAroundThem)
+{
+  GridRequest request = over({0, 0, 5}, {4, 4, 5});
+  request.resolution = 4;
+  const Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(4, 4, 1));
+  EXPECT_EQ(grid.firstSample[2], 5);
+}
+
+TEST(LayOutGrid, ScalesWithTheUnitOfLength)
+{
+  for (const double scale : {0x1p-900, 0x1p-100, 0x1p100, 0x1p900})
+  {
+    const Grid unit = layOutGrid(overSome());
+    const Grid grid = layOutGrid(over(scale * Point(1, 2, 3), scale * Point(5, 4, 4)));
+    EXPECT_EQ(grid.dimensions, unit.dimensions);
+    EXPECT_EQ(grid.firstSample, scale * unit.firstSample);
+    EXPECT_EQ(grid.spacing, scale * unit.spacing);
+  }
+}
+
+TEST(LayOutGrid, RefusesBoundsThatAreNone)
+{
+  expectRefused(GridRequest(), "bounds");
+  expectRefused(over({0, 3, 0}, {1, 2, 1}), "3 2");
+  expectRefused(over({0, 0, notANumber}, {1, 1, 1}), "nan");
+  expectRefused(over({0, 0, 0}, {1, notANumber, 1}), "nan");
+  expectRefused(over({0, 0, 0}, {1, infinity, 1}), "inf");
+  expectRefused(over({-1.5e308, 0, 0}, {1.5e308, 1, 1}), "1.5e+308");
+  expectRefused(over({1, 1, 1}, {1, 1, 1}), "single point");
+}
+
+TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
+{
+  const auto refuse = [](const std::string& mention, const auto& change)
+  {
+    GridRequest request = overSome();
+    change(request);
+    expectRefused(request, mention);
+  };
+  refuse("resolution is 0", [](GridRequest& r) { r.resolution = 0; });
+  refuse("resolution is -3", [](GridRequest& r) { r.resolution = -3; });
+  refuse("voxel size is -1", [](GridRequest& r) { r.voxelSize = -1; });
+  refuse("voxel size is nan", [](GridRequest& r) { r.voxelSize = notANumber; });
+  refuse("voxel size is inf", [](GridRequest& r) { r.voxelSize = infinity; });
+  refuse("padding is -0.1", [](GridRequest& r) { r.padding = -0.1; });
+  refuse("padding is nan", [](GridRequest& r) { r.padding = notANumber; });
+  refuse("padding is inf", [](GridRequest& r) { r.padding = infinity; });
+  refuse("4 0 4", [](GridRequest& r) { r.dimensions = {4, 0, 4}; });
+  refuse("4 -1 4", [](GridRequest& r) { r.dimensions = {4, -1, 4}; });
+  refuse("1e-300", [](GridRequest& r) { r.voxelSize = 1e-300; });
+  refuse("2147483646", [](GridRequest& r) { r.voxelSize = 1e-9; });
+  refuse("2000000000", [](GridRequest& r) { r.dimensions = {2000000000, 2000000000, 3}; });
+  refuse("0", [](GridRequest& r) { r = over({0, 0, 5}, {4, 4, 5}), r.dimensions = {4, 4, 4}; });
+}
+
+TEST(LayOutGrid, RefusesVoxelsThatCannotBeToldApart)
+{
+  GridRequest request = over({1e17, 0, 0}, {1e17 + 64, 64, 64});
+  request.resolution = 64;
+  expectRefused(request, "told apart");
+}
+
+TEST(SampleCount, IsTheProductOfTheRangesAndZeroForEmptyOnes)
+{
+  EXPECT_EQ(winding::sampleCount({0, 3, 0, 4, 0, 5}), 4u * 5u * 6u);
+  EXPECT_EQ(winding::sampleCount({-2, 3, 7, 7, 5, 6}), 6u * 1u * 2u);
+  EXPECT_EQ(winding::sampleCount({0, -1, 0, 4, 0, 5}), 0u);
+  EXPECT_EQ(winding::sampleCount({0, -1, 0, -1, 0, -1}), 0u);
+  EXPECT_EQ(winding::sampleCount({0, 5, 9, 3, 0, 5}), 0u);
+  EXPECT_EQ(winding::sampleCount({0, 99999, 0, 99999, 0, 99999}), 1000000000000000u);
+}
+
+TEST(SampleIndex, RunsThroughAnExtentWithXFastest)
+{
+  const winding::Extent extent = {-1, 2, 5, 6, 3, 5};
+  std::size_t n = 0;
+  for (int k = 3; k <= 5; ++k)
+  {
+    for (int j = 5; j <= 6; ++j)
+    {
+      for (int i = -1; i <= 2; ++i)
+      {
+        EXPECT_EQ(winding::sampleIndex(extent, n++), Eigen::Vector3i(i, j, k));
+      }
+    }
+  }
+  EXPECT_EQ(n, winding::sampleCount(extent));
+}
+
+TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)
+{
+  Grid grid;
+  grid.dimensions = {4, 5, 6};
+  EXPECT_EQ(grid.wholeExtent(), (winding::Extent{0, 3, 0, 4, 0, 5}));
+}

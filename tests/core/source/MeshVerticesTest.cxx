@@ -1,0 +1,135 @@
+#include "source/MeshVertices.h"
+
+#include "core/support/Shapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace
+{
+
+using namespace shapes;
+using winding::MeshVertices;
+
+MeshVertices verticesOf(const Mesh& mesh)
+{
+  return winding::meshVertices({mesh.view()}, mesh.points.size());
+}
+
+Point normalOf(const MeshVertices& vertices, std::size_t point)
+{
+  return Point(vertices.normals.data() + 3 * point);
+}
+
+double areaOf(const Mesh& mesh)
+{
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    area += (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm() / 2;
+  }
+  return area;
+}
+
+} // namespace
+
+TEST(MeshVertices, HaveTheSumsOverTheirTriangles)
+{
+  for (unsigned seed = 1101; seed < 1106; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // Loose triangles, with corners made to meet.
+    Mesh mesh = triangleSoup(300, seed);
+    Random random(seed);
+    for (auto& triangle : mesh.triangles)
+    {
+      triangle[0] = static_cast<std::int32_t>(random.bits() % 50);
+    }
+    const MeshVertices found = verticesOf(mesh);
+    ASSERT_EQ(found.areas.size(), mesh.points.size());
+    ASSERT_EQ(found.normals.size(), 3 * mesh.points.size());
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+    {
+      Point normal(0, 0, 0);
+      double area = 0;
+      for (const auto& [a, b, c] : mesh.triangles)
+      {
+        const Point areaVector =
+          (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]) / 2;
+        for (const std::int32_t corner : {a, b, c})
+        {
+          if (static_cast<std::size_t>(corner) == point)
+          {
+            normal += areaVector;
+            area += areaVector.norm() / 3;
+          }
+        }
+      }
+      EXPECT_NEAR((normalOf(found, point) - normal).norm(), 0, 1e-12);
+      EXPECT_NEAR(found.areas[point], area, 1e-12);
+    }
+  }
+}
+
+TEST(MeshVertices, TogetherHaveTheAreaOfTheMesh)
+{
+  for (const Mesh& mesh : {icosphere(3), openCube(), torus(20, 10), triangleSoup(1000, 1111)})
+  {
+    const MeshVertices found = verticesOf(mesh);
+    const double total = std::accumulate(found.areas.begin(), found.areas.end(), 0.0);
+    EXPECT_NEAR(total, areaOf(mesh), 1e-12 * areaOf(mesh));
+  }
+}
+
+TEST(MeshVertices, OfASphereLookOutward)
+{
+  const Mesh sphere = icosphere(3);
+  const MeshVertices found = verticesOf(sphere);
+  for (std::size_t point = 0; point < sphere.points.size(); ++point)
+  {
+    // Measured: 0.99996 at least.
+    EXPECT_GT(normalOf(found, point).normalized().dot(sphere.points[point]), 0.999);
+  }
+}
+
+TEST(MeshVertices, WithoutTrianglesAreZero)
+{
+  Mesh mesh = cube();
+  mesh.points.emplace_back(5, 5, 5);
+  const MeshVertices found = verticesOf(mesh);
+  EXPECT_EQ(normalOf(found, 8), Point(0, 0, 0));
+  EXPECT_EQ(found.areas[8], 0);
+  EXPECT_TRUE(winding::meshVertices({}, 0).areas.empty());
+  EXPECT_EQ(winding::meshVertices({}, 3).areas, std::vector<double>(3));
+}
+
+TEST(MeshVertices, LeaveBadTrianglesOut)
+{
+  const MeshVertices expected = verticesOf(cube());
+  Mesh mesh = cube();
+  mesh.triangles.push_back({0, 1, 8});
+  mesh.triangles.push_back({0, 1, -1});
+  EXPECT_EQ(verticesOf(mesh).normals, expected.normals);
+  EXPECT_EQ(verticesOf(mesh).areas, expected.areas);
+  mesh.points.emplace_back(0, std::numeric_limits<double>::infinity(), 0); // number 8
+  MeshVertices found = verticesOf(mesh);
+  found.normals.resize(expected.normals.size());
+  found.areas.resize(expected.areas.size());
+  EXPECT_EQ(found.normals, expected.normals);
+  EXPECT_EQ(found.areas, expected.areas);
+}
+
+TEST(MeshVertices, OfSeveralViewsOverTheSamePointsAddUp)
+{
+  const Mesh mesh = icosphere(2);
+  const Mesh first = mesh.part(0, 100), second = mesh.part(100, mesh.triangles.size());
+  const MeshVertices expected = verticesOf(mesh);
+  const MeshVertices found =
+    winding::meshVertices({first.view(), second.view()}, mesh.points.size());
+  EXPECT_EQ(found.normals, expected.normals);
+  EXPECT_EQ(found.areas, expected.areas);
+}

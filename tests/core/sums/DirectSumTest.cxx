@@ -1,0 +1,300 @@
+#include "sums/DirectSum.h"
+
+#include "core/support/ReadObj.h"
+#include "core/support/Shapes.h"
+#include "source/Surface.h"
+#include "sums/ReferenceSum.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace
+{
+
+using namespace shapes;
+using winding::TriangleSum;
+
+std::vector<double> windingOf(const Mesh& mesh, const std::vector<Point>& samples)
+{
+  const winding::Surface surface = clean(mesh);
+  return valuesOf(TriangleSum(surface), samples);
+}
+
+std::vector<double> referenceOf(const Mesh& mesh, const std::vector<Point>& samples)
+{
+  const winding::Surface surface = clean(mesh);
+  std::vector<double> values;
+  for (const Point& q : samples)
+  {
+    values.push_back(static_cast<double>(winding::referenceSum<long double>(surface, q)));
+  }
+  return values;
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    // Written so that NaN counts as a difference.
+    largest = std::abs(a[i] - b[i]) <= largest ? largest : std::abs(a[i] - b[i]);
+  }
+  return largest;
+}
+
+std::map<std::string, Mesh> closedShapes()
+{
+  return {{"tetrahedron", tetrahedron()}, {"cube", cube()}, {"icosphere", icosphere(3)},
+    {"torus", torus(48, 24)}, {"L", surfaceOf(lShape())},
+    {"random cells", surfaceOf(randomCells(4, 7))}};
+}
+
+std::vector<Point> farAndNear(const Mesh& mesh, unsigned seed)
+{
+  std::vector<Point> samples = randomPoints(300, -2, 4, seed);
+  for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8})
+  {
+    const std::vector<Point> near = pointsNear(mesh, 100, distance, seed);
+    samples.insert(samples.end(), near.begin(), near.end());
+  }
+  return samples;
+}
+
+} // namespace
+
+TEST(TriangleSum, EqualsTheLongDoubleReference)
+{
+  SCOPED_TRACE("seeds 11, 12");
+  std::map<std::string, Mesh> meshes = closedShapes();
+  meshes["soup"] = triangleSoup(3000, 11);
+  meshes["open cube"] = openCube();
+  meshes["half a sphere"] = icosphere(3).part(0, 640);
+  meshes["Moebius strip"] = moebiusStrip(40);
+  double worst = 0;
+  for (const auto& [name, mesh] : meshes)
+  {
+    const std::vector<Point> samples = farAndNear(mesh, 12);
+    const double error = largestDifference(windingOf(mesh, samples), referenceOf(mesh, samples));
+    EXPECT_LT(error, 1e-11) << name; // promised; measured: 7.7e-15
+    worst = std::max(worst, error);
+  }
+  record("worst", worst);
+}
+
+TEST(TriangleSum, OfClosedShapesIsAnIntegerNearTheSurfaceToo)
+{
+  SCOPED_TRACE("seed 13");
+  double worst = 0;
+  for (const auto& [name, mesh] : closedShapes())
+  {
+    const std::vector<double> values = windingOf(mesh, farAndNear(mesh, 13));
+    std::size_t inside = 0;
+    for (const double w : values)
+    {
+      EXPECT_LT(std::abs(w - std::round(w)), 1e-12) << name; // measured: 6.7e-16
+      EXPECT_TRUE(std::round(w) == 0 || std::round(w) == 1) << name << ' ' << w;
+      worst = std::max(worst, std::abs(w - std::round(w)));
+      inside += w > 0.5;
+    }
+    EXPECT_GT(inside, 100u) << name;
+    EXPECT_GT(values.size() - inside, 100u) << name;
+  }
+  record("worst", worst);
+}
+
+TEST(TriangleSum, KnowsWhatIsInsideASphere)
+{
+  SCOPED_TRACE("seed 14");
+  const std::vector<Point> samples = randomPoints(2000, -1.5, 1.5, 14);
+  const std::vector<double> values = windingOf(icosphere(4), samples);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    // Between its inscribed and its circumscribed sphere the mesh may be on either side.
+    if (samples[i].norm() < 0.99 || samples[i].norm() > 1)
+    {
+      ASSERT_EQ(std::round(values[i]), samples[i].norm() < 1) << samples[i].transpose();
+    }
+  }
+}
+
+TEST(TriangleSum, IsTheMeanOfTheSidesOnFacesEdgesAndVertices)
+{
+  // Exactly in the planes: the quarters of the cube's size are free of rounding.
+  const std::vector<Point> samples = {{0.25, 0.5, 0}, {0.25, 0.25, 1}, {0, 0.75, 0.5}, {0.5, 0, 0},
+    {1, 1, 0.25}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {2, 0.5, 0}};
+  const std::vector<double> expected = {0.5, 0.5, 0.5, 0.25, 0.25, 0.125, 0.125, 0.125, 0};
+  const double error = largestDifference(windingOf(cube(), samples), expected);
+  record("error", error);
+  EXPECT_LT(error, 1e-15); // measured: 2.8e-17
+}
+
+TEST(TriangleSum, IsTheShareOfTheSolidOnGridPlanesOfLatticeSolids)
+{
+  double worst = 0;
+  for (const Cells& cells : {lShape(), randomCells(4, 15)})
+  {
+    SCOPED_TRACE("seed 15");
+    std::vector<Point> samples;
+    std::vector<double> expected;
+    for (int n = 0; n < 21 * 21 * 21; ++n)
+    {
+      samples.push_back(0.25 * Point(n % 21 - 2, n / 21 % 21 - 2, n / 441 - 2));
+      expected.push_back(shapes::windingOf(cells, samples.back()));
+    }
+    worst = std::max(worst, largestDifference(windingOf(surfaceOf(cells), samples), expected));
+  }
+  record("worst", worst);
+  EXPECT_LT(worst, 1e-12); // measured: 3.2e-16
+}
+
+TEST(TriangleSum, IsAdditiveOverSoups)
+{
+  SCOPED_TRACE("seeds 16, 17");
+  const Mesh soup = triangleSoup(1000, 16);
+  const std::vector<Point> samples = farAndNear(soup, 17);
+  const std::vector<double> whole = windingOf(soup, samples);
+  std::vector<double> sum = windingOf(soup.part(0, 137), samples);
+  const std::vector<double> rest = windingOf(soup.part(137, 1000), samples);
+  std::transform(sum.begin(), sum.end(), rest.begin(), sum.begin(), std::plus<>());
+  const double error = largestDifference(whole, sum);
+  record("error", error);
+  EXPECT_LT(error, 1e-12); // measured: 7.8e-16
+}
+
+TEST(TriangleSum, CountsDuplicatesTwiceAndCancelsOpposites)
+{
+  SCOPED_TRACE("seeds 18, 19");
+  const Mesh soup = triangleSoup(200, 18);
+  const std::vector<Point> samples = farAndNear(soup, 19);
+  std::vector<double> twice = windingOf(soup, samples);
+  for (double& w : twice)
+  {
+    w *= 2;
+  }
+  const std::vector<double> zero(samples.size(), 0);
+  const double doubled = largestDifference(windingOf(soup.with(soup), samples), twice);
+  const double cancelled = largestDifference(windingOf(soup.with(soup.reversed()), samples), zero);
+  record("doubled", doubled);
+  record("cancelled", cancelled);
+  EXPECT_LT(doubled, 1e-12);   // measured: 4.4e-16
+  EXPECT_LT(cancelled, 1e-12); // measured: 1.0e-15
+}
+
+TEST(TriangleSum, IgnoresDegenerateTriangles)
+{
+  SCOPED_TRACE("seed 20");
+  Mesh mesh = cube();
+  mesh.points.push_back({0.5, 0, 0});
+  const std::size_t before = mesh.triangles.size();
+  mesh.triangles.push_back({0, 0, 1});
+  for (const auto& t : cube().triangles)
+  {
+    // Needles with three different, collinear corners on every edge.
+    const auto middle = static_cast<std::int32_t>(mesh.points.size());
+    mesh.points.push_back(0.5 * (mesh.points[t[0]] + mesh.points[t[1]]));
+    mesh.triangles.push_back({t[0], t[1], middle});
+  }
+  const std::vector<Point> samples = farAndNear(cube(), 20);
+  EXPECT_EQ(windingOf(mesh, samples), windingOf(mesh.part(0, before), samples));
+}
+
+TEST(TriangleSum, IsFiniteEverywhere)
+{
+  SCOPED_TRACE("seed 21");
+  Mesh mesh = triangleSoup(100, 21).with(icosphere(1));
+  std::vector<Point> samples = mesh.points;
+  for (const auto& t : mesh.triangles)
+  {
+    samples.push_back(0.5 * (mesh.points[t[0]] + mesh.points[t[1]]));
+    samples.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
+  }
+  for (const double far : {0x1p-1074, 1e-300, 1e10, 1e100, 1e200, 1.7e308})
+  {
+    samples.push_back({far, 0, 0});
+    samples.push_back({far, -far, far});
+  }
+  for (const double w : windingOf(mesh, samples))
+  {
+    ASSERT_TRUE(std::isfinite(w));
+    ASSERT_LT(std::abs(w), 5);
+  }
+}
+
+TEST(TriangleSum, VanishesFarAway)
+{
+  for (const double far : {1e6, 1e30, 1e100, 1e200, 1.7e308})
+  {
+    const std::vector<double> values =
+      windingOf(openCube(), {{0.5, 0.5, far}, {far, far, far}, {-far, 0, far}});
+    for (const double w : values)
+    {
+      // The missing lid, of area 1, is all that is seen.
+      EXPECT_LT(std::abs(w), 1 / (4 * 3.14 * far) / far + 1e-30) << far;
+    }
+  }
+}
+
+TEST(TriangleSum, OfOneSampleDoesNotDependOnTheOthers)
+{
+  SCOPED_TRACE("seeds 22, 23");
+  const winding::Surface surface = clean(triangleSoup(300, 22));
+  const TriangleSum sum(surface);
+  const std::vector<Point> samples = randomPoints(winding::SampleBlock::capacity, -2, 2, 23);
+  const std::vector<double> whole = valuesOf(sum, samples);
+  for (std::size_t first = 0; first < samples.size(); first += 17)
+  {
+    for (const std::size_t count : {1, 2, 3, 5, 9, 16})
+    {
+      const std::size_t last = std::min(first + count, samples.size());
+      const std::vector<double> part =
+        valuesOf(sum, {samples.begin() + first, samples.begin() + last});
+      ASSERT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + first));
+    }
+  }
+}
+
+TEST(TriangleSum, EqualsTheReferenceValuesOfAnotherProgram)
+{
+  const std::string folder = WINDING_SHARED_DATA;
+  std::ifstream file(folder + "/REFERENCE_W.tsv");
+  if (!file)
+  {
+    GTEST_SKIP() << "no " << folder << "/REFERENCE_W.tsv";
+  }
+  std::map<std::string, std::pair<std::vector<Point>, std::vector<double>>> references;
+  std::string set, name, kind, line;
+  std::getline(file, line);
+  float x, y, z;
+  for (double w; file >> set >> name >> kind >> x >> y >> z >> w;)
+  {
+    references[name].first.push_back({x, y, z});
+    references[name].second.push_back(w);
+  }
+  for (const char* known : {"bunny_1k.obj", "bunny_10k.obj", "teapot.obj", "truck_soup.obj",
+         "self_intersectA.obj", "maxplanck_open_90k.obj"})
+  {
+    const auto& [samples, expected] = references[known];
+    ASSERT_EQ(samples.size(), 100u) << known;
+    const Mesh mesh = readObj(folder + "/" + known);
+    ASSERT_GT(mesh.triangles.size(), 0u) << known;
+    const double error = largestDifference(windingOf(mesh, samples), expected);
+    record(known, error);
+    // 12 decimals are given; measured: 4.9e-13.
+    EXPECT_LT(error, 1e-11) << known;
+  }
+}
+
+TEST(TriangleSum, KeepsHalfATurnWhereTheSampleLiesInThePlaneOfAnotherTriangle)
+{
+  // Two quarters of a turn make −1 − 0i, at the branch cut; the third factor is 1 ± 0i.
+  const std::vector<Point> points = {{0, 8, 8}, {0, 0, 0}, {4, 8, 0}, {0, 4, 4}};
+  for (const Mesh& mesh : {Mesh{points, {{0, 1, 2}, {0, 1, 2}, {1, 0, 3}}},
+         Mesh{points, {{0, 1, 2}, {0, 1, 2}, {0, 1, 3}}}})
+  {
+    EXPECT_EQ(valuesOf(winding::TriangleSum(clean(mesh)), {{2, 4, 4}})[0], -0.5);
+    EXPECT_EQ(valuesOf(winding::TriangleSum(clean(mesh.reversed())), {{2, 4, 4}})[0], 0.5);
+  }
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "source/Surface.h"
+#include "surface/SurfaceEdges.h"
+
+namespace shapes
+{
+
+inline winding::SurfaceEdges edgesOf(const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return winding::edgesOf(surface, serial);
+}
+
+} // namespace shapes

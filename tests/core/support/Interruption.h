@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/Executor.h"
+
+namespace shapes
+{
+
+/// Is interrupted in the run after so many whole ones, and after some of its blocks; for ever after.
+class Interruption final : public winding::Executor
+{
+public:
+  explicit Interruption(int runs, std::size_t blocks = 0)
+    : runs_(runs)
+    , blocks_(blocks)
+  {
+  }
+
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    cameToPass_ = cameToPass_ || runs_-- == 0;
+    winding::SerialExecutor serial;
+    return serial.run(cameToPass_ ? std::min(count, blocks_) : count, work) && !cameToPass_;
+  }
+
+  bool cameToPass() const { return cameToPass_; }
+
+private:
+  int runs_;
+  std::size_t blocks_;
+  bool cameToPass_ = false;
+};
+
+} // namespace shapes

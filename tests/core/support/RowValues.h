@@ -1,0 +1,87 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "core/support/LatticeChain.h"
+#include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+#include "rays/RowCrossings.h"
+#include "source/Surface.h"
+#include "surface/Cap.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace shapes
+{
+
+inline winding::Grid gridOf(
+  const Point& firstSample, const Point& spacing, const Eigen::Vector3i& dimensions)
+{
+  winding::Grid grid;
+  grid.firstSample = firstSample;
+  grid.spacing = spacing;
+  grid.dimensions = dimensions;
+  return grid;
+}
+
+/// The inverse of winding::sampleIndex().
+inline std::size_t placeIn(const winding::Extent& extent, const Eigen::Vector3i& index)
+{
+  const int width = extent[1] - extent[0] + 1, height = extent[3] - extent[2] + 1;
+  return static_cast<std::size_t>(
+    ((index[2] - extent[4]) * height + index[1] - extent[2]) * width + index[0] - extent[0]);
+}
+
+/// The values of all samples, and a check that the runs of every row are what they should be.
+inline std::vector<int> rowValues(const winding::RowCrossings& rows, const winding::Grid& grid,
+  const winding::Extent& extent, std::size_t samplesPerBlock, winding::Executor& executor)
+{
+  std::vector<int> values(winding::sampleCount(extent), -99);
+  std::atomic<std::size_t> rowsDone{0}, badRuns{0};
+  EXPECT_TRUE(rows.evaluate(
+    grid, extent, samplesPerBlock,
+    [&](int j, int k, const std::vector<winding::RowRun>& runs)
+    {
+      ++rowsDone;
+      int next = extent[0];
+      for (const winding::RowRun& run : runs)
+      {
+        badRuns += run.begin != next || run.end <= run.begin;
+        next = run.end;
+        for (int i = run.begin; i < run.end; ++i)
+        {
+          values[placeIn(extent, {i, j, k})] = run.value;
+        }
+      }
+      badRuns += next != extent[1] + 1;
+    },
+    executor));
+  EXPECT_EQ(badRuns, 0u);
+  EXPECT_EQ(rowsDone * static_cast<std::size_t>(extent[1] - extent[0] + 1), values.size());
+  return values;
+}
+
+/// A random lattice chain with its cap.
+class ClosedLatticeChain
+{
+public:
+  explicit ClosedLatticeChain(unsigned seed)
+    : chain_(randomLatticeChain(seed, 12, 4))
+    , cap_(winding::capOf(
+        winding::boundaryLoops(boundaryOf(chain_.surface), chain_.surface.vertices.size())))
+  {
+  }
+  const winding::Grid& grid() const { return chain_.grid; }
+  /// Valid while this lives.
+  winding::RowCrossings rows() const
+  {
+    return {chain_.surface.vertices, chain_.surface.triangles, cap_};
+  }
+
+private:
+  LatticeChain chain_;
+  std::vector<winding::Triangle> cap_;
+};
+
+} // namespace shapes

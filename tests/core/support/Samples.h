@@ -1,0 +1,67 @@
+#pragma once
+
+#include "base/Evaluator.h"
+#include "base/Views.h"
+#include "source/PointCloud.h"
+
+#include <random>
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * Points: random ones, clouds, and values at them. Whatever is random comes from a seed and is the
+ * same with every standard library.
+ */
+namespace shapes
+{
+
+using Point = Eigen::Vector3d;
+
+class Random
+{
+public:
+  explicit Random(unsigned seed)
+    : engine_(seed)
+  {
+  }
+  /// In [low, high).
+  double operator()(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  Point point(double low, double high);
+  Point direction();
+  std::uint64_t bits() { return engine_(); }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+std::vector<Point> randomPoints(std::size_t count, double low, double high, unsigned seed);
+
+/// Points with normals, on the unit sphere or anywhere.
+struct Cloud
+{
+  std::vector<Point> positions;
+  std::vector<Point> normals;
+
+  winding::OrientedPointsView view() const;
+};
+
+/// Evenly spread (a Fibonacci lattice), normals outward.
+Cloud sphereCloud(std::size_t count);
+Cloud randomCloud(std::size_t count, unsigned seed);
+winding::PointCloud clean(const Cloud& cloud);
+
+/// All values, block by block.
+std::vector<double> valuesOf(
+  const winding::Evaluator& evaluator, const std::vector<Point>& samples);
+
+std::vector<Point> gradientsOf(
+  const winding::GradientEvaluator& evaluator, const std::vector<Point>& samples);
+
+/// Puts a measured number into the running test's report (--gtest_output=xml shows it).
+void record(const std::string& name, double value);
+
+} // namespace shapes

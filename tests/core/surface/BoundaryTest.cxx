@@ -1,0 +1,249 @@
+#include "surface/Boundary.h"
+
+#include "core/support/LatticeChain.h"
+#include "core/support/Shapes.h"
+#include "source/Surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace shapes;
+using winding::BoundaryChain;
+using winding::BoundaryEdge;
+using winding::BoundaryLoop;
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+/// Signed uses of each edge, from its lower to its higher vertex; no zeros.
+using Counts = std::map<Edge, int>;
+
+void addEdge(Counts& counts, std::int32_t from, std::int32_t to, int times)
+{
+  const Edge edge = std::minmax(from, to);
+  counts[edge] += from < to ? times : -times;
+  if (counts[edge] == 0)
+  {
+    counts.erase(edge);
+  }
+}
+
+Counts countsByDefinition(const winding::Surface& surface)
+{
+  Counts counts;
+  for (const winding::Triangle& t : surface.triangles)
+  {
+    addEdge(counts, t[0], t[1], 1);
+    addEdge(counts, t[1], t[2], 1);
+    addEdge(counts, t[2], t[0], 1);
+  }
+  return counts;
+}
+
+Counts countsOf(const BoundaryChain& chain)
+{
+  Counts counts;
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    addEdge(counts, edge.from, edge.to, edge.multiplicity);
+  }
+  return counts;
+}
+
+Counts countsOf(const std::vector<BoundaryLoop>& loops)
+{
+  Counts counts;
+  for (const BoundaryLoop& loop : loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      addEdge(counts, loop[i], loop[(i + 1) % loop.size()], 1);
+    }
+  }
+  return counts;
+}
+
+/// What Boundary.h promises of every chain and its loops.
+void expectSound(const winding::Surface& surface)
+{
+  const BoundaryChain chain = boundaryOf(surface);
+  ASSERT_EQ(countsOf(chain), countsByDefinition(surface));
+  std::vector<int> leavingMinusArriving(surface.vertices.size());
+  std::size_t length = 0;
+  Edge previous(-1, -1);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    ASSERT_GE(edge.multiplicity, 1);
+    length += static_cast<std::size_t>(edge.multiplicity);
+    leavingMinusArriving[edge.from] += edge.multiplicity;
+    leavingMinusArriving[edge.to] -= edge.multiplicity;
+    ASSERT_LT(previous, Edge(std::minmax(edge.from, edge.to)));
+    previous = std::minmax(edge.from, edge.to);
+  }
+  for (const int difference : leavingMinusArriving)
+  {
+    ASSERT_EQ(difference, 0);
+  }
+
+  const auto loops = winding::boundaryLoops(chain, surface.vertices.size());
+  // Of equal total length, they run along no edge there and back.
+  ASSERT_EQ(countsOf(loops), countsOf(chain));
+  std::size_t loopLength = 0;
+  for (const BoundaryLoop& loop : loops)
+  {
+    loopLength += loop.size();
+    ASSERT_GE(loop.size(), 3u);
+    ASSERT_EQ(std::set<std::int32_t>(loop.begin(), loop.end()).size(), loop.size());
+  }
+  ASSERT_EQ(loopLength, length);
+}
+
+std::vector<std::size_t> loopSizes(const Mesh& mesh)
+{
+  const winding::Surface surface = clean(mesh);
+  std::vector<std::size_t> sizes;
+  for (const BoundaryLoop& loop :
+    winding::boundaryLoops(boundaryOf(surface), surface.vertices.size()))
+  {
+    sizes.push_back(loop.size());
+  }
+  return sizes;
+}
+
+/// Pages that all leave the edge from (0, 0, 0) to (0, 0, 1) in the same direction.
+Mesh book(std::int32_t pages)
+{
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (std::int32_t i = 0; i < pages; ++i)
+  {
+    mesh.points.push_back({std::cos(i), std::sin(i), 0.5});
+    mesh.triangles.push_back({0, 1, i + 2});
+  }
+  return mesh;
+}
+
+using Sizes = std::vector<std::size_t>;
+
+} // namespace
+
+TEST(BoundaryChain, OfClosedChainsIsEmpty)
+{
+  for (const Mesh& mesh : {Mesh(), cube(), tetrahedron(), icosphere(2), torus(12, 8),
+         surfaceOf(randomCells(5, 102)), cube().with(cube({0.5, 0.5, 0.5}, {2, 2, 2})),
+         cube().with(cube()), openCube().with(openCube().reversed())})
+  {
+    const winding::Surface surface = clean(mesh);
+    const BoundaryChain chain = boundaryOf(surface);
+    EXPECT_TRUE(chain.edges.empty());
+    EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
+    EXPECT_TRUE(winding::boundaryLoops(chain, surface.vertices.size()).empty());
+  }
+}
+
+TEST(BoundaryChain, OfOneTriangleIsItsSidesAsTheyRun)
+{
+  const BoundaryChain chain =
+    boundaryOf(clean(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{2, 0, 1}}}));
+  ASSERT_EQ(chain.edges.size(), 3u);
+  EXPECT_EQ(chain.edgesOfOneTriangle, 3u);
+  EXPECT_EQ(countsOf(chain), (Counts{{{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, -1}}));
+}
+
+TEST(BoundaryChain, OfAnOpenCubeIsItsRim)
+{
+  EXPECT_EQ(boundaryOf(clean(openCube())).edges.size(), 4u);
+  EXPECT_EQ(loopSizes(openCube()), Sizes{4});
+}
+
+TEST(BoundaryChain, OfAMoebiusStripIsTheRimAndTwiceTheSeamWhereOrientationsDisagree)
+{
+  const BoundaryChain chain = boundaryOf(clean(moebiusStrip(12)));
+  EXPECT_EQ(chain.edgesOfOneTriangle, 24u);
+  ASSERT_EQ(chain.edges.size(), 25u);
+  std::size_t twice = 0;
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    twice += edge.multiplicity == 2;
+  }
+  EXPECT_EQ(twice, 1u);
+  expectSound(clean(moebiusStrip(12)));
+}
+
+TEST(BoundaryChain, OfABookHasItsSpineOnceForEveryPage)
+{
+  for (const std::int32_t pages : {1, 2, 3, 7})
+  {
+    const winding::Surface surface = clean(book(pages));
+    EXPECT_EQ(countsOf(boundaryOf(surface))[Edge(0, 1)], pages);
+    EXPECT_EQ(loopSizes(book(pages)), Sizes(static_cast<std::size_t>(pages), 3));
+    expectSound(surface);
+  }
+}
+
+TEST(BoundaryChain, OfAFlippedTriangleIsTwiceItsSides)
+{
+  Mesh mesh = icosphere(1);
+  std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
+  const BoundaryChain chain = boundaryOf(clean(mesh));
+  EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
+  ASSERT_EQ(chain.edges.size(), 3u);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    EXPECT_EQ(edge.multiplicity, 2);
+  }
+  EXPECT_EQ(loopSizes(mesh), (Sizes{3, 3}));
+}
+
+TEST(BoundaryChain, OfARepeatedTriangleIsItsSides)
+{
+  Mesh mesh = icosphere(1);
+  mesh.triangles.insert(mesh.triangles.end(), 5, mesh.triangles[7]);
+  const BoundaryChain chain = boundaryOf(clean(mesh));
+  EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
+  ASSERT_EQ(chain.edges.size(), 3u);
+  EXPECT_EQ(chain.edges[0].multiplicity, 5);
+  EXPECT_EQ(loopSizes(mesh), Sizes(5, 3));
+}
+
+TEST(BoundaryLoops, SplitWhereHolesTouchInAVertex)
+{
+  // Two squares of a plane that share a corner: one walk of eight would visit it twice.
+  const Mesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const Mesh other = square.mapped([](const Point& p) -> Point { return p + Point(1, 1, 0); });
+  EXPECT_EQ(loopSizes(square.with(other)), (Sizes{4, 4}));
+}
+
+TEST(BoundaryLoops, CoverEveryRandomChainAsOftenAsItSays)
+{
+  SCOPED_TRACE("seeds 1 … 2000");
+  for (unsigned seed = 1; seed <= 2000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    ASSERT_NO_FATAL_FAILURE(expectSound(randomLatticeChain(seed, 40, 3).surface));
+  }
+}
+
+TEST(BoundaryLoops, CoverTheRimsOfDamagedShapes)
+{
+  SCOPED_TRACE("seed 103");
+  Random random(103);
+  for (const Mesh& whole : {icosphere(3), torus(24, 12), surfaceOf(randomCells(5, 104))})
+  {
+    for (const double share : {0.01, 0.3, 0.9})
+    {
+      Mesh mesh{whole.points, {}};
+      for (const auto& t : whole.triangles)
+      {
+        if (random(0, 1) >= share)
+        {
+          mesh.triangles.push_back(t);
+        }
+      }
+      ASSERT_NO_FATAL_FAILURE(expectSound(clean(mesh)));
+    }
+  }
+}

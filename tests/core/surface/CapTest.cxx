@@ -1,0 +1,117 @@
+#include "surface/Cap.h"
+
+#include "core/support/LatticeChain.h"
+#include "core/support/Shapes.h"
+#include "source/Surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+
+using namespace shapes;
+using winding::BoundaryLoop;
+using winding::Triangle;
+
+std::vector<BoundaryLoop> loopsOf(const winding::Surface& surface)
+{
+  return winding::boundaryLoops(boundaryOf(surface), surface.vertices.size());
+}
+
+bool isClosedBy(winding::Surface surface, const std::vector<Triangle>& cap)
+{
+  surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
+  return boundaryOf(surface).edges.empty();
+}
+
+BoundaryLoop polygon(std::int32_t corners)
+{
+  BoundaryLoop loop(static_cast<std::size_t>(corners));
+  std::iota(loop.begin(), loop.end(), 0);
+  return loop;
+}
+
+} // namespace
+
+TEST(Cap, ClosesEveryRandomChain)
+{
+  SCOPED_TRACE("seeds 1 … 2000");
+  for (unsigned seed = 1; seed <= 2000; ++seed)
+  {
+    const winding::Surface surface = randomLatticeChain(seed, 40, 3).surface;
+    ASSERT_TRUE(isClosedBy(surface, winding::capOf(loopsOf(surface)))) << seed;
+  }
+}
+
+TEST(Fan, ClosesEveryRandomChain)
+{
+  SCOPED_TRACE("seeds 1 … 2000");
+  for (unsigned seed = 1; seed <= 2000; ++seed)
+  {
+    winding::Surface surface = randomLatticeChain(seed, 40, 3).surface;
+    const auto loops = loopsOf(surface);
+    const std::size_t before = surface.vertices.size();
+    const auto fan = winding::fanOf(loops, surface.vertices);
+    ASSERT_EQ(surface.vertices.size(), before + loops.size());
+    ASSERT_TRUE(isClosedBy(surface, fan)) << seed;
+  }
+}
+
+TEST(Cap, HasTwoTrianglesLessThanALoopHasEdges)
+{
+  for (std::int32_t n = 3; n < 200; ++n)
+  {
+    const auto cap = winding::capOf({polygon(n)});
+    EXPECT_EQ(cap.size(), static_cast<std::size_t>(n) - 2);
+    for (const Triangle& t : cap)
+    {
+      EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+    }
+  }
+  EXPECT_EQ(winding::capOf({polygon(7), polygon(3)}).size(), 6u);
+  EXPECT_TRUE(winding::capOf({}).empty());
+}
+
+TEST(Cap, RunsAgainstTheRim)
+{
+  EXPECT_EQ(winding::capOf({polygon(3)}), (std::vector<Triangle>{{0, 2, 1}}));
+}
+
+TEST(Cap, IsGradedFromTheRimToTheMiddle)
+{
+  // A corner takes part in two triangles of each level at most, and all levels but the first few are
+  // of few triangles: what is near any sample stays about the logarithm of the rim.
+  for (const std::int32_t n : {64, 1000, 1024, 4097})
+  {
+    const auto cap = winding::capOf({polygon(n)});
+    std::vector<int> uses(static_cast<std::size_t>(n));
+    std::size_t small = 0;
+    for (const Triangle& t : cap)
+    {
+      const auto [low, high] = std::minmax({t[0], t[1], t[2]});
+      const std::int32_t span = high - low;
+      small += std::min(span, n - span) <= 4;
+      for (const std::int32_t corner : t)
+      {
+        ++uses[corner];
+      }
+    }
+    EXPECT_LE(*std::max_element(uses.begin(), uses.end()), 2 * std::log2(n) + 2) << n;
+    EXPECT_GE(small, cap.size() * 7 / 10) << n;
+  }
+}
+
+TEST(Fan, HasItsApexBesideThePlaneOfTheLoop)
+{
+  winding::Surface surface = clean(openCube());
+  const auto loops = loopsOf(surface);
+  const auto fan = winding::fanOf(loops, surface.vertices);
+  EXPECT_EQ(fan.size(), 4u);
+  // Off the missing face, but within its own size.
+  const Point apex = surface.vertices.back();
+  EXPECT_GT(std::abs(apex[2] - 1), 0.1);
+  EXPECT_LT((apex - Point(0.5, 0.5, 1)).norm(), std::sqrt(2));
+}

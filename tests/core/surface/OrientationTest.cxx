@@ -1,0 +1,395 @@
+#include "surface/Orientation.h"
+
+#include "core/support/EdgesOf.h"
+#include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+#include "report/SurfaceReport.h"
+#include "source/Surface.h"
+#include "sums/ReferenceSum.h"
+#include "surface/NearlyClosed.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Orientation;
+using winding::PolygonParts;
+using winding::Surface;
+using winding::SurfaceEdges;
+
+Orientation orient(const Surface& surface, const PolygonParts& parts = PolygonParts())
+{
+  winding::SerialExecutor serial;
+  return winding::orient(surface, edgesOf(surface), parts, serial);
+}
+
+Surface turned(Surface surface, const std::vector<char>& isTurned)
+{
+  for (std::size_t i = 0; i < isTurned.size(); ++i)
+  {
+    if (isTurned[i])
+    {
+      std::swap(surface.triangles[i][0], surface.triangles[i][1]);
+    }
+  }
+  return surface;
+}
+
+Surface oriented(const Mesh& mesh)
+{
+  const Surface surface = clean(mesh);
+  return turned(surface, orient(surface).isTurned);
+}
+
+/// Some triangles turned round.
+Mesh shuffled(Mesh mesh, unsigned seed, double share = 0.5)
+{
+  Random random(seed);
+  for (auto& triangle : mesh.triangles)
+  {
+    if (random(0, 1) < share)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return mesh;
+}
+
+Mesh ball(const Point& center, double radius, int levels = 2)
+{
+  return icosphere(levels).mapped([=](const Point& p) { return Point(center + radius * p); });
+}
+
+std::size_t disagreements(const Surface& surface)
+{
+  const SurfaceEdges edges = edgesOf(surface);
+  return static_cast<std::size_t>(std::count_if(edges.pairs.begin(), edges.pairs.end(),
+    [](const SurfaceEdges::Pair& pair) { return !pair.agrees; }));
+}
+
+double windingAt(const Surface& surface, const Point& point)
+{
+  return winding::referenceSum<double>(surface, point);
+}
+
+void expectTriangles(const Surface& surface, const Mesh& mesh)
+{
+  const Surface expected = clean(mesh);
+  ASSERT_EQ(surface.triangles.size(), expected.triangles.size());
+  for (std::size_t i = 0; i < expected.triangles.size(); ++i)
+  {
+    // Turned twice, a triangle starts elsewhere.
+    std::array<std::int32_t, 3> a = surface.triangles[i], b = expected.triangles[i];
+    std::rotate(a.begin(), std::min_element(a.begin(), a.end()), a.end());
+    std::rotate(b.begin(), std::min_element(b.begin(), b.end()), b.end());
+    EXPECT_EQ(a, b) << "triangle " << i;
+  }
+}
+
+/// Where z is more than 0.3: a cap for it has two thirds of its area.
+Mesh upperPart(Mesh sphere)
+{
+  sphere.triangles.erase(
+    std::remove_if(sphere.triangles.begin(), sphere.triangles.end(),
+      [&sphere](const auto& t)
+      { return sphere.points[t[0]][2] + sphere.points[t[1]][2] + sphere.points[t[2]][2] < 0.9; }),
+    sphere.triangles.end());
+  return sphere;
+}
+
+} // namespace
+
+TEST(Orientation, LeavesWhatIsOriented)
+{
+  for (const Mesh& mesh : {cube(), torus(12, 8), openCube(), Mesh(), upperPart(icosphere(3)),
+         upperPart(icosphere(3)).reversed(), surfaceOf(randomCells(4, 701)),
+         cube().with(cube({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}).reversed())})
+  {
+    const Orientation none = orient(clean(mesh));
+    EXPECT_EQ(none.triangles, 0u);
+    EXPECT_EQ(none.components, 0u);
+    EXPECT_EQ(none.isTurned, std::vector<char>(clean(mesh).triangles.size(), 0));
+  }
+}
+
+TEST(Orientation, OfClosedSurfacesIsOutward)
+{
+  for (const Mesh& mesh : {cube(), tetrahedron(), icosphere(3), torus(24, 16)})
+  {
+    for (const double share : {0.1, 0.5, 0.9, 1.0})
+    {
+      SCOPED_TRACE("seed 711, share " + std::to_string(share));
+      expectTriangles(oriented(shuffled(mesh, 711, share)), mesh);
+    }
+  }
+}
+
+TEST(Orientation, CountsWhatItTurns)
+{
+  Mesh mesh = cube().with(ball({5, 5, 5}, 1)).with(ball({-5, 5, 5}, 1).reversed());
+  std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+  const Orientation found = orient(clean(mesh));
+  EXPECT_EQ(found.triangles, 1u + icosphere(2).triangles.size());
+  EXPECT_EQ(found.components, 2u);
+  EXPECT_EQ(
+    static_cast<std::size_t>(std::count(found.isTurned.begin(), found.isTurned.end(), char(1))),
+    found.triangles);
+}
+
+TEST(Orientation, OfNestedShellsAlternates)
+{
+  Mesh shells;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Mesh next = ball({0.1 * i, 0, 0}, 4 - i);
+    shells = shells.with(i % 2 == 0 ? next : next.reversed());
+  }
+  shells = shells.with(ball({9, 0, 0}, 2)).with(ball({9, 0.5, 0}, 1).reversed());
+  expectTriangles(oriented(shells), shells);
+  expectTriangles(oriented(shells.reversed()), shells);
+  expectTriangles(oriented(shuffled(shells, 721)), shells);
+}
+
+TEST(Orientation, OfSolidsThatCrossIsOutward)
+{
+  const Mesh solids = ball({0, 0, 0}, 1).with(ball({0.8, 0, 0}, 0.6)).with(cube());
+  expectTriangles(oriented(shuffled(solids, 731)), solids);
+}
+
+TEST(Orientation, OfWhatIsNearlyClosedIsOutward)
+{
+  expectTriangles(oriented(shuffled(openCube(), 741)), openCube());
+  Mesh pierced = icosphere(3);
+  for (const std::size_t hole : {1000, 500, 499, 3})
+  {
+    pierced.triangles.erase(pierced.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+  }
+  expectTriangles(oriented(shuffled(pierced, 742, 0.95)), pierced);
+  // An open cavity in an open solid.
+  const Mesh inner =
+    openCube().mapped([](const Point& p) { return Point(0.3 * p + Point(0.2, 0.3, 0.4)); });
+  const Mesh nested = openCube().with(inner.reversed());
+  expectTriangles(oriented(shuffled(nested, 743)), nested);
+}
+
+TEST(Orientation, OfASolidInAnOpenOneIsOutward)
+{
+  const Mesh inTub = openCube().with(ball({0.5, 0.5, 0.5}, 0.25));
+  expectTriangles(oriented(inTub), inTub);
+  expectTriangles(oriented(shuffled(inTub, 744)), inTub);
+  const Surface surface = clean(inTub);
+  winding::SerialExecutor serial;
+  const winding::SurfaceReport report = winding::reportOn(surface, edgesOf(surface), serial);
+  EXPECT_EQ(report.orientation.inverted, 0u) << "orient() and the report are of one mind";
+  EXPECT_EQ(report.orientation.nestedSolids, 0u);
+}
+
+TEST(Orientation, OfOpenSurfacesKeepsMostOfTheirArea)
+{
+  const Mesh dome = upperPart(icosphere(3));
+  expectTriangles(oriented(shuffled(dome, 751, 0.2)), dome);
+  expectTriangles(oriented(shuffled(dome, 751, 0.8)), dome.reversed());
+  // By area, not by number: one large triangle against many small ones around it.
+  Mesh flat{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}};
+  for (int i = 0; i < 5; ++i)
+  {
+    const auto id = static_cast<std::int32_t>(flat.points.size());
+    flat.points.push_back({5.0 + i, -0.1 * (i + 1), 0});
+    flat.triangles.push_back({i == 0 ? 0 : id - 1, 1, id}); // a fan beside it, the wrong way round
+  }
+  const Orientation found = orient(clean(flat));
+  EXPECT_FALSE(found.isTurned[0]);
+  EXPECT_EQ(disagreements(turned(clean(flat), found.isTurned)), 0u);
+}
+
+TEST(Orientation, LeavesWhatIsOneSided)
+{
+  const Mesh strip = shuffled(moebiusStrip(20), 761, 0.3);
+  const Surface surface = clean(strip);
+  EXPECT_EQ(winding::countOneSided(surface, edgesOf(surface)), 1u);
+  EXPECT_EQ(orient(surface).triangles, 0u);
+  // And orients what is beside it.
+  const Mesh both = strip.with(shuffled(ball({7, 0, 0}, 1), 762));
+  const Surface found = oriented(both);
+  EXPECT_NEAR(windingAt(found, {7, 0, 0}) - windingAt(clean(strip), {7, 0, 0}), 1, 1e-9);
+  EXPECT_EQ(winding::countOneSided(found, edgesOf(found)), 1u);
+  EXPECT_EQ(winding::countOneSided(clean(icosphere(2)), edgesOf(clean(icosphere(2)))), 0u);
+  const Surface mixed = clean(shuffled(icosphere(2), 763));
+  EXPECT_EQ(winding::countOneSided(mixed, edgesOf(mixed)), 0u);
+}
+
+TEST(Orientation, CancelsWhereManyMeet)
+{
+  // A triangle of a sphere twice: whatever their orientations, one of them is what the sphere needs.
+  for (unsigned seed = 771; seed < 781; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = icosphere(2);
+    mesh.triangles.push_back(mesh.triangles[40]);
+    mesh.triangles.push_back(mesh.triangles[41]);
+    const Surface found = oriented(shuffled(mesh, seed));
+    EXPECT_EQ(disagreements(found), 0u);
+    // Each of the two is there once more, in one sense or the other.
+    const double w = windingAt(found, {0.1, 0.2, -0.1});
+    EXPECT_NEAR(w, 1, 0.03); // an extra triangle has 1/320 of the full angle
+  }
+  // Solids that share edges.
+  const Mesh cells = surfaceOf({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {1, 1, 2}, {2, 2, 1}});
+  expectTriangles(oriented(shuffled(cells, 782)), cells);
+}
+
+TEST(Orientation, LeavesSheetsThatCrossAtEdges)
+{
+  // Two sheets of two triangles that cross at a common edge, each of one sense: nothing is to be gained.
+  const Mesh sheets{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-1, 0, 0.5}, {0, 2, 0.5}, {0, -2, 0.5}},
+    {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}}};
+  EXPECT_EQ(orient(clean(sheets)).triangles, 0u);
+}
+
+TEST(Orientation, KeepsTheTrianglesOfPolygonsTogether)
+{
+  SCOPED_TRACE("seed 791");
+  // The quadrilaterals of a torus, two triangles each, turned round as a whole.
+  Random random(791);
+  const Mesh right = torus(20, 12);
+  Mesh mesh = right;
+  PolygonParts parts(mesh.triangles.size(), 0);
+  for (std::size_t i = 0; i + 1 < mesh.triangles.size(); i += 2)
+  {
+    parts[i + 1] = 1;
+    if (random.bits() % 2 == 1)
+    {
+      std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+      std::swap(mesh.triangles[i + 1][1], mesh.triangles[i + 1][2]);
+    }
+  }
+  const Surface surface = clean(mesh);
+  const Orientation found = orient(surface, parts);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    EXPECT_TRUE(!parts[i] || found.isTurned[i] == found.isTurned[i - 1]);
+  }
+  expectTriangles(turned(surface, found.isTurned), right);
+  // A polygon whose own triangles contradict each other has no orientation.
+  Mesh folded = right;
+  std::swap(folded.triangles[7][0], folded.triangles[7][1]);
+  EXPECT_EQ(orient(clean(folded), parts).triangles, 0u);
+}
+
+TEST(Orientation, IsTheSameFarAwayAndAtAnySize)
+{
+  const Mesh mesh = shuffled(ball({0, 0, 0}, 2).with(ball({0.2, 0, 0}, 1)).with(openCube()), 801);
+  const std::vector<char> expected = orient(clean(mesh)).isTurned;
+  for (const double scale : {1e-100, 1e100})
+  {
+    EXPECT_EQ(
+      orient(clean(mesh.mapped([scale](const Point& p) { return Point(scale * p); }))).isTurned,
+      expected);
+  }
+  EXPECT_EQ(
+    orient(clean(mesh.mapped([](const Point& p) { return Point(p + Point(1e7, -2e7, 3e7)); })))
+      .isTurned,
+    expected);
+}
+
+TEST(Orientation, OfSoupsIsTheSameForEveryExecutorAndEndsSoon)
+{
+  for (unsigned seed = 811; seed < 816; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // Few points and many triangles: nearly all edges are used by many.
+    Random random(seed);
+    Mesh mesh{randomPoints(40, -1, 1, seed), {}};
+    for (int i = 0; i < 2000; ++i)
+    {
+      const auto id = [&random]
+      {
+        return static_cast<std::int32_t>(random.bits() % 40);
+      };
+      mesh.triangles.push_back({id(), id(), id()});
+    }
+    const Surface surface = clean(mesh);
+    const Orientation expected = orient(surface);
+    ShuffledThreads threads(seed);
+    const Orientation found =
+      winding::orient(surface, winding::edgesOf(surface, threads), {}, threads);
+    EXPECT_EQ(found.isTurned, expected.isTurned);
+    EXPECT_EQ(found.components, expected.components);
+    // Never worse than before.
+    const auto uncancelled = [](const Surface& of)
+    {
+      std::int64_t sum = 0;
+      for (const winding::BoundaryEdge& edge : boundaryOf(of).edges)
+      {
+        sum += edge.multiplicity;
+      }
+      return sum;
+    };
+    EXPECT_LE(uncancelled(turned(surface, found.isTurned)), uncancelled(surface));
+  }
+}
+
+TEST(NearlyClosed, CapsDoNotDependOnTheSideThatIsOut)
+{
+  for (const std::size_t hole : {5, 20, 60, 100})
+  {
+    const Mesh mesh = icosphere(2).part(hole, 320);
+    const auto capOf = [](const Mesh& open)
+    {
+      Surface surface = clean(open);
+      const SurfaceEdges edges = edgesOf(surface);
+      winding::Components components = winding::componentsOf(surface, edges);
+      const auto triangles = static_cast<std::ptrdiff_t>(surface.triangles.size());
+      winding::closeNearlyClosed(surface, edges, components);
+      std::vector<winding::Triangle> cap(
+        surface.triangles.begin() + triangles, surface.triangles.end());
+      for (winding::Triangle& t : cap)
+      {
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      }
+      std::sort(cap.begin(), cap.end());
+      return cap;
+    };
+    std::vector<winding::Triangle> turned = capOf(mesh.reversed());
+    for (winding::Triangle& t : turned)
+    {
+      std::swap(t[1], t[2]);
+    }
+    std::sort(turned.begin(), turned.end());
+    EXPECT_EQ(turned, capOf(mesh)) << hole;
+    EXPECT_FALSE(turned.empty()) << hole;
+  }
+}
+
+TEST(NearlyClosed, ClosesWhatHasASmallCap)
+{
+  const auto isClosed = [](const Mesh& mesh)
+  {
+    Surface surface = clean(mesh);
+    const SurfaceEdges edges = edgesOf(surface);
+    winding::Components components = winding::componentsOf(surface, edges);
+    winding::closeNearlyClosed(surface, edges, components);
+    EXPECT_EQ(components.ofTriangle.size(), surface.triangles.size());
+    if (std::count(components.isClosed.begin(), components.isClosed.end(), char(1)) ==
+        static_cast<std::ptrdiff_t>(components.size()))
+    {
+      EXPECT_TRUE(boundaryOf(surface).edges.empty());
+    }
+    return std::vector<bool>(components.isClosed.begin(), components.isClosed.end());
+  };
+  EXPECT_EQ(isClosed(openCube()), std::vector<bool>{true});
+  EXPECT_EQ(isClosed(upperPart(icosphere(3))), std::vector<bool>{false});
+  EXPECT_EQ(isClosed(moebiusStrip(10)), std::vector<bool>{false});
+  EXPECT_EQ(isClosed(cube()), std::vector<bool>{true});
+  EXPECT_EQ(isClosed(Mesh()), std::vector<bool>());
+  // Two boxes whose openings have a corner in common, and a triangle at the same corner.
+  const Mesh other =
+    openCube().mapped([](const Point& p) { return Point(-p[0], -p[1], 2 - p[2]); });
+  const Mesh corner{{{0, 0, 1}, {1, -1, 2}, {1, -2, 2}}, {{0, 1, 2}}};
+  EXPECT_EQ(isClosed(openCube().with(other).with(corner)), (std::vector<bool>{true, true, false}));
+}
