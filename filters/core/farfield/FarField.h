@@ -71,7 +71,7 @@ public:
    *
    * What expansions leave out of values changes over distances like that to the sources, so errors are
    * in units of the tolerance over the distance d to the nearest source. Not guaranteed, but measured:
-   * up to 8 tolerance/d and mostly less than 1 (tests/core/FarFieldGradientTest.cxx and, for spread
+   * up to 8 tolerance/d and mostly less than 1 (tests/core/farfield/FarFieldGradientTest.cxx and, for spread
    * points, with their length for d if that is more, RegularizationTest.cxx have the figures); to which
    * come roundings, about 2⁻¹⁹/d of the sum of all sources' absolute values.
    */

@@ -23,7 +23,7 @@ struct FarFieldAccuracy
 
   /**
    * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
-   * clouds of all kinds (tests/core/FarFieldTest.cxx has the figures), the largest errors are mostly a
+   * clouds of all kinds (tests/core/farfield/FarFieldTest.cxx has the figures), the largest errors are mostly a
    * tenth to a half of the tolerance, plus single precision's rounding of what is summed beside points.
    * What the margins leave out, 1 − S (SolidAngle.h), is at most a hundredth of the tolerance times the
    * sum of the shares so far away: one half for a surface, but hundreds beside a heap of points.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "base/Evaluator.h"
+#include "sums/KernelTypes.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -14,49 +13,8 @@
 namespace winding
 {
 
-/// Sources per call: small enough to stay in the first-level cache beside a block of samples.
-constexpr std::size_t kernelChunk = 128;
-
-struct KernelTriangle
-{
-  double a[3], b[3], c[3];
-  double normal[3]; ///< (b − a) × (c − a)
-};
-
-struct KernelDipole
-{
-  double position[3];
-  double moment[3]; ///< normal · area / 4π
-};
-
-/// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
-struct AngleProducts
-{
-  /// For so many samples, rounded up to whole vectors; the rest is left as it is.
-  explicit AngleProducts(std::size_t samples)
-  {
-    const std::size_t used = (samples + 7) / 8 * 8;
-    std::fill_n(re, used, 1.0);
-    for (double* values : {im, turns, suspect})
-    {
-      std::fill_n(values, used, 0.0);
-    }
-  }
-
-  alignas(64) double re[SampleBlock::capacity];
-  alignas(64) double im[SampleBlock::capacity];
-  alignas(64) double turns[SampleBlock::capacity];
-  /// Not 0 where a triangle is so near that rounding decides about its angle; see below.
-  alignas(64) double suspect[SampleBlock::capacity];
-};
-
 /// values[i] = argument of product i / 2π + its turns: the sum of all Ω / 4π.
 void sumAngles(const AngleProducts& products, std::size_t count, double* values);
-
-struct KernelSums
-{
-  alignas(64) double sum[SampleBlock::capacity] = {};
-};
 
 void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
   AngleProducts& products);

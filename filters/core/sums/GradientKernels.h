@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/Evaluator.h"
 #include "source/UnitScale.h"
+#include "sums/KernelTypes.h"
 
 #include <cstddef>
 
@@ -16,15 +16,6 @@
 namespace winding
 {
 
-struct KernelDipole;
-
-struct KernelEdge
-{
-  double from[3], to[3];
-  double along[3]; ///< to − from
-  double weight;   ///< multiplicity / 4π
-};
-
 /// From u to v, in scaled coordinates.
 inline KernelEdge kernelEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, int multiplicity)
 {
@@ -32,14 +23,6 @@ inline KernelEdge kernelEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v,
   return {{u[0], u[1], u[2]}, {v[0], v[1], v[2]}, {v[0] - u[0], v[1] - u[1], v[2] - u[2]},
     multiplicity / fourPi};
 }
-
-/// One vector per sample.
-struct GradientSums
-{
-  alignas(64) double x[SampleBlock::capacity] = {};
-  alignas(64) double y[SampleBlock::capacity] = {};
-  alignas(64) double z[SampleBlock::capacity] = {};
-};
 
 /// Writes the sums for samples in scaled coordinates as gradients in the caller's.
 inline void storeGradients(

@@ -7,7 +7,7 @@
 #define WINDING_KERNEL_VECTORS_INL_H
 #endif
 
-#include "sums/GradientKernels.h"
+#include "sums/KernelTypes.h"
 
 #include <hwy/highway.h>
 

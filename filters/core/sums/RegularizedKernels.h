@@ -13,7 +13,7 @@
  *
  * Guaranteed, for t = |p − q| / e: (1) values are right to 1e-14 of S |m|/|d|², the largest that a
  * dipole of any direction gives there, and gradients to 1e-14 of S |m|/|d|³ (measured:
- * tests/core/RegularizedKernelsTest.cxx);
+ * tests/core/sums/RegularizedKernelsTest.cxx);
  * (2) from t = pureFrom on they have the bits of addDipoles() and addDipoleGradients();
  * (3) a sample's bits do not depend on the samples beside it.
  *

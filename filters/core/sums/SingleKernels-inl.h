@@ -7,9 +7,11 @@
 #define WINDING_SINGLE_KERNELS_INL_H
 #endif
 
-#include "sums/DirectSumKernels.h"
+#include "sums/KernelTypes.h"
 
 #include <hwy/highway.h>
+
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace winding

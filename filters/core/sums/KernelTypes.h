@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/Evaluator.h"
+
+#include <algorithm>
+#include <cstddef>
+
+/**
+ * @file
+ * What the inner loops of all sums take, in scaled coordinates, and what they add to.
+ */
+namespace winding
+{
+
+/// Sources per call: small enough to stay in the first-level cache beside a block of samples.
+constexpr std::size_t kernelChunk = 128;
+
+struct KernelTriangle
+{
+  double a[3], b[3], c[3];
+  double normal[3]; ///< (b − a) × (c − a)
+};
+
+struct KernelDipole
+{
+  double position[3];
+  double moment[3]; ///< normal · area / 4π
+};
+
+struct KernelEdge
+{
+  double from[3], to[3];
+  double along[3]; ///< to − from
+  double weight;   ///< multiplicity / 4π
+};
+
+/// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
+struct AngleProducts
+{
+  /// For so many samples, rounded up to whole vectors; the rest is left as it is.
+  explicit AngleProducts(std::size_t samples)
+  {
+    const std::size_t used = (samples + 7) / 8 * 8;
+    std::fill_n(re, used, 1.0);
+    for (double* values : {im, turns, suspect})
+    {
+      std::fill_n(values, used, 0.0);
+    }
+  }
+
+  alignas(64) double re[SampleBlock::capacity];
+  alignas(64) double im[SampleBlock::capacity];
+  alignas(64) double turns[SampleBlock::capacity];
+  /// Not 0 where a triangle is so near that rounding decides about its angle; see below.
+  alignas(64) double suspect[SampleBlock::capacity];
+};
+
+struct KernelSums
+{
+  alignas(64) double sum[SampleBlock::capacity] = {};
+};
+
+/// One vector per sample.
+struct GradientSums
+{
+  alignas(64) double x[SampleBlock::capacity] = {};
+  alignas(64) double y[SampleBlock::capacity] = {};
+  alignas(64) double z[SampleBlock::capacity] = {};
+};
+
+} // namespace winding
