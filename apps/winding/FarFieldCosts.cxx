@@ -111,8 +111,7 @@ void measureMatrices(int order, Random& random, FarFieldCosts& costs)
       [&] { winding::multiplyMatrix(matrix.data(), rows, columns, from.data(), to.data()); });
   };
   costs.shift = secondsOfProduct(winding::paddedCoefficients(order));
-  costs.polynomial =
-    secondsOfProduct((static_cast<std::size_t>(winding::monomialCount(order)) + 15) / 16 * 16);
+  costs.polynomial = secondsOfProduct(winding::polynomialRows(order));
 }
 
 class NoSink final : public winding::RowSink

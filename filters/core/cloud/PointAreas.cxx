@@ -1,5 +1,6 @@
 #include "cloud/PointAreas.h"
 
+#include "base/Pi.h"
 #include "base/Refusal.h"
 #include "cloud/NeighborSearch.h"
 #include "cloud/OrientedSites.h"
@@ -17,8 +18,6 @@ namespace winding
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// How far a cell may go that no neighbours close, in units of the distance up to which `neighbors` of
 /// them are known. All bisectors within a half are. Among points at random, a disk of this radius holds

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/Pi.h"
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -105,8 +107,6 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
-
   struct Corner
   {
     Eigen::Vector2d position;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/RoundUp.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -77,6 +79,12 @@ Eigen::MatrixXd polynomialMatrix(int order);
 constexpr int monomialCount(int order)
 {
   return (order + 1) * (order + 2) * (order + 3) / 6;
+}
+
+/// Rows of that matrix in single precision, filled up to whole vectors.
+constexpr std::size_t polynomialRows(int order)
+{
+  return roundUp(static_cast<std::size_t>(monomialCount(order)), floatLanes);
 }
 
 } // namespace winding

@@ -77,7 +77,7 @@ public:
     {
       cells_.fill(leaf.cell, first, block_);
       const std::size_t count = block_.samples.count;
-      const std::size_t padded = (count + 15) / 16 * 16;
+      const std::size_t padded = roundUp(count, floatLanes);
       for (float* offsets : {block_.u, block_.v, block_.w})
       {
         std::fill(offsets + count, offsets + padded, 0.0f);

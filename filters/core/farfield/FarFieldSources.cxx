@@ -1,5 +1,6 @@
 #include "farfield/FarFieldSources.h"
 
+#include "base/Pi.h"
 #include "farfield/BulkBounds.h"
 #include "source/UnitScale.h"
 #include "sums/RegularizedKernels.h"
@@ -13,8 +14,6 @@ namespace winding
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 using Vector = Eigen::Map<const Eigen::Vector3d>;
 

@@ -89,10 +89,8 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
   {
     ++work_.leaves;
     const int order = tree_.order();
-    alignas(
-      64) float polynomial[(static_cast<std::size_t>(monomialCount(largestOrder)) + 15) / 16 * 16];
-    multiplyMatrix(tree_.toPolynomial.data(),
-      (static_cast<std::size_t>(monomialCount(order)) + 15) / 16 * 16,
+    alignas(64) float polynomial[polynomialRows(largestOrder)];
+    multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
       static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
     if (visitor_)
     {
@@ -293,7 +291,7 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
   {
     cells_.fill(cell, first, block);
     const std::size_t count = block.samples.count;
-    const std::size_t padded = (count + 15) / 16 * 16;
+    const std::size_t padded = roundUp(count, floatLanes);
     std::fill(block.u + count, block.u + padded, 0.0f);
     std::fill(block.v + count, block.v + padded, 0.0f);
     std::fill(block.w + count, block.w + padded, 0.0f);

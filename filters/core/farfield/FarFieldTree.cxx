@@ -20,13 +20,13 @@ const FarFieldSources& arranged(
 std::vector<float> polynomialColumns(int order)
 {
   const Eigen::MatrixXd matrix = polynomialMatrix(order);
-  const Eigen::Index rows = (matrix.rows() + 15) / 16 * 16;
-  std::vector<float> columns(static_cast<std::size_t>(rows * matrix.cols()));
+  const std::size_t rows = polynomialRows(order);
+  std::vector<float> columns(rows * static_cast<std::size_t>(matrix.cols()));
   for (Eigen::Index column = 0; column < matrix.cols(); ++column)
   {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     {
-      columns[static_cast<std::size_t>(column * rows + row)] =
+      columns[static_cast<std::size_t>(column) * rows + static_cast<std::size_t>(row)] =
         static_cast<float>(matrix(row, column));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Evaluator.h"
+#include "base/RoundUp.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@ constexpr int largestOrder = 9;
 /// Floats of an expansion in memory: coefficientCount(order), rounded up to whole vectors.
 constexpr std::size_t paddedCoefficients(int order)
 {
-  return static_cast<std::size_t>((order + 1) * (order + 1) + 15) / 16 * 16;
+  return roundUp(static_cast<std::size_t>((order + 1) * (order + 1)), floatLanes);
 }
 
 /// Dipoles for moments, as structure of arrays: offsets from the centre divided by the radius, and

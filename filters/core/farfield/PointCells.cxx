@@ -1,5 +1,6 @@
 #include "farfield/PointCells.h"
 
+#include "base/CountingSort.h"
 #include "base/Refusal.h"
 #include "source/UnitScale.h"
 
@@ -26,27 +27,18 @@ std::uint32_t spread(std::uint32_t bits)
 /// Sorts by key, ten bits at a time; equal keys keep their order.
 template <class Sample> void sortByKey(std::vector<Sample>& samples)
 {
-  std::vector<Sample> sorted(samples.size());
+  CountingSort<Sample> byDigit;
   for (int shift = 0; shift < 30; shift += 10)
   {
-    const auto digit = [shift](const Sample& sample)
-    {
-      return sample.key >> shift & 1023u;
-    };
-    std::array<std::size_t, 1025> starts = {};
-    for (const Sample& sample : samples)
-    {
-      ++starts[digit(sample) + 1];
-    }
-    for (std::size_t i = 1; i < starts.size(); ++i)
-    {
-      starts[i] += starts[i - 1];
-    }
-    for (const Sample& sample : samples)
-    {
-      sorted[starts[digit(sample)]++] = sample;
-    }
-    samples.swap(sorted);
+    byDigit.sort(1024,
+      [&](const auto& visit)
+      {
+        for (const Sample& sample : samples)
+        {
+          visit(sample.key >> shift & 1023u, sample);
+        }
+      });
+    samples.swap(byDigit.items());
   }
 }
 

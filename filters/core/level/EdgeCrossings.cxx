@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace winding
@@ -182,33 +181,26 @@ EdgeCrossings::EdgeCrossings(
     },
     executor);
 
-  starts_.assign(edges.size() + 2, 0);
-  for (const std::vector<FoundCrossing>& crossings : found)
-  {
-    for (const FoundCrossing& crossing : crossings)
+  crossings_.sort(edges.size(),
+    [&](const auto& visit)
     {
-      ++starts_[crossing.edge + 2];
-    }
-  }
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  crossings_.resize(starts_.back());
-  for (const std::vector<FoundCrossing>& crossings : found)
-  {
-    for (const FoundCrossing& crossing : crossings)
-    {
-      crossings_[starts_[crossing.edge + 1]++] = crossing.crossing;
-    }
-  }
+      for (const std::vector<FoundCrossing>& crossings : found)
+      {
+        for (const FoundCrossing& crossing : crossings)
+        {
+          visit(crossing.edge, crossing.crossing);
+        }
+      }
+    });
   const auto isBefore = [](const Crossing& a, const Crossing& b)
   {
     return a.fraction < b.fraction;
   };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
-    if (starts_[edge + 1] - starts_[edge] > 1)
+    if (crossings_.end(edge) - crossings_.begin(edge) > 1)
     {
-      std::stable_sort(crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge]),
-        crossings_.begin() + static_cast<std::ptrdiff_t>(starts_[edge + 1]), isBefore);
+      std::stable_sort(crossings_.begin(edge), crossings_.end(edge), isBefore);
     }
   }
 }

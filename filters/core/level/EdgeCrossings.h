@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/CountingSort.h"
 #include "base/Executor.h"
 #include "level/LevelEdges.h"
 #include "source/Surface.h"
@@ -42,13 +43,12 @@ public:
 
   ///@{
   /// Crossings of an edge, ascending.
-  const Crossing* begin(std::size_t edge) const { return crossings_.data() + starts_[edge]; }
-  const Crossing* end(std::size_t edge) const { return crossings_.data() + starts_[edge + 1]; }
+  const Crossing* begin(std::size_t edge) const { return crossings_.begin(edge); }
+  const Crossing* end(std::size_t edge) const { return crossings_.end(edge); }
   ///@}
 
 private:
-  std::vector<std::size_t> starts_; ///< of each edge's, and the end
-  std::vector<Crossing> crossings_;
+  CountingSort<Crossing> crossings_; ///< by edge
 };
 
 } // namespace winding

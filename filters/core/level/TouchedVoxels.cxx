@@ -1,5 +1,7 @@
 #include "level/TouchedVoxels.h"
 
+#include "base/CountingSort.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,7 +95,6 @@ public:
     : extent_(extent)
     , triangles_(triangles)
     , vertices_(vertices.size())
-    , starts_(static_cast<std::size_t>(extent[5] - extent[4] + 1) + 2, 0)
   {
     constexpr std::size_t perBlock = 4096;
     runBlocks(
@@ -131,24 +132,17 @@ public:
         }
       }
     };
-    // Counted two places up, so that filling leaves each start where it belongs.
-    forEachPlace([&](std::size_t layer, std::uint32_t) { ++starts_[layer + 2]; });
-    for (std::size_t i = 2; i < starts_.size(); ++i)
-    {
-      starts_[i] += starts_[i - 1];
-    }
-    primitives_.resize(starts_.back());
-    forEachPlace(
-      [&](std::size_t layer, std::uint32_t number) { primitives_[starts_[layer + 1]++] = number; });
+    primitives_.sort(static_cast<std::size_t>(extent[5] - extent[4] + 1), forEachPlace);
   }
 
   /// Marks what is touched of a layer of the grid.
   void mark(int k, unsigned char* marks) const
   {
     const auto layer = static_cast<std::size_t>(k - extent_[4]);
-    for (std::size_t i = starts_[layer]; i < starts_[layer + 1]; ++i)
+    for (const std::uint32_t* number = primitives_.begin(layer); number != primitives_.end(layer);
+         ++number)
     {
-      const Polygon primitive = this->primitive(primitives_[i]);
+      const Polygon primitive = this->primitive(*number);
       const Eigen::Vector3d margin = this->marginOf(primitive);
       this->markRows(primitive.between(2, k - margin[2], k + 1 + margin[2]), margin, k, marks);
     }
@@ -244,8 +238,7 @@ private:
   const std::vector<Triangle>* triangles_;
   std::vector<Eigen::Vector3d> vertices_; ///< in voxels: voxel i is from i to i + 1
   Eigen::Vector3d gridMargin_;
-  std::vector<std::size_t> starts_; ///< of each layer's, and the end
-  std::vector<std::uint32_t> primitives_;
+  CountingSort<std::uint32_t> primitives_; ///< by layer
 };
 
 void mark(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>* triangles,

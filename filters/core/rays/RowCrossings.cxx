@@ -1,5 +1,6 @@
 #include "rays/RowCrossings.h"
 
+#include "base/CountingSort.h"
 #include "rays/RowTriangle.h"
 
 #include <algorithm>
@@ -22,7 +23,6 @@ public:
     const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
     : firstLayer_(extent[4])
     , perLayer_(rows.countIn(extent))
-    , starts_(static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_ + 2, 0)
   {
     const auto forEach = [&](const auto& visit)
     {
@@ -48,24 +48,16 @@ public:
         }
       }
     };
-    // Counted two places up, so that filling leaves each start where it belongs.
-    forEach([&](std::size_t place, std::uint32_t) { ++starts_[place + 2]; });
-    for (std::size_t i = 2; i < starts_.size(); ++i)
-    {
-      starts_[i] += starts_[i - 1];
-    }
-    triangles_.resize(starts_.back());
-    forEach(
-      [&](std::size_t place, std::uint32_t number) { triangles_[starts_[place + 1]++] = number; });
+    triangles_.sort(static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_, forEach);
   }
 
   const std::uint32_t* begin(int k, std::size_t band) const
   {
-    return triangles_.data() + starts_[this->place(k, band)];
+    return triangles_.begin(this->place(k, band));
   }
   const std::uint32_t* end(int k, std::size_t band) const
   {
-    return triangles_.data() + starts_[this->place(k, band) + 1];
+    return triangles_.end(this->place(k, band));
   }
 
 private:
@@ -86,8 +78,7 @@ private:
 
   int firstLayer_;
   std::size_t perLayer_;
-  std::vector<std::size_t> starts_;
-  std::vector<std::uint32_t> triangles_;
+  CountingSort<std::uint32_t> triangles_;
 };
 
 struct Crossing
@@ -95,36 +86,6 @@ struct Crossing
   int row;    ///< j
   int behind; ///< first sample behind it
   int sign;
-};
-
-/// Sorts the crossings of a layer by row: a counting sort, for there are as many rows as crossings.
-class RowBuckets
-{
-public:
-  void sort(const std::vector<Crossing>& crossings, int firstRow, int rows)
-  {
-    starts_.assign(static_cast<std::size_t>(rows) + 2, 0);
-    for (const Crossing& crossing : crossings)
-    {
-      ++starts_[static_cast<std::size_t>(crossing.row - firstRow) + 2];
-    }
-    for (std::size_t i = 2; i < starts_.size(); ++i)
-    {
-      starts_[i] += starts_[i - 1];
-    }
-    sorted_.resize(crossings.size());
-    for (const Crossing& crossing : crossings)
-    {
-      sorted_[starts_[static_cast<std::size_t>(crossing.row - firstRow) + 1]++] = crossing;
-    }
-  }
-
-  Crossing* begin(int row) { return sorted_.data() + starts_[static_cast<std::size_t>(row)]; }
-  Crossing* end(int row) { return this->begin(row + 1); }
-
-private:
-  std::vector<std::size_t> starts_;
-  std::vector<Crossing> sorted_;
 };
 
 /// Turns the crossings of a row into runs of equal values over [low, high].
@@ -192,13 +153,24 @@ public:
         }
       }
     }
-    RowBuckets buckets;
-    buckets.sort(crossings, firstRow, lastRow - firstRow + 1);
+    const auto rowOf = [firstRow](int j)
+    {
+      return static_cast<std::size_t>(j - firstRow);
+    };
+    // There are about as many rows as crossings, so a counting sort it is.
+    CountingSort<Crossing> byRow;
+    byRow.sort(rowOf(lastRow + 1),
+      [&](const auto& visit)
+      {
+        for (const Crossing& crossing : crossings)
+        {
+          visit(rowOf(crossing.row), crossing);
+        }
+      });
     std::vector<RowRun> runs;
     for (int j = firstRow; j <= lastRow; ++j)
     {
-      makeRuns(
-        buckets.begin(j - firstRow), buckets.end(j - firstRow), extent_[0], extent_[1], runs);
+      makeRuns(byRow.begin(rowOf(j)), byRow.end(rowOf(j)), extent_[0], extent_[1], runs);
       work(j, k, runs);
     }
   }

@@ -1,5 +1,6 @@
 #include "sums/DirectSum.h"
 
+#include "base/Pi.h"
 #include "source/UnitScale.h"
 #include "sums/DirectSumKernels.h"
 #include "sums/GradientKernels.h"
@@ -13,8 +14,6 @@ namespace winding
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 void store(const Eigen::Vector3d& from, double (&to)[3])
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Pi.h"
 #include "source/UnitScale.h"
 #include "sums/KernelTypes.h"
 
@@ -19,9 +20,8 @@ namespace winding
 /// From u to v, in scaled coordinates.
 inline KernelEdge kernelEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, int multiplicity)
 {
-  constexpr double fourPi = 12.566370614359172953850573533118;
   return {{u[0], u[1], u[2]}, {v[0], v[1], v[2]}, {v[0] - u[0], v[1] - u[1], v[2] - u[2]},
-    multiplicity / fourPi};
+    multiplicity / (4 * pi)};
 }
 
 /// Writes the sums for samples in scaled coordinates as gradients in the caller's.

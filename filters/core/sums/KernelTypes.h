@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Evaluator.h"
+#include "base/RoundUp.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,7 +41,7 @@ struct AngleProducts
   /// For so many samples, rounded up to whole vectors; the rest is left as it is.
   explicit AngleProducts(std::size_t samples)
   {
-    const std::size_t used = (samples + 7) / 8 * 8;
+    const std::size_t used = roundUp(samples, 8);
     std::fill_n(re, used, 1.0);
     for (double* values : {im, turns, suspect})
     {

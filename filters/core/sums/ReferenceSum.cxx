@@ -1,5 +1,6 @@
 #include "sums/ReferenceSum.h"
 
+#include "base/Pi.h"
 #include "sums/SolidAngle.h"
 
 namespace winding
@@ -7,7 +8,7 @@ namespace winding
 
 namespace
 {
-constexpr long double fourPi = 12.566370614359172953850573533118L;
+constexpr long double fourPi = 4 * piAs<long double>;
 }
 
 template <class Scalar> Scalar referenceSum(const Surface& surface, const Eigen::Vector3d& sample)

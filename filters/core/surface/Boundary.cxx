@@ -1,5 +1,6 @@
 #include "surface/Boundary.h"
 
+#include "base/CountingSort.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
@@ -77,23 +78,20 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
 {
-  // Edges by the vertex that they leave.
-  std::vector<std::size_t> starts(vertices + 1, 0);
-  for (const BoundaryEdge& edge : chain.edges)
+  CountingSort<BoundaryEdge> leaving; // by the vertex that they leave
+  leaving.sort(vertices,
+    [&](const auto& visit)
+    {
+      for (const BoundaryEdge& edge : chain.edges)
+      {
+        visit(static_cast<std::size_t>(edge.from), edge);
+      }
+    });
+  std::vector<BoundaryEdge*> next(vertices);
+  for (std::size_t v = 0; v < vertices; ++v)
   {
-    ++starts[static_cast<std::size_t>(edge.from) + 1];
+    next[v] = leaving.begin(v);
   }
-  for (std::size_t v = 1; v <= vertices; ++v)
-  {
-    starts[v] += starts[v - 1];
-  }
-  std::vector<BoundaryEdge> leaving(chain.edges.size());
-  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-  for (const BoundaryEdge& edge : chain.edges)
-  {
-    leaving[next[static_cast<std::size_t>(edge.from)]++] = edge;
-  }
-  next.assign(starts.begin(), starts.end() - 1);
 
   // Walk on until a vertex comes up again, cut the loop off that this closes, and walk on from there.
   // As many edges leave each vertex as arrive, so a walk can only get stuck where it began.
@@ -115,19 +113,20 @@ std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t 
         }
         path.erase(cut, path.end());
       }
-      std::size_t& edge = next[here];
-      while (edge < starts[here + 1] && leaving[edge].multiplicity == 0)
+      BoundaryEdge*& edge = next[here];
+      BoundaryEdge* const end = leaving.end(static_cast<std::size_t>(here));
+      while (edge != end && edge->multiplicity == 0)
       {
         ++edge;
       }
-      if (edge == starts[here + 1])
+      if (edge == end)
       {
         break;
       }
       placeInPath[here] = static_cast<std::int32_t>(path.size());
       path.push_back(here);
-      --leaving[edge].multiplicity;
-      here = leaving[edge].to;
+      --edge->multiplicity;
+      here = edge->to;
     }
   }
   return loops;

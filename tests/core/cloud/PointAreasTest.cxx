@@ -1,4 +1,5 @@
 #include "cloud/PointAreas.h"
+#include "base/Pi.h"
 
 #include "core/support/Samples.h"
 #include "core/support/ShuffledThreads.h"
@@ -18,8 +19,7 @@ namespace
 
 using namespace shapes;
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double sphereArea = 4 * pi;
+constexpr double sphereArea = 4 * winding::pi;
 
 std::vector<double> voronoiAreas(const winding::PointCloud& cloud, int neighbors = 20)
 {
@@ -129,7 +129,7 @@ TEST(VoronoiCell, IsThePolygonOfTheNearestPoints)
 {
   winding::VoronoiCell cell;
   cell.start(10);
-  EXPECT_NEAR(cell.area(), 100 * pi, 1e-9);
+  EXPECT_NEAR(cell.area(), 100 * winding::pi, 1e-9);
   EXPECT_TRUE(cell.isOpen());
   for (const Eigen::Vector2d& point : {Eigen::Vector2d(2, 0), {-2, 0}, {0, 4}, {0, 0}, {100, 100}})
   {
@@ -281,8 +281,9 @@ TEST(VoronoiAreas, OfFewPointsArePositiveAndNoMoreThanTheirDistancesTell)
   }
   Cloud along = line; // normals along the line: nothing is to be seen in the tangent plane
   along.normals.assign(50, Point(1, 2, 3).normalized());
-  for (const auto& [cloud, most] : {std::pair(two, 8 * pi), std::pair(three, 8 * pi),
-         std::pair(line, 400 * pi), std::pair(along, 400 * pi)})
+  for (const auto& [cloud, most] :
+    {std::pair(two, 8 * winding::pi), std::pair(three, 8 * winding::pi),
+      std::pair(line, 400 * winding::pi), std::pair(along, 400 * winding::pi)})
   {
     for (const double area : voronoiAreas(clean(cloud)))
     {

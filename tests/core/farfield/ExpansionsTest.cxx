@@ -1,4 +1,5 @@
 #include "farfield/Expansions.h"
+#include "base/Pi.h"
 
 #include "core/support/Samples.h"
 #include "sums/SolidAngle.h"
@@ -13,8 +14,6 @@ using winding::Expansion;
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 struct Dipoles
 {
@@ -49,7 +48,7 @@ Dipoles someDipoles(unsigned seed)
   for (int i = 0; i < 20; ++i)
   {
     dipoles.positions.push_back(random.direction() * random(0, 1));
-    dipoles.moments.push_back(random.direction() / (4 * pi));
+    dipoles.moments.push_back(random.direction() / (4 * winding::pi));
   }
   return dipoles;
 }

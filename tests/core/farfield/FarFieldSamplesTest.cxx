@@ -1,3 +1,4 @@
+#include "base/Pi.h"
 #include "core/support/FarFields.h"
 #include "core/support/Interruption.h"
 #include "farfield/TriangleFarField.h"
@@ -328,7 +329,7 @@ TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
   fan.points.push_back({0, 0, 1});
   for (int i = 0; i < 2000; ++i)
   {
-    const double angle = i * 2 * 3.14159265358979 / 2000;
+    const double angle = i * 2 * winding::pi / 2000;
     fan.points.push_back({std::cos(angle), std::sin(angle), 0});
     fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % 2000});
   }

@@ -1,4 +1,5 @@
 #include "base/Bounds.h"
+#include "base/Pi.h"
 #include "core/support/FarFields.h"
 
 #include <sstream>
@@ -330,8 +331,8 @@ TEST(FarField, EqualsTheDirectSumBesideASmallSourceAndALargeCell)
   constexpr double radius = 1e-5;
   cap = mapped(cap, [&](const Point& p) -> Point { return center + radius * p; });
   const Cloud sphere = sphereCloud(1000);
-  std::vector<double> areas(3000, 12.56637 / 1000);
-  std::fill_n(areas.begin(), 2000, 12.56637 * radius * radius / 4000);
+  std::vector<double> areas(3000, 4 * winding::pi / 1000);
+  std::fill_n(areas.begin(), 2000, 4 * winding::pi * radius * radius / 4000);
   const auto source = farSource(with(cap, sphere), areas);
   Random random(315);
   for (const double tolerance : tolerances)

@@ -1,4 +1,5 @@
 #include "farfield/NodeAcceptance.h"
+#include "base/Pi.h"
 
 #include "core/support/Samples.h"
 #include "farfield/Expansions.h"
@@ -19,8 +20,6 @@ using shapes::Random;
 using winding::CellCriteria;
 using winding::Expansion;
 using winding::NodeCriteria;
-
-constexpr double pi = 3.14159265358979323846;
 
 NodeCriteria randomNodes(std::size_t count, Random& random)
 {
@@ -80,7 +79,7 @@ struct Node
       }
       // A patch of a surface that fills the node, or as strong a set of points.
       positions.push_back(size * p);
-      moments.push_back(n * (pi * size * size / (4 * pi) / count));
+      moments.push_back(n * (winding::pi * size * size / (4 * winding::pi) / count));
       winding::addDipole(order, p, moments.back() / size, exact);
     }
     criteria.resize(1);

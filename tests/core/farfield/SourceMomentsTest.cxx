@@ -1,4 +1,5 @@
 #include "farfield/SourceMoments.h"
+#include "base/Pi.h"
 
 #include "core/support/FarFields.h"
 #include "farfield/Expansions.h"
@@ -29,7 +30,7 @@ void appendFine(const Point& a, const Point& b, const Point& c, int levels,
 {
   if (levels == 0)
   {
-    dipoles.push_back({(a + b + c) / 3, (b - a).cross(c - a) / (8 * 3.14159265358979323846)});
+    dipoles.push_back({(a + b + c) / 3, (b - a).cross(c - a) / (8 * winding::pi)});
     return;
   }
   const Point ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
@@ -59,7 +60,7 @@ Items itemsOf(const Cloud& cloud, const std::vector<double>& areas, double scale
   Items items;
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    const double area = areas[i] * scale * scale / (4 * 3.14159265358979323846);
+    const double area = areas[i] * scale * scale / (4 * winding::pi);
     items.push_back({{scale * cloud.positions[i], area * cloud.normals[i]}});
   }
   return items;

@@ -1,3 +1,4 @@
+#include "base/Pi.h"
 #include "field/Field.h"
 
 #include "base/Refusal.h"
@@ -113,7 +114,7 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
 {
   Cloud cloud = sphereCloud(1000);
   const Point center(0, 0, 0);
-  const double area = 4 * 3.14159265358979323846 / 1000;
+  const double area = 4 * winding::pi / 1000;
   FieldOptions options;
   options.tolerance = 0;
   winding::SerialExecutor serial;

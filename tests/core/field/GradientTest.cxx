@@ -1,4 +1,5 @@
 #include "base/Executor.h"
+#include "base/Pi.h"
 #include "base/Views.h"
 #include "core/support/Interruption.h"
 #include "core/support/Shapes.h"
@@ -121,9 +122,8 @@ Point byFormula(const Dipoles& dipoles, const Point& q, double& strength)
       strength += static_cast<double>(share.norm());
     }
   }
-  constexpr double fourPi = 12.566370614359172953850573533118;
-  strength /= fourPi;
-  return sum.cast<double>() / fourPi;
+  strength /= (4 * winding::pi);
+  return sum.cast<double>() / (4 * winding::pi);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "base/Pi.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "core/support/FarFields.h"
@@ -70,8 +71,6 @@ using winding::Field;
 using winding::FieldOptions;
 using winding::Method;
 
-constexpr double pi = 3.14159265358979323846;
-
 struct Case
 {
   winding::PointCloud cloud;
@@ -98,7 +97,8 @@ Case sphere(std::size_t count, double factor, double scale = 1)
 {
   return regularized(
     mapped(sphereCloud(count), [scale](const Point& p) -> Point { return scale * p; }),
-    std::vector<double>(count, 4 * pi * scale * scale / static_cast<double>(count)), factor);
+    std::vector<double>(count, 4 * winding::pi * scale * scale / static_cast<double>(count)),
+    factor);
 }
 
 /// Points of different lengths, some of them none.
@@ -352,7 +352,8 @@ std::vector<Source> sources()
   {
     return farSource(
       mapped(sphereCloud(count), [radius](const Point& p) -> Point { return radius * p; }),
-      std::vector<double>(count, 4 * pi * radius * radius / static_cast<double>(count)), factor);
+      std::vector<double>(count, 4 * winding::pi * radius * radius / static_cast<double>(count)),
+      factor);
   };
   std::vector<Source> all;
   all.push_back({"half", ofSphere(5000, 1, 0.5)});

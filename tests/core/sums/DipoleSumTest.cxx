@@ -1,3 +1,4 @@
+#include "base/Pi.h"
 #include "sums/DirectSum.h"
 
 #include "core/support/Samples.h"
@@ -107,7 +108,7 @@ TEST(DipoleSum, OfASphereIsOneInsideAndZeroOutside)
 {
   const std::size_t count = 10000;
   const winding::PointCloud cloud = clean(sphereCloud(count));
-  const std::vector<double> areas(count, 4 * 3.14159265358979323846 / count);
+  const std::vector<double> areas(count, 4 * winding::pi / count);
   const DipoleSum sum(cloud, areas);
   SCOPED_TRACE("seed 45");
   double worst = 0;

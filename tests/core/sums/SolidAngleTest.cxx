@@ -1,4 +1,5 @@
 #include "sums/SolidAngle.h"
+#include "base/Pi.h"
 
 #include "core/support/Samples.h"
 
@@ -13,8 +14,6 @@ namespace
 using shapes::Point;
 using shapes::Random;
 using LongPoint = winding::Vector3<long double>;
-
-constexpr double pi = 3.14159265358979323846;
 
 double angle(const Point& a, const Point& b, const Point& c)
 {
@@ -68,7 +67,7 @@ std::vector<Corners> randomTriangles(std::size_t count, unsigned seed)
 
 TEST(SolidAngle, OfAnOctantIsHalfPi)
 {
-  EXPECT_DOUBLE_EQ(angle({1, 0, 0}, {0, 2, 0}, {0, 0, 3}), pi / 2);
+  EXPECT_DOUBLE_EQ(angle({1, 0, 0}, {0, 2, 0}, {0, 0, 3}), winding::pi / 2);
 }
 
 TEST(SolidAngle, EqualsTheSphericalExcessByTwoOtherFormulas)
@@ -138,9 +137,9 @@ TEST(SolidAngle, ComesCloseToTwoPiJustBelowATriangleAndNeverReachesIt)
   {
     const Point q(0, -0.25, -height);
     const double below = angle(a - q, b - q, c - q);
-    EXPECT_LT(below, 2 * pi);
+    EXPECT_LT(below, 2 * winding::pi);
     // What is missing is proportional to the height: measured, at most 8.54 times it.
-    EXPECT_GT(below, 2 * pi - 9 * height);
+    EXPECT_GT(below, 2 * winding::pi - 9 * height);
   }
 }
 

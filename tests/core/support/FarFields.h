@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "base/Pi.h"
 #include "base/Views.h"
 #include "core/support/RowValues.h"
 #include "farfield/FarField.h"
@@ -117,7 +118,7 @@ public:
                                               2.3 * std::pow(cloud_.regularizationLengths[i], 2))
                                           : squared);
       }
-      strengths.push_back(sum / (4 * 3.14159265358979));
+      strengths.push_back(sum / (4 * winding::pi));
     }
     return strengths;
   }
@@ -224,8 +225,8 @@ inline std::unique_ptr<FarSource> farSource(
 inline std::unique_ptr<FarSource> farSource(const Cloud& cloud, double radius = 1)
 {
   const auto count = static_cast<double>(cloud.positions.size());
-  return farSource(cloud,
-    std::vector<double>(cloud.positions.size(), 4 * 3.14159265358979 * radius * radius / count));
+  return farSource(
+    cloud, std::vector<double>(cloud.positions.size(), 4 * winding::pi * radius * radius / count));
 }
 
 inline Cloud mapped(Cloud cloud, const std::function<Point(const Point&)>& map)

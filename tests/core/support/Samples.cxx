@@ -1,4 +1,5 @@
 #include "core/support/Samples.h"
+#include "base/Pi.h"
 
 #include "base/Executor.h"
 #include "source/Sanitize.h"
@@ -51,7 +52,7 @@ Cloud sphereCloud(std::size_t count)
   for (std::size_t i = 0; i < count; ++i)
   {
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
-    const double turn = static_cast<double>(i) * 3.14159265358979323846 * (3 - std::sqrt(5.0));
+    const double turn = static_cast<double>(i) * winding::pi * (3 - std::sqrt(5.0));
     const double radius = std::sqrt(1 - z * z);
     cloud.positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
   }

@@ -1,4 +1,5 @@
 #include "core/support/Shapes.h"
+#include "base/Pi.h"
 
 #include "source/Sanitize.h"
 
@@ -11,8 +12,6 @@ namespace shapes
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Points by their coordinates, so that neighbours share them.
 class Builder
@@ -155,7 +154,8 @@ Mesh torus(int along, int around)
 {
   const auto at = [&](int i, int j) -> Point
   {
-    const double u = 2 * pi * (i % along) / along, v = 2 * pi * (j % around) / around;
+    const double u = 2 * winding::pi * (i % along) / along,
+                 v = 2 * winding::pi * (j % around) / around;
     const double radius = 1 + 0.4 * std::cos(v);
     return {radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v)};
   };
@@ -175,7 +175,7 @@ Mesh moebiusStrip(int quads)
   Mesh mesh;
   for (int i = 0; i < quads; ++i)
   {
-    const double turn = 2 * pi * i / quads;
+    const double turn = 2 * winding::pi * i / quads;
     const Point middle(std::cos(turn), std::sin(turn), 0);
     const Point side = 0.3 * (std::cos(turn / 2) * middle + std::sin(turn / 2) * Point::UnitZ());
     mesh.points.push_back(middle - side);

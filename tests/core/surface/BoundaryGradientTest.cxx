@@ -1,4 +1,5 @@
 #include "surface/BoundaryGradient.h"
+#include "base/Pi.h"
 
 #include "core/support/Shapes.h"
 #include "source/Surface.h"
@@ -265,9 +266,9 @@ TEST(BoundaryGradient, BesideAnEdgeIsThatOfAnEndlessLine)
   {
     // Around the edge, w falls by 1 from below the triangle to above it, where its normal points.
     const Point above = gradientsOf(gradientOf(surface), {{0.375, 0, d}})[0];
-    EXPECT_NEAR(above[1] * 2 * 3.14159265358979323846 * d, -1, 4 * d + 1e-12);
+    EXPECT_NEAR(above[1] * 2 * winding::pi * d, -1, 4 * d + 1e-12);
     const Point beside = gradientsOf(gradientOf(surface), {{0.375, d, 0}})[0];
-    EXPECT_NEAR(beside[2] * 2 * 3.14159265358979323846 * d, 1, 4 * d + 1e-12); // measured: 3.1 d
+    EXPECT_NEAR(beside[2] * 2 * winding::pi * d, 1, 4 * d + 1e-12); // measured: 3.1 d
   }
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+namespace winding
+{
+
+/// The widest vectors that kernels of single precision use have so many lanes, and their arrays are
+/// filled up to a multiple of it.
+constexpr std::size_t floatLanes = 16;
+
+/// The smallest multiple of `step` that is not less than `count`.
+constexpr std::size_t roundUp(std::size_t count, std::size_t step)
+{
+  return (count + step - 1) / step * step;
+}
+
+} // namespace winding
