@@ -26,7 +26,7 @@ Bounds bulkBounds(const std::vector<Eigen::Vector3d>& points, const Bounds& boun
     middle.min()[axis] = coordinates[twentieth];
     middle.max()[axis] = coordinates[count - 1 - twentieth];
   }
-  // Halved first: the difference of two very large numbers may leave the range.
+  // Coordinates are halved first, since the difference of two very large ones may leave the range.
   const double whole = (0.5 * bounds.max() - 0.5 * bounds.min()).maxCoeff();
   const double bulk = 4 * (0.5 * middle.max() - 0.5 * middle.min()).maxCoeff();
   if (!(bulk > 0) || 4 * bulk >= whole)

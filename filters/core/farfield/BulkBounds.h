@@ -8,12 +8,14 @@ namespace winding
 {
 
 /**
- * Where nearly all points are: what the unit of length is to be taken from where single precision
+ * A box around nearly all points, from which the unit of length is taken where single precision
  * computes. One point a million sizes away would leave it no digits for all others.
  *
- * The given bounds of the points, unless the middle nine tenths of them along every axis take less than
- * a sixteenth: then a box of four times that size, but of no less than 1e-7 of the bounds. Looks at 4096
- * points at most, so that it takes no time.
+ * It is the given bounds of the points, unless the box of the middle nine tenths of the points
+ * along each axis has a longest side of less than a sixteenth of theirs. Then it is a cube around
+ * the middle with four times that side, but no less than 1e-7 of the bounds. Bounds of fewer than
+ * 64 points stay, and those of points nine tenths of which are equal. At most 4096 points are
+ * looked at, so that it takes no time.
  */
 Bounds bulkBounds(const std::vector<Eigen::Vector3d>& points, const Bounds& bounds);
 

@@ -9,7 +9,8 @@ namespace winding
 namespace
 {
 
-/// std::complex checks every product for infinities, which costs more than the product.
+/// A complex number without the check of std::complex, which looks for infinities in every product
+/// and costs more than the product.
 struct Complex
 {
   double re = 0, im = 0;
@@ -35,7 +36,7 @@ Complex conj(Complex a)
   return {a.re, -a.im};
 }
 
-/// Coefficients (n, m) with negative m, too.
+/// The coefficients (n, m) of an expansion, those with negative m included.
 class Table
 {
 public:
@@ -62,7 +63,7 @@ public:
   Complex& at(int n, int m) { return values_[static_cast<std::size_t>(n * n + n + m)]; }
   Complex at(int n, int m) const { return values_[static_cast<std::size_t>(n * n + n + m)]; }
 
-  /// Negative orders from positive ones.
+  /// Sets the coefficients of negative m from those of positive m.
   void mirror()
   {
     for (int n = 1; n <= order_; ++n)
@@ -131,7 +132,7 @@ Table irregularHarmonics(int order, const Eigen::Vector3d& r)
   return t;
 }
 
-/// Polynomials in x, y, z of at most some degree, by their coefficients.
+/// A polynomial in x, y, z of at most some degree, by its coefficients.
 class Polynomial
 {
 public:
@@ -166,7 +167,7 @@ private:
   std::vector<Complex> coefficients_;
 };
 
-/// Y_n^m for 0 ≤ m ≤ n ≤ order, at place n (n + 1) / 2 + m.
+/// The polynomials Y_n^m for 0 ≤ m ≤ n ≤ order, each at place n (n + 1) / 2 + m.
 std::vector<Polynomial> harmonicPolynomials(int order)
 {
   std::vector<Polynomial> y;
@@ -217,8 +218,8 @@ void addDipole(
   {
     for (int m = 0; m <= n; ++m)
     {
-      // n·∇, by ∂z Y_n^m = Y_{n−1}^m, (∂x−i∂y) Y_n^m = Y_{n−1}^{m−1},
-      // (∂x+i∂y) Y_n^m = −Y_{n−1}^{m+1}.
+      // The slope along the dipole follows from ∂z Y_n^m = Y_{n−1}^m,
+      // (∂x−i∂y) Y_n^m = Y_{n−1}^{m−1} and (∂x+i∂y) Y_n^m = −Y_{n−1}^{m+1}.
       const Complex slope = dipole[2] * harmonic(n - 1, m) +
                             Complex{-0.5 * dipole[0], 0.5 * dipole[1]} * harmonic(n - 1, m + 1) +
                             Complex{0.5 * dipole[0], 0.5 * dipole[1]} * harmonic(n - 1, m - 1);
@@ -344,7 +345,7 @@ Eigen::MatrixXd polynomialMatrix(int order)
         {
           for (int k = order - i - j; k >= 0; --k, ++row)
           {
-            // Orders m and −m together: twice the real part.
+            // Orders m and −m together give twice the real part.
             matrix(row, realPlace(n, m)) = (m > 0 ? 2 : 1) * y.at(i, j, k).re;
             if (m > 0)
             {

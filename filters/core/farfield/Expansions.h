@@ -25,7 +25,7 @@
  *
  *   w(q) = Σ conj(M_k^l) T_k^l(q−c),    M_k^l = −Σ a n·∇ Y_k^l(p−c),
  *
- * and that of distant sources, at a sample q around t, w(q) = Σ conj(Y_n^m(q−t)) L_n^m.
+ * and that of distant sources is, at a sample q around t, w(q) = Σ conj(Y_n^m(q−t)) L_n^m.
  *
  * An expansion of order P is stored as (P+1)² real coefficients. There is no monopole: M_0^0 = 0.
  */
@@ -43,7 +43,8 @@ constexpr int realPlace(int n, int m)
   return m == 0 ? n * n : n * n + 2 * m - 1;
 }
 
-/// Place of the imaginary part, 0 < m ≤ n; that of (n, 0) is 0 and not stored.
+/// Place of the imaginary part of coefficient (n, m), 0 < m ≤ n; that of (n, 0) is 0 and not
+/// stored.
 constexpr int imaginaryPlace(int n, int m)
 {
   return n * n + 2 * m;
@@ -58,7 +59,7 @@ void addDipole(
 /// The moments of the same sources about another centre; offset: old centre − new centre.
 Expansion shiftMoments(int order, const Expansion& moments, const Eigen::Vector3d& offset);
 
-/// The local expansion at a centre offset away from that of the moments.
+/// The local expansion of the moments' sources; offset: its centre − the moments' centre.
 Expansion momentsToLocal(int order, const Expansion& moments, const Eigen::Vector3d& offset);
 
 /// The same local expansion about another centre; offset: new centre − old centre.
@@ -71,8 +72,8 @@ double momentsAt(int order, const Expansion& moments, const Eigen::Vector3d& off
 double localAt(int order, const Expansion& local, const Eigen::Vector3d& offset);
 
 /**
- * A local expansion as a polynomial: matrix · local = coefficients of x^i y^j z^k, i + j + k ≤ order,
- * in descending order of i, then j, then k.
+ * The matrix that turns a local expansion into a polynomial: matrix · local = coefficients of
+ * x^i y^j z^k, i + j + k ≤ order, in descending order of i, then j, then k.
  */
 Eigen::MatrixXd polynomialMatrix(int order);
 

@@ -18,7 +18,7 @@ namespace winding
 namespace
 {
 
-/// Puts values where they belong in the arrays of an extent.
+/// Puts the values of rows where they belong in the arrays of an extent.
 class ArraySink final : public RowSink
 {
 public:
@@ -71,7 +71,7 @@ bool FarField::evaluateAll(
 {
   FarFieldWork total;
   const std::vector<FarFieldTask> all = this->tasks(cells, taskLevel, &total);
-  std::vector<FarFieldWork> parts(all.size()); // one each: nobody waits for anybody
+  std::vector<FarFieldWork> parts(all.size()); // one for each task, so that none waits for another
   const bool complete = executor.run(
     all.size(), [&](std::size_t task) { parts[task] = this->evaluate(cells, all[task], false); });
   if (work)
@@ -98,7 +98,8 @@ bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutpu
 PointCells FarField::cellsOf(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  // Samples farther than this, in units of the sources' size, would spoil the cells of the others.
+  // Samples farther away than this, in units of the sources' size, would make the cells of all
+  // others too large.
   constexpr double farthest = 64;
   const double radius = tree_.empty() ? 1 : tree_.moments.criteria.radius[0];
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest * std::max(1.0, radius));
@@ -145,7 +146,7 @@ bool FarField::gradient(const VectorsView& samples, double* gradients, Executor&
   }
 }
 
-/// All sources are one dipole distribution there.
+/// The moments of the root stand for all sources, since the sample is far away from all of them.
 double FarField::valueFarAway(const Eigen::Vector3d& sample) const
 {
   if (!sample.allFinite())

@@ -3,16 +3,17 @@
 namespace winding
 {
 
-/// What the far field does to keep a tolerance.
+/// The parameters by which the far field keeps a tolerance.
 struct FarFieldAccuracy
 {
-  int order;     ///< of the expansions
-  float theta;   ///< a node and a cell are apart if their radii are at most theta of their distance
+  int order; ///< order of the expansions
+  /// A node and a cell are apart if their radii add up to at most theta of their distance.
+  float theta;
   float epsilon; ///< estimated error of w that one node may add to a cell
-  /// How many lengths over which a point is spread it must be away to be taken for a pure dipole.
+  /// A point that is spread over a length is taken for a pure dipole from this many lengths on.
   float spreadMargin = 5;
 
-  /// How many radii a node must be away from a single sample.
+  /// A node acts on a single sample through its moments from this many of its radii on.
   float momentMargin() const { return 2 / theta - 1; }
 
   /// Whether near points may be summed in single precision, with offsets in double.
@@ -22,11 +23,12 @@ struct FarFieldAccuracy
   static constexpr double finest = 1e-6;
 
   /**
-   * For a largest absolute error of w over all samples, at least `finest`. Measured on meshes and
-   * clouds of all kinds (tests/core/farfield/FarFieldTest.cxx has the figures), the largest errors are mostly a
-   * tenth to a half of the tolerance, plus single precision's rounding of what is summed beside points.
-   * What the margins leave out, 1 − S (SolidAngle.h), is at most a hundredth of the tolerance times the
-   * sum of the shares so far away: one half for a surface, but hundreds beside a heap of points.
+   * The parameters for a tolerance, the largest absolute error of w over all samples, at least
+   * `finest`. Measured on meshes and clouds of all kinds (tests/core/farfield/FarFieldTest.cxx has
+   * the figures), the largest errors are mostly a tenth to a half of the tolerance, plus single
+   * precision's rounding of what is summed beside points. Points taken for pure dipoles lose
+   * 1 − S (SolidAngle.h) of their shares, at most a hundredth of the tolerance times the sum of
+   * these shares: that sum is one half for a surface, but hundreds beside a heap of points.
    */
   static FarFieldAccuracy of(double tolerance)
   {

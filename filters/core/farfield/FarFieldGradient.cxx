@@ -22,7 +22,8 @@ struct PolynomialDerivatives
 
   PolynomialDerivatives(int order, const float* coefficients)
   {
-    // x^i y^j z^k stands behind all those of higher i, then those of higher j, then k.
+    // The coefficient of x^i y^j z^k stands behind those of higher i, then of higher j, then of
+    // higher k.
     const auto place = [order](int i, int j, int k)
     {
       const int rest = order - i - j;

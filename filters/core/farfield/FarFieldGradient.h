@@ -6,18 +6,19 @@
 namespace winding
 {
 
-/// Where FarField::gradient() is computed: from the same nodes and items as values. A polynomial's
-/// gradient for what acts through expansions, that of moments, and the exact one of near items.
+/// Computes FarField::gradient(), from the same nodes and items as values. The gradient is the sum
+/// of that of the polynomial, for all that acts through expansions, that of the moments of nearer
+/// nodes, and the exact one of near items.
 class FarFieldGradient
 {
 public:
-  /// gradients: #samples by 3, of all samples of the cells.
+  /// gradients: #samples by 3 numbers, in the order of the samples that the cells were made from.
   FarFieldGradient(const FarFieldTree& tree, const PointCells& cells, double* gradients);
 
   /// Writes the gradients of the samples of a task.
   void evaluate(const FarFieldTask& task) const;
 
-  /// Writes that of a sample that the cells have left out.
+  /// Writes the gradient of a sample that the cells have left out; number: its place in that order.
   void evaluateFarAway(const Eigen::Vector3d& sample, std::size_t number) const;
 
 private:

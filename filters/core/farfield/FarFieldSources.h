@@ -21,9 +21,9 @@ struct ItemRange
 };
 
 /**
- * What a far field is made of: items that are summed exactly near by and are distributions of dipoles
- * far away. Coordinates are those of the caller times `scale`, a power of two that brings the sources
- * to about unit size.
+ * The sources of a far field: items that are summed exactly near by and are distributions of
+ * dipoles far away. Coordinates are those of the caller times `scale`, a power of two that brings
+ * the sources to about unit size.
  */
 class FarFieldSources
 {
@@ -34,8 +34,8 @@ public:
 
   virtual std::vector<Eigen::Vector3d> centers() const = 0;
 
-  /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with offsets
-  /// in double; triangles never are, for a sample's side of them hangs on the last bits.
+  /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with
+  /// offsets in double; triangles never are, as the last bits decide on which side a sample lies.
   virtual void arrange(const std::vector<std::uint32_t>& order, bool inSingle) = 0;
 
   struct Dipole
@@ -50,13 +50,15 @@ public:
   /// The farthest distance of any point of the items from a centre.
   virtual double reach(ItemRange items, const Eigen::Vector3d& center) const = 0;
 
-  /// The largest length over which an item is spread (SolidAngle.h): only several of them away its sum
-  /// and gradient are those of the dipoles that stand for it. 0 for none.
+  /// The largest length over which one of the items is spread (SolidAngle.h), 0 if none is. An
+  /// item's value and gradient are those of the dipoles that stand for it only several of its
+  /// lengths away.
   virtual double spread(ItemRange items) const = 0;
 
   /**
-   * The sum of some items at a block of samples, whose coordinates are scaled, exact up to rounding.
-   * With isSuspect, it is set where a sample lies on an item within rounding; true if on any.
+   * Sums some items at a block of samples in scaled coordinates, exactly up to rounding. Triangles
+   * set isSuspect[i], unless that is null, to whether sample i lies on one of them within rounding,
+   * and return whether any sample does. Points return false and set nothing.
    */
   virtual bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool* isSuspect) const = 0;
@@ -65,14 +67,14 @@ public:
   virtual void addGradients(
     const std::vector<ItemRange>& items, const SampleBlock& samples, GradientSums& sums) const = 0;
 
-  /// About what one item costs at one sample.
+  /// The approximate cost of one item at one sample.
   virtual double secondsPerPair() const = 0;
 
-  /// About what eight cells cost more than the one that they are cut from, for each coefficient of an
-  /// expansion; measured. A sum of triangles has more to begin and to end.
+  /// The approximate cost of eight cells beyond that of the cell that they are cut from, for each
+  /// coefficient of an expansion; measured. A sum of triangles has more to begin and to end.
   virtual double secondsPerCutAndCoefficient() const = 0;
 
-  /// Items of a leaf that suit the cost.
+  /// The number of items of a leaf that suits the costs.
   virtual std::size_t leafSize() const = 0;
 
 protected:
@@ -85,11 +87,12 @@ private:
   double scale_;
 };
 
-/// Points are spread over the lengths that the cloud has, if any.
+/// The points of a cloud, spread over its regularization lengths, if it has any.
 std::unique_ptr<FarFieldSources> farFieldSources(
   const PointCloud& cloud, const std::vector<double>& areas);
 
-/// Triangles with sides longer than the rule allows are cut in pieces first.
+/// The triangles of a surface; those with sides longer than the rule allows are cut in pieces
+/// first.
 std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
   const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule);
 

@@ -13,7 +13,7 @@ struct FarFieldTask
 {
   TargetCell cell;
   std::vector<float> local;        ///< the expansion of all that acts on the larger cells
-  std::vector<std::int32_t> nodes; ///< of the source tree, which the larger cells have left to it
+  std::vector<std::int32_t> nodes; ///< nodes of the source tree that larger cells have left to it
 };
 
 } // namespace winding

@@ -11,8 +11,8 @@ namespace winding
 namespace
 {
 
-/// Offsets beyond this, in units of the sources' size, are cut off: everything has long been 0
-/// there, and powers of them would leave the range of single precision.
+/// Offsets beyond this, in units of the sources' size, are cut off: all values have long been 0
+/// there, and powers of such offsets would leave the range of single precision.
 constexpr double farthest = 1e12;
 
 Eigen::Vector3f offsetBetween(const Eigen::Vector3d& to, const Eigen::Vector3d& from)
@@ -20,11 +20,11 @@ Eigen::Vector3f offsetBetween(const Eigen::Vector3d& to, const Eigen::Vector3d& 
   return (to - from).cwiseMax(-farthest).cwiseMin(farthest).cast<float>();
 }
 
-/// Sources much larger than a cell are replaced by their parts, those of about its size are left to
+/// Nodes larger than this times a cell are replaced by their children, smaller ones are left to
 /// smaller cells.
 constexpr double splitRatio = 1.2;
 
-/// About what the values of a node's moments cost at one sample.
+/// The approximate cost of the value of a node's moments at one sample.
 double secondsPerValue(int order)
 {
   return 0.1e-9 * coefficientCount(order);
@@ -69,7 +69,8 @@ FarFieldWork FarFieldTraversal::collect(int level, std::vector<FarFieldTask>& ta
   return work_;
 }
 
-/// nodes_[firstNode …] are those that the parent could not deal with; local is what it gave.
+/// nodes_[firstNode …] are the nodes that the parent could not deal with; local is the expansion
+/// that it handed down.
 void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_t firstNode)
 {
   if (tasks_ && cell.level <= lastLevel_)
@@ -101,7 +102,8 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     {
       const std::size_t rows = cells_.rowsOf(cell);
       work_.rows += rows;
-      (rows > 0 ? work_.rowSamples : work_.blockSamples) += cell.samples;
+      std::uint64_t& samples = rows > 0 ? work_.rowSamples : work_.blockSamples;
+      samples += cell.samples;
       cells_.storePolynomial(cell, order, polynomial);
     }
     else
@@ -113,7 +115,8 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
   nodes_.resize(firstKept);
 }
 
-/// Adds to local what acts through expansions, and appends to nodes_ what does not.
+/// Adds the nodes that act through expansions to local, and appends those left to smaller cells to
+/// nodes_.
 void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size_t firstNode)
 {
   const TargetLevel& level = cells_.level(cell.level);
@@ -219,7 +222,8 @@ void FarFieldTraversal::descendToChildren(
   }
 }
 
-/// Of the nodes that were kept, which act through their moments and which items exactly.
+/// Sorts the nodes that were kept, and those below them, into nodes that act through their moments
+/// and items that are summed one by one.
 void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKept)
 {
   byMoments_.clear();

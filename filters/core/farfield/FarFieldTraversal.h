@@ -7,16 +7,16 @@
 namespace winding
 {
 
-/// What acts on the samples of a cell that is cut no further.
+/// A cell that is cut no further, with all that acts on its samples.
 struct FarFieldLeaf
 {
   const TargetCell& cell;
-  const float* polynomial; ///< of all that acts through expansions; see Expansions.h
-  const std::vector<std::int32_t>& byMoments; ///< nodes
-  const std::vector<ItemRange>& exactly;
+  const float* polynomial; ///< sum of all that acts through expansions; see Expansions.h
+  const std::vector<std::int32_t>& byMoments; ///< nodes that act through their moments
+  const std::vector<ItemRange>& exactly;      ///< items that are summed one by one
 };
 
-/// Makes something else of leaves than values.
+/// Receives the leaves of a task, to compute something else than values from them.
 class FarFieldLeafVisitor
 {
 public:
@@ -24,23 +24,25 @@ public:
   virtual void visit(const FarFieldLeaf& leaf) = 0;
 };
 
-/// The way from a cell down to its samples; see FarField.h. One for each task: it keeps its lists.
+/// The way from a cell down to its samples; see FarField.h. Each task has its own, which holds the
+/// task's lists.
 class FarFieldTraversal
 {
 public:
   FarFieldTraversal(const FarFieldTree& tree, const TargetCells& cells);
 
-  /// Evaluates the samples of a cell, and tells what was done.
+  /// Evaluates the samples of a task's cell, and returns the work done.
   FarFieldWork evaluate(const FarFieldTask& task, bool watching);
 
-  /// Shows the visitor all leaves of a cell instead.
+  /// Shows the visitor all leaves of a task's cell, and evaluates nothing itself.
   void visit(const FarFieldTask& task, FarFieldLeafVisitor& visitor);
 
-  /// Goes down to a level only, appends what is to be done from there, and tells what was done.
+  /// Goes down to a level only, appends the tasks that remain from there, and returns the work
+  /// done.
   FarFieldWork collect(int level, std::vector<FarFieldTask>& tasks);
 
 private:
-  /// A local expansion, with what padding the kernels want.
+  /// A local expansion, padded as the kernels need it.
   struct Local
   {
     alignas(64) float values[paddedCoefficients(largestOrder)];
@@ -60,14 +62,14 @@ private:
   const TargetCells& cells_;
   bool watching_ = false;
   FarFieldLeafVisitor* visitor_ = nullptr;
-  int lastLevel_ = 0; ///< cells are collected here rather than evaluated
+  int lastLevel_ = 0; ///< level whose cells are collected rather than evaluated
   std::vector<FarFieldTask>* tasks_ = nullptr;
   FarFieldWork work_;
 
-  /// Nodes of the cell at work and, before them, of those that it lies in.
+  /// The nodes left to the cell at work; before them stand those left to the cells that it lies in.
   std::vector<std::int32_t> nodes_;
-  std::vector<std::int32_t> candidates_, accepted_, split_; ///< of classify()
-  std::vector<std::int32_t> byMoments_, stack_;             ///< of collectNear()
+  std::vector<std::int32_t> candidates_, accepted_, split_; ///< lists of classify()
+  std::vector<std::int32_t> byMoments_, stack_;             ///< lists of collectNear()
   std::vector<ItemRange> exactly_;
 };
 

@@ -9,7 +9,7 @@ namespace winding
 namespace
 {
 
-/// Brings the sources into the tree's order before their moments are made.
+/// Brings the sources into the tree's order, which their moments need, and returns them.
 const FarFieldSources& arranged(
   FarFieldSources& sources, const SourceTree& hierarchy, const FarFieldAccuracy& accuracy)
 {

@@ -13,12 +13,13 @@ namespace winding
 {
 
 /**
- * Sources in a tree, with the moments of its nodes: all that cells of samples look at on their way
- * from the whole of the samples down to the leaves (FarFieldTraversal.h). Built once, then immutable.
+ * Sources in a tree, with the moments of its nodes: all that cells of samples look at on the way
+ * from the whole of the samples down to the leaves (FarFieldTraversal.h). It is built once, then
+ * immutable.
  */
 struct FarFieldTree
 {
-  /// Throws Interrupted when the executor is.
+  /// Throws Interrupted when the executor was interrupted.
   FarFieldTree(std::unique_ptr<FarFieldSources> sourcesToArrange, const FarFieldAccuracy& wanted,
     Executor& executor);
 
@@ -27,7 +28,8 @@ struct FarFieldTree
   const std::vector<SourceNode>& nodes() const { return hierarchy.nodes(); }
   bool empty() const { return hierarchy.nodes().empty(); }
 
-  /// From the centre of all sources to a sample in the caller's coordinates, in units of their radius.
+  /// The offset from the root's centre to a sample in the caller's coordinates, in units of the
+  /// root's radius.
   Eigen::Vector3d offsetFromRoot(const Eigen::Vector3d& sample) const;
 
   std::unique_ptr<FarFieldSources> sources; ///< in the order of the hierarchy

@@ -14,8 +14,8 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
   , scale_(scale)
   , spacing_(grid.spacing * scale)
 {
-  // Blocks as cubic as can be: larger exponents where samples are closer. Axes with one sample have
-  // no say in what is close.
+  // Blocks are to be as cubic as can be, so exponents are larger along axes where samples are
+  // closer. Axes with one sample do not count for what is close.
   double fineness = 0;
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -48,7 +48,8 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
     for (int axis = 0; axis < 3; ++axis)
     {
       size[axis] = static_cast<double>(this->sizeOf(number, axis));
-      const bool isCut = number<top&& this->sizeOf(number + 1, axis)> this->sizeOf(number, axis);
+      const bool isTop = number == top;
+      const bool isCut = !isTop && this->sizeOf(number, axis) < this->sizeOf(number + 1, axis);
       quarter[axis] = isCut ? 0.5 * size[axis] * spacing_[axis] : 0;
     }
     level.side = 0;
@@ -58,14 +59,15 @@ GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int o
       level.side = std::max(level.side, length);
     }
     level.radius = 0.5 * (size - Eigen::Vector3d::Ones()).cwiseProduct(spacing_).norm();
-    // Of a single sample any side will do; powers of a huge one would leave the range.
+    // Any side will do for a single sample, but powers of a huge one would leave the range.
     level.side = level.radius > 0 ? level.side : 1e-3;
     if (number < top)
     {
       this->setShifts(order, number, quarter);
     }
   }
-  // As many bars along x as keep some threads busy, of cells as large as can be.
+  // Tasks are cells as large as can be, but with enough bars of cells along x to keep some threads
+  // busy.
   const int blockLevel = exponents_.maxCoeff();
   const auto bars = [&](int level)
   {
@@ -188,7 +190,7 @@ void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& blo
     std::fill_n(block.w + n, inRow, this->offsetIn(cell, 2, at[2]));
     if (n >= width && inRow == width)
     {
-      // All rows of a cell are alike.
+      // All rows of a cell have the same x coordinates.
       std::copy_n(block.samples.x + n - width, width, block.samples.x + n);
       std::copy_n(block.u + n - width, width, block.u + n);
     }
@@ -208,7 +210,7 @@ void GridCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& blo
   }
 }
 
-/// offsetIn() of consecutive samples along x.
+/// Writes offsetIn() of consecutive samples along x.
 void GridCells::fillOffsets(
   const TargetCell& cell, int first, std::size_t count, float* offsets) const
 {
@@ -252,8 +254,8 @@ void GridCells::storePolynomial(const TargetCell& cell, int order, const float* 
     TargetCells::storePolynomial(cell, order, coefficients);
     return;
   }
-  // Plane by plane and row by row the polynomial loses a variable each, so that in a row one
-  // multiplication and addition per degree is left.
+  // The polynomial loses one variable in every plane and another in every row, so that one
+  // multiplication and addition per degree is left for each sample of a row.
   const Extent part = this->samplesOf(cell);
   alignas(64) float u[SampleBlock::capacity], values[SampleBlock::capacity];
   for (int begin = part[0]; begin <= part[1]; begin += static_cast<int>(SampleBlock::capacity))

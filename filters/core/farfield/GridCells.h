@@ -8,34 +8,36 @@
 namespace winding
 {
 
-/// Takes the values of a grid's samples, a piece of a row at a time; from several threads.
+/// Takes the values of a grid's samples, a piece of a row at a time, on several threads at once.
 class RowSink
 {
 public:
   virtual ~RowSink() = default;
 
-  /// Samples (i, j, k) … (i + count − 1, j, k). isSuspect may be null: none is.
+  /// Takes the values of samples (i, j, k) … (i + count − 1, j, k). isSuspect tells which of them
+  /// lie on a source; it is null if none is known to.
   virtual void row(
     int i, int j, int k, std::size_t count, const float* values, const bool* isSuspect) const = 0;
 };
 
 /**
- * The samples of a grid as a hierarchy of blocks: 8³ samples or, where voxels are not cubes, about as
- * many in a block as cubic as can be; eight of these make the next larger cell, and so on. Cells are
- * anchored at the grid's first sample, so those of an extent are the very cells of the whole.
+ * The samples of a grid as a hierarchy of blocks: 8³ samples or, where voxels are not cubes, about
+ * as many in a block as cubic as can be; eight of these make the next larger cell, and so on. Cells
+ * are anchored at the grid's first sample, so those of an extent are the very cells of the whole.
  */
 class GridCells final : public TargetCells
 {
 public:
-  /// Keeps a reference to the grid. scale: that of the sources.
+  /// Keeps a reference to the grid. scale: the sources' scale.
   GridCells(const Grid& grid, const Extent& extent, double scale, int order);
 
   void setSink(const RowSink& sink) { sink_ = &sink; }
 
-  /// The level of cells that make good tasks: many enough, and in rows along x; from the whole grid.
+  /// The level whose cells make good tasks, also if all cells in a row along x make one task: there
+  /// are enough of these for some threads. It depends on the whole grid only, not on the extent.
   int taskLevel() const { return taskLevel_; }
 
-  /// Samples of a cell of a level along an axis.
+  /// The number of samples along an axis of a cell of a level.
   std::int64_t sizeOf(int level, int axis) const;
 
   /// The part of a cell that is in the extent.
@@ -59,7 +61,7 @@ private:
   Extent extent_;
   double scale_;
   Eigen::Vector3d spacing_;   ///< scaled
-  Eigen::Vector3i exponents_; ///< block sizes as powers of two
+  Eigen::Vector3i exponents_; ///< block sizes, as exponents of 2
   int taskLevel_;
   const RowSink* sink_ = nullptr;
 };

@@ -31,7 +31,7 @@ void addMomentGradientsLoop(const MomentDerivatives& derivatives, float inverseR
     const Floats squared = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
     const Floats inverse = hn::Div(set(1), squared);
     const Floats ix = hn::Mul(px, inverse), iy = hn::Mul(py, inverse), iz = hn::Mul(pz, inverse);
-    // Orders m and −m together: twice the real part.
+    // Orders m and −m together give twice the real part.
     Floats diagonalRe = hn::Mul(set(2), hn::Sqrt(inverse)), diagonalIm = hn::Zero(d);
     Floats sumX = hn::Zero(d), sumY = hn::Zero(d), sumZ = hn::Zero(d);
     const auto add = [&](int place, Floats harmonic) HWY_ATTR
@@ -104,7 +104,7 @@ MomentDerivatives::MomentDerivatives(int momentOrder, const float* moments)
     {
       return 0 < m && m <= n ? moments[imaginaryPlace(n, m)] : 0;
     };
-    // M^{−1} = −conj M^1.
+    // The formulas for m = 0 use M^{−1} = −conj M^1.
     x[realPlace(n + 1, 0)] = re(1);
     y[realPlace(n + 1, 0)] = im(1);
     z[realPlace(n + 1, 0)] = -re(0);

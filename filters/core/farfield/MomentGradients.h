@@ -8,22 +8,22 @@
 
 /**
  * @file
- * Gradients of what moments give, in single precision, compiled once per instruction set and chosen
- * at run time (Highway). Vectorised over samples.
+ * Gradients of the values that moments give, in single precision, compiled once per instruction set
+ * and chosen at run time (Highway). Vectorised over samples.
  */
 namespace winding
 {
 
 /**
- * The derivatives along x, y and z of what moments M of order P give: expansions D of order P + 1, as
- * Expansions.h stores them, to be evaluated like moments. From ∂z T_n^m = −T_{n+1}^m,
- * (∂x−i∂y) T_n^m = T_{n+1}^{m−1} and (∂x+i∂y) T_n^m = −T_{n+1}^{m+1}:
+ * The derivatives along x, y and z of the values that moments M of order P give: expansions D of
+ * order P + 1, as Expansions.h stores them, to be evaluated like moments. They follow from
+ * ∂z T_n^m = −T_{n+1}^m, (∂x−i∂y) T_n^m = T_{n+1}^{m−1} and (∂x+i∂y) T_n^m = −T_{n+1}^{m+1}:
  *
  *   Dx_{n+1}^m = (M_n^{m+1} − M_n^{m−1}) / 2,   Dy_{n+1}^m = −i (M_n^{m+1} + M_n^{m−1}) / 2,
  *   Dz_{n+1}^m = −M_n^m.
  *
- * Of moments scaled by a radius r (MultipoleKernels.h) it gives derivatives scaled alike: what they
- * give at offset / r is to be divided by r².
+ * Moments scaled by a radius r (MultipoleKernels.h) give derivatives scaled alike, whose values at
+ * offset / r are to be divided by r².
  */
 struct MomentDerivatives
 {
@@ -43,8 +43,8 @@ struct FloatGradientSums
   alignas(64) float z[SampleBlock::capacity] = {};
 };
 
-/// Adds the gradients that a node's moments give at samples, whose offsets from its centre, divided by
-/// its radius, are x, y, z; padded to whole vectors of 16.
+/// Adds the gradients that a node's moments give at samples. x, y, z: the samples' offsets from its
+/// centre, divided by its radius, padded to whole vectors of 16.
 void addMomentGradients(const MomentDerivatives& derivatives, float inverseRadius, const float* x,
   const float* y, const float* z, std::size_t count, FloatGradientSums& sums);
 

@@ -49,7 +49,7 @@ template <int P> void addMomentsOf(const DipoleBatch& dipoles, float* HWY_RESTRI
 {
   const Tag d;
   const std::size_t lanes = hn::Lanes(d);
-  // Regular harmonics to degree P − 1, real and imaginary part in turn.
+  // The regular harmonics to degree P − 1, real and imaginary part in turn.
   alignas(64) float harmonics[2 * P * (P + 1) / 2 * laneRoom];
   const auto y = [&](int n, int m)
   {
@@ -111,7 +111,7 @@ template <int P> void addMomentsOf(const DipoleBatch& dipoles, float* HWY_RESTRI
       add(realPlace(k, 0), hn::Neg(slope));
       for (int m = 1; m <= k; ++m)
       {
-        // Two neighbours, m − 1 and m + 1, the latter only where it exists.
+        // Two neighbours contribute, m − 1 and, where it exists, m + 1.
         const Vec lr = re(k - 1, m - 1), li = im(k - 1, m - 1);
         Vec sr = hn::Sub(hn::Mul(hx, lr), hn::Mul(hy, li));
         Vec si = hn::MulAdd(hx, li, hn::Mul(hy, lr));
@@ -140,8 +140,8 @@ void addMomentsLoop(int order, const DipoleBatch& dipoles, float* moments)
 
 // ---------------------------------------------------------------- moments to local expansions
 
-/// Irregular harmonics T_j^m, j ≤ 2P, of unit vectors, one per lane; by m, then j, so that what a
-/// row of the translation needs lies together.
+/// The irregular harmonics T_j^m, j ≤ 2P, of unit vectors, one per lane. They are ordered by m,
+/// then j, so that what a row of the translation needs lies together.
 template <int P> struct UnitHarmonics
 {
   static constexpr int top = 2 * P;
@@ -189,9 +189,9 @@ template <int P> struct UnitHarmonics
 };
 
 /**
- * S = T_j^{m+l} + s T_j^{m−l} and D = T_j^{m+l} − s T_j^{m−l}, s = (−1)^l, for 1 ≤ m ≤ l ≤ P, which
- * are what orders l and −l of the moments are multiplied by. Under exchange of m and l the real
- * parts stay and the imaginary parts of S and D change places, so that m ≤ l is enough.
+ * The factors S = T_j^{m+l} + s T_j^{m−l} and D = T_j^{m+l} − s T_j^{m−l}, s = (−1)^l, by which
+ * orders l and −l of the moments are multiplied, for 1 ≤ m ≤ l ≤ P. Under exchange of m and l the
+ * real parts stay and the imaginary parts of S and D change places, so that m ≤ l is enough.
  */
 template <int P> struct SumsAndDifferences
 {
@@ -199,7 +199,7 @@ template <int P> struct SumsAndDifferences
   static constexpr int degrees = 2 * P + 1;
   static constexpr int pair(int m, int l) { return (l - 1) * l / 2 + (m - 1); }
 
-  /// Sr, Dr, Si, Di of (pair, j).
+  /// The parts Sr, Dr, Si, Di for every (pair, j), in this order.
   alignas(64) float values[static_cast<std::size_t>(pairs * degrees) * 4 * laneRoom];
 
   float* at(int m, int l, int j)
@@ -233,7 +233,7 @@ template <int P> struct SumsAndDifferences
   }
 };
 
-/// The coefficients (n, m), n = m … P, of one order m, from all moments.
+/// Adds the coefficients (n, m), n = m … P, of one order m, computed from all moments, to sums.
 template <int P, int m>
 HWY_INLINE void translateOrder(const float* HWY_RESTRICT moments, UnitHarmonics<P>& t,
   SumsAndDifferences<P>& sd, const float* HWY_RESTRICT rowScale, float* HWY_RESTRICT sums)
@@ -269,7 +269,7 @@ HWY_INLINE void translateOrder(const float* HWY_RESTRICT moments, UnitHarmonics<
       if (m == 0)
       {
         const Vec mr2 = hn::Add(mr, mr), mi2 = hn::Add(mi, mi);
-        // T_j^l with j < l does not exist, and k ≥ l.
+        // T_j^l exists for j ≥ l only, and here j ≥ k ≥ l.
         tr = t.realAt(k, l);
         ti = t.imaginaryAt(k, l);
         HWY_UNROLL(10)
@@ -282,7 +282,7 @@ HWY_INLINE void translateOrder(const float* HWY_RESTRICT moments, UnitHarmonics<
         continue;
       }
       const float* s = l >= m ? sd.at(m, l, m + k) : sd.at(l, m, m + k);
-      // Exchanged m and l: the imaginary parts of S and D have changed places.
+      // The imaginary parts of S and D change places where m and l are exchanged.
       const std::size_t si = (l >= m ? 2 : 3) * laneRoom, di = (l >= m ? 3 : 2) * laneRoom;
       HWY_UNROLL(10)
       for (int n = 0; n < rows; ++n)
@@ -324,7 +324,7 @@ HWY_INLINE void loadColumns(const float* const* rows, Vec (&columns)[4])
   }
 }
 #else
-/// Vectors whose blocks of four lanes are the four numbers at rows[0], rows[4], rows[8], … .
+/// A vector whose blocks of four lanes are the four numbers at each of rows[0], rows[4], rows[8] ….
 template <class D> HWY_INLINE hn::Vec<D> loadBlocks(D d, const float* const* rows)
 {
   if constexpr (hn::MaxLanes(D()) <= 4)
@@ -364,8 +364,8 @@ void translate(const float* HWY_RESTRICT moments, NodeBatch& batch, float side, 
 {
   const Tag d;
   const std::size_t lanes = hn::Lanes(d);
-  // Unused lanes: the first node, whose moments count 0 times. At another distance, powers of the
-  // side over it might leave the range, and 0 times those is no number.
+  // Unused lanes hold the first node again, whose moments count 0 times there. At a distance of
+  // their own, powers of the side over it might leave the range, and 0 times those is no number.
   const std::size_t used = (batch.count + lanes - 1) / lanes * lanes;
   for (std::size_t i = batch.count; i < used; ++i)
   {
@@ -388,7 +388,7 @@ void translate(const float* HWY_RESTRICT moments, NodeBatch& batch, float side, 
     t.fill(hn::Mul(x, inverse), hn::Mul(y, inverse), hn::Mul(z, inverse));
     sd.fill(t);
 
-    // The nodes' moments, scaled by (r/d)^k / d.
+    // The nodes' moments are scaled by (r/d)^k / d, with 0 for unused lanes.
     const float* rows[laneRoom];
     for (std::size_t i = 0; i < lanes; ++i)
     {
@@ -469,8 +469,9 @@ void multiplyMatrixLoop(const float* HWY_RESTRICT matrix, std::size_t rows, std:
 
 // --------------------------------------------------------------------------- values at samples
 
-/// Offsets of a vector of samples along one axis, in single precision, cut off where powers of them
-/// would leave the range; everything has long been 0 there.
+/// The offsets of a vector of samples along one axis, in single precision and in units of the
+/// radius. They are cut off where their powers would leave the range; all values have long been 0
+/// there.
 HWY_INLINE Vec offsetsFrom(const double* HWY_RESTRICT samples, double center, double inverseRadius)
 {
   const Tag d;

@@ -8,8 +8,8 @@
 
 /**
  * @file
- * The inner loops of the far field in single precision, compiled once per instruction set and chosen
- * at run time (Highway). Formulas and storage of expansions: Expansions.h.
+ * The inner loops of the far field in single precision, compiled once per instruction set and
+ * chosen at run time (Highway). Formulas and storage of expansions: Expansions.h.
  *
  * Moments of a node of radius r are stored as M_k / r^k, local expansions of a cell of side B as
  * L_n B^n: so numbers stay of moderate size for sources of any size.
@@ -66,8 +66,8 @@ struct LocalSums
 };
 
 /**
- * Adds the local expansions of a batch of nodes to sums. moments: of all nodes,
- * paddedCoefficients(order) each. side: B of the cell. Entries beyond the batch's count are
+ * Adds the local expansions of a batch of nodes to sums. moments: those of all nodes,
+ * paddedCoefficients(order) floats each. side: B of the cell. Entries beyond the batch's count are
  * overwritten.
  */
 void translateMoments(
@@ -76,26 +76,28 @@ void translateMoments(
 /// Adds the sums of all lanes to local[coefficientCount(order)].
 void addLanes(int order, const LocalSums& sums, float* local);
 
-/// to = matrix · from; the matrix by columns of `rows` floats, a multiple of 16; from has `columns`.
+/// to = matrix · from. The matrix is stored by columns of `rows` floats, a multiple of 16; `from`
+/// has `columns` floats.
 void multiplyMatrix(
   const float* matrix, std::size_t rows, std::size_t columns, const float* from, float* to);
 
 /**
- * Adds the values that one node's scaled moments give at samples. Offsets from the node's centre are
- * taken in double, since a small node may be much nearer to some samples than these are to anything
- * else. values: aligned to 64 bytes and padded to whole vectors of 16.
+ * Adds the values that one node's scaled moments give at samples. Offsets from the node's centre
+ * are taken in double, since a small node may be much nearer to some samples than these are to
+ * anything else. values: aligned to 64 bytes and padded to whole vectors of 16.
  */
 void addMomentValues(int order, const float* moments, const double (&center)[3], double radius,
   const SampleBlock& samples, float* values);
 
 /**
  * values[i] = the polynomial at (x[i], y[i], z[i]); coefficients as polynomialMatrix() orders them.
- * Arrays aligned and padded as above.
+ * x, y, z and values are aligned to 64 bytes and padded to whole vectors of 16.
  */
 void evaluatePolynomial(int order, const float* coefficients, const float* x, const float* y,
   const float* z, std::size_t count, float* values);
 
-/// The same with y and z in common and coefficients of powers of x only, order + 1, highest first.
+/// values[i] = a polynomial in one variable at x[i]; coefficients: order + 1, of the highest power
+/// first. x and values are aligned to 64 bytes and padded to whole vectors of 16.
 void evaluateRow(
   int order, const float* coefficients, const float* x, std::size_t count, float* values);
 

@@ -58,7 +58,7 @@ void classifyNodesLoop(const NodeCriteria& nodes, const CellCriteria& cell,
     const auto isSplit = hn::AndNot(
       isAccepted, hn::And(isInUse, hn::Gt(gather(nodes.splitRadius), set(cell.splitRadius))));
     const auto isKept = hn::AndNot(hn::Or(isAccepted, isSplit), isInUse);
-    // Compressed in the register: storing compressed is slow on some machines.
+    // Nodes are compressed in the register, since storing compressed is slow on some machines.
     const auto append = [&](auto mask, std::int32_t* to, std::size_t& size)
     {
       const auto chosen = hn::RebindMask(di, mask);
@@ -107,7 +107,7 @@ void NodeCriteria::setErrors(
     }
     return values;
   }();
-  // Powers of degree k, divided by r^k as the moments are.
+  // powers[k] is p_k / r^k, as the moments are scaled.
   double powers[largestOrder + 1] = {};
   for (int k = 1; k <= order; ++k)
   {
@@ -122,14 +122,14 @@ void NodeCriteria::setErrors(
     powers[k] = std::sqrt(sum);
   }
   const double r = radius[node];
-  // Of symmetric patches every other degree vanishes, so the last but one has a say.
+  // Every other degree vanishes for symmetric patches, so the last but one counts, too.
   const double next = std::max(powers[order], 0.7 * powers[order - 1]);
   double strength = 0;
   for (int k = 1; k <= order; ++k)
   {
     strength = std::max(strength, r * powers[k] / k);
   }
-  // p_{P+1} = next · r^{P+1}, taken to the root factor by factor for the sake of the range.
+  // The root of p_{P+1} = next · r^{P+1} is taken factor by factor, for the sake of the range.
   const double forMoments = r * std::pow(next / (r * epsilon), 1.0 / (order + 2));
   const double forSpread = spread > 0 ? r + spread : 0;
   rho[node] = static_cast<float>(std::max(forMoments, forSpread));

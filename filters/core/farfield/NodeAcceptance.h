@@ -6,29 +6,29 @@
 
 /**
  * @file
- * Which nodes act on a cell through expansions. A node of radius r at distance d from the centre of a
- * cell of radius R (that of its samples) is accepted when
+ * The test of which nodes act on a cell through expansions. A node of radius r at distance d from
+ * the centre of a cell of radius R (that of its samples) is accepted when
  *
- *   d ≥ (r + R) / θ        their expansions converge fast,
- *   d ≥ R + (2/θ − 1) r    those of nodes larger than the cell no slower than those of its size,
- *   d ≥ R + ρ              what the moments leave out, degrees above P, stays below ε, and
- *   d ≥ r + τ T(R)         what the local expansion leaves out stays below ε.
+ *   d ≥ (r + R) / θ        the expansions of both converge fast,
+ *   d ≥ R + (2/θ − 1) r    nodes larger than the cell converge no slower than those of its size,
+ *   d ≥ R + ρ              the moments leave out, in degrees above P, less than ε, and
+ *   d ≥ r + τ T(R)         the local expansion leaves out less than ε.
  *
- * If the sources are pure dipoles only from some distance s on (FarFieldSources::spread), ρ is at least
- * r + s: then no sample is nearer.
+ * If the sources are pure dipoles only from some distance s on (FarFieldAccuracy::spreadMargin
+ * times FarFieldSources::spread()), ρ is at least r + s, so that no sample is nearer.
  *
- * The second matters where samples are far apart compared with the sources: there nodes of all sizes
- * act on single samples, and their errors have a sign in common.
+ * The second condition matters where samples are far apart compared with the sources: there nodes
+ * of all sizes act on single samples, and their errors have a sign in common.
  *
  * Degree k of the moments gives |w_k(x)| ≤ p_k / |x|^{k+1} with p_k² = Σ_m (k+m)! (k−m)! |M_k^m|²
- * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, the missing p_{P+1} being estimated from the last
- * two; and for sources of degree 1 and strength p the local degrees above P are at most
+ * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, where the missing p_{P+1} is estimated from
+ * p_{P−1} and p_P. For sources of degree 1 and strength p the local degrees above P are at most
  * (P+2) R^{P+1} p / (d−r)^{P+3}, so τ = (p/ε)^{1/(P+3)} and T = ((P+2) R^{P+1})^{1/(P+3)}.
  */
 namespace winding
 {
 
-/// What the test needs to know of nodes; by node, padded to whole vectors.
+/// The properties of nodes that the test uses; one entry for each node.
 struct NodeCriteria
 {
   std::vector<float> x, y, z; ///< centres
@@ -44,7 +44,7 @@ struct NodeCriteria
   void setErrors(std::size_t node, int order, double epsilon, double spread, const float* moments);
 };
 
-/// What it needs to know of a cell.
+/// The properties of a cell that the test uses.
 struct CellCriteria
 {
   float x, y, z; ///< centre
@@ -57,12 +57,12 @@ struct CellCriteria
   static float reachOf(int order, double radius);
 };
 
-/// Where nodes go; each has room for `count` entries and a whole vector more.
+/// The lists that candidates are sorted into; each has room for all of them and nodeListSlack more.
 struct NodeLists
 {
   std::int32_t* accepted;
   std::int32_t* split;
-  std::int32_t* kept; ///< neither: smaller cells will see
+  std::int32_t* kept; ///< nodes neither accepted nor split, left to smaller cells
   std::size_t acceptedCount = 0, splitCount = 0, keptCount = 0;
 };
 

@@ -127,7 +127,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   {
     TargetLevel& level = levels_[static_cast<std::size_t>(number)];
     level.side = std::ldexp(side, number - depth_);
-    // The whole cube, and what rounding may put beside it.
+    // The radius holds the whole cube, and samples that rounding may put beside it.
     level.radius = 0.5 * std::sqrt(3.0) * level.side * (1 + 1e-9);
     if (number < depth_)
     {
@@ -151,7 +151,7 @@ TargetCell PointCells::root() const
 {
   TargetCell cell;
   cell.level = depth_;
-  cell.index = Eigen::Vector3i::Zero(); // where its samples begin
+  cell.index = Eigen::Vector3i::Zero(); // index[0] is the place of a cell's first sample
   cell.center = low_ + Eigen::Vector3d::Constant(0.5 * levels_.back().side);
   cell.samples = cell.allSamples = samples_.size();
   return cell;

@@ -13,15 +13,16 @@ namespace winding
 {
 
 /**
- * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not finite,
- * or lie outside the given region, are left out; `others` lists them. A sample alone is one cell of no
- * size, so that its value costs little beside what acts on it.
+ * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not
+ * finite, or lie outside the given region, are left out; others() lists them. A single sample is
+ * one cell of no size, so that cells cost little beside the sources that act on it.
  */
 class PointCells final : public TargetCells
 {
 public:
-  /// Positions are those of the samples times scale. Keeps references to samples and output. Throws
-  /// Interrupted when the executor is, Refusal for more than 2³¹ − 1 samples.
+  /// Positions are those of the samples times scale. Keeps a reference to the samples, and writes
+  /// to the arrays of the output. Throws Interrupted when the executor was interrupted, and Refusal
+  /// for more than 2³¹ − 1 samples.
   PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
     const FieldOutput& output, Executor& executor);
 
@@ -34,7 +35,7 @@ public:
     return samples_[static_cast<std::size_t>(cell.index[0]) + n].number;
   }
 
-  /// The level of cells that make good tasks.
+  /// The level whose cells make good tasks.
   int taskLevel() const;
 
   TargetCell root() const override;
@@ -51,7 +52,8 @@ private:
     std::uint32_t key, number;
   };
 
-  /// Levels below the root, of several samples: as many as 32 bits of a key hold.
+  /// The number of levels below the root if there are several samples: as many as 32 bits of a key
+  /// hold.
   static constexpr int deepest = 10;
 
   Eigen::Vector3d positionOf(std::uint32_t number) const;

@@ -12,14 +12,15 @@ namespace winding
 namespace
 {
 
-/// Smaller radii would send powers of them out of single precision's range. In units of the whole
-/// source, far below any voxel.
+/// The smallest radius of a node, in units of the whole source; it is far below any voxel. Powers
+/// of smaller radii would leave single precision's range.
 constexpr double smallestRadius = 1e-6;
 
-/// Radii of larger nodes are taken from their children's, which overestimates them.
+/// Nodes of fewer items get their exact radius. Radii of larger nodes are taken from those of their
+/// children, which overestimates them.
 constexpr std::uint32_t mostItemsForExactRadius = 2000;
 
-/// Nodes' moments while they are built; by node.
+/// Builds the moments of nodes, one node after the other; children must come before their parents.
 class Builder
 {
 public:
@@ -37,7 +38,14 @@ public:
   void build(std::size_t number)
   {
     const SourceNode& node = tree_.nodes()[number];
-    node.children == 0 ? this->buildLeaf(number, node) : this->buildInner(number, node);
+    if (node.children == 0)
+    {
+      this->buildLeaf(number, node);
+    }
+    else
+    {
+      this->buildInner(number, node);
+    }
     const double radius = result_.criteria.radius[number];
     result_.criteria.splitRadius[number] = node.children == 0 ? -1.0f : static_cast<float>(radius);
     result_.criteria.setErrors(
@@ -47,7 +55,7 @@ public:
 private:
   void setRadius(std::size_t number, double radius)
   {
-    // Rounded to float the radius must still reach everything.
+    // The radius must still reach everything when it is rounded to float.
     constexpr double up = 1 + 1e-6;
     result_.criteria.radius[number] = static_cast<float>(up * std::max(radius, smallestRadius));
   }
@@ -74,7 +82,7 @@ private:
     spreads_[number] = accuracy_.spreadMargin * sources_.spread({node.begin, node.end});
 
     const double inverse = 1.0 / result_.criteria.radius[number];
-    // Thousands of equal items make one leaf; summed in float they would lose digits one by one.
+    // Thousands of equal items make one leaf; summed in float, they would lose digits one by one.
     Expansion sums(result_.stride);
     for (std::size_t first = 0; first < dipoles.size(); first += DipoleBatch::capacity)
     {
@@ -130,7 +138,7 @@ private:
     float* const moments = this->momentsOf(number);
     for (std::size_t child = node.firstChild; child < node.firstChild + node.children; ++child)
     {
-      // In units of the parent's radius.
+      // The child's moments are brought to units of the parent's radius.
       const double ratio = inverse * result_.criteria.radius[child];
       Expansion scaled(static_cast<std::size_t>(coefficientCount(accuracy_.order)));
       double power = ratio;
@@ -154,8 +162,8 @@ private:
   const FarFieldSources& sources_;
   const FarFieldAccuracy& accuracy_;
   SourceMoments& result_;
-  std::vector<double> strengths_; ///< sum of |moment|
-  std::vector<double> spreads_;   ///< how far its items are not pure dipoles
+  std::vector<double> strengths_; ///< by node: the sum of |moment| of its dipoles
+  std::vector<double> spreads_;   ///< by node: distance within which its items are no pure dipoles
 };
 
 } // namespace
@@ -169,7 +177,7 @@ SourceMoments::SourceMoments(const SourceTree& tree, const FarFieldSources& sour
   const std::size_t nodes = tree.nodes().size();
   criteria.resize(nodes);
   Builder builder(tree, sources, accuracy, *this);
-  // Children before parents: depth by depth, from below.
+  // Children are built before their parents: depth by depth, from below.
   const std::vector<std::size_t>& starts = tree.depthStarts();
   for (std::size_t depth = starts.size() - 1; depth-- > 0;)
   {

@@ -13,12 +13,13 @@ namespace winding
  * The moments of all nodes of a tree over sources, with what is needed to accept them. A node's
  * centre is the centroid of its items' area; its radius reaches all of their points.
  *
- * Moments are computed from the items in leaves and from the children elsewhere. The same bits for
- * any executor.
+ * Moments are computed from the items in leaves and from the children elsewhere. Their bits are the
+ * same for any executor.
  */
 struct SourceMoments
 {
-  /// The sources must stand in the tree's order. Throws Interrupted when the executor is.
+  /// The sources must stand in the tree's order. Throws Interrupted when the executor was
+  /// interrupted.
   SourceMoments(const SourceTree& tree, const FarFieldSources& sources,
     const FarFieldAccuracy& accuracy, Executor& executor);
 
@@ -27,7 +28,7 @@ struct SourceMoments
   std::vector<Eigen::Vector3d> centers;
   NodeCriteria criteria; ///< centres relative to `origin`
   std::size_t stride;
-  std::vector<float> moments; ///< `stride` of each node, scaled by its radius
+  std::vector<float> moments; ///< `stride` numbers of each node, scaled by its radius
   Eigen::Vector3d origin;     ///< the root's centre
 };
 

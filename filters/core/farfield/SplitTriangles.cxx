@@ -9,8 +9,8 @@ namespace winding
 namespace
 {
 
-/// Of vectors of any size; stableNorm() is ten times slower, and needed only where squares leave the
-/// range.
+/// The length of a vector of any size. stableNorm() is ten times slower, and needed only where
+/// squares leave the range.
 double lengthOf(const Eigen::Vector3d& vector)
 {
   const double squared = vector.squaredNorm();
@@ -43,7 +43,8 @@ void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle,
   }
   const double allowed = relaxed * rule.allowedFor(triangle.a, triangle.b, triangle.c);
   const Eigen::Vector3d middle = 0.5 * triangle.a + 0.5 * triangle.b;
-  // Between neighbouring numbers there is no middle, and what has no length is left alone.
+  // There is no middle between neighbouring numbers, and a triangle whose length is no number is
+  // left alone.
   if (!(triangle.length > allowed) || middle == triangle.a || middle == triangle.b)
   {
     visit(triangle.a, triangle.b, triangle.c);
@@ -53,7 +54,7 @@ void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle,
   visitPieces(rule, relaxed, Longest(middle, triangle.b, triangle.c), visit);
 }
 
-/// Counts up to a limit.
+/// Counts pieces up to a limit.
 struct Counter
 {
   std::size_t limit;

@@ -10,13 +10,13 @@ namespace winding
 {
 
 /**
- * How large a triangle may be for a far field: a large one is near to many samples though most of it
- * is far from each of them, so it is cut in pieces that are not.
+ * The rule for how large a triangle of a far field may be. A large triangle is near to many samples
+ * though most of it is far from each of them, so it is cut in pieces that are not.
  */
 struct SplitRule
 {
-  Bounds region;                                                ///< of the samples
-  double longestSide = std::numeric_limits<double>::infinity(); ///< of triangles among the samples
+  Bounds region;                                                ///< box of the samples
+  double longestSide = std::numeric_limits<double>::infinity(); ///< limit among the samples
 
   bool operator==(const SplitRule& other) const
   {
@@ -24,7 +24,8 @@ struct SplitRule
            region.max() == other.region.max();
   }
 
-  /// Away from the samples sides may be half as long as the distance.
+  /// The longest side that a triangle may have: `longestSide` or, if that is more, half its
+  /// distance from the samples.
   double allowedFor(
     const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;
 };
@@ -34,8 +35,9 @@ bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vert
   const std::vector<Triangle>& triangles);
 
 /**
- * Calls visit(a, b, c) for pieces of triangles whose sides are as short as the rule allows, up to a
- * limit: where there would be more than `mostPieces`, the rule is relaxed until there are not.
+ * Cuts triangles in pieces whose sides are no longer than the rule allows, and calls
+ * visit(a, b, c) for each piece. Where there would be more than `mostPieces`, the rule is relaxed
+ * until there are not.
  *
  * A triangle is cut in two across its longest side, and its pieces again. Sides are cut in the
  * middle by their length alone, so that pieces of neighbours meet vertex to vertex where both are

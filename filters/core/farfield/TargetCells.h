@@ -11,14 +11,14 @@
 namespace winding
 {
 
-/// A box of samples in a hierarchy of such; positions are in the sources' scaled coordinates.
+/// A box of samples in a hierarchy of boxes; positions are in the sources' scaled coordinates.
 struct TargetCell
 {
   int level;             ///< 0 for the smallest cells
   Eigen::Vector3i index; ///< tells the cell from others of its level
   Eigen::Vector3d center;
-  std::size_t samples;    ///< those that are asked for
-  std::size_t allSamples; ///< what is decided by this number does not depend on what is asked for
+  std::size_t samples;    ///< samples that are asked for
+  std::size_t allSamples; ///< all samples, asked for or not: decisions are made by this number
 };
 
 struct TargetSphere
@@ -27,12 +27,12 @@ struct TargetSphere
   double radius;
 };
 
-/// The eight matrices that make a parent's local expansion that of a child, by octant; by columns of
-/// paddedCoefficients(order).
+/// The matrices that turn a parent's local expansion into a child's, one for each octant; stored by
+/// columns of paddedCoefficients(order).
 struct LocalShifts
 {
-  /// sideRatio: the children's side in units of the parents'. quarter: distances of the children's
-  /// centres from the parent's, in the same units; 0 along axes that are not cut.
+  /// sideRatio: the children's side in units of the parent's. quarter: distances of the children's
+  /// centres from the parent's along each axis, in the same units; 0 along axes that are not cut.
   LocalShifts(int order, double sideRatio, const Eigen::Vector3d& quarter);
 
   double sideRatio;
@@ -40,12 +40,12 @@ struct LocalShifts
   std::vector<float> matrices[8];
 };
 
-/// What all cells of a level have in common.
+/// The properties that all cells of a level have in common.
 struct TargetLevel
 {
   double side;   ///< B: the longest side of a cell
   double radius; ///< R: no sample is farther from the centre
-  /// From local expansions of parents to those of their children; null at the top.
+  /// Turns local expansions of parents into those of this level's cells; null at the top.
   std::shared_ptr<const LocalShifts> fromParent;
 };
 
@@ -60,8 +60,8 @@ struct TargetBlock
 };
 
 /**
- * Where a far field is evaluated: a hierarchy of cells of samples, and where their values go. The
- * cells' geometry never depends on which part of the samples is asked for.
+ * The samples at which a far field is evaluated, as a hierarchy of cells, and the place where their
+ * values go. The cells' geometry never depends on which part of the samples is asked for.
  */
 class TargetCells
 {
@@ -78,28 +78,31 @@ public:
     int octant;
   };
 
-  /// Those children that have samples, up to eight; none at level 0.
+  /// Writes the children of a cell that have samples, up to eight, and returns their number; a cell
+  /// of level 0 has none.
   virtual int childrenOf(const TargetCell& cell, Child (&children)[8]) const = 0;
 
   /// A sphere around the samples of a cell that is not cut any further.
   virtual TargetSphere sphereOf(const TargetCell& cell) const;
 
-  /// Samples first … first + block.samples.count − 1 of a cell, as many as fit.
+  /// Fills a block with samples first … first + block.samples.count − 1 of a cell, as many as fit.
   virtual void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const = 0;
 
-  /// Takes the values of those samples. isSuspect may be null.
+  /// Takes the values of samples first … first + count − 1 of a cell. isSuspect tells which of them
+  /// lie on a source; it may be null.
   virtual void store(const TargetCell& cell, std::size_t first, std::size_t count,
     const float* values, const bool* isSuspect) const = 0;
 
-  /// The rows that storePolynomial() goes along there; 0 where it goes from sample to sample, which
-  /// costs more.
+  /// The number of rows that storePolynomial() goes along in a cell; 0 where it goes from sample to
+  /// sample, which costs more.
   virtual std::size_t rowsOf(const TargetCell&) const { return 0; }
 
   /// Evaluates a polynomial at all samples of a cell, and takes the values.
   virtual void storePolynomial(const TargetCell& cell, int order, const float* coefficients) const;
 
 protected:
-  /// Sets the shifts from the next higher level; quarter in scaled coordinates. By descending level.
+  /// Sets a level's shifts from the next higher level, whose shifts must be set before; quarter: as
+  /// for LocalShifts, but in scaled coordinates.
   void setShifts(int order, int level, const Eigen::Vector3d& quarter);
 
   std::vector<TargetLevel> levels_;

@@ -9,11 +9,11 @@ namespace winding
 namespace
 {
 
-/// Sides of triangles that are not cut, in voxels: those of a cell whose near sources are summed.
+/// The longest side of triangles that are not cut, in voxels: about the side of a block of samples.
 constexpr double voxelsPerSide = 8;
 
-/// They are not cut any further, in units of the surface: where all samples are in one place, there
-/// is no end to what is large beside their distances.
+/// Sides shorter than this, in units of the surface, are not cut any further: where all samples are
+/// in one place, everything is large beside their distances.
 constexpr double shortestSide = 1e-4;
 
 } // namespace
@@ -33,7 +33,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
   SplitRule rule;
   rule.region = Bounds(grid.firstSample, grid.sample(last[0], last[1], last[2]));
-  // The geometric mean of the spacings; that of an axis with one sample is none.
+  // The voxel's side is the geometric mean of the spacings, those of axes with one sample excepted.
   double logarithms = 0;
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -52,7 +52,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   {
     return this->whole(executor);
   }
-  // Far away samples have no say in what is near, nor has how they are distributed: as if evenly.
+  // Samples far away do not count for what is near, and the others count as if evenly distributed.
   SplitRule rule;
   std::size_t count = 0;
   const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
@@ -85,7 +85,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(SplitRule rule, Execut
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_ || !(rule == rule_))
   {
-    last_ = nullptr; // the old and the new one need not fit into memory together
+    last_ = nullptr; // so that the old and the new one need not fit into memory together
     last_ = this->build(rule, executor);
     rule_ = rule;
   }

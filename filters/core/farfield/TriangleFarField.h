@@ -14,19 +14,20 @@ namespace winding
 {
 
 /**
- * The far field of triangles for whatever samples come: large triangles are cut in pieces that suit
- * the samples' distances, which takes another tree. The last one is kept, and that of the triangles as
- * they are for good.
+ * The far field of triangles for any samples. Large triangles are cut in pieces that suit the
+ * distances between the samples, which takes a tree of its own for each set of samples. The last
+ * such tree is kept; the tree of the whole triangles is kept for good.
  */
 class TriangleFarField
 {
 public:
-  /// Keeps references. accuracy: of all evaluations.
+  /// Keeps references to the vertices and triangles. accuracy: that of all evaluations.
   TriangleFarField(const std::vector<Eigen::Vector3d>& vertices,
     const std::vector<Triangle>& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy);
 
-  /// Null when the executor was interrupted. From any thread; one at a time builds. A sample alone has
-  /// no distance to others, and gets the triangles as they are: nothing is locked for those once there.
+  /// The far field that suits the samples, or null when the executor was interrupted. It may be
+  /// called from any thread; one at a time builds. A single sample has no distance to others, and
+  /// gets the whole triangles: nothing is locked for these once their tree is there.
   std::shared_ptr<const FarField> suiting(const Grid& grid, Executor& executor) const;
   std::shared_ptr<const FarField> suiting(const VectorsView& samples, Executor& executor) const;
 
@@ -43,8 +44,8 @@ private:
   mutable std::mutex mutex_;
   mutable std::atomic<bool> hasWhole_{false};
   mutable std::shared_ptr<const FarField> whole_; ///< never changed again once there
-  mutable SplitRule rule_;                        ///< of the last one with cut triangles
-  mutable std::shared_ptr<const FarField> last_;
+  mutable SplitRule rule_;                        ///< the rule that `last_` was cut by
+  mutable std::shared_ptr<const FarField> last_;  ///< the last one with cut triangles
 };
 
 } // namespace winding

@@ -6,9 +6,9 @@
 #include <sstream>
 
 /**
- * Gradients of far fields against exact ones. Largest errors of all samples compared here, in units of
- * tolerance / distance to the nearest source (20 000 samples of each of nine seeds in a box around
- * "sphere", tolerances 1e-4 to 1e-6, gave up to 2.9):
+ * Compares gradients of far fields with exact ones. The table has the largest errors of all samples
+ * compared here, in units of tolerance / distance to the nearest source. (20 000 samples of each of
+ * nine seeds in a box around "sphere" gave up to 2.9 for tolerances 1e-4 to 1e-6.)
  *
  *              1e-2  1e-3  1e-4  1e-5  1e-6
  *   sphere      1.0   1.2   1.6   3.3   4.8
@@ -21,9 +21,9 @@
  *   mesh        0.7   0.5   1.3   1.3   1.4
  *   soup        0.4   0.2   0.2   0.2   0.1
  *
- * Those above 1 are of samples far from all sources, but for "ball". With the nodes that act by their
- * moments summed exactly instead, up to 1.6 were left, at up to 50 times the cost for a cloud of
- * 100 000 points.
+ * Errors above 1 are those of samples far from all sources, except for "ball". When the nodes that
+ * act by their moments were summed exactly instead, errors of up to 1.6 were left, at up to 50
+ * times the cost for a cloud of 100 000 points.
  */
 
 namespace
@@ -68,7 +68,8 @@ struct Samples
   std::vector<Point> points;
 };
 
-/// Anywhere, next to sources, around all of them and far away, in a small place, on a shell, a few.
+/// Sets of samples: anywhere, next to sources, around all of them and far away, in a small place,
+/// on a shell, and a few.
 std::vector<Samples> samplesFor(const FarSource& source, unsigned seed)
 {
   Random random(seed);
@@ -92,7 +93,8 @@ std::vector<Samples> samplesFor(const FarSource& source, unsigned seed)
   return all;
 }
 
-/// In units of tolerance / distance, less the roundings that FarField.h speaks of.
+/// The largest error in units of tolerance / distance, less the roundings that FarField.h speaks
+/// of.
 double largestGradientError(const FarSource& source, const std::vector<Point>& samples,
   const std::vector<Point>& gradients, double tolerance)
 {
@@ -138,7 +140,7 @@ TEST(FarFieldGradient, IsWithinAFewTolerancesOverTheDistance)
         const double error = largestGradientError(
           *one.source, samples.points, gradientsAt(field, samples.points), tolerance);
         record(name.str(), error);
-        EXPECT_LT(error, 8) << name.str(); // measured: above
+        EXPECT_LT(error, 8) << name.str(); // measured: the table above
       }
     }
   }
@@ -213,7 +215,7 @@ TEST(FarFieldGradient, OfSamplesFarAwayOrWithoutAPlaceDoNotSpoilTheOthers)
     }
     EXPECT_EQ(
       std::vector<Point>(gradients.begin() + 12, gradients.end()), gradientsAt(field, samples));
-    // As one dipole distribution. Measured: 1.4e-6.
+    // All sources act as one dipole distribution there; measured: 1.4e-6.
     const std::vector<Point> ofFar(gradients.begin() + 3, gradients.begin() + 12);
     EXPECT_LT(largestGradientError(*source, far, ofFar, 1e-6), 1e-3);
   }

@@ -11,7 +11,8 @@
 #include <numeric>
 
 /**
- * What values of far fields do not depend on, and that they are numbers wherever there is one.
+ * Values of far fields do not depend on extents, threads or the order of work, and they are numbers
+ * wherever there is one.
  */
 
 namespace
@@ -110,11 +111,11 @@ TEST(FarFieldSamples, DependOnOtherScatteredSamplesWithinTheToleranceOnly)
     const std::vector<Point> samples = randomPoints(2000, -1.5, 1.5, 324);
     const FarField field = fieldOf(*source);
     const std::vector<float> expected = valuesAt(field, samples);
-    // The order has no say but among samples of one place on the curve: here there are none.
+    // The order matters only among samples of one place on the curve, and there are none here.
     const std::vector<Point> backward(samples.rbegin(), samples.rend());
     const std::vector<float> reversed = valuesAt(field, backward);
     EXPECT_EQ(std::vector<float>(reversed.rbegin(), reversed.rend()), expected);
-    // Their number has: it makes other cells.
+    // The number of samples matters, since it makes other cells.
     Random random(325);
     std::vector<Point> some;
     std::vector<float> expectedOfSome;
@@ -195,7 +196,7 @@ TEST(FarFieldSamples, FarAwayOrWithoutAPlaceDoNotSpoilTheOthers)
     const std::vector<float> values = valuesAt(field, all);
     EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]) && std::isnan(values[2]));
     EXPECT_EQ(std::vector<float>(values.begin() + 12, values.end()), expected);
-    // As one dipole distribution. Measured: 2.9e-13.
+    // All sources act as one dipole distribution there; measured: 2.9e-13.
     EXPECT_LT(largestError(*source, far, {values.begin() + 3, values.begin() + 12}), 1e-11);
   }
 }
@@ -224,7 +225,8 @@ TEST(FarFieldSamples, AreFiniteOnTheSources)
     {
       ASSERT_TRUE(std::isfinite(value));
     }
-    // Vertices, edges and faces on samples of a grid; then all points of a cloud on one of them.
+    // Vertices, edges and faces lie on samples of a grid, then all points of a cloud on one of
+    // them.
     const auto cells = farSource(surfaceOf(randomCells(3, 330)));
     const Grid grid = gridOf({-0.5, -0.5, -0.5}, {0.25, 0.25, 0.25}, {17, 17, 17});
     for (const float value : valuesOn(fieldOf(*cells, tolerance), grid))
@@ -260,7 +262,7 @@ TEST(FarFieldSamples, AreFiniteOnGridsOfAnySize)
       }
       for (const double away : {1e3, 1e12, 1e30, 1e60, 1e200})
       {
-        // As much as all areas in one place would give; offsets beyond 1e12 are cut off.
+        // The limit is what all areas in one place would give; offsets beyond 1e12 are cut off.
         const Grid grid = gridOf({away, 0, -away}, Point::Constant(away / 10), {11, 12, 13});
         for (const float value : valuesOn(field, grid))
         {
@@ -303,7 +305,7 @@ TEST(FarFieldSamples, LeaveTheModeOfTheProcessorAsItWas)
   const auto source = farSource(icosphere(2));
   const Grid grid = gridOf({-1.5, -1.5, -1.5}, Point::Constant(0.3), {11, 11, 11});
   const std::vector<Point> samples = randomPoints(100, -1.5, 1.5, 332);
-  // The flags of what happened (inexact, …) are allowed to change.
+  // The flags of exceptions that happened (inexact and others) may change, the modes may not.
   constexpr unsigned modes = ~0x3fu;
   const unsigned before = _mm_getcsr();
   const unsigned full = before & ~0x8040u;
@@ -323,8 +325,8 @@ TEST(FarFieldSamples, LeaveTheModeOfTheProcessorAsItWas)
 
 TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
 {
-  // A fan around one vertex, and samples there only: their distances say nothing about how large a
-  // triangle may be. Took minutes when it was cut without end.
+  // All samples lie on the common vertex of a fan: their distances say nothing about how large a
+  // triangle may be. The test took minutes when the fan was cut without end.
   Mesh fan;
   fan.points.push_back({0, 0, 1});
   for (int i = 0; i < 2000; ++i)
@@ -351,7 +353,7 @@ TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
 
 TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
 {
-  // Of samples in one place, cut triangles would be asked for.
+  // Several samples in one place ask for cut triangles, a single one does not.
   const Mesh sphere = icosphere(2);
   const winding::Surface surface = clean(sphere);
   const winding::TriangleFarField farField(

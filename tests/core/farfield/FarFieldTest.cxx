@@ -6,9 +6,10 @@
 
 /**
  * @file
- * Errors of far fields against the direct sum, in units of the tolerance: the largest of all samples
- * that are compared here (spheres and soups: of meshes and of clouds; voxels of another shape by
- * their spacing). Measured with AVX-512.
+ * Errors of far fields against the direct sum, in units of the tolerance: the largest of all
+ * samples that are compared here under a name. "sphere" is a mesh and a cloud, "soup" triangles
+ * whole and in pieces; numbers after "mesh" and "cloud" are the spacing of voxels. Measured with
+ * AVX-512.
  *
  *                          1e-2   1e-3   1e-4   1e-5   1e-6
  *   sphere                 0.20   0.30   0.21   0.19   0.24
@@ -92,7 +93,7 @@ void recordError(const Case& one, const std::string& where, double tolerance, do
   EXPECT_LT(error, 1) << tolerance;
 }
 
-/// Errors at random samples and at those next to sources, in units of the tolerance: below 1.
+/// Expects errors of less than the tolerance at random samples and at samples next to sources.
 void compareOnGrids(const std::vector<Case>& cases, unsigned seed, std::size_t samples = 200)
 {
   for (const Case& one : cases)
@@ -117,7 +118,8 @@ void compareOnGrids(const std::vector<Case>& cases, unsigned seed, std::size_t s
   }
 }
 
-/// The same at scattered samples: anywhere, and at several distances from places on the sources.
+/// Expects errors of less than the tolerance at scattered samples: anywhere, and at several
+/// distances from places on the sources.
 void compareScattered(const std::vector<Case>& cases, unsigned seed)
 {
   for (const Case& one : cases)
@@ -214,7 +216,7 @@ TEST(FarField, EqualsTheDirectSumOnVoxelsOfAnyShape)
     cases.emplace_back(name.str(), farSource(icosphere(3)), grid);
     cases.emplace_back("cloud" + name.str().substr(4), farSource(sphereCloud(2000)), grid);
   }
-  // One sample along an axis or two, whatever its spacing.
+  // There may be one sample along one, two or three axes, whatever the spacing there.
   for (const double spacing : {1e-6, 0.05, 1e6})
   {
     cases.emplace_back("slice", farSource(sphereCloud(2000)),
@@ -229,7 +231,8 @@ TEST(FarField, EqualsTheDirectSumOnVoxelsOfAnyShape)
 
 TEST(FarField, EqualsTheDirectSumOnGridsMuchFinerThanTheSource)
 {
-  // On the surface, across it, of the size of its triangles and of a tenth of that.
+  // The grids lie across the surface: of about the size of its triangles, of a tenth of that, and
+  // much smaller.
   std::vector<Case> cases;
   for (const double spacing : {1e-2, 1e-3, 1e-6})
   {
@@ -245,7 +248,8 @@ TEST(FarField, EqualsTheDirectSumOnGridsMuchFinerThanTheSource)
 
 TEST(FarField, EqualsTheDirectSumOfSourcesFarApart)
 {
-  // Two, a million diagonals apart, seen from beside one, and from so far that both are specks.
+  // Two sources, a million diagonals apart, are seen from beside one, and from so far that both are
+  // specks.
   const auto away = [](const Point& p) -> Point
   {
     return p + Point(3e6, -2e6, 1e6);
@@ -305,11 +309,11 @@ TEST(FarField, EqualsTheDirectSumOfASingleSource)
 
 TEST(FarField, EqualsTheDirectSumOfAreasMuchLargerThanTheCloud)
 {
-  // Two points almost at the same place, and the area of what is around them.
+  // Two points are almost at the same place, and their areas are those of a sphere of radius 1.
   const Cloud two{{{1, 1, 1}, {1 + 0x1p-50, 1, 1}}, {{0, 0.6, 0.8}, {1, 0, 0}}};
   std::vector<Case> cases;
   cases.emplace_back("two", farSource(two), gridOf({0, 0, 0}, {0.1, 0.1, 0.1}, {19, 20, 21}));
-  // Many, whose moments in units of the cloud no float holds.
+  // The moments of many points with such areas, in units of the cloud, are too large for a float.
   const auto shrunk = [](const Point& p) -> Point
   {
     return 1e-30 * p;
@@ -321,8 +325,8 @@ TEST(FarField, EqualsTheDirectSumOfAreasMuchLargerThanTheCloud)
 
 TEST(FarField, EqualsTheDirectSumBesideASmallSourceAndALargeCell)
 {
-  // An open cap of a hundred thousandth of the size of the cloud. Of two samples in line with it one
-  // is next to it: their cell is large, and the cap, just outside, small.
+  // An open cap has a hundred thousandth of the size of the cloud. One of two samples in line with
+  // it is next to it, so that their cell is large, and the cap, just outside of it, is small.
   SCOPED_TRACE("seed 315");
   const Point center(0.3, 0.1, 0.2);
   Cloud cap = sphereCloud(4000);

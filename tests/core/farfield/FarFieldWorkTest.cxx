@@ -4,7 +4,7 @@
 #include "core/support/ShuffledThreads.h"
 
 /**
- * What far fields say that they did: the same for any executor, and all of it.
+ * Far fields count all the work that they did, and the same for any executor.
  */
 
 namespace

@@ -16,7 +16,7 @@ using winding::TargetBlock;
 using winding::TargetCell;
 using winding::TargetCells;
 
-/// Counts what arrives at each sample, and keeps it.
+/// Counts the values that arrive at each sample, and keeps the last of them.
 class Counter final : public winding::RowSink
 {
 public:
@@ -54,7 +54,7 @@ struct Layout
   Extent extent;
 };
 
-/// Isotropic and not, powers of two and not, single samples, and parts.
+/// Grids isotropic and not, of powers of two samples and not, of single samples, whole and in part.
 std::vector<Layout> layouts()
 {
   std::vector<Layout> all;
@@ -198,8 +198,8 @@ TEST(GridCells, AreTheSameForAnyExtent)
 
 TEST(GridCells, AreNearlyCubicBlocks)
 {
-  // Of about 512 samples, as cubic as powers of two allow: rounded to these, sides differ by a factor
-  // of 2, and by more where one is that of a single sample.
+  // Blocks of about 512 samples are as cubic as powers of two allow: rounded to these, sides differ
+  // by a factor of 2, and by more where one is that of a single sample.
   for (const Point& spacing : {Point(1, 1, 1), Point(1, 1, 4), Point(1, 4, 16), Point(1, 100, 1),
          Point(0.3, 0.2, 0.7), Point(64, 1, 1)})
   {
@@ -257,7 +257,7 @@ TEST(GridCells, DeliverEverySampleOfAnExtentOnce)
               const Point relative(block.u[n], block.v[n], block.w[n]);
               ASSERT_LT((cells.level(level).side * relative + cell.center - q).norm(),
                 1e-6 * cells.level(level).side + 1e-12);
-              // The very sample, as a number.
+              // The value is the number of this very sample.
               const Point at =
                 (q / scale - layout.grid.firstSample).cwiseQuotient(layout.grid.spacing);
               values[n] = static_cast<float>(placeIn(

@@ -94,7 +94,7 @@ TEST_P(GradientKernels, OfMomentsEqualThePlainForm)
     winding::addMomentGradients(derivatives, 0.25f, x, y, z, count, sums);
     for (std::size_t i = 0; i < count; ++i)
     {
-      // 1/r², and what was there before.
+      // The kernel multiplies by 1/r², and adds to the number that was there before.
       const Point expected = gradientAt(derivatives, offsets[i]) / 16 + Point(0, 0.5, 0);
       const Point found(sums.x[i], sums.y[i], sums.z[i]);
       ASSERT_LT((found - expected).norm(), 1e-5 * (1 + expected.norm())); // measured: 1.0e-7

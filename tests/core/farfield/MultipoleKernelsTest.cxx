@@ -107,7 +107,8 @@ TEST_P(MultipoleKernels, TranslateMomentsOfAnyNumberOfNodes)
       batch.dy[i] = static_cast<float>(d[1]);
       batch.dz[i] = static_cast<float>(d[2]);
       batch.radius[i] = radius;
-      // Unscaled moments of that radius, and the cell's scale on the result.
+      // The reference takes unscaled moments of a node of that radius, and scales its result by the
+      // cell's side.
       Expansion scaled = exact[static_cast<std::size_t>(batch.node[i])];
       for (int k = 0; k <= order; ++k)
       {

@@ -38,7 +38,7 @@ NodeCriteria randomNodes(std::size_t count, Random& random)
   return nodes;
 }
 
-/// The same by the header's formulas, in double; null where rounding decides.
+/// The class of a node by the header's formulas, in double; null where rounding decides.
 const char* classOf(const NodeCriteria& nodes, std::size_t i, const CellCriteria& cell)
 {
   const double d = Point(cell.x - nodes.x[i], cell.y - nodes.y[i], cell.z - nodes.z[i]).norm();
@@ -72,12 +72,14 @@ struct Node
       Point n = random.direction();
       if (isFlat)
       {
-        // Pairs on either side of the centre: symmetric patches lose every other degree.
+        // The points are pairs on either side of the centre: symmetric patches lose every other
+        // degree.
         p -= p.dot(normal) * normal;
         p = i % 2 ? Point(-positions.back() / size) : p;
         n = normal;
       }
-      // A patch of a surface that fills the node, or as strong a set of points.
+      // The moments are those of a patch of a surface that fills the node, or of as strong a set of
+      // points.
       positions.push_back(size * p);
       moments.push_back(n * (winding::pi * size * size / (4 * winding::pi) / count));
       winding::addDipole(order, p, moments.back() / size, exact);
@@ -124,7 +126,7 @@ TEST(NodeAcceptance, SortsAnyNumberOfCandidates)
       };
       const CellCriteria cell{number(-1, 1), number(-1, 1), number(-1, 1), number(0, 0.3),
         number(0, 0.3), number(1, 2), number(1, 3), number(0, 0.3)};
-      // Exactly as many: nothing may be read beyond them.
+      // The array holds exactly `count` candidates, and nothing may be read beyond them.
       const std::unique_ptr<std::int32_t[]> candidates(new std::int32_t[count]);
       std::vector<std::int32_t> expected[3];
       bool isClear = true;
@@ -175,7 +177,7 @@ TEST(NodeAcceptance, KeepsTheErrorNearItsEstimate)
       const double theta = random(0.4, 0.8);
       const double epsilon = std::exp2(random(-4 - 2 * order, -4 - order));
       const Node node(order, epsilon, std::exp2(random(-6, 3)), isFlat, random);
-      // As near as can be accepted.
+      // The cell is as near as can be accepted.
       const double radius = node.radius * std::exp2(random(-3, 2));
       const double reach = CellCriteria::reachOf(order, radius);
       const double byAngle = (node.radius + radius) / theta;
@@ -207,7 +209,7 @@ TEST(NodeAcceptance, OfNodesWithoutAreaIsByTheAngleAlone)
   criteria.setErrors(0, 5, 1e-3, 0, moments.data());
   EXPECT_EQ(criteria.rho[0], 0);
   EXPECT_EQ(criteria.tau[0], 0);
-  // Nor, if they are spread, by less than what they are spread over.
+  // Nodes whose sources are spread must be farther away than their radius and that length.
   criteria.setErrors(0, 5, 1e-3, 3.5, moments.data());
   EXPECT_EQ(criteria.rho[0], 4.5f);
   EXPECT_EQ(criteria.tau[0], 0);

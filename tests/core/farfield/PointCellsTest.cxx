@@ -31,7 +31,7 @@ winding::VectorsView viewOf(const std::vector<Point>& samples)
   return {samples.empty() ? nullptr : samples[0].data(), samples.size()};
 }
 
-/// Random, clustered, equal, on a line, one.
+/// Sets of samples: random, clustered, equal, a single one, and on a line.
 std::vector<std::vector<Point>> manySamples()
 {
   std::vector<std::vector<Point>> all;
@@ -96,7 +96,7 @@ TEST(PointCells, DeliverEverySampleOnceAtEveryLevel)
             cells.fill(cell, first, block);
             for (std::size_t n = 0; n < block.samples.count; ++n)
             {
-              // Something that tells samples apart.
+              // The value tells samples apart.
               sums[n] = static_cast<float>(
                 block.samples.x[n] + 3 * block.samples.y[n] + 7 * block.samples.z[n]);
             }
@@ -132,7 +132,7 @@ TEST(PointCells, AreWithinTheirRadiusAndSideAndSphere)
           for (std::size_t n = 0; n < block.samples.count; ++n)
           {
             const Point q(block.samples.x[n], block.samples.y[n], block.samples.z[n]);
-            // Rounding of the coordinates themselves.
+            // The coordinates themselves are rounded.
             const double rounding = 1e-15 * q.norm();
             ASSERT_LE((q - cell.center).norm(), level.radius + rounding);
             ASSERT_LE(
@@ -185,7 +185,7 @@ TEST(PointCells, LeaveOutWhatHasNoPlaceOrIsFarAway)
     {0, 0, 128}, {0, -128.001, 0}, {0, 0, 0}, {0, 0, -infinity}};
   const winding::VectorsView view = viewOf(samples);
   const PointCells cells(view, region, scale, 3, {}, serial);
-  // 128 · scale is the border, which belongs to the region.
+  // The border of the region is at 128 · scale, and belongs to it.
   EXPECT_EQ(cells.others(), (std::vector<std::uint32_t>{0, 2, 3, 5, 7}));
   EXPECT_FALSE(cells.empty());
   EXPECT_EQ(cells.root().samples, 3u);

@@ -20,10 +20,11 @@ FarFieldAccuracy accuracyOf(int order)
   return {order, 0.5f, 1e-3f};
 }
 
-/// Dipoles that stand for a source, item by item, made without FarFieldSources; scaled.
+/// The dipoles that stand for a source, item by item, in scaled coordinates; made without
+/// FarFieldSources.
 using Items = std::vector<std::vector<FarFieldSources::Dipole>>;
 
-/// Corners of a triangle cut in four again and again, and a dipole in each centroid. The error of
+/// Cuts a triangle in four again and again, and appends a dipole in each centroid. The error of
 /// degree 9 falls with 4^-levels.
 void appendFine(const Point& a, const Point& b, const Point& c, int levels,
   std::vector<FarFieldSources::Dipole>& dipoles)
@@ -68,11 +69,11 @@ Items itemsOf(const Cloud& cloud, const std::vector<double>& areas, double scale
 
 struct Errors
 {
-  double moments = 0; ///< relative to what the dipoles' absolute values would add up to
+  double moments = 0; ///< largest error, relative to the sum of the dipoles' absolute values
   double reach = 0;   ///< largest distance of a dipole from the centre over the radius
 };
 
-/// Compares all nodes with the sum over the dipoles of all of their items.
+/// Compares the moments of all nodes with the sums over the dipoles of all of their items.
 Errors compare(FarFieldSources& sources, const Items& items, int order, std::size_t leafSize)
 {
   winding::SerialExecutor serial;
@@ -146,7 +147,7 @@ TEST_P(SourceMomentsOfOrder, OfTrianglesAreTheirIntegrals)
       winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {});
     const Errors errors = compare(*sources, fineItems(mesh, sources->scale(), 5), GetParam(), 4);
     record("moments", errors.moments);
-    // The same for every order and scale: the reference's own error.
+    // The error is the same for every order and scale, since it is the reference's own.
     EXPECT_LT(errors.moments, 5e-5); // measured: 2e-5
     EXPECT_LE(errors.reach, 1);
   }
@@ -154,7 +155,7 @@ TEST_P(SourceMomentsOfOrder, OfTrianglesAreTheirIntegrals)
 
 TEST_P(SourceMomentsOfOrder, OfManyEqualPointsKeepTheirDigits)
 {
-  // One leaf of 30 000: sums of that many floats would be off by 1e-5.
+  // The 30 000 equal points make one leaf; sums of that many floats would be off by 1e-5.
   Cloud cloud;
   cloud.positions.assign(30000, Point(0.1, 0.2, 0.3));
   cloud.normals.assign(30000, Point(0, 0.6, 0.8));

@@ -73,7 +73,7 @@ TEST(SplitTriangles, CoverTheWholeTriangle)
     for (const Piece& piece : pieces)
     {
       EXPECT_LE(longestSide(piece), side * (1 + 1e-12));
-      // All on the same side of their plane.
+      // All pieces face to the same side of their plane.
       EXPECT_GT(areaOf(piece).dot(areaOf(whole)), 0);
       area += areaOf(piece);
       areas += areaOf(piece).norm();
@@ -104,7 +104,7 @@ TEST(SplitTriangles, MayBeLargeFarFromTheSamples)
   record("large", static_cast<double>(large));
   EXPECT_GT(large, 300u); // measured: 1383
   EXPECT_EQ(rule.allowedFor({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0.01);
-  // 4 away along x and 3 along y.
+  // The triangle is 4 away along x and 3 along y.
   EXPECT_DOUBLE_EQ(rule.allowedFor({4.1, 3.1, 0}, {5, 3.1, 0}, {4.1, 4, 0}), 2.5);
 }
 
@@ -135,13 +135,13 @@ TEST(SplitTriangles, AreNoMoreThanAskedFor)
     // Sides twice as long make a quarter of the pieces.
     EXPECT_GT(count * 8, most);
   }
-  // And where a side of 0 is asked for there is an end.
+  // There is an end even where a side of nearly 0 is asked for.
   EXPECT_LE(piecesOf(surface, ruleOf(1e-300), 1000).size(), 1000u);
 }
 
 TEST(SplitTriangles, OfNeighboursMeetVertexToVertex)
 {
-  // Closed pieces of a closed surface: every edge is met by as many in either direction.
+  // The pieces of a closed surface are closed: as many meet every edge in either direction.
   SCOPED_TRACE("seed 374");
   for (const Mesh& mesh : {cube(), icosphere(1), torus(9, 7), surfaceOf(randomCells(3, 374))})
   {
@@ -169,7 +169,7 @@ TEST(SplitTriangles, MayHaveAnyUnitOfLength)
     const Point size = Point::Constant(10 * scale);
     EXPECT_EQ(piecesOf(clean(mesh), ruleOf(0.125 * scale, -size, size)).size(), expected);
   }
-  // Vertices at both ends of the numbers: the middle of a side must not overflow.
+  // The vertices are at both ends of the range of numbers: the middle of a side must not overflow.
   const double end = 1e308;
   const Mesh mesh{{{end, end, 0}, {-end, end, 0}, {0, -end, 1}}, {{0, 1, 2}}};
   for (const Piece& piece : piecesOf(clean(mesh), ruleOf(1e300), 1000))
