@@ -13,42 +13,44 @@ namespace winding
 {
 
 /**
- * The triangles of a surface or the points of a cloud in a hierarchy of boxes: what is nearest to a
- * sample. Immutable once built; all queries may run on several threads at once.
+ * The triangles of a surface or the points of a cloud in a hierarchy of boxes, to find the one that
+ * is nearest to a sample. Immutable once built; all queries may run on several threads at once.
  *
- * Coordinates are those of the source times scale(), which changes nothing but exponents. Memory: that
- * of bytesFor().
+ * Coordinates are those of the source times scale(), which changes nothing but exponents. The tree
+ * takes about bytesFor() of memory.
  */
 class DistanceTree
 {
 public:
-  /// Copies what it needs. Throws Interrupted.
+  /// Copies all it needs. Throws Interrupted when the executor was interrupted.
   DistanceTree(const Surface& surface, Executor& executor);
   DistanceTree(const PointCloud& cloud, Executor& executor);
 
-  /// About what it takes for so many primitives.
+  /// The approximate memory of a tree of so many primitives.
   static std::size_t bytesFor(bool areTriangles, std::size_t primitives);
 
   double scale() const { return scale_; }
   bool empty() const { return boxes_.empty(); }
 
-  /// Node 0 is the root; none without items.
+  /// The node of a number. Node 0 is the root; a tree without items has no nodes.
   const SourceNode& node(std::uint32_t number) const { return tree_.nodes()[number]; }
 
-  /// Tight boxes of the items of a node.
+  /// The tight box of the items of a node.
   const Bounds& box(std::uint32_t node) const { return boxes_[node]; }
 
-  /// Looks for what is nearer to a sample than `nearest` among the items of a node. nearest.squared may
-  /// be infinite; where nothing is nearer, `nearest` stays. Returns how many items it looked at.
+  /// Looks among the items of a node for one that is nearer to a sample than `nearest`, and sets
+  /// `nearest` to it; where none is nearer, `nearest` stays. nearest.squared may be infinite.
+  /// Returns how many items it looked at.
   std::size_t findNearest(
     const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
 
-  /// Of the items of leaves: those that are no farther than limits from any of 8 samples; see
-  /// NearestKernels.h.
+  /// Appends to `kept` those of the items of leaves that are no farther than a limit from at least
+  /// one of 8 samples, in scaled coordinates; see NearestKernels.h.
   void keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
     const double* squaredLimits, std::vector<NearItems>& kept) const;
 
-  /// Of the items of leaves, for samples in scaled coordinates; see NearestKernels.h.
+  /// Lowers the squared distances of samples, in scaled coordinates, to those from the items of
+  /// leaves; see NearestKernels.h.
   void lowerSquaredDistances(
     const std::vector<NearItems>& runs, const SampleBlock& samples, double* squared) const;
 
@@ -58,8 +60,8 @@ private:
   double scale_;
   SourceTree tree_;
   std::vector<Bounds> boxes_;
-  std::vector<NearTriangle> triangles_; ///< in the tree's order; or these:
-  std::vector<NearPoint> points_;
+  std::vector<NearTriangle> triangles_; ///< in the tree's order; none in a tree of points
+  std::vector<NearPoint> points_;       ///< in the tree's order; none in a tree of triangles
 };
 
 /// The square of the distance of a point from a box.

@@ -14,18 +14,21 @@ namespace winding
 namespace
 {
 
-/// Measured at 128³ and 256³: 32 and 128 take up to twice as long.
+/// Cells of this size are best by measurement at 128³ and 256³: 32 and 128 take up to twice as
+/// long.
 constexpr std::size_t samplesPerCell = 64;
 
-/// As many as make some tasks of small grids, too. Measured: 512 take up to a fifth longer.
+/// Blocks of this size make several tasks of small grids, too. Measured: 512 take up to a fifth
+/// longer.
 constexpr double samplesPerBlock = 4096;
 
-/// Samples times items after which a task leaves the rest to others: these begin with the lists of the
-/// block again, so less would take longer. Where all of a source is as near, as at the centre of a
-/// sphere, tasks take 0.6 s for 80 000 triangles, and 2 s for 300 000.
+/// A task leaves its rest to other tasks after so many samples times items. These begin with the
+/// lists of the block again, so that a smaller number would take longer. Where all of a source is
+/// as near, as at the centre of a sphere, tasks take 0.6 s for 80 000 triangles, and 2 s for 300
+/// 000.
 constexpr double mostWorkPerTask = 1 << 28;
 
-/// Samples that are compared at once with an item, if there are as many.
+/// An item is compared with this many samples at once; with fewer samples it takes as long.
 constexpr double samplesAtOnce = 8;
 
 bool isEmpty(const Extent& extent)
@@ -44,10 +47,10 @@ Extent common(const Extent& a, const Extent& b)
   return both;
 }
 
-/// Samples along each axis of blocks that are about cubes: powers of two.
+/// The numbers of samples along each axis of blocks that are about cubes: powers of two.
 Eigen::Vector3i blockSizeOf(const Grid& grid)
 {
-  double side = 0; // its logarithm
+  double side = 0; // base-2 logarithm of the cube's side
   int axes = 0;
   double samples = std::log2(samplesPerBlock);
   for (int axis = 0; axis < 3; ++axis)
@@ -86,7 +89,7 @@ GridDistances::GridDistances(
   }
 }
 
-/// The samples of a block, of the whole grid.
+/// The samples of a block of the whole grid, whether asked for or not.
 Extent GridDistances::samplesOfBlock(std::size_t number) const
 {
   const Extent blocks = {0, blocks_[0] - 1, 0, blocks_[1] - 1, 0, blocks_[2] - 1};
@@ -96,7 +99,7 @@ Extent GridDistances::samplesOfBlock(std::size_t number) const
   return {first[0], last[0] - 1, first[1], last[1] - 1, first[2], last[2] - 1};
 }
 
-/// The way from a block down to its samples; one for each task: it keeps its lists.
+/// The way from a block down to its samples. Each task has its own, which holds the task's lists.
 class GridDistances::Descent
 {
 public:
@@ -114,7 +117,7 @@ public:
     }
   }
 
-  /// Returns what it left undone.
+  /// Goes the way, and returns the pieces that it left undone.
   std::vector<Piece> run()
   {
     nodes_.assign(of_.tree_.empty() ? 0 : 1, 0);
@@ -126,17 +129,18 @@ private:
   struct SourcePoint
   {
     Eigen::Vector3d position;
-    double rounding;    ///< how far from the source it may be for all that
-    std::uint32_t item; ///< that it is of
+    double rounding;    ///< how far from the source rounding may have put it
+    std::uint32_t item; ///< number of the item that it lies on
   };
 
-  /// A cell: its first and last samples along each axis, and what is nearest to its centre.
+  /// A cell: its first and last samples along each axis, and the source's point nearest to its
+  /// centre.
   struct Cell
   {
     Extent samples;
-    Eigen::Vector3d low, high; ///< scaled
+    Eigen::Vector3d low, high; ///< positions of the first and last samples, scaled
     SourcePoint nearest;
-    double squaredReach; ///< of no less than the distance of that from any sample
+    double squaredReach; ///< at least the square of the distance of `nearest` from any sample
 
     Eigen::Vector3d center() const { return low + 0.5 * (high - low); }
   };
@@ -154,14 +158,14 @@ private:
 
   const GridDistances& of_;
   const std::size_t block_;
-  const Extent asked_;        ///< of the block's samples
+  const Extent asked_;        ///< samples of the block that are asked for
   double work_ = 0;           ///< samples times items, so far
-  bool hasEvaluated_ = false; ///< a cell: so every task gets on
+  bool hasEvaluated_ = false; ///< true after the first cell, so that every task gets on
   std::vector<Piece> left_;
-  const double limit_;               ///< scaled; infinite: none
+  const double limit_;               ///< scaled; infinite if there is none
   double sourceSize_ = 0;            ///< no distance of two points of the source is larger
-  double farthest_ = 0;              ///< nor a coordinate
-  std::vector<std::uint32_t> nodes_; ///< of the cell at work and, before them, of those around it
+  double farthest_ = 0;              ///< no coordinate of the source is larger
+  std::vector<std::uint32_t> nodes_; ///< nodes of the cell at work, after those of cells around it
   std::vector<std::uint32_t> opened_;
   std::vector<NearItems> runs_, kept_;
 };
@@ -174,7 +178,8 @@ Eigen::Vector3d GridDistances::Descent::positionOf(int i, int j, int k) const
     scaledCoordinate(position[2], scale)};
 }
 
-/// nodes_ from firstNode on are those of the cell that this one lies in; nearby: a point of the source.
+/// nodes_ from firstNode on are those of the cell that this one lies in; nearby: a point of the
+/// source, or null.
 void GridDistances::Descent::descend(
   const Extent& samples, std::size_t firstNode, const SourcePoint* nearby)
 {
@@ -197,9 +202,14 @@ void GridDistances::Descent::descend(
     this->findNearest(cell, firstNode, nearby);
     this->keepNear(cell, firstNode, lastNode);
   }
-  sampleCount(samples) <= samplesPerCell || nodes_.size() == lastNode
-    ? this->evaluate(cell, lastNode)
-    : this->cut(cell, 3, lastNode);
+  if (sampleCount(samples) <= samplesPerCell || nodes_.size() == lastNode)
+  {
+    this->evaluate(cell, lastNode);
+  }
+  else
+  {
+    this->cut(cell, 3, lastNode);
+  }
   nodes_.resize(lastNode);
 }
 
@@ -266,7 +276,7 @@ void GridDistances::Descent::findNearest(
   if (nearest.squared < known)
   {
     cell.nearest.position = center - Eigen::Map<const Eigen::Vector3d>(nearest.offset);
-    // Three coordinates are rounded by half an epsilon.
+    // Three coordinates are rounded by half an epsilon each.
     cell.nearest.rounding = roundingOfOffset(std::sqrt(nearest.squared), sourceSize_) +
                             std::numeric_limits<double>::epsilon() * farthest_;
     cell.nearest.item = nearest.item;
@@ -275,7 +285,8 @@ void GridDistances::Descent::findNearest(
                       (cell.high - cell.nearest.position).squaredNorm();
 }
 
-/// See the class: of what is compared with the distances from the nearest point.
+/// The sum δ + ε of the class: the rounding of the nearest point and of the distances from it that
+/// are compared.
 double GridDistances::Descent::roundingOf(const Cell& cell) const
 {
   return cell.nearest.rounding + roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
@@ -288,7 +299,8 @@ bool GridDistances::Descent::isBeyond(const Cell& cell, const Bounds& box) const
   return apart.norm() > limit_;
 }
 
-/// See the class; slack: what rounding may do to the difference of squares.
+/// Whether a box may hold the nearest point of a sample of the cell, by the test of the class.
+/// slack: the rounding of the difference of squares.
 bool GridDistances::Descent::canBeNearest(const Cell& cell, const Bounds& box, double slack)
 {
   double least = 0;
@@ -342,7 +354,8 @@ void GridDistances::Descent::keepNear(const Cell& cell, std::size_t firstNode, s
   }
 }
 
-/// As canBeNearest(), but exactly.
+/// Keeps the items that may be nearest to a sample of the cell: the test of canBeNearest() with the
+/// distances of the items instead of boxes.
 void GridDistances::Descent::keepNearItems(const Cell& cell)
 {
   const double rounding = this->roundingOf(cell);
@@ -370,7 +383,8 @@ void GridDistances::Descent::keepNearItems(const Cell& cell)
   }
 }
 
-/// From the nodes that are left: leaves, or none where all of the source is beyond the limit.
+/// Writes the distances of a cell's samples from the nodes that are left: leaves, or none where all
+/// of the source is beyond the limit.
 void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
 {
   hasEvaluated_ = true;
@@ -431,8 +445,10 @@ bool GridDistances::evaluate(Executor& executor) const
     {
       left[n] = Descent(*this, pieces[n]).run();
     };
-    // What is left is not shown as progress, which would begin again.
-    if (!(isFirst ? executor.run(pieces.size(), work) : executor.runBriefly(pieces.size(), work)))
+    // Pieces that were left run without showing progress, which would begin again.
+    const bool complete =
+      isFirst ? executor.run(pieces.size(), work) : executor.runBriefly(pieces.size(), work);
+    if (!complete)
     {
       return false;
     }

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors of three, one per lane of D.
+/// Three-dimensional vectors, one per lane of D.
 template <class D> struct Offsets
 {
   hn::Vec<D> x, y, z;
@@ -38,7 +38,7 @@ template <class D> HWY_INLINE hn::Vec<D> product(D, const Offsets<D>& a, const O
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
-/// from − factor·along
+/// Returns from − factor·along.
 template <class D>
 HWY_INLINE Offsets<D> stepBack(
   D, const Offsets<D>& from, hn::Vec<D> factor, const Offsets<D>& along)
@@ -69,7 +69,7 @@ template <class D> struct NearestOffsets
   }
 };
 
-/// The offset from the nearest point of a side, given that from the side's beginning.
+/// The offset from the nearest point of a side, given the offset from the side's beginning.
 template <class D>
 HWY_INLINE Offsets<D> fromSide(
   D d, const Offsets<D>& fromBegin, const Offsets<D>& along, double inverse)
@@ -93,8 +93,8 @@ HWY_INLINE void takeNearer(
   const auto isInside = hn::And(hn::And(hn::Ge(v, hn::Zero(d)), hn::Ge(w, hn::Zero(d))),
     hn::Le(hn::Add(v, w), hn::Set(d, 1.0)));
   Offsets<D> fromPlane = stepBack(d, stepBack(d, ap, v, ab), w, ac);
-  // Weights are inexact where a triangle is thin, by as many digits as that. What is left of them in the
-  // offset is so much smaller that it can be found again.
+  // The weights of a thin triangle are inexact, by as many digits as it is thin. The rest that they
+  // leave in the offset is so much smaller that it can be found by the same weights and removed.
   fromPlane = stepBack(d, stepBack(d, fromPlane, product(d, fromPlane, planeB), ab),
     product(d, fromPlane, planeC), ac);
   nearest.take(d, fromPlane, isInside);
@@ -256,7 +256,7 @@ HWY_EXPORT(findAmongPoints);
 namespace
 {
 
-/// 1/x, or 0 where that is none.
+/// 1/x, or 0 where x is too small for that.
 double inverseOf(double x)
 {
   return x >= std::numeric_limits<double>::min() ? 1 / x : 0;

@@ -12,22 +12,23 @@
  * The inner loops of distances, compiled once per instruction set and chosen at run time (Highway).
  *
  * The nearest point of a triangle abc to q is that of one of its sides, or where q projects to, if
- * that is inside of it. All four are computed as points of the triangle, and the nearest is taken:
- * so no case is decided on a small number: a needle costs few digits, a triangle without area none, and a
- * projection that is mistaken for one inside leads to a point beside the triangle by rounding at most.
+ * that is inside of it. All four are computed as points of the triangle, and the nearest is taken,
+ * so that no case is decided on a small number: a needle costs few digits, a triangle without area
+ * none, and a projection that is mistaken for one inside leads to a point beside the triangle by
+ * rounding at most.
  *
  * Squares must stay finite: coordinates are scaled to about unit size (UnitScale.h).
  */
 namespace winding
 {
 
-/// A triangle as the loops want it.
+/// A triangle as the loops need it.
 struct NearTriangle
 {
   double a[3];
   double ab[3], ac[3]; ///< from a to the other corners
   double v[3], w[3]; ///< (q − a)·v and (q − a)·w are the weights of b and c where q projects to
-  double inverseAB, inverseAC, inverseBC; ///< 1/|ab|² …; 0 where that is none
+  double inverseAB, inverseAC, inverseBC; ///< 1/|ab|² and so on; 0 for a side of no length
 };
 
 NearTriangle nearTriangle(
@@ -50,8 +51,9 @@ struct NearItems
 };
 
 ///@{
-/// Lowers squared[i] to the square of the distance of sample i from the nearest of the items, for all
-/// samples of a block, and for what pads them to whole vectors. squared: aligned as the block is.
+/// Lowers squared[i] to the square of the distance of sample i from the nearest of the items, for
+/// all samples of a block and for the entries that pad them to whole vectors. squared: aligned as
+/// the block is.
 void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
   const SampleBlock& samples, double* squared);
 void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
@@ -60,9 +62,9 @@ void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::
 
 ///@{
 /**
- * Appends to `kept`, as runs, the items that are no farther than a limit from any of 8 samples, as
- * the loops compute it: what rounding may do to that (see roundingOfOffset) is for the caller to
- * add to the limits. squaredLimits: aligned as the block is, and padded to 8.
+ * Appends to `kept`, as runs, the items whose distance from at least one of 8 samples, as the loops
+ * compute it, is no more than the sample's limit. The caller adds the rounding of distances
+ * (roundingOfOffset) to the limits. squaredLimits: 8 numbers, aligned as the block is.
  */
 void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
   const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
@@ -73,18 +75,19 @@ void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
 /// The nearest point found so far.
 struct Nearest
 {
-  double squared;         ///< of its distance
-  double offset[3];       ///< from it to the sample
-  std::uint32_t item = 0; ///< that it is of; its number in the array
+  double squared;         ///< square of its distance
+  double offset[3];       ///< offset from it to the sample
+  std::uint32_t item = 0; ///< number, in the array, of the item that it lies on
 };
 
 /**
- * How far the offset to a point of a source may be from one that leads to it, and a distance from
- * exact. With r the distance and s the size of the source, the offset from a triangle's beginning
- * has at most r + s, the sides at most s, and all that is taken from it to get to the nearest point
- * at most 2s; each of those 3 sides, 3 products and 5 differences is rounded by half an epsilon of
- * its length. Triangles so thin that their normal is inexact are excepted: there, points lie beside
- * the triangle by as much as the normal has lost.
+ * A bound of the error of a computed offset from a point of a source, and so of a computed
+ * distance. Let r be the distance and s the size of the source: the offset from a triangle's
+ * beginning has a length of at most r + s, the sides of at most s, and all that is taken from that
+ * offset to get to the nearest point of at most 2s; each of these 3 sides, 3 products and 5
+ * differences is rounded by half an epsilon of its length. The bound does not hold for triangles so
+ * thin that their normal is inexact: there, points lie beside the triangle by as much as the normal
+ * has lost.
  */
 inline double roundingOfOffset(double distance, double size)
 {

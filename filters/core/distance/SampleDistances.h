@@ -8,8 +8,9 @@
 namespace winding
 {
 
-/// Distances of scattered samples, each searched for by itself: so its bits depend on nothing else. NaN at
-/// samples that are NaN or infinite. False when the executor was interrupted.
+/// Writes the distances of scattered samples, each searched for by itself, so that its bits do not
+/// depend on the other samples. NaN at samples that are NaN or infinite. Returns false when the
+/// executor was interrupted.
 bool evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor);
 

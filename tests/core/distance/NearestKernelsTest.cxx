@@ -27,7 +27,8 @@ struct Corners
   Point a, b, c;
 };
 
-/// Of all shapes: needles, caps, nearly and exactly without area, large beside their distance and small.
+/// Triangles of all shapes: needles, caps, nearly and exactly without area, large beside their
+/// distance and small.
 Corners someTriangle(Random& random, int kind)
 {
   const Point a = random.point(-1, 1), along = random.direction(), beside = random.direction();
@@ -64,9 +65,9 @@ TEST(NearestKernels, DistancesFromTrianglesOfAnyShapeAreExact)
     const Point q = t.a + u * (t.b - t.a) + v * (t.c - t.a) + distance * random.direction();
     const double expected = naiveDistance(q, t.a, t.b, t.c);
     const double found = findDistance(winding::nearTriangle(t.a, t.b, t.c), q);
-    // Positions of size 1 are rounded, and where a triangle is thin, that tells.
+    // The rounding of positions of size 1 tells where a triangle is thin.
     const double error = std::abs(found - expected) / (0.1 + expected);
-    ASSERT_LT(error, 3e-12) << "triangle " << i; // measured: 9e-13, of a needle 1e-7 thick
+    ASSERT_LT(error, 3e-12) << "triangle " << i; // measured: 9e-13, for a needle 1e-7 thick
     worst = std::max(worst, error);
   }
   record("largest error", worst);
@@ -124,7 +125,7 @@ TEST(NearestKernels, AllSamplesOfABlockAndAllInstructionSetsAgree)
       }
       ASSERT_NEAR(std::sqrt(ofTriangles[i]), std::sqrt(triangle.squared), 1e-14);
       ASSERT_NEAR(std::sqrt(ofPoints[i]), std::sqrt(point.squared), 1e-14);
-      // What it is the square of leads to the nearest point.
+      // The offset to the nearest point has the length whose square was found.
       ASSERT_NEAR(Eigen::Map<const Point>(triangle.offset).squaredNorm(), triangle.squared, 1e-14);
     }
   }
