@@ -11,7 +11,8 @@ namespace winding
 namespace
 {
 
-/// How often an edge is run along from its low to its high vertex, less how often the other way.
+/// The number of uses that run along an edge from its low to its high vertex, minus the number of
+/// uses that run the other way.
 std::int32_t netOf(const EdgeUse* first, const EdgeUse* last)
 {
   std::int32_t net = 0;
@@ -49,7 +50,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       uses.forEachVertex(range,
         [&addEdge](std::int32_t low, EdgeUse* first, EdgeUse* last)
         {
-          // Nearly everywhere, and found out faster than the uses are sorted.
+          // All uses pair up at nearly every vertex, which is found out faster than they are
+          // sorted.
           if (!pairUp(first, last))
           {
             EdgeUses::forEachEdge(low, first, last, addEdge);
@@ -68,7 +70,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   chain.edges.resize(starts.back());
   for (std::size_t range = 0; range < parts.size(); ++range)
   {
-    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges); // freed at once
+    // The move frees a part's memory as soon as it is copied.
+    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges);
     std::copy(
       edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
   }
@@ -77,7 +80,7 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
 {
-  // Edges by the vertex that they leave.
+  // `leaving` holds the edges sorted by the vertex that they leave.
   std::vector<std::size_t> starts(vertices + 1, 0);
   for (const BoundaryEdge& edge : chain.edges)
   {
@@ -95,8 +98,9 @@ std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t 
   }
   next.assign(starts.begin(), starts.end() - 1);
 
-  // Walk on until a vertex comes up again, cut the loop off that this closes, and walk on from there.
-  // As many edges leave each vertex as arrive, so a walk can only get stuck where it began.
+  // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
+  // on from there. As many edges leave each vertex as arrive, so a walk can only get stuck where it
+  // began.
   std::vector<BoundaryLoop> loops;
   std::vector<std::int32_t> path;
   std::vector<std::int32_t> placeInPath(vertices, -1);
