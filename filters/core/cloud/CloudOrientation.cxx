@@ -13,7 +13,7 @@ namespace winding
 namespace
 {
 
-/// Runs briefly what would otherwise show progress.
+/// Runs all work briefly, so that none of it shows progress.
 class BriefExecutor final : public Executor
 {
 public:
@@ -37,10 +37,11 @@ double median(std::vector<float>& values)
   return *middle;
 }
 
-/// Points at equal steps of area: thousands at one place are worth no more than one elsewhere.
+/// Chooses points at equal steps of area, so that thousands at one place count no more than one
+/// elsewhere.
 std::vector<std::size_t> evenlyChosen(const std::vector<double>& areas)
 {
-  // In units of the largest, so that the sum stays within range.
+  // Areas are taken in units of the largest, so that their sum stays within range.
   const double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
   std::vector<std::size_t> chosen;
   if (!(largest > 0))

@@ -9,35 +9,36 @@ namespace winding
 {
 
 /**
- * What the field itself says about the normals of a cloud: winding numbers a little behind its points,
- * against their normals, and a little before them. Of a closed cloud they are 1 and 0; of one whose
- * normals all point inward 0 and −1; where normals contradict each other, or at the borders of an open
- * cloud, anything.
+ * The testimony of the field itself about the normals of a cloud: winding numbers a little behind
+ * its points, against their normals, and a little before them. They are 1 and 0 for a closed cloud,
+ * 0 and −1 for one whose normals all point inward, and anything where normals contradict each other
+ * or at the borders of an open cloud.
  */
 struct CloudOrientation
 {
-  double behind = 0; ///< the median
-  double before = 0; ///< the median
-  /// The share of points with about 1 behind and 0 before them, and with 0 and −1.
+  double behind = 0; ///< median of w behind the points
+  double before = 0; ///< median of w before the points
+  /// The share of points with w about 1 behind and 0 before them, and that with 0 and −1.
   double outward = 0, inward = 0;
 
-  /// Of the cloud with all normals turned round.
+  /// The orientation of the cloud with all normals turned round.
   CloudOrientation reversed() const { return {-before, -behind, inward, outward}; }
 
   bool isInward() const { return inward > outward; }
 
-  /// Whether the field tells inside from outside nearly everywhere. Of the
-  /// vertices of scans with right normals 0.95 to 1 of the points have the field that they should have,
-  /// of a coarse bunny and a teapot, where one estimated normal in ten is wrong, 0.82.
+  /// Whether the field tells inside from outside nearly everywhere. The share of points with the
+  /// field that they should have is 0.95 to 1 among the vertices of scans with right normals, and
+  /// 0.82 for a coarse bunny and a teapot, where one estimated normal in ten is wrong.
   bool isClear() const { return std::max(outward, inward) >= clearShare; }
 
   static constexpr double clearShare = 0.85;
 };
 
 /**
- * Looks at two thousand points at most, evenly chosen by their areas, from two spacings (the square
- * root of the area) away. The cloud needs normals and areas; nothing is found where all areas are 0. In
- * time a fraction of what a field of the cloud takes; the same for any executor. Throws Interrupted.
+ * Evaluates the field at two spacings (square roots of the area) behind and before two thousand
+ * points at most, evenly chosen by their areas. The cloud needs normals and areas; nothing is found
+ * where all areas are 0. It takes a fraction of the time that a field of the cloud takes, and the
+ * result is the same for any executor. Throws Interrupted.
  */
 CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor);
 

@@ -10,7 +10,7 @@ namespace winding
 namespace
 {
 
-/// The places as nanoflann wants to see them.
+/// The interface through which nanoflann reads the positions of places.
 struct Positions
 {
   const std::vector<Eigen::Vector3d>& positions;
@@ -56,13 +56,15 @@ void NeighborSearch::find(
   std::size_t place, std::size_t count, std::vector<Neighbor>& neighbors) const
 {
   neighbors.clear();
-  const std::size_t found = std::min(count, places_.size() - 1) + 1; // itself among them
+  // The tree finds the place itself, too.
+  const std::size_t found = std::min(count, places_.size() - 1) + 1;
   std::vector<std::uint32_t> places(found);
   std::vector<double> squaredDistances(found);
   tree_->find(places_.positions()[place], found, places.data(), squaredDistances.data());
   for (std::size_t i = 0; i < found; ++i)
   {
-    // Where squares of distances underflow, it may not even be the first.
+    // The place itself need not come first where squares of distances underflow, and need not come
+    // at all.
     if (places[i] != place && neighbors.size() + 1 < found)
     {
       neighbors.push_back({places[i], squaredDistances[i]});

@@ -11,12 +11,12 @@ namespace winding
 struct Neighbor
 {
   std::uint32_t place;
-  double squaredDistance; ///< scaled as the places are
+  double squaredDistance; ///< squared distance in the scaled coordinates of the places
 };
 
 /**
- * The nearest other places of a place, by a k-d tree (nanoflann). O(n log n) to build, on one thread;
- * searches may run on several.
+ * Finds the nearest other places of a place by a k-d tree (nanoflann). Building it takes O(n log n)
+ * time on one thread; searches may run on several threads.
  */
 class NeighborSearch
 {
@@ -25,8 +25,9 @@ public:
   explicit NeighborSearch(const DistinctPoints& places);
   ~NeighborSearch();
 
-  /// The `count` nearest others, nearest first, or all where there are fewer. Of equally far ones at
-  /// the end, which are among them is up to the tree, and the same every time.
+  /// Finds the `count` nearest other places, nearest first, or all others where there are fewer. If
+  /// several places are equally far and not all of them are among the nearest, the tree decides
+  /// which are, the same every time.
   void find(std::size_t place, std::size_t count, std::vector<Neighbor>& neighbors) const;
 
 private:

@@ -17,7 +17,7 @@ namespace winding
 namespace
 {
 
-/// The nearest places of each, so many or all.
+/// The nearest other places of each place: `most` of them, or all if there are fewer.
 class NeighborGraph
 {
 public:
@@ -46,7 +46,7 @@ private:
 Eigen::Vector3d normalOf(
   const DistinctPoints& places, std::size_t place, const std::vector<Neighbor>& neighbors)
 {
-  // In units of the neighbourhood, so that squares stay within range.
+  // Offsets are taken in units of the neighbourhood's size, so that squares stay within range.
   const Eigen::Vector3d center = places.positions()[place];
   double size = 0;
   for (const Neighbor& neighbor : neighbors)
@@ -68,7 +68,7 @@ Eigen::Vector3d normalOf(
   return normal.allFinite() ? normal : Eigen::Vector3d(0, 0, 1);
 }
 
-/// A step along the graph; the most certain one is the greatest.
+/// A step along the graph; the most certain step is the greatest.
 struct Step
 {
   float doubt;
@@ -80,7 +80,9 @@ struct Step
   }
 };
 
-/// Neighbourhood is made mutual: of a far point no other may be a neighbour, but it has some.
+/// Finds, for each place, the places that it is a neighbour of but that are none of its own
+/// neighbours. They make neighbourhood mutual: a far place may be no other's neighbour, though it
+/// has neighbours itself.
 std::vector<std::vector<std::uint32_t>> mutual(const NeighborGraph& graph, std::size_t places)
 {
   std::vector<std::vector<std::uint32_t>> back(places);
@@ -101,7 +103,7 @@ void orient(
   const DistinctPoints& places, const NeighborGraph& graph, std::vector<Eigen::Vector3d>& normals)
 {
   const auto back = mutual(graph, places.size());
-  // From the top down, so that a piece begins at its highest place.
+  // Starts go from the top down, so that a piece begins at its highest place.
   std::vector<std::uint32_t> starts(places.size());
   for (std::size_t i = 0; i < starts.size(); ++i)
   {
@@ -122,7 +124,7 @@ void orient(
     {
       if (!isDone[other])
       {
-        // What lies along the normals rather than across them belongs to another sheet.
+        // A place that lies along the normals rather than across them belongs to another sheet.
         const Eigen::Vector3d along =
           (places.positions()[other] - places.positions()[place]).normalized();
         const double cosine = std::abs(normals[place].dot(normals[other]));
@@ -169,7 +171,8 @@ std::vector<Eigen::Vector3d> estimateNormals(
   std::vector<Eigen::Vector3d> ofPlaces(places.size(), Eigen::Vector3d(0, 0, 1));
   if (places.size() > 1)
   {
-    // Farther neighbours tell more about planes than about who is next to whom.
+    // Steps go to the nearest neighbours only: farther ones help to find the plane, but are not
+    // next to a place.
     constexpr std::size_t mostSteps = 10, placesPerBlock = 512;
     const NeighborSearch search(places);
     const auto count = static_cast<std::size_t>(std::max(neighbors, 3));

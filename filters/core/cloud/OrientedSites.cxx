@@ -8,7 +8,8 @@ OrientedSites::OrientedSites(
   : starts_(places.size() + 1)
   , siteOf_(cloud.positions.size())
 {
-  // Groups of each place first, numbered from 0; then where each place's begin.
+  // Each place's points are put into groups numbered from 0 first; the sums of the places' numbers
+  // of groups then tell where each place's sites begin.
   constexpr std::size_t placesPerBlock = 4096;
   runBlocks(
     places.size(), placesPerBlock,

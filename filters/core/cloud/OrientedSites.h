@@ -9,8 +9,8 @@
 namespace winding
 {
 
-/// Whether two unit normals are within 70 degrees: as on one side of a surface, and not as on the two
-/// sides of a thin part, or around an edge.
+/// Whether two unit normals are within 70 degrees of each other. Neighbours on one side of a
+/// surface have such normals; points on the two sides of a thin part or around an edge have not.
 inline bool areSimilar(const Eigen::Vector3d& normal, const Eigen::Vector3d& other)
 {
   return normal.dot(other) > 0.34202014332566873; // cos 70°
@@ -19,19 +19,20 @@ inline bool areSimilar(const Eigen::Vector3d& normal, const Eigen::Vector3d& oth
 /// Points at one place with similar normals, seen as one.
 struct OrientedSite
 {
-  Eigen::Vector3d normal; ///< the mean, of unit length
-  std::uint32_t points;   ///< how many
+  Eigen::Vector3d normal; ///< mean of the points' normals, made unit length
+  std::uint32_t points;   ///< number of points
 };
 
 /**
- * The sites of an oriented cloud: at each place as many as its points have different orientations.
- * Every normal is similar to that of the first point of its site, and those of first points are not
- * similar to each other, so that a place has nine at most. Guaranteed: the same for any executor.
+ * The sites of an oriented cloud: each place has as many as its points have different orientations.
+ * Every normal is similar to that of the first point of its site, and normals of first points are
+ * not similar to each other, so that a place has nine sites at most. Guaranteed: the sites are the
+ * same for any executor.
  */
 class OrientedSites
 {
 public:
-  /// Throws Interrupted. Linear time; 36 bytes per site and place, and 4 per point.
+  /// Takes linear time; 36 bytes per site and place, and 4 per point. Throws Interrupted.
   OrientedSites(const PointCloud& cloud, const DistinctPoints& places, Executor& executor);
 
   ///@{
@@ -61,7 +62,7 @@ public:
 
 private:
   std::vector<OrientedSite> sites_;
-  std::vector<std::uint32_t> starts_; ///< by place, and one more
+  std::vector<std::uint32_t> starts_; ///< first site of each place, and the end of the last place's
   std::vector<std::uint32_t> siteOf_;
 };
 

@@ -19,9 +19,10 @@ namespace winding
 namespace
 {
 
-/// How far a cell may go that no neighbours close, in units of the distance up to which `neighbors` of
-/// them are known. All bisectors within a half are. Among points at random, a disk of this radius holds
-/// seven, and so nearly all of a cell: e^−7 of it is farther away.
+/// The distance at which a cell ends that no neighbours close, in units of the distance up to which
+/// the point's neighbours are known, `neighbors` in number. All bisectors within half of that
+/// distance are known, too. Among points at random, a disk of the radius returned holds seven, and
+/// so nearly all of a cell: e^−7 of it is farther away.
 double farthestCorner(std::size_t neighbors)
 {
   return std::max(0.6, std::sqrt(7.0 / static_cast<double>(neighbors)));
@@ -44,21 +45,21 @@ public:
   std::vector<double> compute(Executor& executor);
 
 private:
-  /// An angle between neighbours.
+  /// The range of directions between two neighbours that follow each other around a point.
   struct Gap
   {
     double from, to;
   };
 
-  /// What one thread works with.
+  /// The memory that one thread works with, reused from site to site.
   struct Workspace
   {
     std::vector<Neighbor> neighbors;
-    std::vector<Eigen::Vector2d> around; ///< those with similar normals, in the tangent plane
-    std::vector<double> angles, openDirections; ///< in [0, 2π)
+    std::vector<Eigen::Vector2d> around;        ///< neighbours that count, in the tangent plane
+    std::vector<double> angles, openDirections; ///< angles in [0, 2π)
     std::vector<Gap> gaps;
     VoronoiCell cell;
-    double reach = 0; ///< the distance up to which neighbours with similar normals are known
+    double reach = 0; ///< distance of the farthest neighbour that counts
   };
 
   template <class Work>
@@ -75,12 +76,14 @@ private:
   const OrientedSites sites_;
   const NeighborSearch search_;
   const std::size_t neighbors_;
-  std::vector<double> areasAround_; ///< by place: the area of a disk of its neighbours, for each
-  std::vector<double> areas_;       ///< by site: of its cell, scaled
+  /// By place: the area of the disk that holds its neighbours, divided by their number.
+  std::vector<double> areasAround_;
+  std::vector<double> areas_; ///< by site: area of its cell in scaled coordinates
 };
 
-/// Projects neighbours with similar normals into the tangent plane. Where nearly none are similar, the
-/// point's own normal is at fault, and without the others it would have the area of many: then all.
+/// Projects the neighbours that count into the tangent plane: those with similar normals, or all
+/// where nearly none are similar. There the site's own normal is at fault, and without the others
+/// it would have the area of many.
 void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space) const
 {
   const Eigen::Vector3d& normal = sites_[site].normal;
@@ -89,7 +92,8 @@ void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space
     return sites_.hasSimilar(neighbor.place, normal);
   };
   const auto similar = std::count_if(space.neighbors.begin(), space.neighbors.end(), isSimilar);
-  // A quarter: in thin parts, of which half belong to the other side, one point in 200 has fewer.
+  // Fewer than a quarter are nearly none: only one point in 200 of thin parts, where half of the
+  // neighbours belong to the other side, has so few.
   const bool takesAll = 4 * static_cast<std::size_t>(similar) < space.neighbors.size();
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   space.around.clear();
@@ -101,7 +105,8 @@ void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space
       const Eigen::Vector3d offset =
         places_.positions()[neighbor.place] - places_.positions()[place];
       const Eigen::Vector2d flat(offset.dot(u), offset.dot(v));
-      // Straight above or below, rounding alone would say where the cell is cut.
+      // A neighbour straight above or below is put at the origin, where it cuts nothing: rounding
+      // alone would tell where it cuts.
       constexpr double rounding = 1e-9;
       space.around.push_back(flat.squaredNorm() > rounding * rounding * neighbor.squaredDistance
                                ? flat
@@ -124,8 +129,9 @@ void VoronoiAreas::makeCell(Workspace& space) const
   }
 }
 
-/// What a point at a border may stand for at most: what its neighbours leave it on the side where
-/// they are, and not much more than they have themselves, or a far outlier would outweigh all.
+/// The largest area that a point at a border may stand for: its share of the sector where its
+/// neighbours are, and not much more than they have themselves, or a far outlier would outweigh
+/// all.
 double VoronoiAreas::mostAreaOf(const Workspace& space, double coveredAngle) const
 {
   double largest = 0;
@@ -138,7 +144,7 @@ double VoronoiAreas::mostAreaOf(const Workspace& space, double coveredAngle) con
   return space.around.empty() ? largest : std::min(sector / count, 2 * largest);
 }
 
-/// Cuts the cell as if neighbours stood where it is open, too, as far apart as they do elsewhere.
+/// Cuts the cell as if neighbours stood also where it is open, as far apart as they do elsewhere.
 void VoronoiAreas::closeBorder(Workspace& space) const
 {
   std::vector<double>&angles = space.angles, &open = space.openDirections;
@@ -174,7 +180,8 @@ void VoronoiAreas::closeBorder(Workspace& space) const
       coveredAngle -= gap.to - gap.from;
     }
   }
-  // Neighbours in a hexagonal lattice, where each point has that area.
+  // The distance is that of neighbours in a hexagonal lattice whose points have the area
+  // mostAreaOf().
   const double distance = std::sqrt(2 / std::sqrt(3.0) * this->mostAreaOf(space, coveredAngle));
   for (const auto& [from, to] : gaps)
   {
@@ -187,7 +194,8 @@ void VoronoiAreas::closeBorder(Workspace& space) const
   }
 }
 
-/// Calls work(place, site, space) for the sites of some places, with so many neighbours found.
+/// Calls work(place, site, space) for the sites of some places, once so many neighbours are found
+/// and flattened.
 template <class Work>
 void VoronoiAreas::forEachSiteOf(const std::vector<std::uint32_t>& places, std::size_t neighbors,
   const Work& work, Executor& executor)
@@ -236,10 +244,12 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
     },
     executor);
 
-  // With more neighbours, and knowing what is around them.
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](std::uint32_t place) { return !needsMore[place]; }),
-    places.end());
+  // The places left are done again with more neighbours, and with areasAround_ of all places known.
+  const auto isDone = [&](std::uint32_t place)
+  {
+    return !needsMore[place];
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), isDone), places.end());
   this->forEachSiteOf(
     places, 4 * neighbors_,
     [&](std::size_t, std::size_t site, Workspace& space)
@@ -270,7 +280,8 @@ std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, in
 
 double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
 {
-  // Sorted before they are summed: the mean must not depend on the order of the points.
+  // Areas are sorted before they are summed, so that the mean does not depend on the order of the
+  // points.
   std::vector<double> areas = voronoiAreas(cloud, executor, neighbors);
   std::sort(areas.begin(), areas.end());
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);

@@ -28,7 +28,8 @@ public:
     }
   }
 
-  /// Leaves what is not nearer to a point than to the origin; a point at the origin cuts nothing.
+  /// Cuts off the part that is nearer to a point than to the origin; a point at the origin cuts
+  /// nothing.
   void cut(const Eigen::Vector2d& point)
   {
     const double half = 0.5 * point.squaredNorm();
@@ -58,7 +59,7 @@ public:
       if ((before <= 0) != (after <= 0))
       {
         const double t = before / (before - after);
-        // The side that begins where the polygon is left is the bisector.
+        // A side that begins where the boundary leaves the half-plane is the bisector.
         kept_.push_back(
           {from.position + t * (to.position - from.position), before > 0 && from.isBound});
       }
@@ -78,7 +79,7 @@ public:
     return 0.5 * twice;
   }
 
-  /// Whether a side of the polygon at the start is left: no points bound the cell there.
+  /// Whether a side of the polygon at the start remains, where no points bound the cell.
   bool isOpen() const
   {
     for (const Corner& corner : corners_)
@@ -91,7 +92,8 @@ public:
     return false;
   }
 
-  /// Appends the directions of the middles of these sides, as angles in [0, 2π).
+  /// Appends the directions in which the cell is open, as angles in [0, 2π): those of the middles
+  /// of the sides that remain from the start.
   void appendOpenDirections(std::vector<double>& angles) const
   {
     for (std::size_t i = 0; i < corners_.size(); ++i)
@@ -110,10 +112,10 @@ private:
   struct Corner
   {
     Eigen::Vector2d position;
-    bool isBound; ///< whether the side to the next corner is one of the start
+    bool isBound; ///< whether the side to the next corner remains from the polygon at the start
   };
 
-  /// With the area of the unit circle.
+  /// A regular polygon with the area of the unit circle.
   static std::vector<Corner> regularPolygon(int sides)
   {
     const double radius = std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));

@@ -42,13 +42,13 @@ CappedSurface::CappedSurface(
 CappedSurface::~CappedSurface() = default;
 
 /**
- * All rows of cells that lie behind each other along x: the runs of equal χ in them, to which the
- * far field's values of the cap come in pieces.
+ * All rows through cells that lie behind each other along x. A bar holds the runs of equal χ in
+ * them; the far field hands it the cap's values in pieces of rows, and it writes the differences.
  */
 class CappedSurface::Bar final : public RowSink
 {
 public:
-  /// rows: the range of j and k, as in an extent, those of a band.
+  /// rows is an extent of which only the ranges of j and k count: those of a band.
   Bar(const CappedSurface& surface, const RowCrossings::OnGrid& onGrid, const Grid& grid,
     const Extent& extent, const Extent& rows, std::size_t band, const FieldOutput& output)
     : surface_(surface)
@@ -104,7 +104,7 @@ private:
   const Grid& grid_;
   Extent extent_, rows_;
   const FieldOutput& output_;
-  std::vector<std::size_t> starts_; ///< of the runs of each row
+  std::vector<std::size_t> starts_; ///< each row's first run in runs_
   std::vector<RowRun> runs_;
 };
 
@@ -118,7 +118,7 @@ bool CappedSurface::evaluateByFarField(
   }
   GridCells cells(grid, extent, farField->scale(), farField->order());
   std::vector<FarFieldTask> tasks = farField->tasks(cells, cells.taskLevel());
-  // Cells with the same rows together, so that these are found once.
+  // Cells with the same rows are put together, so that the rows' crossings are found once.
   const auto rowsOf = [](const FarFieldTask& task)
   {
     return std::pair(task.cell.index[2], task.cell.index[1]);
@@ -139,7 +139,7 @@ bool CappedSurface::evaluateByFarField(
   {
     return true;
   }
-  // A bar's rows are one band.
+  // The rows of a bar make one band.
   const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
   const RowBands bands = {extent[2] / height * height, height};
   const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
@@ -170,7 +170,8 @@ bool CappedSurface::evaluate(
   {
     return this->evaluateByFarField(grid, extent, output, executor);
   }
-  // Enough work to be worth a block, and little enough to answer an interrupt within a moment.
+  // A block has enough work to be worth it, and little enough to answer an interrupt within a
+  // moment.
   const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
   return rows_.evaluate(
     grid, extent, samplesPerBlock,
@@ -221,7 +222,7 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
   }
 }
 
-/// The value of a sample on the cap: χ of the surface and the other cap, minus that cap's sum.
+/// The value of a sample on the cap: χ of the surface and the other cap, minus the other cap's sum.
 double CappedSurface::resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const
 {
   SampleBlock block;
@@ -231,7 +232,7 @@ double CappedSurface::resolveOnCap(const Grid& grid, int i, int j, int k, int ro
   bool isSuspect;
   if (fanSum_.evaluateWatching(block, &value, &isSuspect))
   {
-    // On both caps, so most likely on the rim: the definition itself.
+    // The sample is on both caps, so most likely on the rim: the definition itself decides.
     surfaceSum_.evaluate(block, &value);
     return value;
   }

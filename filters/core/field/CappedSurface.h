@@ -16,41 +16,42 @@ namespace winding
 class TriangleFarField;
 
 /**
- * The winding number of a surface on grids, as the difference of two parts that are each easy:
+ * The winding number of a surface M on grids, as the difference of two parts that are each easy:
  *
  *   w_M = χ_{M+C} − w_C   for a cap C with ∂C = −∂M
  *
- * χ is an integer, found for whole rows at once (RowCrossings.h); w_C is that of the cap, which has
- * about as many triangles as the surface has boundary edges, and none if it is closed. Without a
- * tolerance it is the direct sum; within one, and for caps of more than a few triangles, it comes
- * from the far field (EvaluationCost.h).
+ * χ is an integer, found for whole rows at once (RowCrossings.h); w_C is the winding number of the
+ * cap (Cap.h), which has about as many triangles as the surface has boundary edges, and none if it
+ * is closed. Without a tolerance w_C is the direct sum; with one, and for caps of more than a few
+ * triangles, it comes from the far field (isCheaperDirectly() in FarFieldCost.h decides).
  *
- * Guaranteed: (1) for a closed surface, integers, exact off the surface; (2) for an open one, equal to
- * the direct sum up to its rounding or the tolerance, next to the cap too: there χ and w_C jump by
- * the same 1, and where rounding could make them disagree about the side, another cap that is
- * elsewhere decides; (3) values have the same bits for any extent, executor and number of threads. On
- * the surface: one of the sides for a closed one; for an open one finite, and mostly one of the sides.
+ * Guaranteed: (1) values of a closed surface are integers, and exact off the surface; (2) values of
+ * an open surface are equal to the direct sum up to its rounding or the tolerance, also next to the
+ * cap: χ and w_C jump by the same 1 there, and where rounding could make them disagree about the
+ * side, another cap that lies elsewhere decides; (3) values have the same bits for any extent,
+ * executor and number of threads. A sample on a closed surface gets the value of one of the sides;
+ * a sample on an open surface gets a finite value, mostly that of one of the sides.
  */
 class CappedSurface
 {
 public:
-  /// How w_C is found where the tolerance admits a choice.
+  /// The way in which w_C is found where the tolerance admits a choice.
   enum class CapSum
   {
     cheapest,
     farField
   };
 
-  /// Keeps a reference to the surface, which must outlive this; chain is its boundary. tolerance: the
-  /// largest error of w, 0 for none.
+  /// Keeps a reference to the surface, which must outlive this; chain is its boundary. tolerance is
+  /// the largest absolute error of w; 0 leaves the direct sum.
   CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
     CapSum capSum = CapSum::cheapest);
   ~CappedSurface();
 
-  /// 0 if the surface is closed.
+  /// The number of the cap's triangles: 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
-  /// Of the surface and its cap: χ.
+  /// The crossings of the surface and its cap, which give χ.
   const RowCrossings& rows() const { return rows_; }
 
   /// Whether w_C comes from the far field.
@@ -59,7 +60,7 @@ public:
   /// Builds what a grid needs beforehand, as Field::prepare() does.
   bool prepare(const Grid& grid, Executor& executor) const;
 
-  /// False when the executor was interrupted.
+  /// Evaluates the samples of an extent of a grid. Returns false when the executor was interrupted.
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
@@ -74,8 +75,8 @@ private:
 
   std::vector<Triangle> cap_;
   std::vector<Eigen::Vector3d> fanVertices_;
-  std::vector<Triangle> fan_; ///< the other cap
-  RowCrossings rows_;         ///< of M + C
+  std::vector<Triangle> fan_; ///< another cap, which decides where samples lie on the first
+  RowCrossings rows_;         ///< crossings of M + C
   RowCrossings capRows_, fanRows_;
   TriangleSum surfaceSum_, capSum_, fanSum_;
   std::unique_ptr<const TriangleFarField> capFarField_; ///< null where the cap is summed directly

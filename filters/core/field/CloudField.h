@@ -14,7 +14,7 @@ namespace winding
 class CloudField final : public Field
 {
 public:
-  /// Throws Interrupted.
+  /// Throws Refusal as Field::build() does, and Interrupted.
   CloudField(
     const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor);
   ~CloudField() override;
@@ -48,9 +48,9 @@ private:
 
   PointCloud cloud_;
   FieldInfo info_;
-  double slowdown_ = 1;                      ///< of the far field, by regularization
-  bool isAskedFor_ = false;                  ///< the method, by the user
-  std::unique_ptr<const FarField> farField_; ///< method hierarchical
+  double slowdown_ = 1;     ///< times that regularization makes the far field slower
+  bool isAskedFor_ = false; ///< whether the user chose the method
+  std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical
   std::unique_ptr<const DipoleSum> sum_;
 };
 

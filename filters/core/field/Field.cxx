@@ -17,9 +17,9 @@ namespace
 {
 
 /**
- * Samples per block of work: many, so that what is done per block costs nothing, but few enough
- * that a block over all primitives ends in a fraction of a second and an interrupt is answered
- * soon.
+ * The number of samples in a block of work: many, so that what is done per block costs nothing, but
+ * few enough that a block over all primitives ends in a fraction of a second and an interrupt is
+ * answered soon.
  */
 std::size_t samplesPerBlock(std::size_t primitives)
 {
@@ -48,8 +48,8 @@ bool forEachBlock(std::size_t samples, std::size_t blockSize, const PositionOf& 
     });
 }
 
-/// Nowhere is not a place: samples that are NaN or infinite get NaN from every method. `components`
-/// numbers per sample.
+/// Gives NaN to samples that are NaN or infinite, and so at no place, whatever the method. There
+/// are `components` values per sample.
 void markNonFinite(const SampleBlock& block, std::size_t components, double* values)
 {
   for (std::size_t i = 0; i < block.count; ++i)
@@ -131,7 +131,7 @@ bool Field::evaluateValues(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
-/// Null when the executor was interrupted.
+/// Makes the tree when it is first asked for. Returns null when the executor was interrupted.
 const DistanceTree* Field::distanceTree(Executor& executor) const
 try
 {
@@ -159,7 +159,7 @@ EvaluationCost Field::expectedCostOfDistances(std::size_t samples) const
     info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
 }
 
-/// Values, then distances with the signs that those give.
+/// Evaluates values first, then distances, whose signs come from the values or sides.
 template <class EvaluateValues, class EvaluateDistances>
 bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
   const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const

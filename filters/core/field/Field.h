@@ -28,38 +28,42 @@ struct Surface;
 /// How w is found. Every method but parity gives the winding number.
 enum class Method
 {
-  automatic, ///< the fastest that keeps the tolerance
-  /// Crossings, of triangles only: whole grid rows at once, a cap over holes (CappedSurface.h); closed
-  /// surfaces at scattered samples, too (PointCrossings.h).
+  automatic, ///< the method that is expected to be the fastest within the tolerance
+  /// Crossings of triangles. On grids they are found for whole rows at once, with a cap over the
+  /// holes of an open surface (CappedSurface.h); at scattered samples they serve closed surfaces
+  /// only (PointCrossings.h). Points have none.
   rows,
   hierarchical, ///< a far field of all primitives (FarField.h)
   direct,       ///< the sum over all primitives, exact up to rounding
-  parity        ///< ray casting, the baseline; triangles only
+  parity        ///< ray casting, the baseline; for triangles only
 };
 
 const char* nameOf(Method method);
 
-/// The largest regularization: beyond, sums near points take over what the far field is for.
+/// The largest regularization. Points that are spread farther have so many others near them, to be
+/// summed one by one, that a far field saves little.
 constexpr double mostRegularization = 4;
 
 struct FieldOptions
 {
   Method method = Method::automatic;
-  /// Largest absolute error of w at any sample that an approximation may make. Below
-  /// FarFieldAccuracy::finest (1e-6), and so with 0, there is none.
+  /// The largest absolute error of w that an approximation may make at any sample. Tolerances below
+  /// FarFieldAccuracy::finest (1e-6), 0 among them, forbid approximations.
   double tolerance = 1e-3;
   /// Whether points without normals get estimated ones (NormalEstimation.h).
   bool estimateNormals = false;
   PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
-  /// Method constant: the area of every point; 0: the mean of what method voronoi gives.
+  /// The area of every point, for PointAreaMethod::constant only; 0 stands for the mean of the
+  /// areas that PointAreaMethod::voronoi gives.
   double pointArea = 0;
-  /// How many neighbours of a point tell its area and normal; 3 or more.
+  /// The number of neighbours that the area and the normal of a point are taken from; 3 or more.
   int neighbors = defaultNeighbors;
-  /// Clouds: length over which a point's dipole is spread (SolidAngle.h), in units of its spacing, the
-  /// square root of its area; 0: the pure dipole.
+  /// The length over which the dipole of each point of a cloud is spread (SolidAngle.h), in units
+  /// of the point's spacing, which is the square root of its area; 0 to mostRegularization. 0
+  /// leaves the pure dipole.
   double regularization = 0;
-  /// Whether scattered samples will be asked for, not grids: methods that share work along the rows
-  /// of a grid are no use then.
+  /// Whether scattered samples will be asked for rather than grids: methods that share work along
+  /// the rows of a grid are no use then.
   bool scattered = false;
 
   bool operator==(const FieldOptions& other) const
@@ -71,48 +75,50 @@ struct FieldOptions
   }
 };
 
-/// What a field is made of and how it will be evaluated: for reports, not for computing.
+/// The make-up of a field and the way it will be evaluated: for reports, not for computing.
 struct FieldInfo
 {
   bool isSurface = true;
   std::size_t inputPrimitives = 0;  ///< triangles or points that came in
-  std::size_t primitives = 0;       ///< those that are summed over
-  std::size_t dropped = 0;          ///< unusable ones: NaN, bad ids, zero normals, negative areas
-  std::size_t weldedVertices = 0;   ///< surfaces: different vertices; clouds: points
+  std::size_t primitives = 0;       ///< triangles or points that w is the sum over
+  std::size_t dropped = 0;          ///< primitives with NaN, bad ids, zero normals, negative areas
+  std::size_t weldedVertices = 0;   ///< a surface's different vertices, or a cloud's points
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
-  std::size_t capTriangles = 0;     ///< method rows: triangles that close the surface
-  double pointArea = 0;             ///< clouds: the mean area of a point
-  bool normalsAreEstimated = false; ///< clouds
-  CloudOrientation orientation;     ///< of estimated normals, turned outward
-  Bounds bounds;
-  Method method = Method::direct; ///< the one chosen, never automatic
-  std::string why;                ///< why this one, for the user
-  std::string warning;            ///< what the user should know about the input; may be empty
+  std::size_t capTriangles = 0;     ///< triangles that close the surface for method rows
+  double pointArea = 0;             ///< mean area of a cloud's points
+  bool normalsAreEstimated = false; ///< true only for clouds that came without normals
+  CloudOrientation orientation;     ///< orientation of estimated normals, once turned outward
+  Bounds bounds;                    ///< box of the vertices or points
+  Method method = Method::direct;   ///< method that was chosen, never automatic
+  std::string why;                  ///< reason for the choice of the method, for the user
+  std::string warning;              ///< what the user should know about the input; may be empty
 };
 
 /**
- * The winding field of one source, built once and immutable. All evaluation is const and may run
- * from several threads at once.
+ * The winding field of one source: the way into the core. It is built once by build() and
+ * immutable. All evaluation is const and may run on several threads at once.
  *
- * Guaranteed: on a grid, the bits of a sample's value depend on the source and on the grid as a whole
- * only: not on the extent, the pieces that a grid is cut into, the executor or its threads. Scattered,
- * they depend on the source and the sample's position; where a far field is used, on the other
- * samples too, within the tolerance, unless there is one only. On a grid and scattered, a sample has
- * the same value up to rounding and the tolerance, and the same bits with method direct or parity.
- * A field without primitives is 0 everywhere.
+ * Guaranteed: (1) the value of a sample of a grid depends, to the bit, on the source and on the
+ * grid as a whole only, never on the extent, the pieces that the grid is cut into, the executor or
+ * its threads; (2) the value of a scattered sample depends, to the bit, on the source and the
+ * sample's position only, except that a far field makes it depend, within the tolerance, on the
+ * other samples, if there are any; (3) a position has the same value as a sample of a grid and as a
+ * scattered sample, up to rounding and the tolerance, and to the bit with method direct or parity;
+ * (4) a field without primitives is 0 everywhere.
  *
- * Distances, where an output wants them, are those from the nearest point of the triangles that the
- * field is of, or from the nearest of its points: exact up to rounding (double), whatever the method and
- * the tolerance. Of a sample they depend on the source and on the sample's position only, and on a grid
- * on the grid as a whole. Their signs are those of `inside`; where an output has neither that nor values,
- * a byte per sample more is needed. Without primitives every distance is infinite.
+ * Distances, where an output wants them, are measured to the nearest point of the triangles, or to
+ * the nearest of the cloud's points: exact up to rounding (double), whatever the method and the
+ * tolerance. Their bits depend on the source and on the sample's position only, and on a grid on
+ * the grid as a whole. Their signs are those of `inside`; an output that has neither `inside` nor
+ * values takes one more byte of memory per sample for the signs. Without primitives every distance
+ * is infinite.
  */
 class Field
 {
 public:
-  /// Throws Refusal for unusable input (see Sanitize.h) or a method that cannot serve it. Null when
-  /// the executor was interrupted; never otherwise.
+  /// Builds the field of all views together. Throws Refusal for unusable input (see Sanitize.h) or
+  /// a method that cannot serve it. Returns null only when the executor was interrupted.
   static std::shared_ptr<const Field> build(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   static std::shared_ptr<const Field> build(
@@ -125,37 +131,41 @@ public:
 
   ///@{
   /**
-   * Builds what an evaluation of these samples needs beyond what build() has made (FarField.h), and
-   * keeps it for the next. An evaluation does so itself where it has to; this is for who wants to
-   * tell the time that it takes apart. False when the executor was interrupted.
+   * Builds what an evaluation of these samples needs beyond what build() has made
+   * (TriangleFarField.h), and keeps it for the next evaluation. evaluate() does so itself where it
+   * has to: prepare() is for callers who want to time the building apart. Returns false when the
+   * executor was interrupted.
    */
   virtual bool prepare(const Grid& grid, Executor& executor) const;
   virtual bool prepare(const VectorsView& samples, Executor& executor) const;
   ///@}
 
-  /// Builds what distances need, and keeps it, likewise.
+  /// Builds what distances need (DistanceTree.h), and keeps it, as prepare() does for values.
+  /// Returns false when the executor was interrupted.
   bool prepareDistances(Executor& executor) const;
 
-  /// Evaluates the samples of an extent of a grid. False when the executor was interrupted.
+  /// Evaluates the samples of an extent of a grid. Returns false when the executor was interrupted.
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples; where the method needs a grid, as open surfaces by rows do,
-  /// hierarchically as far as the tolerance admits that. False when the executor was interrupted.
+  /// Evaluates scattered samples. An open surface with method rows, which needs a grid, gets its
+  /// values from a far field here, where the tolerance admits one and it is faster, else from the
+  /// direct sum. Returns false when the executor was interrupted.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /**
-   * The gradient of the winding number at scattered samples, whatever the method, into #samples by 3
-   * numbers: in 1/length, with respect to the coordinates of the samples. False when the executor was
-   * interrupted.
+   * Writes the gradient of the winding number at scattered samples, whatever the method, as
+   * #samples by 3 numbers, in 1/length, with respect to the coordinates of the samples. Returns
+   * false when the executor was interrupted.
    *
-   * Surfaces: exact up to rounding, from the boundary alone (BoundaryGradient.h): exactly 0 where that
-   * is empty, the same from both sides on triangles; on a boundary edge that edge counts as 0. Clouds:
-   * exact up to rounding with method direct; within a tolerance with method hierarchical
-   * (FarField::gradient()); on a point that is not regularized that point counts as 0.
+   * The gradient of a surface is exact up to rounding and comes from the boundary alone
+   * (BoundaryGradient.h): it is exactly 0 where the boundary is empty, and the same on both sides
+   * of a triangle; a boundary edge adds 0 to samples on it. The gradient of a cloud is exact up to
+   * rounding with method direct, and within a tolerance with method hierarchical
+   * (FarField::gradient()); a point that is not regularized adds 0 to samples on it.
    *
-   * NaN at samples that are NaN or infinite, finite at all others. Bits depend on what those of values
-   * at scattered samples depend on.
+   * Gradients are NaN at samples that are NaN or infinite, and finite at all others. Their bits
+   * depend on no more than the bits of values at scattered samples do.
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
@@ -165,35 +175,36 @@ public:
   /// The points that it is the field of; null for triangles.
   virtual const PointCloud* cloud() const { return nullptr; }
 
-  /// The rows that are all there is to the values on grids: those of a closed surface with method rows;
-  /// null for any other.
+  /// The row crossings that alone give all values on grids: a closed surface with method rows has
+  /// them; null for any other field.
   virtual const RowCrossings* integerRows() const { return nullptr; }
 
-  /// What an evaluation of so many samples is expected to take, from the input on: an estimate.
+  /// An estimate of what the values of so many samples take, from the input on.
   virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
 
-  /// What distances of so many samples are expected to take beside that.
+  /// An estimate of what the distances of so many samples take, beside expectedCost().
   EvaluationCost expectedCostOfDistances(std::size_t samples) const;
 
-  /// The definition's own value by an independent, slow sum in double (ReferenceSum.h).
+  /// The value by definition: an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
 
-  /// Points of the source, evenly distributed for u, v, t evenly distributed over [0, 1).
+  /// Gives points of the source that are evenly distributed if u, v, t are so over [0, 1).
   using PointOnSource = std::function<Eigen::Vector3d(double u, double v, double t)>;
 
-  /// Made on request, in linear time, and valid as long as the field; not for one without primitives.
+  /// Makes a PointOnSource in linear time, which is valid as long as the field. The field must have
+  /// primitives.
   virtual PointOnSource pointOnSource() const = 0;
 
 protected:
   ///@{
-  /// evaluate(), but for distances.
+  /// The part of evaluate() that gives values and sides; distances are left out.
   virtual bool evaluateValues(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
   virtual bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   ///@}
 
-  /// Throws Interrupted.
+  /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;
 
   virtual const Evaluator& evaluator() const = 0;

@@ -98,8 +98,8 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
                           std::to_string(chain.edges.size()) + " boundary edges";
   if (asked == Method::automatic && info_.capTriangles >= surface_.triangles.size())
   {
-    // What is summed at every sample is the cap or the surface; finding the rows' crossings costs
-    // nothing beside either.
+    // Method rows would sum the cap at every sample, method hierarchical the surface; the rows'
+    // crossings cost nothing beside either sum. So a cap with no fewer triangles saves nothing.
     capped_ = nullptr;
     this->chooseFarField(options, "a cap would have " + cap + ", no fewer than the surface itself");
     return;
@@ -110,11 +110,13 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
                 : "open: rows find the integer part, a cap of " + cap + " gives the rest";
   if (!crossings_)
   {
-    this->makeFarField(options.tolerance); // takes nothing before scattered samples come
+    // Scattered samples need it; its trees are not built before such samples come.
+    this->makeFarField(options.tolerance);
   }
 }
 
-/// The far field where the tolerance admits it and it is faster than the direct sum, else that.
+/// Chooses the far field where the tolerance admits it and it was asked for or is faster than the
+/// direct sum; otherwise the direct sum.
 void SurfaceField::chooseFarField(const FieldOptions& options, const std::string& why)
 {
   info_.why = why;
@@ -133,7 +135,7 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
   this->makeFarField(options.tolerance);
 }
 
-/// Of all triangles, if the tolerance admits one.
+/// Makes a far field of all triangles, if the tolerance admits one.
 void SurfaceField::makeFarField(double tolerance)
 {
   if (tolerance >= FarFieldAccuracy::finest)
@@ -143,7 +145,8 @@ void SurfaceField::makeFarField(double tolerance)
   }
 }
 
-/// Few samples are not worth a tree, unless it was asked for.
+/// Tells whether so many scattered samples are worth a tree; they always are where the user asked
+/// for it.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
   return farField_ && ((isAskedFor_ && info_.method == Method::hierarchical) ||

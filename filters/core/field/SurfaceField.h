@@ -17,7 +17,7 @@ namespace winding
 class SurfaceField final : public Field
 {
 public:
-  /// Throws Interrupted.
+  /// Throws Refusal as Field::build() does, and Interrupted.
   SurfaceField(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   ~SurfaceField() override;
@@ -51,13 +51,15 @@ private:
 
   Surface surface_;
   FieldInfo info_;
-  bool isAskedFor_ = false; ///< the method, by the user
-  int order_ = 0;           ///< of expansions; 0 where the tolerance admits none
+  bool isAskedFor_ = false; ///< whether the user chose the method
+  int order_ = 0;           ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
-  std::unique_ptr<const CappedSurface> capped_;      ///< method rows: for grids
-  std::unique_ptr<const PointCrossings> crossings_;  ///< method rows, closed: for scattered samples
-  std::unique_ptr<const TriangleFarField> farField_; ///< method hierarchical, and scattered samples
-  std::unique_ptr<const Evaluator> evaluator_;       ///< what these leave
+  std::unique_ptr<const CappedSurface> capped_; ///< grids with method rows
+  /// Scattered samples of a closed surface with method rows.
+  std::unique_ptr<const PointCrossings> crossings_;
+  /// All samples with method hierarchical; scattered samples of an open surface with method rows.
+  std::unique_ptr<const TriangleFarField> farField_;
+  std::unique_ptr<const Evaluator> evaluator_; ///< all that the three above leave
 };
 
 } // namespace winding

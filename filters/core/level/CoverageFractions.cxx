@@ -14,7 +14,7 @@ namespace winding
 namespace
 {
 
-/// Of the samples of a part.
+/// The largest memory for the samples of a part, unless one row of voxels takes more.
 constexpr std::size_t mostBytes = std::size_t{64} << 20;
 
 int parts(int count, int perPart)
@@ -22,7 +22,7 @@ int parts(int count, int perPart)
   return (count + perPart - 1) / perPart;
 }
 
-/// Of each of some rows of voxels, how many samples are inside, counted run by run.
+/// Counts the samples that are inside each voxel of some rows, run by run.
 class SampleCounts
 {
 public:
@@ -34,13 +34,15 @@ public:
   {
   }
 
-  /// Samples begin … end − 1 of a row, from its first, are inside.
+  /// Adds samples begin … end − 1 of a row, which are inside. They are numbered from the row's
+  /// first.
   void add(int row, int begin, int end)
   {
     int* const own = &own_[static_cast<std::size_t>(row) * stride_];
     int* const steps = &steps_[static_cast<std::size_t>(row) * stride_];
     const int first = begin / perAxis_, last = end / perAxis_;
-    // All of the voxels from the first one on, up to the last, but for what is missing of these two.
+    // The run counts as whole voxels from `first` up to `last`, this one excluded; `own` corrects
+    // both ends.
     steps[first] += perAxis_;
     steps[last] -= perAxis_;
     own[first] -= begin - first * perAxis_;
@@ -60,10 +62,10 @@ public:
   }
 
 private:
-  std::size_t stride_; ///< a voxel more, where runs may end
+  std::size_t stride_; ///< voxels of a row, and one more at which runs may end
   int perAxis_;
-  std::vector<int> own_;   ///< what a voxel has beside whole runs
-  std::vector<int> steps_; ///< by how much whole runs grow there
+  std::vector<int> own_;   ///< correction of each voxel's count where runs begin or end in it
+  std::vector<int> steps_; ///< change of the count of whole voxels at each voxel
 };
 
 } // namespace
@@ -136,13 +138,14 @@ EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int sampl
     voxels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis * samplesPerAxis);
   if (field.integerRows())
   {
-    // As many rows, and twice the crossings of triangles, but nothing written at the samples.
+    // The finer grid has so many rows, and twice the crossings of triangles, but nothing is written
+    // at its samples.
     constexpr double secondsPerRow = 100e-9;
     const double rows =
       samplesPerAxis * samplesPerAxis * std::pow(static_cast<double>(voxels), 2.0 / 3);
     EvaluationCost cost = field.expectedCost(voxels);
     cost.seconds += secondsPerRow * rows;
-    cost.bytes = 0; // in place of what the field took
+    cost.bytes = 0; // no memory is taken beyond what the field took before
     return cost;
   }
   EvaluationCost cost = field.expectedCost(samples);
@@ -169,7 +172,7 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
 {
   const Extent samples = this->samplesOf(extent_);
   const int width = extent_[1] - extent_[0] + 1, height = extent_[3] - extent_[2] + 1;
-  // Some rows of voxels are a band: enough work to be worth a block.
+  // Some rows of voxels make a band, which is enough work to be worth a block.
   constexpr std::int64_t samplesPerBlock = 1 << 19;
   const std::int64_t samplesPerVoxel = perAxis_ * perAxis_ * perAxis_;
   const int rowsPerBand = static_cast<int>(
@@ -238,8 +241,10 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
         std::fill(columns.begin(), columns.end(), static_cast<unsigned char>(0));
         for (int row = 0; row < perAxis_ * perAxis_; ++row)
         {
-          const unsigned char* const from = &inside[sampleNumber(
-            samples, samples[0], j * perAxis_ + row % perAxis_, k * perAxis_ + row / perAxis_)];
+          const int sampleJ = j * perAxis_ + row % perAxis_;
+          const int sampleK = k * perAxis_ + row / perAxis_;
+          const unsigned char* const from =
+            &inside[sampleNumber(samples, samples[0], sampleJ, sampleK)];
           for (std::size_t i = 0; i < width; ++i)
           {
             columns[i] = static_cast<unsigned char>(columns[i] + from[i]);

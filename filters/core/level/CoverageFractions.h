@@ -9,33 +9,36 @@ namespace winding
 class RowCrossings;
 
 /**
- * The share of each voxel of an extent that is inside: of k³ samples, evenly spaced, those that are
- * inside by the rule. So it is a multiple of 1/k³.
+ * The share of each voxel of an extent that is inside: the share of its k³ samples, evenly spaced,
+ * that are inside by the rule. So it is a multiple of 1/k³.
  *
  * Samples are counted, not their w averaged: beside holes w fades outside of the solid, and where
  * solids overlap it is 2, neither of which is a share of a voxel. For one closed surface, oriented
- * outward, the two are the same.
+ * outward, count and average are the same.
  *
  * The samples are a grid k times as fine. Where the method is rows and the surface is closed, its
  * rows are added up without being written anywhere: the time is that of k² times as many rows. All
- * else is evaluated part by part, which costs about what a field of k³ times as many samples does, and
- * takes a byte for each sample of a part, 64 MiB at most unless one row of voxels is more.
+ * other fields are evaluated part by part, which costs about what a field of k³ times as many
+ * samples does, and takes a byte for each sample of a part, 64 MiB at most unless one row of voxels
+ * is more.
  *
- * Guaranteed: the same bits for any extent, executor and number of threads. A sample is inside by its
- * value as an array of floats stores it.
+ * Guaranteed: the bits are the same for any extent, executor and number of threads. A sample is
+ * inside by its value as an array of floats stores it.
  */
 class CoverageFractions
 {
 public:
-  /// How many samples fit along an axis of a voxel: their counts are added up in bytes.
+  /// The largest number of samples along an axis of a voxel. Up to its square, samples are counted
+  /// in bytes, which hold 255.
   static constexpr int mostSamples = 10;
 
-  /// samplesPerAxis: k, 1 to mostSamples. fractions: one for each sample of the extent. References and
-  /// pointers are kept. Throws Refusal for a grid too fine for its samples to be numbered.
+  /// samplesPerAxis is k, 1 to mostSamples; fractions gets a number for each sample of the extent.
+  /// References and pointers are kept. Throws Refusal for a grid too fine for its samples to be
+  /// numbered.
   CoverageFractions(const Field& field, const Grid& grid, const Extent& extent, int samplesPerAxis,
     InsideRule rule, double threshold, float* fractions);
 
-  /// How many parts there are: work of about the same time.
+  /// The number of parts, which take about the same time each.
   int parts() const { return partsAlongY_ * partsAlongZ_; }
 
   /// Computes the voxels of a part. Throws Interrupted.
@@ -59,7 +62,7 @@ private:
   int rowsPerPart_ = 0, layersPerPart_ = 0;
 };
 
-/// What that is expected to take for so many voxels.
+/// The expected cost of CoverageFractions for so many voxels.
 EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis);
 
 } // namespace winding

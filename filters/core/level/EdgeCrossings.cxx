@@ -13,13 +13,14 @@ namespace winding
 namespace
 {
 
-/// With an axis for x, the axes that are y and z: a turn, which keeps the orientation of triangles.
+/// The axis that follows another one after so many steps. Taking `axis` for x, turned(axis, 1) for
+/// y and turned(axis, 2) for z is a rotation, which keeps the orientation of triangles.
 int turned(int axis, int by)
 {
   return (axis + by) % 3;
 }
 
-/// So few are asked at once, rather than narrowed down.
+/// Up to so many rows are all asked, without narrowing them down before.
 constexpr int fewRows = 4;
 
 struct FoundCrossing
@@ -28,7 +29,7 @@ struct FoundCrossing
   EdgeCrossings::Crossing crossing;
 };
 
-/// The crossings of triangles with the edges.
+/// Finds the crossings of triangles with the edges.
 class TriangleOnLines
 {
 public:
@@ -39,7 +40,7 @@ public:
   {
   }
 
-  /// Corners in units of the grid.
+  /// Appends the crossings of a triangle with all edges. The corners are in units of the grid.
   void cross(const Eigen::Vector3d (&corners)[3], std::vector<FoundCrossing>& crossings) const
   {
     IndexRange ranges[3];
@@ -59,7 +60,7 @@ public:
   }
 
 private:
-  /// Those with the lines along an axis, taken for x.
+  /// Appends the crossings of a triangle with the edges along an axis, which is taken for x.
   void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const IndexRange& rows,
     const IndexRange& layers, std::vector<FoundCrossing>& crossings) const
   {
@@ -85,7 +86,7 @@ private:
         const int first = triangle.firstBehind(j, k, sign, 0, dimensions_[axis] - 1) - 1;
         if (first < 0 || first == dimensions_[axis] - 1)
         {
-          continue; // not between samples
+          continue; // the crossing is not between two samples
         }
         std::array<int, 3> sample;
         sample[axis] = first;
@@ -113,7 +114,7 @@ private:
     }
   }
 
-  /// In the unit of length, of a triangle with an axis for x.
+  /// The unit normal, in the caller's coordinates, of a triangle that has `axis` for x.
   Eigen::Vector3f normalOf(const RowTriangle& triangle, int axis) const
   {
     Eigen::Vector3d normal;
@@ -126,8 +127,9 @@ private:
 
   const LevelEdges& edges_;
   Eigen::Vector3i dimensions_;
-  Eigen::Vector3d
-    stretching_; ///< of normals, from units of the grid; 1 along the longest side of a voxel
+  /// Factors that turn normals in units of the grid into the caller's; 1 along a voxel's longest
+  /// side.
+  Eigen::Vector3d stretching_;
 };
 
 } // namespace
@@ -148,7 +150,8 @@ EdgeCrossings::EdgeCrossings(
       }
     },
     executor);
-  // From layer to layer, as the edges are, so that few of these are at work at a time.
+  // Triangles are sorted by layer, as the edges are, so that few of the edges are at work at a
+  // time.
   const int layers = grid.dimensions[2];
   const int shift = bucketShift(static_cast<std::size_t>(layers), 1);
   const auto emit = [&](std::size_t first, std::size_t last, const auto& put)

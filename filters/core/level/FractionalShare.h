@@ -10,11 +10,11 @@ namespace winding
 class Field;
 
 /**
- * The share (0 to 1) of samples whose winding number is farther than 0.1 from the nearest integer: how
- * open a surface is. The samples are the centres of cubic voxels, 32 along the longest side of the
- * field's bounds with 0.05 of it added on each side. 0 for closed surfaces, and for those without
- * triangles; nothing where the bounds admit no grid, which only coordinates that are all but equal do, or all but
- * infinite. Throws Interrupted.
+ * The share (0 to 1) of samples whose winding number is farther than 0.1 from the nearest integer:
+ * it tells how open a surface is. The samples are the centres of cubic voxels, 32 along the longest
+ * side of the field's bounds with 0.05 of it added on each side. The share is 0 for closed
+ * surfaces, and for those without triangles. Nothing is returned where the bounds admit no grid,
+ * because coordinates are all but equal or all but infinite. Throws Interrupted.
  */
 std::optional<double> fractionalShare(const Field& field, Executor& executor);
 

@@ -13,7 +13,8 @@ constexpr double bytesPerSample = sizeof(float) + 1;
 
 int layersOfSlab(const Grid& grid, double bytes)
 {
-  constexpr int few = 16; // what slabs share counts little then, and multiples suit far fields
+  // The layer that slabs share counts little among 16 or more, and multiples of 16 suit far fields.
+  constexpr int few = 16;
   const double layers = bytes / (bytesPerSample * grid.dimensions[0] * grid.dimensions[1]);
   return layers < grid.dimensions[2] ? std::max(few, static_cast<int>(layers) / few * few)
                                      : grid.dimensions[2];
@@ -21,7 +22,8 @@ int layersOfSlab(const Grid& grid, double bytes)
 
 } // namespace
 
-/// The samples of a layer of rows as they change: where the inside rule or w does, walking along x.
+/// The samples of a layer as the changes of their state, row by row: the inside rule's answer or w
+/// changes there, walking along x.
 class LevelEdges::Layer
 {
 public:
@@ -31,14 +33,14 @@ public:
     std::int8_t winding = 0; ///< 0 unless whole rows are integers
   };
 
-  /// Between the samples i and i + 1.
+  /// The state changes between the samples i and i + 1.
   struct Change
   {
     int i;
     State after;
   };
 
-  /// One of its rows.
+  /// The changes along one row.
   struct Row
   {
     State begin;
@@ -50,7 +52,7 @@ public:
   {
   }
 
-  /// Calls have to come in the order of the rows. `runs` cover a row.
+  /// Adds the next row; `runs` cover it.
   template <class Runs, class StateOf> void addRow(const Runs& runs, const StateOf& stateOf)
   {
     // The border's samples are outside.
@@ -94,7 +96,7 @@ private:
   std::vector<Change> changes_;
 };
 
-/// Values of the samples of some layers, the last of those before among them.
+/// The values of the samples of some layers, among them the last layer of the slab before.
 class LevelEdges::Slab
 {
 public:
@@ -108,7 +110,7 @@ public:
     extent_[4] = extent_[5] = -1;
   }
 
-  /// False when the executor was interrupted.
+  /// Evaluates layers firstLayer to lastLayer. Returns false when the executor was interrupted.
   bool evaluate(const Field& field, const Grid& grid, int firstLayer, int lastLayer,
     InsideRule rule, double threshold, Executor& executor)
   {
@@ -134,7 +136,7 @@ public:
     return values_[sampleNumber(extent_, sample[0], sample[1], sample[2])];
   }
 
-  /// The row as runs, of 1 inside and 0 outside.
+  /// Describes a row as runs, with value 1 inside and 0 outside.
   void findRuns(int j, int k, std::vector<RowRun>& runs) const
   {
     const int width = extent_[1] + 1;
@@ -169,7 +171,7 @@ LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, do
 {
   if (const RowCrossings* rows = field.integerRows())
   {
-    // Those of a layer are one band.
+    // All rows of a layer make one band.
     rows_ = rows->on(grid, grid.wholeExtent(), {0, grid.dimensions[1]});
   }
 }
@@ -242,6 +244,10 @@ bool LevelEdges::advanceBySamples(Executor& executor)
   const auto count = static_cast<std::size_t>(end - nextLayer_);
   std::vector<Layer> layers(count + 1, Layer(border_));
   layers[0] = std::move(*lastLayer_);
+  const auto stateOf = [](const RowRun& run)
+  {
+    return Layer::State{run.value != 0, 0};
+  };
   runBlocks(
     count, 1,
     [&](std::size_t n, std::size_t, std::size_t)
@@ -250,10 +256,7 @@ bool LevelEdges::advanceBySamples(Executor& executor)
       for (int j = 0; j < grid_.dimensions[1]; ++j)
       {
         slab_->findRuns(j, nextLayer_ + static_cast<int>(n), runs);
-        layers[n + 1].addRow(runs,
-          [](const RowRun& run) {
-            return Layer::State{run.value != 0, 0};
-          });
+        layers[n + 1].addRow(runs, stateOf);
       }
     },
     executor);
@@ -274,8 +277,9 @@ bool LevelEdges::advanceBySamples(Executor& executor)
 namespace
 {
 
-/// Calls visit(begin, end, state of a, state of b) for all i from begin to end − 1, at most last,
-/// at which two rows differ in what is inside; ascending.
+/// Finds the samples from `begin` to `last` at which one of two rows is inside and the other is
+/// not. Calls visit(first, end, state of a, state of b) for samples first … end − 1 with the same
+/// states, ascending.
 template <class Row, class Visit>
 void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
 {
@@ -304,7 +308,8 @@ void forEachDifference(Row a, Row b, int begin, int last, const Visit& visit)
 
 } // namespace
 
-/// Those that begin in a list of layers but the last, the first being the one before nextLayer_.
+/// Adds the edges that begin in all of these layers but the last; the first layer is the one before
+/// nextLayer_.
 void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Executor& executor)
 {
   const int firstRow = -border_, lastRow = grid_.dimensions[1] - 1 + border_;

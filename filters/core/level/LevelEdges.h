@@ -11,77 +11,81 @@
 namespace winding
 {
 
-/// An edge of a grid between a sample that is inside and one that is not: from the sample to the next
-/// one along the axis.
+/// An edge of a grid between a sample that is inside and one that is not. It runs from `sample` to
+/// the next one along the axis.
 struct GridEdge
 {
   std::array<int, 3> sample;
   std::uint8_t axis;
-  bool firstIsInside; ///< and the second is not, or the other way round
-  std::array<std::int8_t, 2>
-    windings; ///< of the two, cut off to ±127, where whole rows are integers
+  bool firstIsInside; ///< true if the first sample is inside, false if the second is
+  /// w at the two samples, cut off to ±127, where whole rows are integers; 0 elsewhere.
+  std::array<std::int8_t, 2> windings;
 };
 
 /**
- * All edges of a grid at which the inside rule changes its answer: the edges that a surface of what
- * is inside crosses. They come in the order of the rows that they begin in, along x, y and z for each,
- * and from low to high x.
+ * All edges of a grid at which the inside rule changes its answer: the edges that the boundary of
+ * the inside crosses. They come in the order of the rows that they begin in, along x, y and z for
+ * each, and from low to high x.
  *
  * Where whole rows of the field are integers the edges follow from runs of these, and no sample is
- * looked at. Other fields are evaluated a slab of layers after the other, so that memory is that of a
- * slab, and the values of the edges' samples are kept.
+ * looked at. Other fields are evaluated a slab of layers after the other, so that memory is that of
+ * a slab, and the values of the edges' samples are kept.
  *
- * Guaranteed: the same for every executor, and what the field of the whole grid, as floats, would give.
+ * Guaranteed: the edges are the same for every executor, and those that the field of the whole
+ * grid, as floats, would give.
  *
- * Time: as the field's, but linear in the rows and edges where rows are integers. Memory: 13 bytes per
- * row, 16 or 24 per edge, and that of a slab.
+ * Time: that of the field, but linear in the rows and edges where rows are integers. Memory: 13
+ * bytes per row, 16 or 24 per edge, and that of a slab.
  */
 class LevelEdges
 {
 public:
-  /// What a slab may take if it has more than 16 layers.
+  /// The memory that a slab may take if it has more than 16 layers.
   static constexpr double usualSlabBytes = 96.0 * 1024 * 1024;
 
-  /// withBorder: as if there were samples around the grid, all of them outside. Keeps references to
+  /// withBorder adds a border of samples around the grid, all of them outside. Keeps references to
   /// field and grid.
   LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
     bool withBorder, double slabBytes = usualSlabBytes);
   ~LevelEdges();
 
-  /// Bytes of the tables of rows that a grid needs.
+  /// The memory of the tables of rows that a grid needs, in bytes.
   static double bytesOfRows(const Grid& grid);
 
-  /// Bytes of a usual slab, which is not needed where whole rows are integers.
+  /// The memory of a usual slab, in bytes. None is needed where whole rows are integers.
   static double bytesOfSlab(const Grid& grid);
 
   bool isDone() const { return nextLayer_ == grid_.dimensions[2]; }
 
   ///@{
-  /// Share of the grid that is done, now and after the next advance.
+  /// The share of the grid that is done, now and after the next advance().
   double progress() const { return this->shareOf(nextLayer_); }
   double nextProgress() const { return this->shareOf(this->endOfNext()); }
   ///@}
 
-  /// Goes on with the next slab. False when the executor was interrupted.
+  /// Goes on with the next slab. Returns false when the executor was interrupted.
   bool advance(Executor& executor);
 
   ///@{
-  /// The rest is known when all is done.
+  /// The edges, and all that is asked about them below, are known once isDone().
   std::size_t size() const { return edges_.size(); }
   const GridEdge& operator[](std::size_t n) const { return edges_[n]; }
   ///@}
 
-  /// Numbers of the edges along an axis that begin in row (j, k): first, and one behind the last.
+  /// The numbers of the edges along an axis that begin in row (j, k): the first, and one behind the
+  /// last.
   std::pair<std::size_t, std::size_t> inRow(int axis, int j, int k) const
   {
     const std::size_t line = this->lineOf(axis, j, k);
     return {starts_[line], starts_[line + 1]};
   }
 
-  /// Whether the first sample of a row is inside; with a border, that is one of the border's.
+  /// Whether the first sample of a row is inside; with a border, the first sample is one of the
+  /// border.
   bool beginsInside(int j, int k) const { return beginsInside_[this->lineOf(0, j, k) / 3] != 0; }
 
-  /// The number of an edge; size() if it is not one of these.
+  /// The number of the edge from a sample along an axis; size() if the inside rule does not change
+  /// there.
   std::size_t find(const std::array<int, 3>& sample, int axis) const;
 
   /// Whether one of an edge's samples is in the border around the grid.
@@ -91,8 +95,8 @@ public:
     return sample < 0 || sample == grid_.dimensions[edge.axis] - 1;
   }
 
-  /// w at the two samples of an edge that is not at the border, as floats; null where whole rows are
-  /// integers.
+  /// The values of w at the two samples of an edge that is not at the border, as floats; null where
+  /// whole rows are integers.
   const std::array<float, 2>* values(std::size_t n) const
   {
     return values_.empty() ? nullptr : &values_[n];
@@ -127,11 +131,11 @@ private:
   int layersPerSlab_;
   std::unique_ptr<const RowCrossings::OnGrid> rows_; ///< null unless whole rows are integers
   int nextLayer_ = 0;
-  std::unique_ptr<Layer> lastLayer_; ///< the one before nextLayer_
-  std::unique_ptr<Slab> slab_;       ///< values up to there
+  std::unique_ptr<Layer> lastLayer_; ///< layer before nextLayer_
+  std::unique_ptr<Slab> slab_;       ///< values of the last layers before nextLayer_
   std::vector<GridEdge> edges_;
   std::vector<std::array<float, 2>> values_;
-  std::vector<std::uint32_t> starts_; ///< of the edges of each line: three lines begin in a row
+  std::vector<std::uint32_t> starts_; ///< first edge of each line, by lineOf(): a row has three
   std::vector<std::uint8_t> beginsInside_;
 };
 

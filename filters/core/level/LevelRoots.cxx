@@ -12,17 +12,18 @@ namespace winding
 namespace
 {
 
-/// Brackets are halved until they are this long, as a fraction of an edge. A power of 2.
+/// Brackets are halved until they are `shortest` long, as a fraction of an edge: a power of 2.
 constexpr int halvings = 14;
 constexpr double shortest = 1.0 / (1 << halvings);
 
-/// Where a crossing is asked for before and behind it. Far more than the rounding of crossings, far
-/// less than what matters.
+/// The field is evaluated this far before and behind a crossing, as a fraction of an edge: far more
+/// than the rounding of crossings, far less than what matters.
 constexpr double besideCrossing = 1.0 / (1 << 20);
 
 constexpr std::size_t edgesPerBlock = 4096;
 
-/// Where ITP evaluates next, with κ₁ = 0.2, κ₂ = 2 and n₀ = 1, on a bracket that was of length 1.
+/// The place where ITP evaluates next, with κ₁ = 0.2, κ₂ = 2 and n₀ = 1, on a bracket that was of
+/// length 1.
 double nextByItp(double low, double high, double lowLevel, double highLevel, int step)
 {
   const double middle = 0.5 * (low + high), width = high - low;
@@ -56,7 +57,8 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   {
     crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges, executor);
   }
-  // Of most edges of closed surfaces nothing else is asked, nor is memory taken for them.
+  // Most edges of closed surfaces are done by their crossings alone: no search takes memory for
+  // them.
   std::vector<std::vector<Search>> found((edges.size() + edgesPerBlock - 1) / edgesPerBlock);
   runBlocks(
     edges.size(), edgesPerBlock,
@@ -93,7 +95,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   }
 }
 
-/// The crossings of an edge from a fraction to another, both included; none of clouds.
+/// The crossings of an edge from one fraction to another, both included; clouds have none.
 LevelRoots::CrossingRange LevelRoots::crossingsBetween(
   std::size_t edge, double low, double high) const
 {
@@ -113,8 +115,8 @@ LevelRoots::CrossingRange LevelRoots::crossingsBetween(
   return {first, last};
 }
 
-/// Whether there is but one crossing in a bracket, and all that the field changes by there; then it
-/// is kept.
+/// Keeps the crossing in a bracket as the root if w changes at only one there, by as much as the
+/// field does in all. Returns whether it did.
 bool LevelRoots::isFoundByCrossings(const Search& search)
 {
   const auto changes = [](const EdgeCrossings::Crossing& crossing)
@@ -129,7 +131,7 @@ bool LevelRoots::isFoundByCrossings(const Search& search)
   const auto* const crossing = std::find_if(first, last, changes);
   double unexplained = search.highWinding - search.lowWinding - crossing->change;
   unexplained = isParity_ ? std::remainder(unexplained, 2) : unexplained;
-  // The field is inexact, but next to integers off the surface.
+  // The field of a closed surface is inexact, but close to integers off the surface.
   if (std::abs(unexplained) > 0.25)
   {
     return false;
@@ -139,7 +141,7 @@ bool LevelRoots::isFoundByCrossings(const Search& search)
   return true;
 }
 
-/// Whether what is known of a root is enough; then it is kept.
+/// Keeps the best root known, and returns whether it is good enough.
 bool LevelRoots::isFound(const Search& search)
 {
   if (this->isFoundByCrossings(search))
@@ -159,8 +161,8 @@ bool LevelRoots::isFound(const Search& search)
   }
   const bool lowIsCloser = std::abs(search.lowLevel) < std::abs(search.highLevel);
   root = lowIsCloser ? search.low : search.high;
-  // A field of jumps has the level by accident only: where a sample on the surface has a mean of
-  // what is around.
+  // A field that only jumps has the level by accident only, where a sample on the surface has a
+  // mean of the values around it.
   return !jumpsOnly_ &&
          std::min(std::abs(search.lowLevel), std::abs(search.highLevel)) <= levelTolerance_;
 }
@@ -212,7 +214,8 @@ void LevelRoots::narrow(Search& search, double windingNumber) const
   }
 }
 
-/// Keeps the searches that go on, in their order. False when the executor was interrupted.
+/// Drops the searches whose roots are found, and keeps the others in their order. Returns false
+/// when the executor was interrupted.
 bool LevelRoots::dropFound(Executor& executor)
 {
   std::vector<unsigned char> goesOn(searches_.size());

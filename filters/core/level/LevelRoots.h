@@ -12,55 +12,57 @@ namespace winding
 {
 
 /**
- * Where a level of a field crosses the edges of a grid whose two samples lie on different sides of it: all
- * of them at once, in rounds, each of which evaluates one scattered sample for every edge that is not
- * done.
+ * Finds where a level of a field crosses the edges of a grid whose two samples lie on different
+ * sides of it, on all of them at once, in rounds, each of which evaluates one scattered sample for
+ * every edge that is not done.
  *
  * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
- * first. Where the surface is closed the field changes nowhere else: an edge whose only crossing is
- * the change from one sample to the other needs no evaluation. If it is not, a sample lies on the
- * surface, and the field may change right beside it: that is where it is asked, too. Where the
- * surface is open, the samples just before and behind a crossing tell whether the level is there.
- * What is left, and clouds, is found by ITP (Oliveira, Takahashi, An enhancement of the bisection
- * method average performance preserving minmax optimality, 2020), which takes a round more than
- * bisection at most, and far fewer where the field is smooth.
+ * first. Where the surface is closed the field changes nowhere else: an edge with a single crossing
+ * that explains the change from one sample to the other needs no evaluation. If none explains it, a
+ * sample lies on the surface, and the field may change right beside that sample: it is evaluated
+ * there, too. Where the surface is open, evaluations just before and behind a crossing tell whether
+ * the level is there. All other roots, and those of clouds, are found by ITP (Oliveira, Takahashi,
+ * An enhancement of the bisection method average performance preserving minmax optimality, 2020),
+ * which takes a round more than bisection at most, and far fewer where the field is smooth.
  *
- * Guaranteed: a root is a crossing of the surface at which the field jumps over the level (where
- * both samples of an edge lie on the surface, or a triangle lies along the edge, one by which it
- * changes as much as from one to the other); or, where the surface is open and of clouds, a place where it is off the level by a
- * twentieth of the tolerance at most; or one within 2⁻¹⁵ of the edge from samples on either side of
- * the level.
+ * Guaranteed: a root is one of these: (1) a crossing of the surface at which the field jumps over
+ * the level; where both samples of an edge lie on the surface, or a triangle lies along the edge, a
+ * crossing at which the field changes as much as from one sample to the other; (2) for open
+ * surfaces and clouds, a place where the field is off the level by at most a twentieth of the
+ * tolerance, or of 1e-6 if the tolerance is less; (3) a place within 2⁻¹⁵ of the edge's length from
+ * samples on either side of the level.
  */
 class LevelRoots
 {
 public:
-  /// Keeps references to field, grid and edges. tolerance: as of the field. Throws Interrupted.
+  /// Keeps references to field, grid and edges; tolerance is that of the field. Throws Interrupted.
   LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges, InsideRule rule,
     double threshold, double tolerance, Executor& executor);
 
   /// Whether every root is found.
   bool isDone() const { return searches_.empty(); }
 
-  /// The next round; mostly there are less than 20. False when the executor was interrupted.
+  /// Goes through the next round; mostly there are less than 20. Returns false when the executor
+  /// was interrupted.
   bool advance(Executor& executor);
 
   /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
   const std::vector<double>& fractions() const { return fractions_; }
 
-  /// For each root, the unit normal of the triangle that it lies on, 0 where that is not known: where the
-  /// level is off the surface, at the border, and of clouds.
+  /// The unit normal of the triangle that each root lies on. It is 0 where no triangle is known:
+  /// for clouds, at the border, and where the level is off the surface.
   const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
 
 private:
-  /// The bracket of a root that is not found yet: fractions of an edge, and what is known there.
+  /// The bracket of a root that is not found yet: two fractions of an edge, and the field there.
   struct Search
   {
     std::uint32_t edge;
-    int steps = 0; ///< of ITP
+    int steps = 0; ///< evaluations chosen otherwise than at crossings
     double low = 0, high = 1;
     double lowWinding, highWinding;
     double lowLevel, highLevel;
-    double next = 0; ///< where to evaluate
+    double next = 0; ///< fraction at which to evaluate
   };
 
   using CrossingRange = std::pair<const EdgeCrossings::Crossing*, const EdgeCrossings::Crossing*>;
@@ -78,11 +80,11 @@ private:
   double threshold_;
   double levelTolerance_;
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
-  bool isParity_;  ///< whether it is w modulo 2
+  bool isParity_;  ///< whether the field is w modulo 2
   std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
   std::vector<double> fractions_;
   std::vector<Eigen::Vector3f> normals_;
-  std::vector<Search> searches_; ///< those that are not done
+  std::vector<Search> searches_; ///< searches that are not done
 };
 
 } // namespace winding

@@ -13,13 +13,13 @@ namespace winding
 namespace
 {
 
-/// Of voxels along an axis: none if the first is the larger one.
+/// A range of voxels along an axis: none if the first is the larger one.
 struct Range
 {
   int first, last;
 };
 
-/// The voxels i in [lowest, highest] of which [i, i + 1] meets [low, high].
+/// The voxels i in [lowest, highest] whose interval [i, i + 1] meets [low, high].
 Range voxelsMeeting(double low, double high, int lowest, int highest)
 {
   const double first = std::max<double>(std::ceil(low - 1), lowest);
@@ -27,21 +27,22 @@ Range voxelsMeeting(double low, double high, int lowest, int highest)
   return first <= last ? Range{static_cast<int>(first), static_cast<int>(last)} : Range{0, -1};
 }
 
-/// The place of a segment from a to b where a coordinate has a value between theirs.
+/// The place on a segment from a to b at which a coordinate has a value between those of a and b.
 Eigen::Vector3d placeAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis, double value)
 {
   if (value == a[axis] || value == b[axis])
   {
     return value == a[axis] ? a : b;
   }
-  // Coordinates count as they are, so the fraction has a rounding or two and no cancellation.
+  // The coordinates are not rounded themselves, so the fraction has a rounding or two and no
+  // cancellation.
   const double fraction = (value - a[axis]) / (b[axis] - a[axis]);
   Eigen::Vector3d place = a + fraction * (b - a);
   place[axis] = value;
   return place;
 }
 
-/// A triangle, or what is left of it between two planes; a corner may stand there twice.
+/// A triangle, or the part of it between two planes. A corner may be listed twice.
 struct Polygon
 {
   Eigen::Vector3d corners[6];
@@ -64,7 +65,7 @@ struct Polygon
     }
   }
 
-  /// What is between two planes: a convex polygon of two corners more at most.
+  /// The part between two planes: a convex polygon with at most two corners more.
   Polygon between(int axis, double low, double high) const
   {
     Polygon rest;
@@ -84,12 +85,12 @@ struct Polygon
   }
 };
 
-/// The primitives of a source by the layers of voxels that they reach. Points are triangles whose
-/// corners are one.
+/// The primitives of a source by the layers of voxels that they reach. Points are polygons of one
+/// corner.
 class Layers
 {
 public:
-  /// triangles: null for points.
+  /// triangles is null for points.
   Layers(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>* triangles,
     const Grid& grid, const Extent& extent, Executor& executor)
     : extent_(extent)
@@ -107,7 +108,7 @@ public:
         }
       },
       executor);
-    // Where the grid lies is rounded, too, in whatever computes it from its voxels.
+    // The grid's position is rounded, too, by any program that computes it from its voxels.
     gridMargin_ =
       rounding * (grid.firstSample.cwiseAbs().cwiseQuotient(grid.spacing).array() + 1).matrix();
 
@@ -135,7 +136,7 @@ public:
     primitives_.sort(static_cast<std::size_t>(extent[5] - extent[4] + 1), forEachPlace);
   }
 
-  /// Marks what is touched of a layer of the grid.
+  /// Marks the voxels of layer k that the primitives touch.
   void mark(int k, unsigned char* marks) const
   {
     const auto layer = static_cast<std::size_t>(k - extent_[4]);
@@ -149,7 +150,8 @@ public:
   }
 
 private:
-  /// Of coordinates: what cutting an edge, twice, may add up to, with room to spare.
+  /// The relative rounding of coordinates to which cutting an edge, twice, may add up, with room to
+  /// spare.
   static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
   std::size_t count() const { return triangles_ ? triangles_->size() : vertices_.size(); }
@@ -199,7 +201,7 @@ private:
     return voxelsMeeting(low - margin, high + margin, extent_[2 * axis], extent_[2 * axis + 1]);
   }
 
-  /// None, too, if it reaches no row of the extent.
+  /// The layers that a primitive reaches; none, too, if it reaches no row of the extent.
   Range layersOf(const Polygon& primitive) const
   {
     const Eigen::Vector3d margin = this->marginOf(primitive);
@@ -207,7 +209,7 @@ private:
     return rows.first <= rows.last ? this->reachOf(primitive, 2, margin[2]) : rows;
   }
 
-  /// Marks the voxels of layer k that the part of a primitive touches that lies in it.
+  /// Marks the voxels of layer k that a primitive touches; part is its part in that layer.
   void markRows(
     const Polygon& part, const Eigen::Vector3d& margin, int k, unsigned char* marks) const
   {
@@ -236,7 +238,7 @@ private:
 
   Extent extent_;
   const std::vector<Triangle>* triangles_;
-  std::vector<Eigen::Vector3d> vertices_; ///< in voxels: voxel i is from i to i + 1
+  std::vector<Eigen::Vector3d> vertices_; ///< positions in voxels: voxel i is from i to i + 1
   Eigen::Vector3d gridMargin_;
   CountingSort<std::uint32_t> primitives_; ///< by layer
 };
@@ -249,7 +251,7 @@ void mark(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triang
     return;
   }
   const Layers layers(vertices, triangles, grid, extent, executor);
-  // A layer is written by one thread.
+  // Each layer is a block of its own, so that one thread writes it.
   runBlocks(
     static_cast<std::size_t>(extent[5] - extent[4] + 1), 1,
     [&](std::size_t layer, std::size_t, std::size_t)

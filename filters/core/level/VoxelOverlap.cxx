@@ -15,7 +15,8 @@ bool changesAtTrianglesOnly(const FieldInfo& info)
   return info.isSurface && info.netBoundaryEdges == 0;
 }
 
-/// Adds the voxels of which a corner is inside. Neighbours share corners: they are one more grid.
+/// Adds the voxels that have a corner inside. Neighbours share corners, so the corners are a grid
+/// of their own.
 void addCorners(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
   double threshold, unsigned char* inside, Executor& executor)
 {

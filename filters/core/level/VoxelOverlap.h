@@ -7,22 +7,24 @@ namespace winding
 {
 
 /**
- * Makes inside, which says of each sample of an extent whether it is inside, say so of each voxel
- * that overlaps the solid or its surface: adds those that triangles or points touch
- * (TouchedVoxels.h), and, where w changes beside the surface, those of which a corner is inside.
+ * Extends `inside` from the samples of an extent that are inside to all voxels that overlap the
+ * solid or its surface: it adds the voxels that triangles or points touch (TouchedVoxels.h), and,
+ * where w changes also beside the surface, those that have a corner inside.
  *
- * The field of a closed surface is one value throughout a voxel that no triangle touches, so its
- * sample tells all. That of an open surface or a cloud reaches the threshold between triangles or
- * points, too; where it does, a voxel's corners tell, unless the solid comes into it between them only.
+ * The field of a closed surface has one value throughout a voxel that no triangle touches, so the
+ * voxel's sample tells all. The field of an open surface or a cloud reaches the threshold between
+ * triangles or points, too; where it does, a voxel's corners tell, unless the solid comes into the
+ * voxel between them only.
  *
- * Guaranteed: (1) what is inside stays so; (2) what of the triangles and usable points lies in the grid
- * lies in voxels that are inside; (3) the same bits for any extent, executor and number of threads.
- * Memory: that of markTouched(), and a byte per sample where corners are asked. Throws Interrupted.
+ * Guaranteed: (1) voxels that are inside stay so; (2) all parts of triangles and all usable points
+ * that lie in the grid lie in voxels that are inside; (3) the bits are the same for any extent,
+ * executor and number of threads. Memory: that of markTouched(), and a byte per sample where
+ * corners are asked. Throws Interrupted.
  */
 void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
   double threshold, unsigned char* inside, Executor& executor);
 
-/// What that is expected to take for so many samples, beside their field.
+/// The expected cost of addOverlap() for so many samples, beside that of their field.
 EvaluationCost costOfOverlap(const Field& field, std::size_t samples);
 
 } // namespace winding

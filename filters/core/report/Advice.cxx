@@ -15,7 +15,7 @@ std::string counted(std::size_t count, const char* one, const char* many)
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// A number of things, and what is to be said of them; nothing where there are none.
+/// A clause that says something of so many things; empty where there are none.
 std::string clause(
   std::size_t count, const char* one, const char* many, const std::string& statement)
 {
@@ -28,7 +28,7 @@ bool isInsideOut(const OrientationCounts& counts)
   return counts.inverted > 0 && counts.inverted + counts.nestedSolids == counts.closed;
 }
 
-/// What is wrong with some components.
+/// The part of the advice that says which components are oriented wrongly.
 std::string orientationAdviceOn(const SurfaceReport& report)
 {
   const OrientationCounts& counts = report.orientation;
@@ -56,10 +56,9 @@ std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   if (edges.isClosed())
   {
     return isInsideOut(report.orientation)
-             ? "closed, but inside out (negative volume): every winding number is an "
-               "integer; have the faces turned round (FixOrientation, --fix-orientation), or use "
-               "the "
-               "inside rule absolute (--rule absolute)"
+             ? "closed, but inside out (negative volume): every winding number is an integer; have "
+               "the faces turned round (FixOrientation, --fix-orientation), or use the inside rule "
+               "absolute (--rule absolute)"
              : "closed: every winding number is an integer";
   }
   if (edges.inconsistent > 0)
@@ -107,9 +106,9 @@ std::string mainAdviceOn(const CloudReport& report)
     return "all points lie at one place: nothing tells what area they stand for; name it "
            "(PointArea, --area)";
   }
-  // Normals to sides at random have ½. Measured at the vertices of meshes whose triangles agree: 0 to
-  // 0.08, of a teapot 0.15, and of an icosahedron, which has few points, 0.38; of two meshes with
-  // flipped parts, 0.19 and 0.24.
+  // Normals that point to either side at random have a share of ½. The vertices of meshes whose
+  // triangles agree have 0 to 0.08 (measured), those of a teapot 0.15, and those of an icosahedron,
+  // which has few points, 0.38; two meshes with flipped parts have 0.19 and 0.24.
   constexpr double manyOpposite = 0.2;
   if (report.oppositeNeighbors > manyOpposite)
   {
@@ -135,7 +134,7 @@ std::string mainAdviceOn(const CloudReport& report)
              "points";
 }
 
-/// Whether some point has nothing around it but the empty part of the bounds, which are there for it.
+/// Whether some point is alone in a large part of the bounds, which would be smaller without it.
 bool hasOutlier(const CloudReport& report)
 {
   const Spacing& spacing = report.spacing;

@@ -8,8 +8,8 @@
 
 /**
  * @file
- * What a report means for winding numbers, and what could be done: one line, what matters most first.
- * Options are named as the filters and the program have them.
+ * Advice says in one line what a report means for winding numbers and what could be done; the most
+ * important comes first. Options are named as the filters and the program have them.
  */
 namespace winding
 {

@@ -17,11 +17,11 @@ namespace winding
 namespace
 {
 
-/// The finite points of a cloud, and what is counted on the way.
+/// The finite points of a cloud.
 struct FinitePoints
 {
   std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> normals; ///< of length 1 or 0; none if the cloud has none
+  std::vector<Eigen::Vector3d> normals; ///< vectors of length 1 or 0; none if the cloud has none
 };
 
 bool haveNormals(const std::vector<OrientedPointsView>& views)
@@ -38,7 +38,8 @@ bool haveNormals(const std::vector<OrientedPointsView>& views)
   return have;
 }
 
-/// One after the other: this takes little of the time, and reads each number once.
+/// Collects the finite points, and fills in the counts and the bounds of the report. It runs on one
+/// thread, as it takes little of the time and reads each number once.
 FinitePoints collect(const std::vector<OrientedPointsView>& views, CloudReport& report)
 {
   FinitePoints points;
@@ -59,12 +60,14 @@ FinitePoints collect(const std::vector<OrientedPointsView>& views, CloudReport& 
       report.bounds.extend(position);
       if (report.hasNormals)
       {
-        // Normals as float are unit to about 1e-7, as text to 1e-6 or worse.
+        // Unit normals stored as float have length 1 to about 1e-7, those stored as text to 1e-6 or
+        // worse.
         const double length = normal.stableNorm();
         const bool isZero = normal == Eigen::Vector3d::Zero();
         report.zeroNormals += isZero;
         report.nonUnitNormals += !isZero && !(std::abs(length - 1) <= 1e-3);
-        // By the largest component first: the length of a very long or short normal leaves the range.
+        // Normals are divided by their largest component first: the length of a very long or short
+        // one would leave the range of numbers.
         points.normals.push_back(
           isZero ? normal : (normal / normal.cwiseAbs().maxCoeff()).normalized());
       }
@@ -73,7 +76,7 @@ FinitePoints collect(const std::vector<OrientedPointsView>& views, CloudReport& 
   return points;
 }
 
-/// By place.
+/// The sum of the normals at each place.
 std::vector<Eigen::Vector3d> sumsOfNormals(
   const DistinctPoints& places, const std::vector<Eigen::Vector3d>& normals)
 {
@@ -88,17 +91,19 @@ std::vector<Eigen::Vector3d> sumsOfNormals(
   return sums;
 }
 
-/// Takes distances between the scaled places.
+/// Sums up the distances of scaled places from their nearest others, in the caller's unit of
+/// length.
 Spacing spacingOf(std::vector<double> distances, double scale)
 {
-  // Sorted before they are summed: the mean must not depend on the order of the points.
+  // Distances are sorted before they are summed, so that the mean does not depend on the order of
+  // the points.
   std::sort(distances.begin(), distances.end());
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
   return {distances.front() / scale, distances[distances.size() / 2] / scale,
     sum / static_cast<double>(distances.size()) / scale, distances.back() / scale};
 }
 
-/// Pairs of a place and a neighbour.
+/// The number of pairs of a place and a neighbour, and of those with opposite normals.
 struct Pairs
 {
   std::size_t all = 0, opposite = 0;

@@ -108,7 +108,8 @@ SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Execut
     surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
   for (const Triangle& triangle : surface.triangles)
   {
-    // Only the volume is taken from the centre: its rounding would give area to points on a line.
+    // Only the volume uses offsets from the centre: their rounding would give area to triangles
+    // whose vertices lie on a line.
     const Eigen::Vector3d& a = surface.vertices[triangle[0]];
     const Eigen::Vector3d& b = surface.vertices[triangle[1]];
     const Eigen::Vector3d& c = surface.vertices[triangle[2]];

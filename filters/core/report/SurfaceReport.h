@@ -8,16 +8,16 @@
 namespace winding
 {
 
-/// How often each edge of the welded surface is used, summed up.
+/// Counts of the edges of the welded surface, by the triangles that use them.
 struct EdgeCounts
 {
   std::size_t edges = 0;
-  std::size_t boundary = 0;      ///< used by one triangle
-  std::size_t netBoundary = 0;   ///< used more often in one direction than in the other
-  std::size_t nonManifold = 0;   ///< used by more than two triangles
-  std::size_t inconsistent = 0;  ///< used by two triangles in the same direction
+  std::size_t boundary = 0;      ///< edges used by one triangle
+  std::size_t netBoundary = 0;   ///< edges used more often in one direction than in the other
+  std::size_t nonManifold = 0;   ///< edges used by more than two triangles
+  std::size_t inconsistent = 0;  ///< edges used by two triangles in the same direction
   std::size_t boundaryLoops = 0; ///< connected pieces of the boundary edges
-  std::size_t components = 0;    ///< pieces connected through edges
+  std::size_t components = 0;    ///< pieces of the surface connected through edges
 
   /// Whether every edge cancels: then w is an integer everywhere off the surface.
   bool isClosed() const { return netBoundary == 0; }
@@ -25,44 +25,44 @@ struct EdgeCounts
 
 EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
 
-/// How the components of a surface are oriented (Components.h, ClosedComponents.h, Orientation.h).
+/// Counts of the components of a surface by their orientation (Components.h, ClosedComponents.h,
+/// Orientation.h).
 struct OrientationCounts
 {
   std::size_t closed = 0;       ///< components whose edges cancel
-  std::size_t inverted = 0;     ///< of these, inward with nothing around
-  std::size_t nestedSolids = 0; ///< of these, outward inside an odd number of others
+  std::size_t inverted = 0;     ///< closed components, inward inside an even number of others
+  std::size_t nestedSolids = 0; ///< closed components, outward inside an odd number of others
   std::size_t oneSided = 0;     ///< parts that no turning could make agree
 };
 
-/// The health of a surface. The counts of what was dropped are in the Surface.
+/// The health of a surface. The counts of dropped triangles are in the Surface.
 struct SurfaceReport
 {
   EdgeCounts edges;
   OrientationCounts orientation;
-  std::size_t vertexComponents = 0;   ///< pieces connected through vertices
-  std::size_t duplicateTriangles = 0; ///< beyond the first with the same three vertices
-  std::size_t zeroAreaTriangles = 0;  ///< three different vertices on a line
+  std::size_t vertexComponents = 0;   ///< pieces of the surface connected through vertices
+  std::size_t duplicateTriangles = 0; ///< triangles beyond the first with the same three vertices
+  std::size_t zeroAreaTriangles = 0;  ///< triangles with three different vertices on a line
   double area = 0;
   double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
 
-  /// V − E + F: 2 for a sphere, 0 for a torus.
+  /// The number V − E + F of vertices, edges and triangles: 2 for a sphere, 0 for a torus.
   long long eulerCharacteristic = 0;
 };
 
-/// The same for every executor. Throws Interrupted.
+/// Examines a surface; the report is the same for every executor. Throws Interrupted.
 SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
 
-/// The points that a surface was made from, triangles or no triangles.
+/// Counts of the points that a surface was made from, whether triangles use them or not.
 struct VertexCounts
 {
   std::size_t points = 0;
-  std::size_t different = 0; ///< finite positions, equal ones counted once
-  std::size_t unreferenced =
-    0; ///< of these, the ones that no triangle of the surface has for a corner
+  std::size_t different = 0;    ///< finite positions, equal ones counted once
+  std::size_t unreferenced = 0; ///< different positions that no triangle of the surface uses
 };
 
-/// The points are those of the views that the surface was made from. O(n log n) time, 100 bytes per
-/// point while it runs. Throws Interrupted.
+/// Counts the points of the views that the surface was made from. Takes O(n log n) time, and 100
+/// bytes per point while it runs. Throws Interrupted.
 VertexCounts countVertices(
   const std::vector<VectorsView>& points, const Surface& surface, Executor& executor);
 

@@ -12,7 +12,8 @@ namespace winding
 namespace
 {
 
-/// How often an edge is run along from its low to its high vertex, less how often the other way.
+/// The number of uses that run along an edge from its low to its high vertex, minus the number of
+/// uses that run the other way.
 std::int32_t netOf(const EdgeUse* first, const EdgeUse* last)
 {
   std::int32_t net = 0;
@@ -50,7 +51,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       uses.forEachVertex(range,
         [&addEdge](std::int32_t low, EdgeUse* first, EdgeUse* last)
         {
-          // Nearly everywhere, and found out faster than the uses are sorted.
+          // All uses pair up at nearly every vertex, which is found out faster than they are
+          // sorted.
           if (!pairUp(first, last))
           {
             EdgeUses::forEachEdge(low, first, last, addEdge);
@@ -69,7 +71,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   chain.edges.resize(starts.back());
   for (std::size_t range = 0; range < parts.size(); ++range)
   {
-    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges); // freed at once
+    // The move frees a part's memory as soon as it is copied.
+    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges);
     std::copy(
       edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
   }
@@ -93,8 +96,9 @@ std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t 
     next[v] = leaving.begin(v);
   }
 
-  // Walk on until a vertex comes up again, cut the loop off that this closes, and walk on from there.
-  // As many edges leave each vertex as arrive, so a walk can only get stuck where it began.
+  // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
+  // on from there. As many edges leave each vertex as arrive, so a walk can only get stuck where it
+  // began.
   std::vector<BoundaryLoop> loops;
   std::vector<std::int32_t> path;
   std::vector<std::int32_t> placeInPath(vertices, -1);

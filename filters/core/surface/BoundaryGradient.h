@@ -8,29 +8,32 @@ namespace winding
 {
 
 /**
- * The gradient of the winding number of a surface. It does not depend on the surface but for its
- * boundary chain, around which it is the magnetic field of a current (Biot and Savart):
+ * The gradient of the winding number of a surface. It depends on the surface's boundary chain
+ * alone, and is the magnetic field of a current along that (Biot and Savart):
  *
  *   ∇w = (1/4π) Σ m (a×b) (|a|+|b|) / (|a||b| (|a||b| + a·b))
  *
- * over the edges u → v of ∂M with multiplicity m, a = u − q, b = v − q. For a·b < 0 that is taken as
- * (1/4π) Σ m (a×b) (|a|+|b|) (|a||b| − a·b) / (|a||b| |a×b|²), which does not cancel beside the edge.
+ * over the edges u → v of ∂M with multiplicity m, where q is the sample, a = u − q and b = v − q.
+ * For a·b < 0 the sum is taken as (1/4π) Σ m (a×b) (|a|+|b|) (|a||b| − a·b) / (|a||b| |a×b|²),
+ * which does not cancel beside the edge.
  *
- * Guaranteed: (1) exactly 0 for surfaces without a boundary chain; (2) no absolute epsilon: a uniform
- * scale s divides the gradient by s and changes nothing else but rounding; (3) an edge gives 0 to
- * samples on the line through it, as near as rounding can tell, and at a distance d from it, down to
- * 1e-150 of the surface's size, at most m/(2πd); (4) smooth across triangles; (5) finite for finite
- * samples; (6) a sample's bits do not depend on the samples beside it; (7) errors are roundings: some
- * 1e-16/d in all, d being the distance to the boundary (measured: 2.2e-16/d at random samples of seven
- * meshes), and beside an edge of length L up to 1e-16 L/d of its share.
- * Not guaranteed: the same bits on machines with and without fused multiply-add.
+ * Guaranteed: (1) the gradient is exactly 0 for surfaces without a boundary chain; (2) there is no
+ * absolute epsilon: a uniform scale s divides the gradient by s and changes nothing else but
+ * rounding; (3) an edge gives 0 to samples on the line through it, as near as rounding can tell,
+ * and at a distance d from it, down to 1e-150 of the surface's size, at most m/(2πd); (4) the
+ * gradient is smooth across triangles; (5) it is finite for finite samples; (6) a sample's bits do
+ * not depend on the samples beside it; (7) errors are roundings: some 1e-16/d in all, d being the
+ * distance to the boundary (measured: 2.2e-16/d at random samples of seven meshes), and beside an
+ * edge of length L up to 1e-16 L/d of its share. Not guaranteed: the same bits on machines with and
+ * without fused multiply-add.
  *
- * The cost is that of all edges at each sample.
+ * Each sample costs a sum over all boundary edges.
  */
 class BoundaryGradient final : public GradientEvaluator
 {
 public:
-  /// Keeps a reference to the surface, which must outlive this; edges: of its boundary chain.
+  /// Keeps a reference to the surface, which must outlive this; edges are those of its boundary
+  /// chain.
   BoundaryGradient(const Surface& surface, std::vector<BoundaryEdge> edges);
 
   void evaluateGradients(const SampleBlock& block, double* gradients) const override;
@@ -38,7 +41,7 @@ public:
 private:
   const Surface& surface_;
   std::vector<BoundaryEdge> edges_;
-  double scale_; ///< see UnitScale.h
+  double scale_; ///< brings the surface to about unit size (UnitScale.h)
 };
 
 } // namespace winding

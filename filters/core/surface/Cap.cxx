@@ -19,13 +19,13 @@ std::vector<Triangle> capOf(const std::vector<BoundaryLoop>& loops)
         inner.push_back(rim[i]);
         if (i + 1 < n)
         {
-          // Against the sense of the rim, whose two edges it cancels.
+          // An ear runs against the sense of the rim, whose two edges it cancels.
           cap.push_back({rim[i], rim[(i + 2) % n], rim[i + 1]});
         }
       }
       if (n == 3)
       {
-        break; // the one ear was all there was
+        break; // a rim of three vertices is one ear, so nothing is left
       }
       rim = std::move(inner);
     }
@@ -46,8 +46,9 @@ std::vector<Triangle> fanOf(
       bounds.extend(vertices[vertex]);
       center += vertices[vertex] / static_cast<double>(loop.size());
     }
-    // Beside the loop's centre by no simple fraction of its size, nor by a root of one, which sizes
-    // are: π/18, e/12 and ln 2 · 3/8. Grids and CAD are full of the others.
+    // The new vertex lies beside the loop's centre by π/18, e/12 and ln 2 · 3/8 of its size. These
+    // are neither simple fractions nor, as sizes are, roots of such, which grids and CAD are full
+    // of.
     const double size = bounds.diagonal().norm();
     const Eigen::Vector3d aside(0.17453292519943295, 0.22652348570492042, 0.25993019270997947);
     const std::int32_t apex = static_cast<std::int32_t>(vertices.size());

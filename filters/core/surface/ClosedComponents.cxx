@@ -16,13 +16,14 @@ namespace winding
 namespace
 {
 
-/// Sums over the triangles of a component, in units of the surface's size (UnitScale.h).
+/// Six times the volume of a component, summed over its triangles, in units of the surface's size
+/// (UnitScale.h).
 struct Volume
 {
   double sum = 0;
-  double magnitude = 0; ///< of the products that the sum is made of
+  double magnitude = 0; ///< sum of the sizes of all products, which bounds the rounding
   std::size_t triangles = 0;
-  std::int32_t origin = -1; ///< a vertex of its own: a small component may lie far away from others
+  std::int32_t origin = -1; ///< a vertex of the component, which may be small and far from others
 
   void add(const Surface& surface, const Triangle& t, double scale)
   {
@@ -61,7 +62,7 @@ std::vector<int> sensesOf(const Surface& surface, const Components& components)
   return senses;
 }
 
-/// By component; empty for open ones.
+/// The boxes of all components, by component; empty for open ones.
 std::vector<Bounds> boundsOf(const Surface& surface, const Components& components)
 {
   std::vector<Bounds> bounds(components.size());
@@ -79,7 +80,7 @@ std::vector<Bounds> boundsOf(const Surface& surface, const Components& component
   return bounds;
 }
 
-/// By vertex, the closed component that alone has it.
+/// Tells for each vertex which closed component alone has it, if there is one.
 class Owners
 {
 public:
@@ -109,7 +110,7 @@ private:
   std::vector<std::int32_t> owners_;
 };
 
-/// Adds crossings up to what winds round a point.
+/// Collects the crossings of a ray from a point, and tells which components wind round the point.
 class WindingComponents
 {
 public:
@@ -142,7 +143,7 @@ private:
   std::vector<std::int32_t> components_;
 };
 
-/// Which closed components lie inside which others.
+/// Finds which closed components lie inside which others.
 class Nesting
 {
 public:
@@ -153,7 +154,7 @@ public:
   {
   }
 
-  /// By component.
+  /// The number of closed components around each component, by component.
   std::vector<int> depths(const Surface& surface, Executor& executor)
   {
     this->findCandidates(surface, executor);
@@ -177,10 +178,12 @@ private:
     return windings.take();
   }
 
-  /// What winds round one vertex of a component, and has room for the whole of it.
+  /// Finds, for each component, the others that wind round one of its vertices and have room for
+  /// the whole of it.
   void findCandidates(const Surface& surface, Executor& executor)
   {
-    // The one farthest along the rays: they leave the component itself at once.
+    // Rays start at each component's vertex that is farthest along them, so they leave the
+    // component at once.
     std::vector<std::int32_t> foremost(bounds_.size(), -1);
     for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     {
@@ -221,7 +224,7 @@ private:
     }
   }
 
-  /// Looks at the other vertices of the components that have candidates.
+  /// Refutes candidates that do not wind round all vertices of the component inside them.
   void refute(Executor& executor)
   {
     isRefuted_ = std::make_unique<std::atomic<bool>[]>(candidates_.size());
@@ -262,8 +265,8 @@ private:
   std::vector<Bounds> bounds_;
   Owners owners_;
   CrossingTree tree_;
-  std::vector<std::int32_t> candidates_;           ///< component by component
-  std::vector<std::size_t> starts_ = {0};          ///< of each component's
+  std::vector<std::int32_t> candidates_;           ///< components that may be around each component
+  std::vector<std::size_t> starts_ = {0};          ///< start of each component's candidates
   std::unique_ptr<std::atomic<bool>[]> isRefuted_; ///< by candidate
 };
 

@@ -10,7 +10,8 @@ namespace winding
 namespace
 {
 
-/// Which triangles are of one set, and which sets have an edge that does not cancel within them.
+/// Tells which triangles are of one set, and which sets have an edge that does not cancel within
+/// them.
 class OpenSets
 {
 public:
@@ -25,7 +26,7 @@ public:
 
   bool isOpen(std::int32_t triangle) { return isOpen_[sets_.find(triangle)] != 0; }
 
-  /// For the sets as they are now.
+  /// Finds which of the sets, as they are now, are open.
   void findOpenOnes()
   {
     std::fill(isOpen_.begin(), isOpen_.end(), 0);
@@ -96,7 +97,7 @@ Components componentsOf(
     }
   }
   pieces.findOpenOnes();
-  // What is open now stays so while others are joined to it: only sets that are open are.
+  // Only open sets are joined here, and a set that is open now counts as open until all are joined.
   std::vector<std::pair<std::int32_t, std::int32_t>> joints;
   for (const SurfaceEdges::Crowd& crowd : edges.crowds)
   {
@@ -129,7 +130,7 @@ Components componentsOf(
     }
     else
     {
-      components.ofTriangle[i] = components.ofTriangle[first]; // which stands before
+      components.ofTriangle[i] = components.ofTriangle[first]; // `first` is less than i
     }
   }
   return components;

@@ -7,25 +7,27 @@ namespace winding
 {
 
 /**
- * The components of a surface for all that concerns its orientation: what has one sense of its own.
+ * The components of a surface for all that concerns its orientation: sets of triangles that have
+ * one sense in common.
  *
- * Triangles that share an edge with no third one belong together. What is closed by that alone, every
- * edge of it cancelling, is a component: so two cubes that share an edge are two, each of which may be
- * inside out. What is left open is joined where more than two triangles meet: rooms with a common wall
- * are one. Components are numbered in the order of their first triangles.
+ * Triangles that share an edge with no third one belong together. A set that is closed by this rule
+ * alone, every edge of it cancelling, is a component: so two cubes that share an edge are two
+ * components, each of which may be inside out. Sets that are left open are joined where more than
+ * two triangles meet: so rooms with a common wall are one component. Components are numbered in the
+ * order of their first triangles.
  */
 struct Components
 {
-  std::vector<std::int32_t> ofTriangle;
+  std::vector<std::int32_t> ofTriangle; ///< component of each triangle
   std::vector<char> isClosed; ///< by component: all of its edges cancel, so its w is an integer
 
   std::size_t size() const { return isClosed.size(); }
 };
 
 /**
- * Which triangles are parts of one polygon: by triangle, whether it belongs to that of the triangle
- * before. Empty: each is a polygon of its own. The triangles of a polygon are in one component, for
- * they have their sense in common.
+ * Tells which triangles are parts of one polygon: an entry per triangle says whether it belongs to
+ * the polygon of the triangle before it. Without entries each triangle is a polygon of its own. The
+ * triangles of a polygon are in one component, for they have their sense in common.
  */
 using PolygonParts = std::vector<char>;
 

@@ -14,23 +14,23 @@ struct SortedTriangle
   bool isEven; ///< whether the triangle runs lowest → middle → highest
 };
 
-/// By value and without branches: nobody could predict how the vertices of a triangle are ordered.
+/// Sorts the vertices of a triangle, without branches: nobody could predict how they are ordered.
 SortedTriangle sorted(const Triangle& triangle)
 {
   const auto [a, b, c] = triangle;
   const std::int32_t lower = a < b ? a : b, higher = a < b ? b : a;
   const std::int32_t rest = higher < c ? higher : c;
-  // Around an even triangle two of three steps lead upward, around an odd one one of them.
+  // An even triangle has two steps upward out of three, an odd triangle one.
   return {lower < c ? lower : c, lower < rest ? rest : lower, higher < c ? c : higher,
     ((a < b) ^ (b < c) ^ (c < a)) == 0};
 }
 
-/// Whether of `most` or fewer uses no two are equal and each has one in the other direction. All are
-/// compared with all, and the number of comparisons is fixed: they run several at a time, and no
-/// branch depends on anything.
+/// Tells whether no two of `most` or fewer uses are equal and each has one in the other direction.
+/// All are compared with all, and the number of comparisons is fixed: so several of them run at a
+/// time, and no branch depends on the uses.
 template <std::size_t most> bool haveOpposites(const EdgeUse* uses, std::size_t count)
 {
-  // Nothing runs to vertex 0, the lowest of all: its number fills the room that is left.
+  // No use has the high vertex 0, the lowest of all: that number fills the room that is left.
   std::uint32_t codes[most];
   for (std::size_t i = 0; i < most; ++i)
   {
@@ -63,8 +63,9 @@ void sortUses(EdgeUse* first, EdgeUse* last)
     std::sort(first, last);
     return;
   }
-  // Each goes to its rank, found by comparing it with all others: many comparisons, but no branch
-  // depends on them as in a usual sort, and the vertices around a vertex come in any order.
+  // Each use goes to its rank, found by comparing it with all others. The comparisons are many, but
+  // no branch depends on them as in a usual sort, where the vertices around a vertex come in an
+  // order that nobody could predict.
   EdgeUse byRank[few];
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -89,8 +90,8 @@ EdgeUses::EdgeUses(const Surface& surface, Executor& executor)
   : triangles_(surface.triangles)
   , vertices_(surface.vertices.size())
 {
-  // About 6 uses per vertex: those of a range stay in a core's cache, and in memory that the next
-  // range gets again, while larger pieces would come fresh from the system each time.
+  // There are about 6 uses per vertex, so those of a range stay in a core's cache, and in memory
+  // that the next range gets again, while larger pieces would come fresh from the system each time.
   constexpr std::size_t wantedVertices = 1024;
   shift_ = bucketShift(vertices_, wantedVertices, mostBuckets / 2);
   numbers_ = distribute<std::uint32_t>(
@@ -132,7 +133,7 @@ EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
   };
   forEachTriangle(ofLowest, [&](std::size_t, const SortedTriangle& t) { placeOf(t.lowest) += 2; });
   forEachTriangle(ofMiddle, [&](std::size_t, const SortedTriangle& t) { placeOf(t.middle) += 1; });
-  // Counts become starts, and by filling ends.
+  // Counts become starts here; filling in the uses makes the starts ends.
   std::size_t start = 0;
   for (std::size_t& place : result.ends)
   {
@@ -150,8 +151,11 @@ EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
       place += 2;
     });
   forEachTriangle(ofMiddle,
-    [&](std::size_t number, const SortedTriangle& t) {
-      uses[placeOf(t.middle)++] = {t.highest, number, t.isEven};
+    [&](std::size_t number, const SortedTriangle& t)
+    {
+      std::size_t& place = placeOf(t.middle);
+      uses[place] = {t.highest, number, t.isEven};
+      ++place;
     });
   return result;
 }

@@ -12,8 +12,8 @@
 namespace winding
 {
 
-/// One side of one triangle, as a use of the edge from its lower to its higher vertex. The lower one
-/// is known from the place where the use stands.
+/// One side of one triangle, as a use of the edge from its lower to its higher vertex. The lower
+/// vertex is not stored: it is known from the place where the use stands.
 class EdgeUse
 {
 public:
@@ -27,25 +27,27 @@ public:
   std::int32_t triangle() const { return static_cast<std::int32_t>(key_ >> 1 & 0x7fffffff); }
   int sense() const { return key_ & 1 ? 1 : -1; } ///< +1 if it runs from low to high
 
-  /// By high vertex, then by triangle.
+  /// Orders uses by high vertex, then by triangle.
   bool operator<(const EdgeUse& other) const { return key_ < other.key_; }
 
 private:
-  std::uint64_t key_; ///< all three in one number, so that one comparison sorts by them
+  std::uint64_t key_; ///< high vertex, triangle and sense, so that one comparison sorts by them
 };
 
 /// Sorts uses of edges with the same low vertex. No two uses are equal.
 void sortUses(EdgeUse* first, EdgeUse* last);
 
-/// Whether uses of edges with the same low vertex pair up, one along each edge and one against it.
-/// Where edges are used more often it may say no though all of them cancel.
+/// Tells whether uses of edges with the same low vertex pair up, one along each edge and one
+/// against it. It may say no though all edges cancel, if edges are used more than twice or there
+/// are more than 16 uses.
 bool pairUp(const EdgeUse* first, const EdgeUse* last);
 
 /**
  * All uses of all edges of triangles over welded vertices, edge by edge. Triangles are distributed
- * to ranges of vertices by the lower ones of their sides; the uses of a range are made when it is
- * visited, and sorted by counting, then by the high vertex in small sorts. Linear time for bounded
- * vertex degrees; 8 bytes per triangle, and about 60 per vertex of a range while it is visited.
+ * to ranges of vertices by the low vertices of their sides; the uses of a range are made when it is
+ * visited, and sorted by counting, then by the high vertex in small sorts. This takes linear time
+ * for bounded vertex degrees, 8 bytes per triangle, and about 60 per vertex of a range while it is
+ * visited.
  */
 class EdgeUses
 {
@@ -64,12 +66,12 @@ public:
     }
   }
 
-  /// To do it in parallel: the vertices of range 0, then those of range 1 and so on, are all vertices
-  /// in their order.
+  /// The number of ranges that may be visited in parallel. The vertices of range 0, then those of
+  /// range 1 and so on, are all vertices in their order.
   std::size_t ranges() const { return numbers_.count() / 2; }
 
-  /// Calls visit(low, first, last) for every vertex of a range, with the uses of all edges whose low
-  /// vertex it is in [first, last): unsorted, and the visitor's to sort.
+  /// Calls visit(low, first, last) for every vertex of a range, with the uses of all edges whose
+  /// low vertex it is in [first, last). The uses are unsorted; the visitor may sort them.
   template <class Visit> void forEachVertex(std::size_t range, const Visit& visit) const
   {
     const UsesOfRange uses = this->usesOf(range);
@@ -84,7 +86,8 @@ public:
     }
   }
 
-  /// Sorts a vertex' uses and calls visit(low, first, last) for each of its edges in their order.
+  /// Sorts the uses of edges with one low vertex, and calls visit(low, first, last) for each of
+  /// these edges in their order.
   template <class Visit>
   static void forEachEdge(std::int32_t low, EdgeUse* first, EdgeUse* end, const Visit& visit)
   {
@@ -115,7 +118,7 @@ private:
   int shift_; ///< range = vertex >> shift
   /// Numbers of triangles: bucket 2 · range has those whose lowest vertex is in the range, which is
   /// the low vertex of two sides, and the next bucket those whose middle vertex is in it, the low
-  /// vertex of the third side. Apart, so that no branch depends on which it is.
+  /// vertex of the third side. The two are kept apart so that no branch depends on which it is.
   Buckets<std::uint32_t> numbers_;
 };
 

@@ -14,8 +14,8 @@ namespace winding
 namespace
 {
 
-/// A vertex as one component has it: where components touch, their boundaries stay apart.
-using OwnVertex = std::pair<std::int32_t, std::int32_t>; // component, vertex
+/// A component and a vertex of it: where components touch, their boundaries stay apart.
+using OwnVertex = std::pair<std::int32_t, std::int32_t>;
 
 int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
 {
@@ -29,8 +29,8 @@ int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
   return -1;
 }
 
-/// A cap that is the same whichever way the loop runs, but for the sense of its triangles: a component
-/// must not be judged by another one once it is turned round.
+/// Makes a cap that is the same whichever way the loop runs, but for the sense of its triangles: a
+/// component must not be judged by another cap once it is turned round.
 std::vector<Triangle> unsidedCapOf(BoundaryLoop loop)
 {
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -71,7 +71,7 @@ public:
     }
     for (const SurfaceEdges::Crowd& crowd : edges.crowds)
     {
-      // All that is open there is one component, and what is closed cancels.
+      // All open triangles at a crowd are of one component, and closed components cancel there.
       std::int32_t component = -1, net = 0;
       for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
       {
@@ -136,7 +136,7 @@ private:
   std::vector<OwnVertex> vertices_;
 };
 
-/// Twice the area, in units of the surface's size.
+/// Twice the area of a triangle, in units of the surface's size.
 double areaOf(const Surface& surface, const Triangle& t, double scale)
 {
   const Eigen::Vector3d& a = surface.vertices[t[0]];
@@ -164,7 +164,8 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
         capAreas[component] += areaOf(surface, triangle, scale);
       }
     });
-  // The larger the cap, the less w differs behind the surface and before it, and the less the side tells.
+  // A larger cap makes w differ less between the two sides of the surface, so that the side tells
+  // less.
   constexpr double mostOfArea = 0.5;
   const auto isNearlyClosed = [&](std::int32_t component)
   {

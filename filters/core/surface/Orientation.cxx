@@ -16,7 +16,8 @@ namespace winding
 namespace
 {
 
-/// What must be turned together: triangles that share edges with no third one, and those of polygons.
+/// Sets of triangles that must be turned together, because they share edges with no third one or
+/// are of one polygon.
 class Patches
 {
 public:
@@ -54,7 +55,7 @@ public:
   /// The number of a patch: its first triangle.
   std::int32_t of(std::size_t triangle) const { return places_[triangle].representative; }
 
-  /// Whether it must be turned if the patch's first triangle is not.
+  /// Whether a triangle must be turned if its patch's first triangle is not.
   bool isOpposite(std::size_t triangle) const
   {
     return places_[triangle].isOpposite && !this->isOneSided(this->of(triangle));
@@ -72,7 +73,7 @@ private:
   std::vector<char> isOneSided_; ///< by patch
 };
 
-/// By triangle, in units of the surface's size.
+/// Twice the areas of all triangles, in units of the surface's size.
 std::vector<double> areasOf(const Surface& surface)
 {
   const double scale = unitScale(surface.bounds);
@@ -88,16 +89,20 @@ std::vector<double> areasOf(const Surface& surface)
   return areas;
 }
 
-/// What of an area is turned, and what is not.
+/// The parts of an area that are turned and that are not.
 struct TurnedArea
 {
   double turned = 0, kept = 0;
 
-  void add(double area, bool isTurned) { (isTurned ? turned : kept) += area; }
+  void add(double area, bool isTurned)
+  {
+    double& part = isTurned ? turned : kept;
+    part += area;
+  }
   bool isMostlyTurned() const { return turned > kept; }
 };
 
-/// Which patches to turn, their first triangles that is, in steps 1 and 2.
+/// Decides which patches steps 1 and 2 turn; a patch counts as turned if its first triangle is.
 class PatchSenses
 {
 public:
@@ -128,12 +133,12 @@ public:
   const std::vector<double>& areas() const { return areas_; }
 
 private:
-  /// How a patch uses an edge that more than two triangles share.
+  /// The use that a patch makes of an edge that more than two triangles share.
   struct CrowdUse
   {
     std::int32_t patch;
     std::size_t crowd;
-    std::int32_t net; ///< as the patch is turned at first
+    std::int32_t net; ///< sum of the senses of the patch's triangles, as the patch is turned now
   };
 
   std::vector<CrowdUse> netUses() const
@@ -151,7 +156,7 @@ private:
     std::sort(uses.begin(), uses.end(),
       [](const CrowdUse& a, const CrowdUse& b)
       { return std::tie(a.patch, a.crowd, a.net) < std::tie(b.patch, b.crowd, b.net); });
-    // One for each patch and edge; what cancels within a patch is none.
+    // The result has one use for each patch and edge, and none where the patch cancels itself.
     std::vector<CrowdUse> result;
     for (const CrowdUse& use : uses)
     {
@@ -164,13 +169,15 @@ private:
         result.push_back(use);
       }
     }
-    result.erase(std::remove_if(
-                   result.begin(), result.end(), [](const CrowdUse& use) { return use.net == 0; }),
-      result.end());
+    const auto cancels = [](const CrowdUse& use)
+    {
+      return use.net == 0;
+    };
+    result.erase(std::remove_if(result.begin(), result.end(), cancels), result.end());
     return result;
   }
 
-  /// The uses of one patch.
+  /// The range of the uses of one patch.
   struct PatchUses
   {
     double area;
@@ -192,7 +199,7 @@ private:
         result.push_back({areas[patch].turned + areas[patch].kept, first, last});
       }
     }
-    // Equal areas in the order of the patches.
+    // The sort is stable, so that patches of equal area stay in their order.
     std::stable_sort(result.begin(), result.end(),
       [](const PatchUses& a, const PatchUses& b) { return a.area < b.area; });
     return result;
@@ -268,7 +275,8 @@ void turn(Surface& surface, const std::vector<char>& isTurned)
   }
 }
 
-/// Says of each closed component whether it is to be turned, if that can be told.
+/// Decides for each closed component whether to turn it, and leaves isTurned as it is where nothing
+/// tells.
 void decideByNesting(const Surface& surface, const Components& components,
   std::vector<char>& isTurned, Executor& executor)
 {
@@ -281,7 +289,7 @@ void decideByNesting(const Surface& surface, const Components& components,
   }
 }
 
-/// By component, whether step 3 turns it.
+/// Tells for each component whether step 3 turns it.
 std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
   const Components& components, const std::vector<TurnedArea>& areas,
   const std::vector<char>& isFixed, Executor& executor)
@@ -298,7 +306,7 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   {
     decideByNesting(closedUp, solids, result, executor);
   }
-  // What a cap alone encloses is no cavity.
+  // Closed components are decided last and without caps: one that only a cap encloses is no cavity.
   decideByNesting(turned, components, result, executor);
   for (std::size_t i = 0; i < result.size(); ++i)
   {

@@ -67,7 +67,7 @@ SurfaceEdges edgesOf(const Surface& surface, Executor& executor)
   edges.pairs.reserve(pairs);
   for (SurfaceEdges& from : parts)
   {
-    const SurfaceEdges part = std::move(from); // freed at once
+    const SurfaceEdges part = std::move(from); // frees the part's memory once it is appended
     const std::size_t shift = edges.crowdUses.size();
     append(edges.rims, part.rims);
     append(edges.pairs, part.pairs);

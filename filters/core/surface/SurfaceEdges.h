@@ -11,53 +11,54 @@
 namespace winding
 {
 
-/// All edges of a surface, apart by how many triangles use them, each list in the order of
-/// (low vertex, high vertex).
+/// All edges of a surface in three lists, by the number of triangles that use them. Each list is in
+/// the order of (low vertex, high vertex).
 struct SurfaceEdges
 {
-  /// Used by one triangle: what a mesh viewer calls the boundary.
+  /// An edge that one triangle uses, which a mesh viewer calls a boundary edge.
   struct Rim
   {
     std::int32_t low, high;
     std::int32_t triangle;
   };
 
-  /// Used by two.
+  /// An edge that two triangles use.
   struct Pair
   {
     std::int32_t low, high;
     std::int32_t triangles[2];
-    bool agrees; ///< whether they run along it in opposite directions, as neighbours should
+    bool agrees; ///< whether both run along the edge in opposite directions, as neighbours should
   };
 
-  /// Used by more: what is called non-manifold.
+  /// An edge that more than two triangles use: a non-manifold one.
   struct Crowd
   {
     std::int32_t low, high;
-    std::size_t firstUse, endOfUses; ///< in crowdUses
+    std::size_t firstUse, endOfUses; ///< range of its uses in crowdUses
   };
 
   struct Use
   {
     std::int32_t triangle;
-    std::int32_t sense; ///< +1 if the triangle runs along it from low to high, −1 the other way
+    std::int32_t sense; ///< +1 if the triangle runs along the edge from low to high, −1 otherwise
   };
 
   std::vector<Rim> rims;
   std::vector<Pair> pairs;
   std::vector<Crowd> crowds;
-  std::vector<Use> crowdUses; ///< those of a crowd in the order of the triangles
+  std::vector<Use> crowdUses; ///< uses of all crowds, those of one in the order of the triangles
 
   const Use* begin(const Crowd& crowd) const { return crowdUses.data() + crowd.firstUse; }
   const Use* end(const Crowd& crowd) const { return crowdUses.data() + crowd.endOfUses; }
 
   std::size_t size() const { return rims.size() + pairs.size() + crowds.size(); }
 
-  /// As the edges are when some triangles run the other way round: by triangle, whether it does.
+  /// Returns the edges as they are once some triangles are turned round; isTurned says by triangle
+  /// which are.
   SurfaceEdges withTurned(const std::vector<char>& isTurned) const;
 };
 
-/// The same for every executor. 30 bytes per triangle. Throws Interrupted.
+/// Finds all edges: the same for every executor. Takes 30 bytes per triangle. Throws Interrupted.
 SurfaceEdges edgesOf(const Surface& surface, Executor& executor);
 
 } // namespace winding

@@ -99,7 +99,8 @@ TEST(CloudOrientation, OfNothingIsNothing)
 {
   winding::SerialExecutor serial;
   EXPECT_FALSE(winding::orientationOf(winding::PointCloud(), serial).isClear());
-  EXPECT_FALSE(orientationOf(Cloud{{{1, 2, 3}}, {{0, 0, 1}}}).isClear()); // its area is 0
+  // A single point has an area of 0.
+  EXPECT_FALSE(orientationOf(Cloud{{{1, 2, 3}}, {{0, 0, 1}}}).isClear());
 }
 
 TEST(CloudOrientation, DoesNotDependOnTheThreads)

@@ -31,7 +31,7 @@ std::vector<double> allSquaredDistances(const DistinctPoints& places, std::size_
   return distances;
 }
 
-/// By distances: of equally far ones any may be found.
+/// Checks the distances of the places found: any of equally far places may be among them.
 void check(const std::vector<Point>& points, std::size_t count)
 {
   winding::SerialExecutor serial;
@@ -93,7 +93,7 @@ TEST(NeighborSearch, FindsThemOnLinesLatticesAndFarFromOutliers)
 
 TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
 {
-  std::vector<Point> lattice; // full of equal distances
+  std::vector<Point> lattice; // a lattice is full of equal distances
   for (int i = 0; i < 4096; ++i)
   {
     lattice.emplace_back(i % 16, i / 16 % 16, i / 256);

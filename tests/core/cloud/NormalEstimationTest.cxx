@@ -19,7 +19,8 @@ std::vector<Point> estimate(const std::vector<Point>& positions, int neighbors =
   return winding::estimateNormals(positions, neighbors, serial);
 }
 
-/// The share of normals on the same side as expected, or on the other if those are more.
+/// The share of normals on the same side as expected, or of those on the other side if they are
+/// more.
 double consistentShare(const std::vector<Point>& normals, const std::vector<Point>& expected)
 {
   std::size_t same = 0;
@@ -80,7 +81,7 @@ TEST(NormalEstimation, FindsTheNormalsOfSmoothSolidsOutward)
 TEST(NormalEstimation, OrientsTwoSheetsThatAreFartherApartThanTheirPoints)
 {
   SCOPED_TRACE("seed 92");
-  // A plate with rounded rims: the sheets are joined around them.
+  // The two sheets of a plate with rounded rims are joined around these.
   Random random(92);
   Cloud plate;
   while (plate.positions.size() < 20'000)

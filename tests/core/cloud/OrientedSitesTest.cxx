@@ -17,7 +17,7 @@ using winding::areSimilar;
 using winding::DistinctPoints;
 using winding::OrientedSites;
 
-/// Random normals, many of them at each of a few places.
+/// A cloud with random normals, many of them at each of a few places.
 winding::PointCloud crowdedCloud(std::size_t count, std::size_t places, unsigned seed)
 {
   const std::vector<Point> at = randomPoints(places, -1, 1, seed);
@@ -58,16 +58,16 @@ TEST(OrientedSites, GroupThePointsOfEachPlaceByTheirFirst)
     std::size_t next = 0;
     for (std::size_t place = 0; place < places.size(); ++place)
     {
-      // The definition: a point joins the first site whose first point is similar, or begins one.
+      // By definition a point joins the first site whose first point is similar, or begins one.
       std::vector<Point> firsts, sums;
       std::vector<std::uint32_t> counts;
       EXPECT_EQ(sites.begin(place), next);
       for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
       {
         const Point& normal = cloud.normals[*point];
-        const auto site = static_cast<std::size_t>(std::distance(
-          firsts.begin(), std::find_if(firsts.begin(), firsts.end(),
-                            [&normal](const Point& first) { return areSimilar(first, normal); })));
+        const auto found = std::find_if(firsts.begin(), firsts.end(),
+          [&normal](const Point& first) { return areSimilar(first, normal); });
+        const auto site = static_cast<std::size_t>(found - firsts.begin());
         if (site == firsts.size())
         {
           firsts.push_back(normal);

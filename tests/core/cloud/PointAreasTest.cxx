@@ -49,7 +49,7 @@ double median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/// Random directions; of those that point up, only a tenth is kept.
+/// A sphere of random directions; if it is graded, only a tenth of those that point up are kept.
 Cloud randomSphere(std::size_t count, unsigned seed, bool isGraded = false)
 {
   Random random(seed);
@@ -80,8 +80,9 @@ Cloud lattice(int side, double shift, unsigned seed)
   return cloud;
 }
 
-/// The part of the unit sphere that is nearer to one point of a cloud than to all others: seen from the
-/// centre, bisectors are straight lines in the tangent plane.
+/// The area of the part of the unit sphere that is nearer to one point of a cloud than to all
+/// others. Bisectors, seen from the centre of the sphere, are straight lines in the point's tangent
+/// plane.
 double exactAreaOnSphere(const Cloud& cloud, std::size_t point)
 {
   const Point center = cloud.positions[point];
@@ -140,7 +141,8 @@ TEST(VoronoiCell, IsThePolygonOfTheNearestPoints)
   EXPECT_FALSE(cell.isOpen());
   EXPECT_NEAR(cell.area(), 8, 1e-14);
   cell.cut({2, 4});
-  // Its bisector x + 2y = 5 cuts the corner (1, 2) at (1, 2): nothing of [−1, 1] × [−2, 2] goes.
+  // The bisector of (2, 4), x + 2y = 5, touches the corner (1, 2): nothing of [−1, 1] × [−2, 2]
+  // goes.
   EXPECT_NEAR(cell.area(), 8, 1e-14);
   cell.cut({2, 2});
   EXPECT_NEAR(cell.area(), 8 - 0.5, 1e-14); // x + y = 2 cuts the triangle (0, 2) (1, 1) (1, 2) off
@@ -187,7 +189,7 @@ TEST(VoronoiAreas, OfAnUnevenSphereMakeAPlateauWhereOneAreaForAllMakesNone)
   const Cloud cloud = randomSphere(20'000, 72, true);
   const std::vector<double> areas = voronoiAreas(clean(cloud));
   const double mean = total(areas) / 20'000;
-  // The flux at two places inside, near the sparse and near the dense half.
+  // The flux is summed at two places inside, near the sparse and near the dense half.
   for (const double z : {0.8, -0.8})
   {
     double byVoronoi = 0, byMean = 0;
@@ -229,7 +231,7 @@ TEST(VoronoiAreas, OfTheTwoSidesOfAThinPlateAreThoseOfEachSide)
   Cloud plate = top;
   for (const Point& p : top.positions)
   {
-    // Some at the same place as one of the other side.
+    // Half of the points are at the same place as one of the other side.
     plate.positions.emplace_back(p[0], p[1], p[0] < 35 ? 0 : -1e-3);
     plate.normals.emplace_back(0, 0, -1);
   }
@@ -258,7 +260,7 @@ TEST(VoronoiAreas, AreSharedByPointsAtOnePlace)
 
 TEST(VoronoiAreas, OfThousandsOfEqualPointsAreFoundAtOnce)
 {
-  // Quadratic time would take minutes.
+  // A search of quadratic time would take minutes here.
   Cloud cloud = sphereCloud(500);
   for (int i = 0; i < 200'000; ++i)
   {
@@ -279,7 +281,8 @@ TEST(VoronoiAreas, OfFewPointsArePositiveAndNoMoreThanTheirDistancesTell)
     line.positions.emplace_back(i, 2 * i, 3 * i);
     line.normals.emplace_back(0, 0, 1);
   }
-  Cloud along = line; // normals along the line: nothing is to be seen in the tangent plane
+  // Normals along the line leave nothing to be seen in the tangent plane.
+  Cloud along = line;
   along.normals.assign(50, Point(1, 2, 3).normalized());
   for (const auto& [cloud, most] :
     {std::pair(two, 8 * winding::pi), std::pair(three, 8 * winding::pi),
@@ -371,7 +374,7 @@ TEST(VoronoiAreas, NeedNotManyNeighbors)
   {
     const double error = relativeError(total(voronoiAreas(cloud, neighbors)), sphereArea);
     record("neighbors" + std::to_string(neighbors), error);
-    EXPECT_LT(error, 0.02) << neighbors; // measured: 0.0052 with 10, else 0.0012 at most
+    EXPECT_LT(error, 0.02) << neighbors; // measured: 0.0052 with 10, 0.0012 at most with others
   }
 }
 
@@ -400,6 +403,6 @@ TEST(VoronoiAreas, OfFlippedPointsAreNotThoseOfMany)
     sum += winding::dipoleSolidAngle<double>(cloud.positions[i], cloud.normals[i], areas[i]);
   }
   record("center", sum / sphereArea);
+  // The sum was measured as 0.900, where a share of 0.9 is not flipped.
   EXPECT_NEAR(sum / sphereArea, 1 - static_cast<double>(flipped) / 20'000, 0.02);
-  // measured: 0.900, where 0.9 are not flipped
 }

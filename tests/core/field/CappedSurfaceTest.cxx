@@ -34,7 +34,7 @@ std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
   return valuesOn({surface, boundaryOf(surface), 0}, grid, grid.wholeExtent());
 }
 
-/// The largest difference to the direct sum, of the samples that are not on the surface.
+/// The largest difference to the direct sum among the samples that are not on the surface.
 double largestError(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
@@ -61,7 +61,7 @@ double largestError(const Mesh& mesh, const Grid& grid)
   return largest;
 }
 
-/// Every triangle deleted, repeated or flipped with the same probability.
+/// The mesh with every triangle deleted, repeated or flipped with the same probability.
 Mesh damaged(const Mesh& mesh, double probability, unsigned seed)
 {
   Random random(seed);
@@ -134,8 +134,9 @@ TEST(CappedSurface, KeepsToleranceOnRandomLatticeChainsAndTheirCaps)
 
 TEST(CappedSurface, EqualsTheDirectSumWhereAMillionRandomChainsFailed)
 {
-  // Half a turn by two equal triangles of the cap, and a third in whose plane the sample lies;
-  // samples on the surface and on a cap whose other cap has them in a plane by accident.
+  // In some of them two equal triangles of the cap make half a turn, and the sample lies in the
+  // plane of a third. In others a sample on the surface and on the cap lies in a plane of the other
+  // cap by accident.
   for (const unsigned seed : {296587u, 322077u, 398403u, 872884u, 989924u})
   {
     const ChainComparison found = compareWithDirectSum(randomLatticeChain(seed, 12, 4));
@@ -165,7 +166,7 @@ TEST(CappedSurface, EqualsTheDirectSumOnDamagedShapes)
 
 TEST(CappedSurface, EqualsTheDirectSumAtSamplesOnTheCap)
 {
-  // The cap is the missing face, at z = 1: a grid plane, or a tiny distance from one.
+  // The cap is the missing face at z = 1, in a plane of the grid or a tiny distance from one.
   const winding::Surface surface = clean(openCube());
   double largest = 0;
   for (const double beside :
@@ -192,7 +193,8 @@ TEST(CappedSurface, EqualsTheDirectSumAtSamplesOnTheCap)
 
 TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
 {
-  // Faces turned, scaled and moved: samples on the cap up to rounding, on either side of it.
+  // The cube is turned and moved, so that samples lie on its cap up to rounding, on either side of
+  // it.
   SCOPED_TRACE("seed 143");
   Random random(143);
   double largest = 0;
@@ -204,7 +206,7 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const Mesh mesh = openCube().mapped([&](const Point& p) -> Point { return turn * p + away; });
     const winding::Surface surface = clean(mesh);
     const CappedSurface capped(surface, boundaryOf(surface), 0);
-    // Rows through a point of the missing face, a sample on it.
+    // The middle sample of the grid is a point of the missing face.
     const Point on = turn * Point(random(0.1, 0.9), random(0.1, 0.9), 1) + away;
     const Grid grid = gridOf(on - Point::Constant(0.0625), Point::Constant(0.0625), {3, 3, 3});
     const std::vector<double> values = valuesOn(capped, grid, grid.wholeExtent());
@@ -308,7 +310,8 @@ TEST(CappedSurface, DoesNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
     const Mesh scaled = mesh.mapped([&](const Point& p) -> Point { return scale * p; });
     EXPECT_LT(largestError(scaled, gridAround(scaled, 12)), 1e-12) << scale;
   }
-  // A million diagonals away, samples on the cap of the open cube among them.
+  // The meshes lie about a million diagonals away, and the last grid has samples on the open cube's
+  // cap.
   const Point away(3e6, -2e6, 1e6);
   for (const Mesh& source : {mesh, openCube()})
   {

@@ -12,7 +12,8 @@
 #include <cmath>
 #include <limits>
 
-// What a field is made of: its information, its refusals, and the functions that verify it.
+// These tests look at what a field is made of: its information, its refusals, and the functions
+// that verify it.
 
 namespace
 {
@@ -212,7 +213,7 @@ TEST(FieldReference, IsTheReferenceSum)
 TEST(FieldPointOnSource, IsEvenlySpreadOverTheSurface)
 {
   SCOPED_TRACE("seed 113");
-  // Sides of 1, 2 and 4: faces of areas 2, 4 and 8, two of each.
+  // Sides of 1, 2 and 4 make faces of areas 2, 4 and 8, two of each.
   const auto field = fieldOf(cube({0, 0, 0}, {1, 2, 4}));
   Random random(113);
   Point onFaces(0, 0, 0), mean(0, 0, 0);
@@ -221,7 +222,8 @@ TEST(FieldPointOnSource, IsEvenlySpreadOverTheSurface)
   {
     const double u = random(0, 1), v = random(0, 1), t = random(0, 1);
     const Point p = field->pointOnSource()(u, v, t);
-    // Weighted means of three corners: a few roundings, none of them above 4e-16.
+    // A point is the weighted mean of three corners, with a few roundings, none of them above
+    // 4e-16.
     constexpr double rounding = 1e-15;
     const Eigen::Array3d unit = p.array() / Eigen::Array3d(1, 2, 4);
     const Eigen::Array3d fromFace = unit.min(1 - unit);
@@ -230,7 +232,8 @@ TEST(FieldPointOnSource, IsEvenlySpreadOverTheSurface)
     onFaces += (fromFace < rounding).cast<double>().matrix();
     mean += unit.matrix();
   }
-  // The shares' standard deviation is below 0.0036, the means' below 0.0033; four of these.
+  // The standard deviation of the shares is below 0.0036, that of the means below 0.0033; the
+  // bounds are four of these.
   EXPECT_LT((onFaces / count - Point(8, 4, 2) / 14).cwiseAbs().maxCoeff(), 0.0145);
   EXPECT_LT((mean / count - Point(0.5, 0.5, 0.5)).cwiseAbs().maxCoeff(), 0.0135);
 }

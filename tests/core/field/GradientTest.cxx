@@ -17,8 +17,8 @@
 #include <limits>
 
 /**
- * Field::gradient() and the direct sum over clouds; BoundaryGradientTest.cxx and
- * FarFieldGradientTest.cxx look at surfaces and at far fields.
+ * These tests look at Field::gradient() and at the direct sum over clouds; BoundaryGradientTest.cxx
+ * and FarFieldGradientTest.cxx look at surfaces and at far fields.
  */
 
 namespace
@@ -74,7 +74,7 @@ std::vector<std::shared_ptr<const Field>> someFields()
     fieldOf(cloud, Method::hierarchical)};
 }
 
-/// Clouds with their areas, of all kinds.
+/// A cloud with the areas of its points.
 struct Dipoles
 {
   winding::PointCloud cloud;
@@ -104,7 +104,7 @@ std::vector<Dipoles> someDipoles(unsigned seed)
   return all;
 }
 
-/// The gradients of SolidAngle.h's dipoles, one after the other; also the sum of their sizes.
+/// The sum of the gradients of SolidAngle.h's dipoles; `strength` becomes the sum of their sizes.
 Point byFormula(const Dipoles& dipoles, const Point& q, double& strength)
 {
   Long sum = Long::Zero();
@@ -144,7 +144,7 @@ TEST(DipoleSumGradient, EqualsTheFormulaInLongDouble)
                           distance * random.direction());
       }
     }
-    // On points: those are left out.
+    // A sample on points leaves these out.
     samples.insert(
       samples.end(), dipoles.cloud.positions.begin(), dipoles.cloud.positions.begin() + 1);
     const std::vector<Point> gradients = dipoles.gradients(samples);
@@ -166,7 +166,7 @@ TEST(DipoleSumGradient, EqualsCentralDifferencesOfTheDirectSum)
   {
     for (Point q : randomPoints(50, -2, 2, 627))
     {
-      // Where steps are exact.
+      // Samples are rounded so that steps from them are exact.
       q = ((q * 0x1p30).array().round() * 0x1p-30).matrix();
       double strength;
       byFormula(dipoles, q, strength);
@@ -218,7 +218,7 @@ TEST(Gradient, OfACloudIsWithinTheToleranceThatOfTheDirectSum)
   }
   record("worst", worst);
   EXPECT_LT(worst, 4e-3); // measured: 8.8e-4
-  EXPECT_GT(worst, 0);    // by a far field indeed
+  EXPECT_GT(worst, 0);    // a far field was used indeed
 }
 
 TEST(Gradient, HasTheSameBitsOnAnyThreadsInAnyOrder)
@@ -242,7 +242,7 @@ TEST(Gradient, TakesSamplesOfAnyTypeAndStride)
     std::vector<Point> samples;
     for (int i = 0; i < 100; ++i)
     {
-      // Numbers that a float holds.
+      // A float holds these numbers exactly.
       const float x = i / 64.0f - 0.75f, y = i % 7 / 8.0f, z = -i % 11 / 16.0f;
       strided.insert(strided.end(), {x, y, z, 77, 78});
       samples.push_back({x, y, z});
@@ -310,7 +310,7 @@ TEST(Gradient, IsOneOverTheUnitOfLength)
     Cloud scaledCloud = cloud;
     std::transform(
       cloud.positions.begin(), cloud.positions.end(), scaledCloud.positions.begin(), scaled);
-    // Areas are estimated, and so of the unit squared.
+    // Areas are estimated, and so are in the unit squared.
     compare(*fieldOf(scaledCloud, Method::direct), *fieldOf(cloud, Method::direct), 1e-11);
     compare(*fieldOf(scaledCloud, Method::hierarchical), *fieldOf(cloud, Method::hierarchical),
       1e-2); // measured: 3.3e-4
@@ -319,7 +319,8 @@ TEST(Gradient, IsOneOverTheUnitOfLength)
 
 TEST(Gradient, OfATinySourceIsCutOffAtTheLargestNumber)
 {
-  // Beside the boundary, in units of which a thousandth is the smallest number there is.
+  // Samples lie beside the boundary, as near as 1e-320, where doubles are close to the smallest
+  // that there are.
   const Mesh mesh =
     icosphere(1).part(0, 50).mapped([](const Point& p) -> Point { return 1e-300 * p; });
   const auto field = fieldOf(mesh, Method::direct);

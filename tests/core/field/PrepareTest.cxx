@@ -16,7 +16,8 @@
 #include <map>
 #include <tuple>
 
-// Preparing a surface in parallel: the same for every executor, and it can be interrupted.
+// These tests prepare surfaces in parallel: the result is the same for every executor, and the work
+// can be interrupted.
 
 namespace
 {
@@ -33,7 +34,7 @@ Surface sanitized(const Views& views, winding::Executor& executor)
   return winding::sanitize(views, executor);
 }
 
-/// What Sanitize.h promises, found in the plainest way.
+/// The surface that Sanitize.h promises, found in the plainest way.
 Surface sanitizedByDefinition(const Views& views)
 {
   using Key = std::tuple<double, double, double>;
@@ -82,7 +83,7 @@ Surface sanitizedByDefinition(const Views& views)
       }
     }
   }
-  // Numbers in the order of the points that are used; that means, by a triangle that is kept.
+  // Vertices are numbered in the order of the points that kept triangles use.
   std::map<Key, std::int32_t> numbers;
   for (const TrianglesView& view : views)
   {
@@ -150,7 +151,8 @@ void expectSame(const winding::BoundaryChain& found, const winding::BoundaryChai
     { return a.from == b.from && a.to == b.to && a.multiplicity == b.multiplicity; }));
 }
 
-/// Serial, threads and definition agree about the surface and its boundary.
+/// Expects that a serial executor, threads and the definition agree about the surface and its
+/// boundary.
 void expectTheSameForAllExecutors(const Views& views, unsigned seed)
 {
   winding::SerialExecutor serial;
@@ -162,7 +164,7 @@ void expectTheSameForAllExecutors(const Views& views, unsigned seed)
   expectSame(winding::boundaryChain(surface, threads), winding::boundaryChain(surface, serial));
 }
 
-/// Every triangle with three points of its own.
+/// The mesh with three points of its own for every triangle.
 Mesh loosened(const Mesh& mesh)
 {
   Mesh loose;
@@ -178,7 +180,7 @@ Mesh loosened(const Mesh& mesh)
   return loose;
 }
 
-/// The same with everything wrong that can be: NaN, infinity, bad ids, collapsed triangles, −0.
+/// The mesh with everything wrong that can be: NaN, infinity, bad ids, collapsed triangles, −0.
 Mesh damaged(Mesh mesh, unsigned seed)
 {
   Random random(seed);
@@ -197,7 +199,7 @@ Mesh damaged(Mesh mesh, unsigned seed)
   return mesh;
 }
 
-/// Points on a small lattice with both zeros: most of them occur many times.
+/// Points on a small lattice with both zeros, most of which occur many times.
 Mesh repeatedPoints(std::size_t points, std::size_t triangles, unsigned seed)
 {
   Random random(seed);
@@ -265,7 +267,8 @@ TEST(Prepare, OfOneVertexWithManyTrianglesIsRight)
 
 TEST(Prepare, KeepsPointsApartWhoseHashesAreEqual)
 {
-  // Two points with the same hash, by the formula of Weld.cxx: x differs, and y makes up for it.
+  // Pairs of points have the same hash by the formula of Weld.cxx: x differs, and y makes up for
+  // it.
   const auto afterX = [](double x)
   {
     std::uint64_t hash;

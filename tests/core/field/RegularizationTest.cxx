@@ -13,10 +13,11 @@
 #include <sstream>
 
 /**
- * Clouds whose points are spread over a length: their definition, direct sum and far field. Errors of far
- * fields in units of the tolerance, the largest of all samples compared here, and those of gradients in
- * units of tolerance / the larger of the length and the distance to the nearest point. (Of ten times as
- * many samples, gradients far from a sphere have up to 7.6, and 4.7 if they are of pure dipoles.)
+ * These tests look at clouds whose points are spread over a length: their definition, direct sum
+ * and far field. The table has the largest error of a far field among all samples compared here, in
+ * units of the tolerance; errors of gradients are in units of tolerance / the larger of the length
+ * and the distance to the nearest point. (Among ten times as many samples, gradients far from a
+ * sphere have errors up to 7.6, and 4.7 if they are of pure dipoles.)
  *
  *                 1e-2  1e-3  1e-4  1e-5  1e-6
  *   scattered
@@ -82,7 +83,7 @@ struct Case
   }
 };
 
-/// Lengths of `factor` times the spacing of each point.
+/// The cloud with points spread over `factor` times their spacings.
 Case regularized(const Cloud& cloud, const std::vector<double>& areas, double factor)
 {
   Case result{clean(cloud), areas};
@@ -101,7 +102,7 @@ Case sphere(std::size_t count, double factor, double scale = 1)
     factor);
 }
 
-/// Points of different lengths, some of them none.
+/// A cloud whose points are spread over different lengths, and some over none.
 Case mixed(unsigned seed)
 {
   Random random(seed);
@@ -114,7 +115,7 @@ Case mixed(unsigned seed)
   return result;
 }
 
-/// Anywhere, and at several distances from points.
+/// Samples anywhere, and at several distances from points.
 std::vector<Point> samplesOf(const Case& one, unsigned seed)
 {
   std::vector<Point> samples = randomPoints(200, -2, 2, seed);
@@ -156,7 +157,7 @@ TEST(RegularizedSolidAngle, IsTheDipoleTimesItsShare)
     const long double length = 0.25L, u = static_cast<long double>(t) * t;
     if (u > 9 && u < 41)
     {
-      continue; // where the series loses too many digits
+      continue; // the series loses too many digits here
     }
     long double sum = 0, power = 1;
     for (int k = 0; k < 80; ++k)
@@ -214,7 +215,7 @@ TEST(RegularizedDipoleSum, HasTheGradientOfCentralDifferences)
   for (const Case& one : {sphere(300, 1), mixed(931)})
   {
     std::vector<Point> samples = randomPoints(50, -1.5, 1.5, 935);
-    // And on points that are spread.
+    // Samples on points that are spread are added.
     samples.insert(samples.end(), one.cloud.positions.begin() + 1, one.cloud.positions.begin() + 5);
     const std::vector<Point> gradients = gradientsOf(DipoleSum(one.cloud, one.areas), samples);
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -288,7 +289,8 @@ TEST(RegularizedDipoleSum, OfASphereHasNoSpikesAtItsPoints)
     record("low" + name.str(), low);
     record("high" + name.str(), high);
     record("steepest" + name.str(), steepest);
-    // Measured: -0.0013, 1.0006 and 1.2; 0.020, 0.979 and 0.57. Pure dipoles give thousands.
+    // The three were measured as -0.0013, 1.0006 and 1.2 with a factor of 0.5, and as 0.020, 0.979
+    // and 0.57 with 1. Pure dipoles give thousands.
     EXPECT_GT(low, factor < 1 ? -0.05 : 0) << factor;
     EXPECT_LT(high, factor < 1 ? 1.05 : 1) << factor;
     EXPECT_LT(steepest, factor < 1 ? 2 : 1) << factor;
@@ -306,7 +308,8 @@ TEST(RegularizedDipoleSum, TendsToPureDipoles)
   EXPECT_EQ(pure.values(samples), expected);
   for (const double factor : {1e-4, 1e-8, 1e-100, 1e-300})
   {
-    // To the bit as soon as the nearest point is far: samples are at least 1e-4 away, about.
+    // Values are equal to the bit as soon as the nearest point is many lengths away; samples are at
+    // least about 1e-4 away.
     EXPECT_EQ(sphere(1000, factor).values(samples), expected) << factor;
   }
 }
@@ -380,7 +383,7 @@ double sizeOf(const FarSource& source)
   return size > 0 ? size : 1;
 }
 
-/// Anywhere, next to points, on them, and far away.
+/// Samples anywhere, next to points, on them, and far away.
 std::vector<Point> samplesOf(const FarSource& source, unsigned seed)
 {
   Random random(seed);

@@ -24,7 +24,7 @@ std::optional<double> shareOf(const Mesh& mesh)
   return winding::fractionalShare(*field, serial);
 }
 
-/// By sums in double.
+/// The share found by sums in double.
 double naiveShareOf(const Mesh& mesh)
 {
   const winding::Surface surface = clean(mesh);
@@ -71,7 +71,8 @@ TEST(FractionalShare, IsThatOfSumsInDouble)
   {
     const double expected = naiveShareOf(mesh);
     EXPECT_GT(expected, 0);
-    // Some samples lie within the tolerance, 1e-3, of the limit. Measured: 0 to 0.0006.
+    // Some samples lie within the tolerance, 1e-3, of the limit: the difference was measured as 0
+    // to 0.0006.
     EXPECT_NEAR(shareOf(mesh).value_or(-1), expected, 0.005);
   }
 }
@@ -97,7 +98,7 @@ TEST(FractionalShare, OfFlatSheetsAndAtAnySize)
     EXPECT_EQ(
       shareOf(openCube().mapped([scale](const Point& p) { return Point(scale * p); })), expected);
   }
-  // No grid has room there.
+  // No grid has room between coordinates that are next to each other.
   const double next = std::nextafter(1.0, 2.0);
   const Mesh tiny{{{1, 1, 1}, {next, 1, 1}, {1, next, 1}}, {{0, 1, 2}}};
   EXPECT_EQ(shareOf(tiny), std::nullopt);

@@ -34,8 +34,11 @@ std::vector<Subject> subjects()
     options.method = method;
     return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
   };
-  const Mesh ball = icosphere(3), nested = ball.with(ball.mapped([](const Point&p) -> Point
-                                    { return 0.5 * p + Point(0.1, 0.2, 0.3); }));
+  const auto shrunk = [](const Point& p) -> Point
+  {
+    return 0.5 * p + Point(0.1, 0.2, 0.3);
+  };
+  const Mesh ball = icosphere(3), nested = ball.with(ball.mapped(shrunk));
   const Mesh lattice =
     surfaceOf(randomCells(3, 7))
       .mapped([](const Point& p) -> Point { return 0.6 * p - Point::Constant(0.9); });
@@ -51,7 +54,7 @@ std::vector<Subject> subjects()
     {"nothing", fieldOf(Mesh(), automatic), true}};
 }
 
-/// The samples of a whole grid, and what is around it.
+/// The samples of a whole grid; all samples around it are outside.
 struct Samples
 {
   Samples(const Field& field, const winding::Grid& grid, InsideRule rule, double threshold)
@@ -90,7 +93,8 @@ struct Samples
   std::vector<unsigned char> inside;
 };
 
-/// Compares with what looking at every sample of the whole grid gives. Returns how many edges there are.
+/// Compares the edges with those found by looking at every sample of the whole grid. Returns their
+/// number.
 std::size_t expectAllEdges(
   const LevelEdges& edges, const Samples& samples, int border, bool hasValues)
 {
@@ -170,7 +174,8 @@ protected:
 
 TEST_P(LevelEdgesOf, AreThoseBetweenAllSamplesInOneSlabOrMany)
 {
-  // A grid around the source and one that cuts it off; layers enough for three slabs, or one only.
+  // The grids lie around the source, or cut it off, and have layers enough for three slabs, or one
+  // layer only.
   for (const auto& [corner, dimensions] : {std::pair<double, Eigen::Vector3i>{-1.2, {11, 12, 40}},
          {-0.55, {7, 9, 33}}, {-1.2, {5, 4, 1}}})
   {

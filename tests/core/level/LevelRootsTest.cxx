@@ -15,7 +15,7 @@ using namespace shapes;
 using winding::Field;
 using winding::InsideRule;
 
-/// Roots of one chain, on as many grid planes as it has.
+/// The edges of a grid on which a field crosses its level, and the roots on them.
 struct Roots
 {
   Roots(const Field& field, const winding::Grid& grid, InsideRule rule, winding::Executor& executor)
@@ -38,7 +38,8 @@ struct Roots
 
 } // namespace
 
-/// Samples lie on the surface, and w there is that of either side; the root may be right beside them.
+/// Many samples lie on the surface, where w is that of either side; roots may be right beside such
+/// samples.
 TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
 {
   constexpr double beside = 1.0 / (1 << 12);
@@ -84,7 +85,7 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
             surface, chain.grid.firstSample + steps.cwiseProduct(chain.grid.spacing)));
           if (root + side <= 0 || root + side >= 1 || std::abs(w - std::round(w)) > 1e-6)
           {
-            continue; // another edge, or in a face
+            continue; // the sample is on another edge, or in a face
           }
           ++checked;
           EXPECT_EQ(winding::isInside(w, rule, 0.5), edge.firstIsInside == (side < 0))

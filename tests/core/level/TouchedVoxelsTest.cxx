@@ -42,9 +42,9 @@ Marks marksOf(const Mesh& mesh, const Grid& grid)
 }
 
 /**
- * How far a triangle and the box of a voxel are apart along the axis that separates them best: less
- * than 0 if they overlap, 0 if they touch, by all of the 13 axes that can separate them. Exact for small
- * integers and halves.
+ * The distance between a triangle and the box of a voxel along the axis that separates them best,
+ * of all 13 that can separate them: less than 0 if they overlap, 0 if they touch. It is exact for
+ * small integers and halves.
  */
 double gapBetween(const std::array<Point, 3>& triangle, const Eigen::Vector3i& voxel)
 {
@@ -56,7 +56,7 @@ double gapBetween(const std::array<Point, 3>& triangle, const Eigen::Vector3i& v
     {
       axes.push_back((triangle[(edge + 1) % 3] - triangle[edge]).cross(Point::Unit(axis)));
     }
-    // Those that a segment has, if the triangle is no more.
+    // The directions of the edges are more axes for triangles that are no more than segments.
     axes.push_back(triangle[(edge + 1) % 3] - triangle[edge]);
   }
   const Point center = voxel.cast<double>() + Point::Constant(0.5);
@@ -81,7 +81,8 @@ double gapBetween(const std::array<Point, 3>& triangle, const Eigen::Vector3i& v
   return gap;
 }
 
-/// Of lattice corners and halves, in general position, large, thin, and degenerate ones.
+/// A triangle with corners on the lattice (kind 0) or at halves (1), a large one (2), a thin or
+/// small one (3 to 5), or one in a plane of the grid (6).
 std::array<Point, 3> someTriangle(Random& random, int kind)
 {
   const auto corner = [&]() -> Point
@@ -100,20 +101,20 @@ std::array<Point, 3> someTriangle(Random& random, int kind)
     }
   };
   std::array<Point, 3> triangle = {corner(), corner(), corner()};
-  if (kind == 3) // a needle
+  if (kind == 3) // the triangle is a needle
   {
     triangle[2] = triangle[0] + 1e-6 * (triangle[2] - triangle[0]);
   }
-  if (kind == 4) // nearly a segment
+  if (kind == 4) // the triangle is nearly a segment
   {
     triangle[2] = 0.3 * triangle[0] + 0.7 * triangle[1] + Point::Constant(1e-14);
   }
-  if (kind == 5) // small
+  if (kind == 5) // the triangle is small
   {
     triangle[1] = triangle[0] + 0.3 * random.direction();
     triangle[2] = triangle[0] + 0.3 * random.direction();
   }
-  if (kind == 6) // in a plane of the grid
+  if (kind == 6) // the triangle lies in a plane of the grid
   {
     const int axis = static_cast<int>(random.bits() % 3);
     for (Point& p : triangle)
@@ -151,7 +152,7 @@ TEST(TouchedVoxels, AreThoseThatNoAxisSeparatesFromTheTriangle)
       const Eigen::Vector3i voxel = winding::sampleIndex(grid.wholeExtent(), i);
       const double gap = gapBetween(triangle, voxel);
       const bool isExact = kind < 2;
-      // Between marked and not is what rounding leaves: 16 of its units for coordinates up to 400.
+      // Rounding leaves gaps undecided up to 16 of its units for coordinates up to 400.
       const double undecided = isExact ? 0 : 1e-12;
       if (gap <= -undecided)
       {
@@ -198,7 +199,8 @@ TEST(TouchedVoxels, PointsTouchTheVoxelsThatMeetThere)
   }
 }
 
-/// The tolerance for what is not touched is relative: voxels and triangles may be of any size, anywhere.
+/// The tolerance for voxels that are not touched is relative: voxels and triangles may be of any
+/// size, anywhere.
 TEST(TouchedVoxels, HoldEveryPointOfTheSurfaceWhereverTheGridLies)
 {
   SCOPED_TRACE("seed 62");
@@ -264,7 +266,7 @@ TEST(TouchedVoxels, PartsAndThreadsHaveTheBitsOfTheWhole)
   }
 }
 
-/// Their bounding boxes have 2·10¹¹ voxels in all.
+/// The bounding boxes of these triangles have 2·10¹¹ voxels in all.
 TEST(TouchedVoxels, LongTrianglesAreNotSearchedForInTheirBoxes)
 {
   SCOPED_TRACE("seed 65");

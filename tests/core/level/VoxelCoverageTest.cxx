@@ -15,8 +15,8 @@
 #include <cmath>
 
 /**
- * What of voxels is inside, against w at single points by the definition's own sum. Samples where
- * rounding or the tolerance decides are left out, and few.
+ * These tests compare which parts of voxels are inside with w at single points, summed by
+ * definition. Samples where rounding or the tolerance decides are left out; they are few.
  */
 namespace
 {
@@ -32,7 +32,7 @@ struct Source
 {
   std::string name;
   std::shared_ptr<const Field> field;
-  bool isInteger; ///< w
+  bool isInteger; ///< whether w is an integer off the surface
 };
 
 std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
@@ -65,7 +65,7 @@ std::vector<Source> sources()
     {"soup", fieldOf(triangleSoup(100, 71)), false}, {"cloud", fieldOf(sphereCloud(400)), false}};
 }
 
-/// Voxels that are not cubes.
+/// A grid around a field, of voxels that are not cubes.
 Grid gridOf(const Field& field, const Eigen::Vector3i& dimensions)
 {
   winding::GridRequest request;
@@ -99,7 +99,7 @@ std::vector<float> fractionsOf(const Field& field, const Grid& grid, const Exten
   return fractions;
 }
 
-/// 1 inside, 0 outside, −1 where that hangs on the tolerance.
+/// The side of a point: 1 inside, 0 outside, −1 where the tolerance decides.
 int sideOf(const Source& source, const Point& point, InsideRule rule)
 {
   const double w = source.field->reference(point);
@@ -197,7 +197,8 @@ TEST(CoverageFractions, AreTheSharesOfSamplesThatAreInside)
           undecided += most - least;
           partial += least > 0 && most < k * k * k;
         }
-        // Of 210 voxels with k³ samples each. Measured: 0 for closed surfaces, else 0.05 % at most.
+        // The share is that of the samples of 210 voxels with k³ each: it was measured as 0 for
+        // closed surfaces, and as 0.05 % at most for others.
         mostUndecided = std::max(mostUndecided, undecided / (k * k * k * 2.1));
         EXPECT_LE(undecided, source.isInteger ? 0 : k * k * k / 2) << source.name;
         EXPECT_TRUE(k == 1 || partial > 10 || hasLittleInside) << source.name;
@@ -224,7 +225,7 @@ TEST(CoverageFractions, SamplesOfOneAreTheCentres)
   }
 }
 
-/// What rows add up, and what is summed at every sample.
+/// Fractions that rows add up are equal to those from sums at every sample.
 TEST(CoverageFractions, RowsAndSumsAgree)
 {
   winding::SerialExecutor serial;
@@ -282,7 +283,7 @@ TEST(CoverageFractions, ManySamplesComeInParts)
   const winding::CoverageFractions sampling(*field, grid, grid.wholeExtent(),
     winding::CoverageFractions::mostSamples, InsideRule::signedThreshold, 0.5, fractions.data());
   EXPECT_EQ(sampling.parts(), 3) << "of 29 layers";
-  // A layer of each part, so that the test is brief.
+  // The test compares a layer of each part only, so that it is brief.
   for (const int k : {10, 40, 59})
   {
     sampling.evaluate(k / 29, serial);
@@ -302,7 +303,7 @@ TEST(CoverageFractions, OneVoxelHasTheVolumeOfTheSource)
   Grid grid = gridOf(*field, {1, 1, 1});
   const std::vector<float> fraction =
     fractionsOf(*field, grid, grid.wholeExtent(), 10, InsideRule::signedThreshold, serial);
-  // That of the polyhedron; measured: 2.6 % more, of 1000 samples.
+  // The volume of the polyhedron is 4.16; 1000 samples were measured to give 2.6 % more.
   EXPECT_NEAR(static_cast<double>(fraction[0]) * grid.spacing.prod(), 4.16, 0.13);
   EXPECT_EQ(overlapOf(*field, grid, grid.wholeExtent(), InsideRule::signedThreshold, serial)[0], 1);
 }

@@ -41,7 +41,7 @@ Cloud bare(std::vector<Point> positions)
   return {std::move(positions), {}};
 }
 
-/// Whether all numbers have the same bits.
+/// Expects that all numbers of two reports have the same bits.
 void expectSame(const CloudReport& a, const CloudReport& b)
 {
   const auto counts = [](const CloudReport& r)
@@ -60,7 +60,7 @@ void expectSame(const CloudReport& a, const CloudReport& b)
   EXPECT_EQ(a.bounds.max(), b.bounds.max());
 }
 
-/// The definition, by looking at all pairs.
+/// The report by definition, found by looking at all pairs.
 CloudReport bruteForce(const Cloud& cloud)
 {
   CloudReport expected;
@@ -117,7 +117,7 @@ CloudReport bruteForce(const Cloud& cloud)
   return expected;
 }
 
-/// Everything that can be wrong with a cloud, here and there.
+/// A cloud with everything that can be wrong, here and there.
 Cloud damagedCloud(std::size_t count, unsigned seed)
 {
   Cloud cloud = randomCloud(count, seed);
@@ -236,7 +236,7 @@ TEST(CloudReport, TellsTheShareOfOppositeNeighbors)
 
 TEST(CloudReport, TakesTheSumOfTheNormalsOfAPlace)
 {
-  // Both sides of a sheet at once: their normals cancel.
+  // Each place of the sheet has points of both sides, whose normals cancel.
   Cloud sheet;
   for (int i = 0; i < 400; ++i)
   {
@@ -246,14 +246,14 @@ TEST(CloudReport, TakesTheSumOfTheNormalsOfAPlace)
   }
   EXPECT_EQ(report(sheet).oppositeNeighbors, 0);
   EXPECT_EQ(report(sheet).duplicates, 400u);
-  // A third one at each decides, and the neighbours of every other one disagree.
+  // A third point at each place decides, upward in one half of the sheet and downward in the other:
+  // neighbours on either side of the middle disagree.
   for (int i = 0; i < 400; ++i)
   {
     sheet.positions.emplace_back(i % 20, i / 20, 0);
     sheet.normals.emplace_back(0, 0, i / 20 < 10 ? 1 : -1);
   }
-  EXPECT_NEAR(
-    report(sheet).oppositeNeighbors, 40 * 3 / 3200.0, 0.01); // those on either side of the middle
+  EXPECT_NEAR(report(sheet).oppositeNeighbors, 40 * 3 / 3200.0, 0.01);
 }
 
 TEST(CloudReport, OfFewPointsHasNoSpacing)

@@ -72,7 +72,7 @@ TEST(CountEdges, FindsTheRimOfAnOpenCube)
 TEST(CountEdges, FindsEveryHoleOnce)
 {
   Mesh mesh = icosphere(2);
-  // Far apart: children of different faces of the icosahedron.
+  // The holes are far apart: they are children of different faces of the icosahedron.
   for (const std::size_t hole : {300, 150, 0})
   {
     mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
@@ -96,7 +96,7 @@ TEST(CountEdges, ConnectsThroughEdgesAndNotThroughVertices)
   const Mesh corner = cube().with(cube({1, 1, 1}, {2, 2, 2}));
   expectEdges(corner, {36, 0, 0, 0, 0, 0, 2});
   EXPECT_EQ(report(corner).vertexComponents, 1u);
-  // Two cubes that share an edge: four triangles meet there.
+  // Two cubes share an edge, where four triangles meet.
   expectEdges(surfaceOf({{0, 0, 0}, {1, 1, 0}}), {35, 0, 0, 1, 0, 0, 1});
 }
 
@@ -130,8 +130,8 @@ TEST(SurfaceReport, HasTheAreaVolumeAndEulerCharacteristicOfTheCube)
 TEST(SurfaceReport, ComesCloseToTheAreaAndVolumeOfTheSphere)
 {
   const SurfaceReport sphere = report(icosphere(4));
-  // The mesh is inscribed, with edges of 0.07: it lacks about edge²/4 of the volume. Measured: 0.0032
-  // and 0.0016 relative.
+  // The mesh is inscribed, with edges of 0.07: it lacks about edge²/4 of the volume. The relative
+  // errors were measured as 0.0032 and 0.0016.
   EXPECT_NEAR(sphere.volume, 4 * winding::pi / 3, 0.02);
   EXPECT_NEAR(sphere.area, 4 * winding::pi, 0.03);
 }
@@ -156,8 +156,8 @@ TEST(SurfaceReport, CountsDuplicatesInEitherOrientation)
 TEST(SurfaceReport, CountsTrianglesWithoutArea)
 {
   SCOPED_TRACE("seed 131");
-  // Three points of a line of the lattice, without rounding; and a box with an odd centre, which must
-  // not make triangles of them.
+  // The vertices of 100 triangles lie on a line of the lattice each, without rounding. The box has
+  // an odd centre, which must not give them area.
   Random random(131);
   Mesh mesh = cube({-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5});
   for (Point& p : mesh.points)
@@ -180,9 +180,11 @@ TEST(SurfaceReport, CountsTrianglesWithoutArea)
 
 TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
 {
-  Mesh mesh = cube().with(cube({1, 0, 0}, {2, 1, 1})); // four corners are those of both
+  // The two cubes have four corners in common.
+  Mesh mesh = cube().with(cube({1, 0, 0}, {2, 1, 1}));
   const double nan = std::nan("");
-  // Two places without triangles, one of them twice, and the corner of a triangle that collapses.
+  // The points added are two places without triangles, the first twice and the second a corner of a
+  // triangle that collapses, then a NaN, and a corner of the first cube once more.
   mesh.points.insert(
     mesh.points.end(), {{7, 7, 7}, {7, 7, 7}, {8, 7, 7}, {nan, 0, 0}, {0, -0.0, 0}});
   mesh.triangles.push_back({18, 18, 0});

@@ -38,7 +38,7 @@ Mesh damaged(const Mesh& whole, unsigned seed)
   return mesh;
 }
 
-/// One triangle stands there six times, another the wrong way round.
+/// One triangle of the sphere is repeated five times, another is turned round.
 Mesh sphereWithMultiples()
 {
   Mesh mesh = icosphere(1);
@@ -55,7 +55,7 @@ std::vector<std::pair<std::string, Mesh>> openMeshes()
     {"soup", triangleSoup(50, 612)}};
 }
 
-/// Where sums and steps of 2^−12 are exact, without any symmetry.
+/// Points at which sums and steps of 2^−12 are exact, without any symmetry.
 std::vector<Point> latticePoints(std::size_t count, unsigned seed)
 {
   std::vector<Point> points = randomPoints(count, -1.5, 1.5, seed);
@@ -66,7 +66,8 @@ std::vector<Point> latticePoints(std::size_t count, unsigned seed)
   return points;
 }
 
-/// Of the direct sum, to fourth order, across triangles, too: where values jump by integers.
+/// The gradient of the direct sum by central differences of fourth order. They may cross triangles,
+/// where values jump by integers.
 Point centralDifferences(const winding::Surface& surface, const Point& q)
 {
   Point gradient;
@@ -128,7 +129,7 @@ TEST(BoundaryGradient, EqualsCentralDifferencesOfTheDirectSum)
     double worst = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      // Differences are right to (step / distance)⁴.
+      // The error of the differences is about (step / distance)⁴.
       if (distanceToBoundary(surface, samples[i]) > 0.05)
       {
         const Point expected = centralDifferences(surface, samples[i]);
@@ -136,7 +137,7 @@ TEST(BoundaryGradient, EqualsCentralDifferencesOfTheDirectSum)
       }
     }
     record(name, worst);
-    EXPECT_LT(worst, 1e-8); // measured: 4e-10, of the differences
+    EXPECT_LT(worst, 1e-8); // measured: 4e-10, the error of the differences
   }
 }
 
@@ -213,7 +214,7 @@ TEST(BoundaryGradient, DoesNotDependOnTheUnitOfLength)
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
         const double error = (scale * gradients[i] - expected[i]).norm();
-        // Powers of two change no bit; else measured: 8e-14.
+        // Powers of two change no bit; other scales were measured to change 8e-14.
         const bool isPowerOfTwo = scale == std::exp2(std::round(std::log2(scale)));
         ASSERT_LE(error, isPowerOfTwo ? 0 : 1e-11 * expected[i].norm() + 1e-13) << name << scale;
       }
@@ -247,7 +248,8 @@ TEST(BoundaryGradient, IsTheSameFarFromTheOrigin)
 
 TEST(BoundaryGradient, OnALineThroughAnEdgeLeavesOutThatEdge)
 {
-  // Exactly on the line, though products of coordinates round: between the ends, at them, beyond them.
+  // The samples are exactly on the line, though products of coordinates round: between the ends, at
+  // them, beyond them.
   const Point end(1.1, 2.3, 3.7);
   const winding::Surface surface = clean(Mesh{{{0, 0, 0}, end, {0, 5, 1}}, {{0, 1, 2}}});
   for (const double t : {0.25, 0.5, 0.125, 0.0, 1.0, -0.5, -8.0, 2.0})
@@ -264,7 +266,8 @@ TEST(BoundaryGradient, BesideAnEdgeIsThatOfAnEndlessLine)
   const winding::Surface surface = clean(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   for (double d = 1e-2; d > 1e-80; d *= 1e-3)
   {
-    // Around the edge, w falls by 1 from below the triangle to above it, where its normal points.
+    // Around the edge w falls by 1 from below the triangle to above it, where the triangle's normal
+    // points.
     const Point above = gradientsOf(gradientOf(surface), {{0.375, 0, d}})[0];
     EXPECT_NEAR(above[1] * 2 * winding::pi * d, -1, 4 * d + 1e-12);
     const Point beside = gradientsOf(gradientOf(surface), {{0.375, d, 0}})[0];
@@ -295,7 +298,7 @@ TEST(BoundaryGradient, IsFiniteOnTheBoundaryAndAnywhereElse)
     {
       ASSERT_TRUE(gradient.allFinite()) << name;
     }
-    // Far away that of a dipole, whose strength is the vector area.
+    // Far away the gradient is that of a dipole, whose strength is the vector area.
     const Point far = gradientsOf(gradientOf(surface), {{1e60, 0, 0}})[0];
     EXPECT_LT(far.norm(), 1e-60) << name;
   }

@@ -19,7 +19,8 @@ using winding::BoundaryEdge;
 using winding::BoundaryLoop;
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// Signed uses of each edge, from its lower to its higher vertex; no zeros.
+/// The number of uses of each edge, signed by their direction from its lower to its higher vertex.
+/// Edges with 0 are left out.
 using Counts = std::map<Edge, int>;
 
 void addEdge(Counts& counts, std::int32_t from, std::int32_t to, int times)
@@ -67,7 +68,7 @@ Counts countsOf(const std::vector<BoundaryLoop>& loops)
   return counts;
 }
 
-/// What Boundary.h promises of every chain and its loops.
+/// Expects all that Boundary.h promises of every chain and its loops.
 void expectSound(const winding::Surface& surface)
 {
   const BoundaryChain chain = boundaryOf(surface);
@@ -90,7 +91,8 @@ void expectSound(const winding::Surface& surface)
   }
 
   const auto loops = winding::boundaryLoops(chain, surface.vertices.size());
-  // Of equal total length, they run along no edge there and back.
+  // Equal counts and, below, equal total length show that the loops run along no edge there and
+  // back.
   ASSERT_EQ(countsOf(loops), countsOf(chain));
   std::size_t loopLength = 0;
   for (const BoundaryLoop& loop : loops)
@@ -211,7 +213,7 @@ TEST(BoundaryChain, OfARepeatedTriangleIsItsSides)
 
 TEST(BoundaryLoops, SplitWhereHolesTouchInAVertex)
 {
-  // Two squares of a plane that share a corner: one walk of eight would visit it twice.
+  // Two squares of a plane share a corner: one walk of eight edges would visit it twice.
   const Mesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const Mesh other = square.mapped([](const Point& p) -> Point { return p + Point(1, 1, 0); });
   EXPECT_EQ(loopSizes(square.with(other)), (Sizes{4, 4}));

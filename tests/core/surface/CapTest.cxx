@@ -82,8 +82,8 @@ TEST(Cap, RunsAgainstTheRim)
 
 TEST(Cap, IsGradedFromTheRimToTheMiddle)
 {
-  // A corner takes part in two triangles of each level at most, and all levels but the first few are
-  // of few triangles: what is near any sample stays about the logarithm of the rim.
+  // A corner belongs to two triangles of each level at most, and all levels but the first few have
+  // few triangles: so the triangles near any sample are about as many as the logarithm of the rim.
   for (const std::int32_t n : {64, 1000, 1024, 4097})
   {
     const auto cap = winding::capOf({polygon(n)});
@@ -110,7 +110,7 @@ TEST(Fan, HasItsApexBesideThePlaneOfTheLoop)
   const auto loops = loopsOf(surface);
   const auto fan = winding::fanOf(loops, surface.vertices);
   EXPECT_EQ(fan.size(), 4u);
-  // Off the missing face, but within its own size.
+  // The apex is off the missing face, but no farther than the face is large.
   const Point apex = surface.vertices.back();
   EXPECT_GT(std::abs(apex[2] - 1), 0.1);
   EXPECT_LT((apex - Point(0.5, 0.5, 1)).norm(), std::sqrt(2));

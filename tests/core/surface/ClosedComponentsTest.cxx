@@ -33,7 +33,7 @@ std::vector<ClosedComponent> closedComponents(const Mesh& mesh)
   return winding::closedComponents(surface, componentsOf(surface), serial);
 }
 
-/// Sense and depth of each.
+/// The sense and depth of each closed component.
 using Nest = std::vector<std::pair<int, int>>;
 
 Nest nestOf(const Mesh& mesh)
@@ -72,7 +72,7 @@ Surface partOf(const Surface& surface, const Components& components, std::int32_
   return part;
 }
 
-/// The definition by sums of solid angles, for vertices that lie on no other component.
+/// The depths by definition, from sums of solid angles. No vertex may lie on another component.
 std::vector<int> naiveDepths(const Mesh& mesh)
 {
   const Surface surface = clean(mesh);
@@ -108,7 +108,8 @@ TEST(CrossingTree, SumsToTheWindingNumber)
   for (unsigned seed = 601; seed < 606; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    // Lattices: rays through edges and vertices. And spheres, one in another and one inside out.
+    // The cells of a lattice make rays go through edges and vertices. Of the two spheres, the inner
+    // one is inside out.
     const Mesh solid = surfaceOf(randomCells(4, seed))
                          .with(ball({1.7, 2.1, 1.9}, 1.3).with(ball({2.2, 2, 2}, 0.6).reversed()));
     Mesh mesh = solid;
@@ -155,7 +156,7 @@ TEST(ClosedComponents, TellInFromOutByTheVolume)
 
 TEST(ClosedComponents, LeaveWhatIsFlatWithoutASense)
 {
-  // Two sheets, one on the other, oriented against each other; not in a plane of the coordinates.
+  // Two sheets lie on one another, oriented against each other, and in no plane of the coordinates.
   Mesh sheet{{{0.1, 0.7, 0.3}, {1.3, 0.2, 0.9}, {0.4, 1.1, 0.8}, {0.9, 0.4, 1.7}},
     {{0, 1, 2}, {1, 3, 2}, {0, 2, 1}, {1, 2, 3}}};
   const std::vector<ClosedComponent> flat = closedComponents(sheet);
@@ -189,23 +190,22 @@ TEST(ClosedComponents, CountWhatTheyLieInside)
 TEST(ClosedComponents, DoNotLieInsideWhatTheyPokeOutOf)
 {
   EXPECT_EQ(nestOf(ball({0, 0, 0}, 1).with(ball({0.6, 0.1, 0}, 0.5))), (Nest{{1, 0}, {1, 0}}));
-  EXPECT_EQ(nestOf(box({0, 0, 0}, 1)
-                     .with(box({0, 0, 0}, 0.5)
-                             .mapped([](const Point& p)
-                               { return Point(0.4 * p[0], 0.4 * p[1], 3 * p[2]); }))),
-    (Nest{{1, 0}, {1, 0}}));
+  const Mesh needle =
+    box({0, 0, 0}, 0.5)
+      .mapped([](const Point& p) { return Point(0.4 * p[0], 0.4 * p[1], 3 * p[2]); });
+  EXPECT_EQ(nestOf(box({0, 0, 0}, 1).with(needle)), (Nest{{1, 0}, {1, 0}}));
 }
 
 TEST(ClosedComponents, LieInsideWhatTheyTouchAtAVertex)
 {
-  // The corner (1, 1, 1) is that of both.
-  EXPECT_EQ(
-    nestOf(cube().with(cube({0.5, 0.5, 0.5}, {1, 1, 1})
-                         .mapped([](const Point& p)
-                           { return p == Point(1, 1, 1) ? p : Point(p - Point(0.1, 0.2, 0.3)); })
-                         .reversed())),
-    (Nest{{1, 0}, {-1, 1}}));
-  // Outside, with a corner in common: neither lies in the other.
+  // Both have the corner (1, 1, 1).
+  const auto movedInside = [](const Point& p)
+  {
+    return p == Point(1, 1, 1) ? p : Point(p - Point(0.1, 0.2, 0.3));
+  };
+  const Mesh cavity = cube({0.5, 0.5, 0.5}, {1, 1, 1}).mapped(movedInside).reversed();
+  EXPECT_EQ(nestOf(cube().with(cavity)), (Nest{{1, 0}, {-1, 1}}));
+  // Two cubes side by side have a corner in common: neither lies in the other.
   EXPECT_EQ(nestOf(cube().with(cube({1, 1, 1}, {2, 2, 2}))), (Nest{{1, 0}, {1, 0}}));
 }
 
@@ -245,7 +245,7 @@ TEST(ClosedComponents, AreTheSameFarAwayAndAtAnySize)
   }
   EXPECT_EQ(
     nestOf(nest.mapped([](const Point& p) { return Point(p + Point(3e9, -8e9, 5e9)); })), expected);
-  // A speck beside something large.
+  // A speck lies within something large.
   const Mesh speck = box({0.5, 0.25, 0}, 1e-12).with(box({0, 0, 0}, 1e6));
   EXPECT_EQ(nestOf(speck), (Nest{{1, 1}, {1, 0}}));
   EXPECT_TRUE(closedComponents(speck)[0].isNestedSolid());
@@ -253,7 +253,7 @@ TEST(ClosedComponents, AreTheSameFarAwayAndAtAnySize)
 
 TEST(ClosedComponents, ThousandsOfThemTakeNoTime)
 {
-  // In a line along the rays, and in a lattice, all of them in one box.
+  // Half of them lie in a line along the rays, half in a lattice, and all of them in one box.
   Mesh many = box({5000, 0, 0}, 6000);
   many.points.reserve(90'000);
   for (int i = 0; i < 10'000; ++i)

@@ -31,7 +31,8 @@ std::vector<bool> closedness(const Mesh& mesh)
   return {components.isClosed.begin(), components.isClosed.end()};
 }
 
-using Uses = std::vector<std::pair<std::int32_t, std::int32_t>>; // triangle, sense
+/// The triangles that use an edge, each with its sense.
+using Uses = std::vector<std::pair<std::int32_t, std::int32_t>>;
 using EdgeMap = std::map<std::pair<std::int32_t, std::int32_t>, Uses>;
 
 EdgeMap naiveEdges(const Surface& surface)
@@ -52,7 +53,8 @@ EdgeMap naiveEdges(const Surface& surface)
 EdgeMap asMap(const Surface& surface, const SurfaceEdges& edges)
 {
   EdgeMap map;
-  const EdgeMap naive = naiveEdges(surface); // for the senses that rims and pairs leave out
+  // Rims and pairs leave out the senses, which are taken from here.
+  const EdgeMap naive = naiveEdges(surface);
   for (const SurfaceEdges::Rim& rim : edges.rims)
   {
     map[{rim.low, rim.high}] = {{rim.triangle, naive.at({rim.low, rim.high})[0].second}};
@@ -74,7 +76,7 @@ EdgeMap asMap(const Surface& surface, const SurfaceEdges& edges)
   return map;
 }
 
-/// Triangles over few vertices: their edges are used by one to many.
+/// Triangles over few vertices, whose edges are used by one to many triangles.
 Mesh crowdedMesh(std::size_t triangles, unsigned seed)
 {
   Random random(seed);
@@ -90,7 +92,7 @@ Mesh crowdedMesh(std::size_t triangles, unsigned seed)
   return mesh;
 }
 
-/// The definition, by passing labels on until nothing changes.
+/// The components by definition, found by passing labels on until nothing changes.
 std::vector<std::int32_t> naiveComponents(const Surface& surface)
 {
   const EdgeMap edges = naiveEdges(surface);
@@ -195,7 +197,8 @@ TEST(Components, AreThoseOfTheDefinition)
     const Surface surface = clean(mesh);
     const Components components = winding::componentsOf(surface, edgesOf(surface));
     const std::vector<std::int32_t> naive = naiveComponents(surface);
-    std::map<std::int32_t, std::int32_t> numbers; // of the lowest triangles, in their order
+    // Components are numbered in the order of their lowest triangles, which are the naive labels.
+    std::map<std::int32_t, std::int32_t> numbers;
     for (std::size_t i = 0; i < naive.size(); ++i)
     {
       const auto number = static_cast<std::int32_t>(numbers.size());
@@ -221,7 +224,7 @@ TEST(Components, AreThoseOfTheDefinition)
 
 TEST(Components, TellSolidsApartThatShareAnEdge)
 {
-  // One of them inside out, too.
+  // The solids are told apart also if one of them is inside out.
   EXPECT_EQ(closedness(surfaceOf({{0, 0, 0}, {1, 1, 0}})), (std::vector<bool>{true, true}));
   const Mesh cubes = cube().with(cube({1, 1, 0}, {2, 2, 1}).reversed());
   EXPECT_EQ(closedness(cubes), (std::vector<bool>{true, true}));
@@ -229,7 +232,7 @@ TEST(Components, TellSolidsApartThatShareAnEdge)
 
 TEST(Components, JoinRoomsThatShareAWall)
 {
-  // The wall once, and twice.
+  // The wall is there once in `rooms`, and twice in `doubled`.
   const Mesh rooms = cube().with(
     openCube().mapped([](const Point& p) { return Point(p[0], p[1], -p[2]); }).reversed());
   EXPECT_EQ(closedness(rooms), std::vector<bool>{false});
@@ -239,7 +242,7 @@ TEST(Components, JoinRoomsThatShareAWall)
 
 TEST(Components, KeepPolygonsTogether)
 {
-  // Two triangles without a common edge that are said to be one polygon.
+  // Two triangles without a common edge are said to be one polygon.
   const Mesh mesh{
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
   const Surface surface = clean(mesh);

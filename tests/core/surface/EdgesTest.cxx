@@ -54,7 +54,7 @@ TEST(EdgeUses, AreAllUsesOfAllEdgesInOrder)
   Random random(101);
   for (int i = 0; i < 300; ++i)
   {
-    // Few vertices: edges of many triangles, both ways, and triangles that occur again.
+    // Few vertices make edges that many triangles use, both ways, and triangles that occur again.
     const std::uint64_t vertices = 3 + random.bits() % 8;
     winding::Surface surface;
     surface.vertices.resize(vertices);

@@ -46,7 +46,7 @@ Surface oriented(const Mesh& mesh)
   return turned(surface, orient(surface).isTurned);
 }
 
-/// Some triangles turned round.
+/// The mesh with a share of its triangles turned round.
 Mesh shuffled(Mesh mesh, unsigned seed, double share = 0.5)
 {
   Random random(seed);
@@ -83,7 +83,7 @@ void expectTriangles(const Surface& surface, const Mesh& mesh)
   ASSERT_EQ(surface.triangles.size(), expected.triangles.size());
   for (std::size_t i = 0; i < expected.triangles.size(); ++i)
   {
-    // Turned twice, a triangle starts elsewhere.
+    // A triangle that was turned twice starts at another corner.
     std::array<std::int32_t, 3> a = surface.triangles[i], b = expected.triangles[i];
     std::rotate(a.begin(), std::min_element(a.begin(), a.end()), a.end());
     std::rotate(b.begin(), std::min_element(b.begin(), b.end()), b.end());
@@ -91,7 +91,7 @@ void expectTriangles(const Surface& surface, const Mesh& mesh)
   }
 }
 
-/// Where z is more than 0.3: a cap for it has two thirds of its area.
+/// The part of a sphere where z is more than 0.3: a cap for it has two thirds of its area.
 Mesh upperPart(Mesh sphere)
 {
   sphere.triangles.erase(
@@ -170,7 +170,7 @@ TEST(Orientation, OfWhatIsNearlyClosedIsOutward)
     pierced.triangles.erase(pierced.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
   }
   expectTriangles(oriented(shuffled(pierced, 742, 0.95)), pierced);
-  // An open cavity in an open solid.
+  // An open cavity lies in an open solid.
   const Mesh inner =
     openCube().mapped([](const Point& p) { return Point(0.3 * p + Point(0.2, 0.3, 0.4)); });
   const Mesh nested = openCube().with(inner.reversed());
@@ -194,13 +194,14 @@ TEST(Orientation, OfOpenSurfacesKeepsMostOfTheirArea)
   const Mesh dome = upperPart(icosphere(3));
   expectTriangles(oriented(shuffled(dome, 751, 0.2)), dome);
   expectTriangles(oriented(shuffled(dome, 751, 0.8)), dome.reversed());
-  // By area, not by number: one large triangle against many small ones around it.
+  // The area counts, not the number: one large triangle stands against many small ones around it.
   Mesh flat{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}};
   for (int i = 0; i < 5; ++i)
   {
     const auto id = static_cast<std::int32_t>(flat.points.size());
     flat.points.push_back({5.0 + i, -0.1 * (i + 1), 0});
-    flat.triangles.push_back({i == 0 ? 0 : id - 1, 1, id}); // a fan beside it, the wrong way round
+    // The small triangles are a fan beside the large one, the wrong way round.
+    flat.triangles.push_back({i == 0 ? 0 : id - 1, 1, id});
   }
   const Orientation found = orient(clean(flat));
   EXPECT_FALSE(found.isTurned[0]);
@@ -213,7 +214,7 @@ TEST(Orientation, LeavesWhatIsOneSided)
   const Surface surface = clean(strip);
   EXPECT_EQ(winding::countOneSided(surface, edgesOf(surface)), 1u);
   EXPECT_EQ(orient(surface).triangles, 0u);
-  // And orients what is beside it.
+  // A component beside the one-sided one is oriented.
   const Mesh both = strip.with(shuffled(ball({7, 0, 0}, 1), 762));
   const Surface found = oriented(both);
   EXPECT_NEAR(windingAt(found, {7, 0, 0}) - windingAt(clean(strip), {7, 0, 0}), 1, 1e-9);
@@ -225,7 +226,8 @@ TEST(Orientation, LeavesWhatIsOneSided)
 
 TEST(Orientation, CancelsWhereManyMeet)
 {
-  // A triangle of a sphere twice: whatever their orientations, one of them is what the sphere needs.
+  // Two triangles of a sphere are there twice: whatever their orientations, one of each two is as
+  // the sphere needs it.
   for (unsigned seed = 771; seed < 781; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -234,18 +236,19 @@ TEST(Orientation, CancelsWhereManyMeet)
     mesh.triangles.push_back(mesh.triangles[41]);
     const Surface found = oriented(shuffled(mesh, seed));
     EXPECT_EQ(disagreements(found), 0u);
-    // Each of the two is there once more, in one sense or the other.
+    // Each of the two repeated triangles adds to w, or takes from it, once more.
     const double w = windingAt(found, {0.1, 0.2, -0.1});
     EXPECT_NEAR(w, 1, 0.03); // an extra triangle has 1/320 of the full angle
   }
-  // Solids that share edges.
+  // The solids share edges.
   const Mesh cells = surfaceOf({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {1, 1, 2}, {2, 2, 1}});
   expectTriangles(oriented(shuffled(cells, 782)), cells);
 }
 
 TEST(Orientation, LeavesSheetsThatCrossAtEdges)
 {
-  // Two sheets of two triangles that cross at a common edge, each of one sense: nothing is to be gained.
+  // Two sheets of two triangles cross at a common edge, each of one sense: turning any would gain
+  // nothing.
   const Mesh sheets{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-1, 0, 0.5}, {0, 2, 0.5}, {0, -2, 0.5}},
     {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}}};
   EXPECT_EQ(orient(clean(sheets)).triangles, 0u);
@@ -254,7 +257,7 @@ TEST(Orientation, LeavesSheetsThatCrossAtEdges)
 TEST(Orientation, KeepsTheTrianglesOfPolygonsTogether)
 {
   SCOPED_TRACE("seed 791");
-  // The quadrilaterals of a torus, two triangles each, turned round as a whole.
+  // The quadrilaterals of a torus, two triangles each, are turned round as a whole.
   Random random(791);
   const Mesh right = torus(20, 12);
   Mesh mesh = right;
@@ -302,7 +305,7 @@ TEST(Orientation, OfSoupsIsTheSameForEveryExecutorAndEndsSoon)
   for (unsigned seed = 811; seed < 816; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    // Few points and many triangles: nearly all edges are used by many.
+    // Few points and many triangles make nearly all edges used by many.
     Random random(seed);
     Mesh mesh{randomPoints(40, -1, 1, seed), {}};
     for (int i = 0; i < 2000; ++i)
@@ -320,7 +323,7 @@ TEST(Orientation, OfSoupsIsTheSameForEveryExecutorAndEndsSoon)
       winding::orient(surface, winding::edgesOf(surface, threads), {}, threads);
     EXPECT_EQ(found.isTurned, expected.isTurned);
     EXPECT_EQ(found.components, expected.components);
-    // Never worse than before.
+    // No fewer edges cancel than before.
     const auto uncancelled = [](const Surface& of)
     {
       std::int64_t sum = 0;
@@ -387,7 +390,7 @@ TEST(NearlyClosed, ClosesWhatHasASmallCap)
   EXPECT_EQ(isClosed(moebiusStrip(10)), std::vector<bool>{false});
   EXPECT_EQ(isClosed(cube()), std::vector<bool>{true});
   EXPECT_EQ(isClosed(Mesh()), std::vector<bool>());
-  // Two boxes whose openings have a corner in common, and a triangle at the same corner.
+  // The openings of two boxes have a corner in common, and a triangle touches the same corner.
   const Mesh other =
     openCube().mapped([](const Point& p) { return Point(-p[0], -p[1], 2 - p[2]); });
   const Mesh corner{{{0, 0, 1}, {1, -1, 2}, {1, -2, 2}}, {{0, 1, 2}}};
