@@ -38,8 +38,8 @@ private:
 /// turn, and beyond a thousand of them the caches for addresses are too small.
 constexpr std::size_t mostBuckets = 1024;
 
-/// How often 0 … size − 1 must be halved for buckets of `wanted` each, or of more if those were more
-/// than `most` buckets: bucket = i >> shift keeps their order.
+/// The shift that puts the numbers 0 … size − 1 into buckets of at least `wanted` each, and of more
+/// if there were more than `most` buckets otherwise: bucket = i >> shift, which keeps their order.
 inline int bucketShift(std::size_t size, std::size_t wanted, std::size_t most = mostBuckets)
 {
   int shift = 0;
@@ -50,7 +50,7 @@ inline int bucketShift(std::size_t size, std::size_t wanted, std::size_t most = 
   return shift;
 }
 
-/// The number of these buckets; none if size is 0.
+/// The number of buckets that i >> shift takes 0 … size − 1 to; none if size is 0.
 inline std::size_t bucketsFor(std::size_t size, int shift)
 {
   return size > 0 ? ((size - 1) >> shift) + 1 : 0;
@@ -59,16 +59,17 @@ inline std::size_t bucketsFor(std::size_t size, int shift)
 /**
  * The first pass of a radix sort, in parallel: puts what the sources 0 … sources − 1 emit into
  * buckets. Every block of sources counts what it has for each bucket; sums of the counts say where
- * each block writes in each bucket; then the blocks write. No two write to the same place, so that
- * neither locks nor atomics are needed.
+ * each block writes in each bucket; then the blocks write. No two blocks write to the same place,
+ * so neither locks nor atomics are needed.
  *
  * emit(first, last, put) calls put(bucket, item), any number of times, for the sources
- * first … last − 1 in their order. It is called twice for the same sources, at first with a put that
- * only counts, and must emit the same both times; it may be called from several threads.
+ * first … last − 1 in their order. It is called twice for the same sources, at first with a put
+ * that only counts, and must emit the same both times; it may be called from several threads.
  *
  * Guaranteed: stable, that is, in every bucket the items stand in the order of their sources, for
- * any executor. Item must be trivially copyable. 8 bytes per block of sources and bucket beside the
- * items: larger blocks for many buckets, smaller ones where a source takes long. Throws Interrupted.
+ * any executor. Item must be trivially copyable. Memory is 8 bytes per block of sources and bucket,
+ * beside the items: choose larger blocks for many buckets, smaller ones where a source takes long.
+ * Throws Interrupted.
  */
 template <class Item, class Emit>
 Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& emit,
@@ -85,7 +86,7 @@ Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& e
     },
     executor);
 
-  // Row by row both times: column by column would visit memory in long strides.
+  // Both loops go row by row: column by column they would visit memory in long strides.
   std::vector<std::size_t> starts(buckets + 1, 0);
   for (std::size_t i = 0; i < places.size(); i += buckets)
   {

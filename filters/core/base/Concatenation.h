@@ -33,7 +33,7 @@ public:
     return static_cast<std::size_t>(next - starts_.begin()) - 1;
   }
 
-  /// Calls work(view, begin, end, number) for what belongs to each view of the items
+  /// Calls work(view, begin, end, number) for each view that has some of the items
   /// first … last − 1: they are begin … end − 1 in the view, and `number` is the number of `begin`.
   template <class Work>
   void forEachPart(std::size_t first, std::size_t last, const Work& work) const

@@ -9,7 +9,8 @@
 namespace winding
 {
 
-/// Disjoint sets of 0 … n − 1. The representative of a set is its lowest item, however it came about.
+/// Disjoint sets of 0 … n − 1. The representative of a set is its lowest item, in whatever order
+/// the set was united.
 class DisjointSets
 {
 public:
@@ -29,7 +30,7 @@ public:
     return item;
   }
 
-  /// Returns whether they were apart.
+  /// Unites the sets of two items and returns whether they were two sets.
   bool unite(std::int32_t a, std::int32_t b)
   {
     a = find(a);
@@ -42,8 +43,9 @@ private:
   std::vector<std::int32_t> parent_;
 };
 
-/// The same of items that have one of two senses, of which those of a set are known relative to each
-/// other.
+/// Disjoint sets of 0 … n − 1 whose items have one of two senses each: within a set, it is known
+/// which items have the same sense and which have opposite ones. The representative of a set is its
+/// lowest item.
 class SensedSets
 {
 public:
@@ -59,7 +61,7 @@ public:
   struct Place
   {
     std::int32_t representative; ///< the lowest item of the set
-    bool isOpposite;             ///< to the representative
+    bool isOpposite;             ///< whether the item has the other sense than the representative
   };
 
   Place find(std::int32_t item)
@@ -75,8 +77,8 @@ public:
     return place;
   }
 
-  /// Two items have the same sense, or opposite ones. Returns false, and changes nothing, where that
-  /// contradicts what is known.
+  /// Notes that two items have the same sense, or opposite ones. Returns false, and changes
+  /// nothing, where this contradicts what is known.
   bool unite(std::int32_t a, std::int32_t b, bool areOpposite)
   {
     const Place first = this->find(a), second = this->find(b);
@@ -91,7 +93,8 @@ public:
   }
 
 private:
-  std::vector<Place> sets_; ///< of each item, one that stands above it, at last its representative
+  /// The parent of each item, by whose parents in turn one comes to the representative of the set.
+  std::vector<Place> sets_;
 };
 
 } // namespace winding

@@ -5,8 +5,8 @@
 namespace winding
 {
 
-/// Divides what is an executor's share of progress when this is made, and gives that back in the end: so
-/// what takes a part may divide it again.
+/// Divides the share of progress that an executor has when this object is made, and restores that
+/// share when it is destroyed: so work that is given a part may divide the part again.
 class DividedShare
 {
 public:
@@ -20,7 +20,7 @@ public:
   DividedShare(const DividedShare&) = delete;
   DividedShare& operator=(const DividedShare&) = delete;
 
-  /// What runs next is from `first` to `last` of it, of 0 to 1.
+  /// The work that runs next is the part from `first` to `last` of the divided share, from 0 to 1.
   void set(double first, double last) { executor_.setShare(this->at(first), this->at(last)); }
 
 private:

@@ -41,13 +41,14 @@ public:
   virtual void evaluate(const SampleBlock& block, double* values) const = 0;
 };
 
-/// The same for gradients of winding numbers.
+/// One method for gradients of winding numbers, bound to one source. Immutable once built, like an
+/// Evaluator.
 class GradientEvaluator
 {
 public:
   virtual ~GradientEvaluator() = default;
 
-  /// Writes block.count gradients, three numbers each, in 1/length of the block's coordinates.
+  /// Writes block.count gradients, three numbers each, in 1/(unit of the block's coordinates).
   virtual void evaluateGradients(const SampleBlock& block, double* gradients) const = 0;
 };
 

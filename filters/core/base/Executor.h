@@ -25,22 +25,23 @@ public:
    */
   virtual bool run(std::size_t count, const std::function<void(std::size_t)>& work) = 0;
 
-  /// The same for what comes before the work that a user waits for, and is brief beside it: an
-  /// executor that shows progress leaves it where it is.
+  /// Runs work as run() does, but work that prepares what a user waits for and is brief beside it:
+  /// an executor that shows progress leaves its progress where it is.
   virtual bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
   {
     return this->run(count, work);
   }
 
-  /// What runs next is this share of all that was to run: from `first` to `last` of 0 to 1. For executors
-  /// that show progress.
+  /// Says that the work that runs next is the share from `first` to `last`, from 0 to 1, of all the
+  /// work. Only executors that show progress need it.
   virtual void setShare(double first, double last)
   {
     (void)first;
     (void)last;
   }
 
-  /// The share that was set last, 0 and 1 at first: what divides its work further sets parts of it.
+  /// The share that was set last, 0 and 1 at first. Code that divides its work further sets parts
+  /// of this share.
   virtual std::pair<double, double> share() const { return {0, 1}; }
 };
 
@@ -58,7 +59,8 @@ public:
   }
 };
 
-/// Thrown by what makes something in one go when the executor was interrupted: nothing was made.
+/// Thrown by functions that make something in one go when the executor was interrupted: nothing was
+/// made.
 class Interrupted final : public std::exception
 {
 public:
@@ -67,8 +69,8 @@ public:
 
 /**
  * Cuts 0 … count − 1 into blocks of the same size, the last one excepted, and calls
- * work(block, first, last) for each: the items of a block are first … last − 1. The blocks depend on
- * the two numbers only. Runs briefly. Throws Interrupted.
+ * work(block, first, last) for each: the items of a block are first … last − 1. The blocks depend
+ * on `count` and `itemsPerBlock` only, and are run by runBriefly(). Throws Interrupted.
  */
 template <class Work>
 void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, Executor& executor)

@@ -9,7 +9,8 @@ namespace winding
 namespace
 {
 
-/// With a sign, in a type that may hold less: only 0 becomes 0, and nothing becomes infinite.
+/// A distance with its sign, in a type with perhaps a smaller range than double: only 0 becomes 0,
+/// and nothing becomes infinite.
 template <class Real> Real signedDistance(double distance, bool isInside)
 {
   using Limits = std::numeric_limits<Real>;

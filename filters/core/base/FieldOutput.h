@@ -8,7 +8,7 @@
 namespace winding
 {
 
-/// Where values go, one per sample in the samples' order; null pointers are left out.
+/// The arrays that values go to, one per sample in the samples' order; null pointers are left out.
 struct FieldOutput
 {
   float* values = nullptr;
@@ -19,11 +19,12 @@ struct FieldOutput
   InsideRule rule = InsideRule::signedThreshold;
   double threshold = 0.5;
 
-  /// Distances from the source, in its unit of length: negative inside, as `inside` has it, or would.
-  /// 0 stays 0; what a type cannot hold otherwise becomes its smallest or largest number.
+  /// Distances from the source, in its unit of length: negative inside, by the decision that goes
+  /// into `inside`, also if that is null. 0 stays 0; other distances that are too small or too
+  /// large for a type become its smallest or largest number.
   float* distances = nullptr;
   double* doubleDistances = nullptr;
-  /// More than 0; farther samples get this, with their sign.
+  /// The largest distance that is written, more than 0; farther samples get it, with their sign.
   double distanceLimit = std::numeric_limits<double>::infinity();
 
   bool hasDistances() const { return this->distances || this->doubleDistances; }

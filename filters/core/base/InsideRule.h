@@ -5,12 +5,12 @@
 namespace winding
 {
 
-/// When a sample counts as inside.
+/// The rule by which a sample with winding number w counts as inside.
 enum class InsideRule
 {
-  signedThreshold,   ///< w ≥ threshold: outward oriented solids
-  absoluteThreshold, ///< |w| ≥ threshold: solids of either orientation
-  odd                ///< the integer nearest to w is odd: what parity would say
+  signedThreshold,   ///< w ≥ threshold: for outward oriented solids
+  absoluteThreshold, ///< |w| ≥ threshold: for solids of either orientation
+  odd                ///< the integer nearest to w is odd: for what the parity of crossings says
 };
 
 inline bool isInside(double windingNumber, InsideRule rule, double threshold)
@@ -27,8 +27,8 @@ inline bool isInside(double windingNumber, InsideRule rule, double threshold)
   return false;
 }
 
-/// How far a winding number is beyond what the rule asks for: continuous in it, more than 0 inside and
-/// less than 0 outside. Where it is 0, isInside() decides.
+/// The amount by which a winding number exceeds the rule's limit: a continuous function of the
+/// number, more than 0 inside and less than 0 outside. Where the amount is 0, isInside() decides.
 inline double levelOf(double windingNumber, InsideRule rule, double threshold)
 {
   switch (rule)

@@ -6,8 +6,8 @@ namespace winding
 {
 
 /**
- * Thrown where input or parameters cannot be worked with. what() is one line for the user: what is
- * wrong, where, and what to do about it. Nothing has been allocated or changed when it is thrown.
+ * Thrown where input or parameters cannot be worked with. what() is one line for the user, which
+ * says what is wrong, where, and what to do about it. Nothing is left allocated or changed.
  */
 class Refusal : public std::runtime_error
 {

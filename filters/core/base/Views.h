@@ -7,9 +7,9 @@
 
 /**
  * @file
- * Views: how arrays cross the border into the core. A view owns nothing and copies nothing; it is a
- * pointer, a count and a stride, over float or double (or 32 or 64 bit ids), and the memory must
- * outlive it. Everything that the core computes, it computes in double.
+ * Views are the form in which arrays cross the border into the core. A view owns nothing and copies
+ * nothing; it is a pointer, a count and a stride, over float or double (or 32 or 64 bit ids), and
+ * the memory must outlive it. Everything that the core computes, it computes in double.
  */
 namespace winding
 {
@@ -52,7 +52,7 @@ private:
 };
 } // namespace detail
 
-/// #V by 3: positions or normals. Stride in numbers, at least 3.
+/// Positions or normals, #V by 3. The stride counts numbers and is at least 3.
 class VectorsView : public detail::StridedView<float, double, double>
 {
 public:
@@ -65,7 +65,7 @@ public:
   Eigen::Vector3d operator[](std::size_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
 };
 
-/// #V by 1: areas. Stride in numbers, at least 1.
+/// Areas, #V by 1. The stride counts numbers and is at least 1.
 class ScalarsView : public detail::StridedView<float, double, double>
 {
 public:
@@ -78,7 +78,7 @@ public:
   double operator[](std::size_t i) const { return at(i, 0); }
 };
 
-/// #F by 3: point ids of triangles, packed.
+/// Point ids of triangles, #F by 3, packed.
 class TriangleIdsView : public detail::StridedView<std::int32_t, std::int64_t, std::int64_t>
 {
 public:

@@ -15,7 +15,7 @@ DistinctPoints::DistinctPoints(
   std::transform(positions.begin(), positions.end(), scaled.begin(),
     [scale](const Eigen::Vector3d& position) { return Eigen::Vector3d(position * scale); });
 
-  // Equal points share a leaf, and sorted there they stand side by side.
+  // Equal points share a leaf, and sorting the leaf puts them side by side.
   constexpr std::size_t leafSize = 16, nodesPerBlock = 256;
   const SourceTree tree(scaled, leafSize, executor);
   points_ = tree.order();

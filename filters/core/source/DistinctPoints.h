@@ -11,24 +11,26 @@ namespace winding
 {
 
 /**
- * The places of points: each position once, with the points that stand there. What looks for
- * neighbours looks among places, for of many equal points the nearest are all of them, and say nothing.
+ * The places of points: each position once, with the points that stand there. Searches for
+ * neighbours look among places: the nearest neighbours of one of many equal points would be the
+ * other equal ones, which say nothing of its surroundings.
  *
- * Places that are near to each other mostly have numbers near to each other. Guaranteed: the same for
- * any executor; the places and their order depend on the positions and on how many points are at each,
- * not on the order of the points; the points of a place stand in ascending order.
+ * Places that are near to each other mostly have numbers near to each other. Guaranteed: the result
+ * is the same for any executor; the places and their order depend on the positions and on how many
+ * points are at each, not on the order of the points; the points of a place stand in ascending
+ * order.
  */
 class DistinctPoints
 {
 public:
   /// Up to 2³² − 1 positions, all finite; they are multiplied by scale (UnitScale.h). Throws
-  /// Interrupted. 32 bytes per place and 4 per point remain.
+  /// Interrupted. The object keeps up to 32 bytes per point.
   DistinctPoints(const std::vector<Eigen::Vector3d>& positions, double scale, Executor& executor);
 
   std::size_t size() const { return positions_.size(); }
   double scale() const { return scale_; }
 
-  /// By place, scaled.
+  /// The scaled positions, by place.
   const std::vector<Eigen::Vector3d>& positions() const { return positions_; }
 
   ///@{
@@ -41,7 +43,7 @@ public:
 private:
   double scale_;
   std::vector<Eigen::Vector3d> positions_;
-  std::vector<std::uint32_t> starts_; ///< one more than places
+  std::vector<std::uint32_t> starts_; ///< where each place begins in points_; at last its size
   std::vector<std::uint32_t> points_;
 };
 

@@ -30,7 +30,7 @@ void checkBounds(const Bounds& bounds)
   }
 }
 
-/// Voxels of the given size that cover a length, at least one.
+/// The number of voxels of the given size that cover a length, at least one.
 int countVoxels(double length, double voxelSize)
 {
   // A length that is a multiple of the size up to rounding must not gain a voxel by that rounding.
@@ -136,7 +136,7 @@ Grid layOutGrid(const GridRequest& request)
     }
   }
   checkSampleCount(grid);
-  // What cubic voxels reach over is shared by both sides; given dimensions fill the box exactly.
+  // Cubic voxels reach over both sides by the same amount; given dimensions fill the box exactly.
   const Eigen::Vector3d excess =
     request.dimensions != Eigen::Vector3i::Zero()
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())

@@ -15,8 +15,8 @@ using Extent = std::array<int, 6>;
 
 /**
  * A grid of voxels; the samples are their centres. Sample (i, j, k) lies at
- * firstSample + (i, j, k)·spacing, computed that way for every caller, so that any part of the grid
- * has the very positions that the whole has.
+ * firstSample + (i, j, k)·spacing, computed in this way for every caller, so that any part of the
+ * grid has the very positions that the whole has.
  */
 struct Grid
 {
@@ -32,7 +32,7 @@ struct Grid
     return firstSample + Eigen::Vector3d(i, j, k).cwiseProduct(spacing);
   }
 
-  /// A position as indices of samples: integers are samples.
+  /// A position in units of sample indices: sample (i, j, k) has the coordinates i, j, k.
   Eigen::Vector3d inGridUnits(const Eigen::Vector3d& position) const
   {
     return (position - firstSample).cwiseQuotient(spacing);
@@ -44,43 +44,44 @@ struct Grid
   }
 };
 
-/// First and last index along an axis; none if the first is the larger one.
+/// The first and the last index along an axis; the range is empty if the first is the larger one.
 using IndexRange = std::pair<int, int>;
 
-/// The indices of first to last, which are 0 or more, that lie between two coordinates in grid units.
+/// The indices from `first` to `last`, which are 0 or more, that lie between two coordinates in
+/// grid units.
 inline IndexRange indicesBetween(double low, double high, int first, int last)
 {
   if (!(high >= first && low <= last))
   {
     return {0, -1};
   }
-  // Both are 0 or more, where a cast rounds down.
+  // The casts below round down, as both numbers are 0 or more.
   const double from = std::max<double>(low, first), to = std::min<double>(high, last);
   const int whole = static_cast<int>(from);
   return {whole + (whole < from), static_cast<int>(to)};
 }
 
-/// Samples in an extent; 0 if any range is empty.
+/// The number of samples in an extent; 0 if any range is empty.
 std::size_t sampleCount(const Extent& extent);
 
-/// The number of a sample of an extent, x fastest.
+/// The number of a sample in its extent: numbers begin at 0 and i runs fastest.
 std::size_t sampleNumber(const Extent& extent, int i, int j, int k);
 
-/// Indices of the n-th sample of an extent, x fastest.
+/// The indices of sample number n of an extent: numbers begin at 0 and i runs fastest.
 Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 
-/// What a user says about a grid.
+/// A user's wishes for a grid.
 struct GridRequest
 {
-  Bounds bounds;      ///< what to cover: of the source, or the user's own
+  Bounds bounds;      ///< the box to cover: that of the source, or the user's own
   double padding = 0; ///< margin on each side, as a fraction of the longest side
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
-  double voxelSize = 0; ///< side of the cubic voxels; 0: from resolution
-  int resolution = 64;  ///< cubic voxels along the longest side
+  double voxelSize = 0; ///< side of the cubic voxels; 0: follows from resolution
+  int resolution = 64;  ///< number of cubic voxels along the longest side
 };
 
 /**
- * Lays a grid over the bounds. With dimensions given it fills the padded bounds exactly; cubic
+ * Lays a grid over the bounds. A grid of given dimensions fills the padded bounds exactly; cubic
  * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most.
  * Throws Refusal for sizes, bounds or paddings that make no grid, with the numbers.
  */

@@ -7,18 +7,20 @@
 namespace winding
 {
 
-/// The vertices of a mesh seen as oriented points, by point of the mesh.
+/// The points of a mesh as oriented points, numbered as in the mesh.
 struct MeshVertices
 {
-  /// Three numbers each: the sum of the area vectors of the triangles around a point, not of unit
-  /// length. 0 for points without triangles.
+  /// Normals, three numbers for each point: the sum of the area vectors of the triangles around it,
+  /// not of unit length. 0 for points without triangles.
   std::vector<double> normals;
-  /// A third of the areas of these triangles: together that of the mesh.
+  /// A third of the areas of the triangles around each point; the sum over all points is the area
+  /// of the mesh.
   std::vector<double> areas;
 };
 
-/// Of triangles over the same points, so many of them; those with invalid ids or corners that are not
-/// finite are left out. Linear time.
+/// Normals and areas from triangles of several views over the same points, of which there are
+/// `points`. Triangles with invalid ids or corners that are not finite are left out. Takes linear
+/// time.
 MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t points);
 
 } // namespace winding

@@ -78,7 +78,7 @@ PointFault faultOf(const OrientedPointsView& view, std::size_t i)
   return area < 0 ? PointFault::badArea : PointFault::none;
 }
 
-/// Whether the parts of a cloud have something. Throws Refusal where some have and others have not.
+/// Whether all parts of a cloud have some array. Throws Refusal if some have it and others do not.
 template <class IsMissing>
 bool allOrNone(
   const std::vector<OrientedPointsView>& views, const std::string& what, const IsMissing& isMissing)
@@ -104,7 +104,7 @@ std::size_t blocksOf(std::size_t primitives)
   return (primitives + primitivesPerBlock - 1) / primitivesPerBlock;
 }
 
-/// How many primitives of a block have each fault, or none.
+/// The number of primitives of a block by their fault; the first number is that of those without.
 using FaultCounts = std::array<std::size_t, 4>;
 
 template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
@@ -117,7 +117,7 @@ template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks,
   return sum;
 }
 
-/// Where each block's primitives without a fault go, and how many there are in all.
+/// The places where each block's primitives without a fault begin, and at last how many there are.
 std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
 {
   std::vector<std::size_t> starts(1, 0);
@@ -288,8 +288,8 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
             cloud.positions[kept] = view.positions[i];
             if (withNormals)
             {
-              // By the largest component first: the square of a very long or short normal leaves
-              // the range.
+              // Dividing by the largest component first keeps the square of a very long or short
+              // normal in the range of double.
               const Eigen::Vector3d normal = view.normals[i];
               cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
             }

@@ -9,8 +9,9 @@
 
 /**
  * @file
- * From whatever comes in to sources that every method can trust: finite coordinates, valid ids,
- * vertices with exactly equal coordinates made one. What is dropped is counted, never hidden.
+ * Makes sources that every method can trust from whatever comes in: coordinates are finite, ids are
+ * valid, and vertices with exactly equal coordinates are made one. Dropped primitives are counted,
+ * never hidden.
  */
 namespace winding
 {
@@ -21,18 +22,20 @@ class Executor;
 void checkLengths(const OrientedPointsView& view);
 
 /**
- * Several views become one source, in their order; the same for every executor. Linear time; for a
- * surface, beside the result, 5 bytes per point of the input and 8 per point that triangles use.
- * Throws Refusal when there was input and every primitive had to be dropped, when a view's arrays
- * differ in length, when there are more than 2³¹ − 1 triangles or vertices remain, or for more than
- * 2³² − 1 points; Interrupted when the executor was.
+ * Makes one source of several views, in their order; the source is the same for every executor.
+ * Takes linear time and, for a surface, 5 bytes per point of the input and 8 per point that
+ * triangles use, beside the result. Throws Refusal when there was input and every primitive had to
+ * be dropped, when a view's arrays differ in length, when there are more than 2³¹ − 1 triangles or
+ * vertices remain, or for more than 2³² − 1 points; throws Interrupted when the executor was
+ * interrupted.
  */
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor);
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor);
 
 ///@{
-/// Whether sanitize() keeps a triangle or a point of a view. Those of its surface or cloud are the ones
-/// that it keeps, in their order: so what has been found for them goes back to those of the input.
+/// Whether sanitize() keeps a triangle or a point of a view. The primitives of its surface or cloud
+/// are the kept ones, in their order; so results for them can be given back to the primitives of
+/// the input.
 bool isUsable(const TrianglesView& view, std::size_t triangle);
 bool isUsable(const OrientedPointsView& view, std::size_t point);
 ///@}

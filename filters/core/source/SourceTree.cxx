@@ -17,7 +17,8 @@ struct Item
   std::uint32_t number;
 };
 
-/// Cuts items in two in the middle of the longest side of their tight box; null if all are equal.
+/// Cuts items in two in the middle of the longest side of their tight box. Returns the first item
+/// of the second half; null if all are equal.
 Item* cutInTwo(Item* first, Item* last)
 {
   Eigen::AlignedBox3d box;
@@ -31,14 +32,15 @@ Item* cutInTwo(Item* first, Item* last)
     return nullptr;
   }
   const double low = box.min()[axis], high = box.max()[axis];
-  // Between neighbouring numbers there is no middle.
+  // The middle may round to `low` where no number lies in between; the cut is at `high` then.
   double middle = low + (high - low) / 2;
   middle = middle > low ? middle : high;
   return std::partition(
     first, last, [axis, middle](const Item& item) { return item.center[axis] < middle; });
 }
 
-/// Up to five limits of up to four runs; the number of runs.
+/// Cuts items into up to four runs, sets the limits between them and returns the number of runs; 0
+/// if all items are equal.
 std::size_t cutInFour(Item* first, Item* last, std::size_t leafSize, std::array<Item*, 5>& limits)
 {
   limits[0] = first;
@@ -82,7 +84,7 @@ SourceTree::SourceTree(
     const std::size_t count = nodes_.size() - first;
     depthStarts_.push_back(nodes_.size());
     limits.resize(count);
-    // Blocks of about equal work: deep down there are many small nodes.
+    // Blocks have about equal work: there are many small nodes at large depths.
     constexpr std::size_t nodesPerBlock = 64;
     const std::size_t perBlock = count < 8 * nodesPerBlock ? 1 : nodesPerBlock;
     runBlocks(

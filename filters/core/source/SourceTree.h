@@ -10,28 +10,28 @@
 namespace winding
 {
 
-/// A node of a SourceTree: a run of items, in the tree's order of them.
+/// A node of a SourceTree: a run of items in the tree's order.
 struct SourceNode
 {
   std::uint32_t begin, end;
-  std::uint32_t firstChild; ///< children stand one after the other
+  std::uint32_t firstChild; ///< number of the first child; children stand one after the other
   std::uint32_t children;   ///< 0 for a leaf
 
   std::uint32_t size() const { return end - begin; }
 };
 
 /**
- * A hierarchy of items by their centres. A node is cut in the middle of the longest side of its tight
- * box, and both halves once more, so that it has up to four children: as many as a flat piece of
- * surface needs for children of half its size.
+ * A hierarchy of items by their centres. A node is cut in the middle of the longest side of its
+ * tight box, and both halves once more in the same way, so that it has up to four children: as many
+ * as a flat piece of surface needs for children of half its size.
  *
  * Tight boxes make the tree blind to scale: any number of sources any distance apart costs a few
- * levels, and n equal items are one leaf. Guaranteed: (1) the same tree for any executor and number
- * of threads; (2) every item lies in exactly one leaf, and a node's items are those of its children;
- * (3) leaves hold up to `leafSize` items, and more only if their centres are equal; (4) parents stand
- * before children, nodes of one depth together.
+ * levels, and n equal items are one leaf. Guaranteed: (1) the tree is the same for any executor and
+ * number of threads; (2) every item lies in exactly one leaf, and a node's items are those of its
+ * children; (3) leaves hold up to `leafSize` items, and more only if their centres are equal;
+ * (4) parents stand before their children, and nodes of one depth stand together.
  *
- * Time: items × depth; memory while building: 32 bytes per item.
+ * Building takes a time of items × depth and 32 bytes per item.
  */
 class SourceTree
 {
@@ -39,13 +39,13 @@ public:
   /// Up to 2³² − 1 centres, all finite. Throws Interrupted when the executor is.
   SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor);
 
-  /// Node 0 is the root; none without items.
+  /// The nodes; node 0 is the root. There are none without items.
   const std::vector<SourceNode>& nodes() const { return nodes_; }
 
-  /// Nodes starts[d] … starts[d + 1] − 1 have depth d.
+  /// The nodes of each depth: nodes depthStarts()[d] … depthStarts()[d + 1] − 1 have depth d.
   const std::vector<std::size_t>& depthStarts() const { return depthStarts_; }
 
-  /// The item that stands at each place.
+  /// The item at each place of the tree's order.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
 private:

@@ -25,7 +25,7 @@ inline double unitScale(const Bounds& bounds)
 }
 
 /**
- * A coordinate of a sample times a scale. Farther than 1e90 unit sizes it is cut off at that distance,
+ * A coordinate of a sample times a scale. Coordinates beyond 1e90 unit sizes are cut off there,
  * where every winding number has long been 0, so that cubes of distances stay finite.
  */
 inline double scaledCoordinate(double coordinate, double scale)
@@ -34,8 +34,8 @@ inline double scaledCoordinate(double coordinate, double scale)
   return std::clamp(coordinate * scale, -farthest, farthest);
 }
 
-/// A component of a gradient with respect to scaled coordinates as one with respect to the caller's;
-/// cut off at the largest double, which gradients in very small coordinates may exceed.
+/// Takes a component of a gradient from scaled coordinates to the caller's. The result is cut off
+/// at the largest double, which gradients in very small coordinates may exceed.
 inline double unscaledGradient(double gradient, double scale)
 {
   constexpr double largest = std::numeric_limits<double>::max();

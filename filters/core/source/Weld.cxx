@@ -29,7 +29,7 @@ std::uint64_t hashOf(const Eigen::Vector3d& point)
   {
     std::uint64_t bits;
     std::memcpy(&bits, &coordinate, sizeof bits);
-    // Multiply and fold: coordinates that share most bits must still spread over the table.
+    // Multiplying and folding spreads even coordinates that share most bits over the table.
     hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
     hash ^= hash >> 32;
   }
@@ -38,7 +38,8 @@ std::uint64_t hashOf(const Eigen::Vector3d& point)
 
 } // namespace
 
-/// Finds equal points among some that are added in their order. Open addressing, linear probing.
+/// A hash table with open addressing and linear probing that finds equal points among the points
+/// that are added to it, in their order.
 class Weld::Table
 {
 public:
@@ -73,7 +74,7 @@ public:
 
 private:
   Weld& weld_;
-  std::vector<Item> slots_; ///< point + 1, or 0 where there is none
+  std::vector<Item> slots_; ///< their `point` is the point's number + 1, or 0 where there is none
 };
 
 Weld::Weld(const std::vector<TrianglesView>& views)
@@ -93,7 +94,7 @@ Eigen::Vector3d Weld::position(std::size_t point) const
   return views_[view].points[point - points_.start(view)];
 }
 
-/// Calls work(point, position) for the used ones of the points first … last − 1.
+/// Calls work(point, position) for each used point among first … last − 1.
 template <class Work>
 void Weld::forEachUsed(std::size_t first, std::size_t last, const Work& work) const
 {
@@ -164,7 +165,8 @@ void Weld::makeVertices(Surface& surface, Executor& executor)
 
 void Weld::weldBlocks(Executor& executor)
 {
-  // Large, to find most of the equal points, but tables stay in a core's second cache.
+  // Blocks are large, to find most of the equal points, but their tables stay in a core's second
+  // cache.
   runBlocks(
     points_.size(), 8 * pointsPerBlock,
     [this](std::size_t, std::size_t first, std::size_t last)

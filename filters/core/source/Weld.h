@@ -18,10 +18,10 @@ namespace winding
  * the vertices.
  *
  * Points with equal coordinates have equal hashes, so used points are distributed into buckets by
- * their hashes and each bucket finds the first of equal points by itself. Where triangles have points
- * of their own, as in .stl files, equal ones mostly stand close to each other, while those of a bucket
- * lie anywhere in memory: there each block of points is welded by itself before. Nothing depends on
- * the executor.
+ * their hashes and each bucket finds the first of equal points by itself. Points of a bucket lie
+ * anywhere in memory, but where triangles have points of their own, as in .stl files, equal points
+ * mostly stand close to each other: there each block of successive points is welded by itself
+ * first. Nothing depends on the executor.
  */
 class Weld
 {
@@ -30,13 +30,14 @@ public:
   /// points.
   explicit Weld(const std::vector<TrianglesView>& views);
 
-  /// The points of a view are numbered from here on.
+  /// The number of a view's first point; the points of all views are numbered one after the other.
   std::size_t firstPoint(std::size_t view) const { return points_.start(view); }
 
-  /// Marks a point, which must have finite coordinates. From any thread, and as often as one likes.
+  /// Marks a point, which must have finite coordinates, as used. May be called from any thread, and
+  /// as often as one likes.
   void use(std::size_t point)
   {
-    // Most are marked already: reading first leaves the cache line to the other threads as well.
+    // Most points are marked already: reading first leaves the cache line to other threads as well.
     if (states_[point].load(std::memory_order_relaxed) == unused)
     {
       states_[point].store(used, std::memory_order_relaxed);
@@ -47,10 +48,11 @@ public:
   /// bounds. To be called once. Throws Interrupted, and Refusal for more than 2³¹ − 1 vertices.
   void makeVertices(Surface& surface, Executor& executor);
 
-  /// After that: the vertex that a marked point has become.
+  /// The vertex that a marked point has become; to be called after makeVertices().
   std::int32_t vertexOf(std::size_t point) const
   {
-    // Twice at most: to the first one of a block, and to the first one of all.
+    // The loop runs twice at most: to the first of equal points in a block, and to the first of
+    // all.
     while (states_[point].load(std::memory_order_relaxed) == repeated)
     {
       point = targets_[point];
@@ -70,7 +72,7 @@ private:
   struct Item
   {
     std::uint32_t point;
-    std::uint32_t hash; ///< another part of it than the one that chooses the bucket
+    std::uint32_t hash; ///< the low half of the hash; the high half chooses the bucket
   };
   class Table;
 
@@ -84,7 +86,8 @@ private:
   Concatenation points_;
   std::unique_ptr<std::atomic<unsigned char>[]> states_;
 
-  /// By point: of a repeated one, an equal one before it; of the first of equal ones, its vertex.
+  /// By point: an equal point before it for a repeated point, the vertex for the first of equal
+  /// ones.
   std::unique_ptr<std::uint32_t[]> targets_;
 };
 

@@ -49,7 +49,8 @@ void TriangleSum::multiply(const SampleBlock& scaled, AngleProducts& products, b
       store(c, chunk[i].c);
       store((b - a).cross(c - a), chunk[i].normal);
     }
-    (watching ? multiplyAnglesWatching : multiplyAngles)(chunk, count, scaled, products);
+    const auto multiplyChunk = watching ? multiplyAnglesWatching : multiplyAngles;
+    multiplyChunk(chunk, count, scaled, products);
   }
 }
 
@@ -85,8 +86,8 @@ DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
 {
 }
 
-/// Calls addChunk(dipoles, inverse lengths, count) with all points in turn, scaled; the lengths are null
-/// for pure dipoles.
+/// Calls addChunk(dipoles, inverse lengths, count) for all points in turn, in scaled coordinates;
+/// the pointer to the lengths is null for pure dipoles.
 template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
 {
   KernelDipole chunk[kernelChunk];
@@ -98,7 +99,7 @@ template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk)
     const std::size_t count = std::min(kernelChunk, total - first);
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Two factors of scale, one after the other: their product alone may leave the range.
+      // The two factors of scale come one after the other: their product alone may leave the range.
       const double weight = areas_[first + i] * scale_ * scale_ / (4 * pi);
       store(cloud_.positions[first + i] * scale_, chunk[i].position);
       store(cloud_.normals[first + i] * weight, chunk[i].moment);
@@ -116,8 +117,14 @@ void DipoleSum::evaluate(const SampleBlock& block, double* values) const
   this->forEachChunk(
     [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
     {
-      inverseLengths ? addRegularizedDipoles(dipoles, inverseLengths, count, scaled, sums)
-                     : addDipoles(dipoles, count, scaled, sums);
+      if (inverseLengths)
+      {
+        addRegularizedDipoles(dipoles, inverseLengths, count, scaled, sums);
+      }
+      else
+      {
+        addDipoles(dipoles, count, scaled, sums);
+      }
     });
   std::copy_n(sums.sum, scaled.count, values);
 }
@@ -130,8 +137,14 @@ void DipoleSum::evaluateGradients(const SampleBlock& block, double* gradients) c
   this->forEachChunk(
     [&](const KernelDipole* dipoles, const double* inverseLengths, std::size_t count)
     {
-      inverseLengths ? addRegularizedDipoleGradients(dipoles, inverseLengths, count, scaled, sums)
-                     : addDipoleGradients(dipoles, count, scaled, sums);
+      if (inverseLengths)
+      {
+        addRegularizedDipoleGradients(dipoles, inverseLengths, count, scaled, sums);
+      }
+      else
+      {
+        addDipoleGradients(dipoles, count, scaled, sums);
+      }
     });
   storeGradients(sums, scaled.count, scale_, gradients);
 }

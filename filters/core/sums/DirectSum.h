@@ -18,18 +18,18 @@ struct AngleProducts;
  * sum, and the turns that it loses at the branch cut are counted. One atan2 per sample remains.
  *
  * Guaranteed: (1) the properties of SolidAngle.h; (2) a sample's value has the same bits whatever
- * other samples are evaluated with it; (3) values are finite for finite samples,
- * and clouds with coordinates of size 1e±100; (4) equals
- * referenceSum<long double> within 1e-8 (measured: 8e-15 on 70 k triangles of a scan, 1.3e-9 on a
- * torus squeezed to a thousandth, whose samples lie within rounding of its triangles' planes).
+ * other samples are evaluated with it; (3) values are finite for finite samples, also of surfaces
+ * and clouds with coordinates of size 1e±100; (4) values equal referenceSum<long double> within
+ * 1e-8 (measured: 8e-15 on 70 k triangles of a scan, 1.3e-9 on a torus squeezed to a thousandth,
+ * whose samples lie within rounding of its triangles' planes).
  * Not guaranteed: the same bits on machines with and without fused multiply-add (they differ by
  * rounding, as in (4)).
  */
 class TriangleSum final : public Evaluator
 {
 public:
-  /// Keeps references: vertices and triangles must outlive this. The bounds need not be tight; they
-  /// tell the size of things.
+  /// Keeps references: vertices and triangles must outlive this. The bounds need not be tight; only
+  /// the order of magnitude of their size matters.
   TriangleSum(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
     const Bounds& bounds);
 
@@ -40,8 +40,9 @@ public:
 
   void evaluate(const SampleBlock& block, double* values) const override;
 
-  /// The same, and sets isSuspect[i] where sample i lies on a triangle within rounding, so that its
-  /// value is one of those around it by chance. Returns whether there is any.
+  /// Evaluates as evaluate() does, and sets isSuspect[i] to whether sample i lies on a triangle
+  /// within rounding, so that chance decides which of the values around it the sample gets. Returns
+  /// whether there is any such sample.
   bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
 
 private:
@@ -49,13 +50,14 @@ private:
 
   const std::vector<Eigen::Vector3d>& vertices_;
   const std::vector<Triangle>& triangles_;
-  double scale_; ///< a power of two: brings the surface to about unit size, without rounding
+  double scale_; ///< a power of two that brings the surface to about unit size, without rounding
 };
 
 /**
- * The direct sum over all points of a cloud, in double, and that of their gradients; guarantees as
- * for TriangleSum. Points are spread over the lengths that the cloud has, if any (SolidAngle.h). One that
- * is not gives nothing to the gradient at its own place; none gives anything to the value there.
+ * The direct sum over all points of a cloud, in double, and that of their gradients; the guarantees
+ * are those of TriangleSum. Points are spread over the lengths that the cloud has, if any
+ * (SolidAngle.h). No point adds to the value at its own place, and a point that is not spread adds
+ * nothing to the gradient there, either.
  */
 class DipoleSum final : public Evaluator, public GradientEvaluator
 {

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "sums/DirectSumKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After highway.h, of which they want to know the instruction set.
+// These headers stand after highway.h, which tells them the instruction set.
 #include "sums/SingleKernels-inl.h"
 #include <hwy/contrib/math/math-inl.h>
 
@@ -61,11 +61,13 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec a = hn::Sqrt(dot(ax, ay, az, ax, ay, az));
       const Vec b = hn::Sqrt(dot(bx, by, bz, bx, by, bz));
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
-      // + 0 makes −0 of it +0: times a factor of 1 − 0i, a product at the branch cut would change the
-      // sign of its imaginary part and so lose a turn.
-      const Vec num = hn::Add(zero, dot(ax, ay, az, hn::Set(d, t->normal[0]),
-                                      hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2])));
-      // Symmetric in b and c to the bit, so that the sum is odd under their exchange.
+      const Vec height = dot(ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]),
+        hn::Set(d, t->normal[2]));
+      // Adding 0 turns −0 into +0: by a factor of 1 − 0i, a product at the branch cut would change
+      // the sign of its imaginary part and so lose a turn.
+      const Vec num = hn::Add(zero, height);
+      // The denominator is symmetric in b and c to the bit, so that the sum is odd under their
+      // exchange.
       const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
       Vec den = hn::MulAdd(a, bc,
         hn::Add(hn::Mul(c, dot(ax, ay, az, bx, by, bz)), hn::Mul(b, dot(ax, ay, az, cx, cy, cz))));
@@ -77,15 +79,14 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
         const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
         suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }
-      // In the plane of the triangle: a factor of 1, whatever the sign of the denominator.
+      // A sample in the plane of the triangle gets a factor of 1, whatever the denominator's sign.
       den = hn::IfThenElse(hn::Eq(num, zero), one, den);
 
       const Vec newRe = hn::Sub(hn::Mul(re, den), hn::Mul(im, num));
       const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
       // The argument crossed the branch cut iff both angles had one sign and their sum has the
-      // other.
-      // Only the sign of `crossed` means anything: with it 1 can be compared, whatever the processor
-      // takes the other bits for.
+      // other. Only the sign bit of `crossed` means anything: copied onto 1 it can be compared,
+      // whatever number the processor takes the other bits for.
       const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
       const auto hasCrossed = hn::Lt(hn::CopySign(one, crossed), zero);
       const Vec step = hn::IfThenZeroElse(hn::Eq(num, zero), hn::CopySign(one, num));
@@ -125,7 +126,7 @@ void sumAnglesLoop(const AngleProducts& products, std::size_t count, double* HWY
   alignas(64) double room[hn::MaxLanes(Tag())];
   for (std::size_t s = 0; s < count; s += hn::Lanes(d))
   {
-    // atan2 by the angle to the nearer axis.
+    // The angle to the nearer axis gives atan2(im, re) in turns.
     const Vec re = hn::Load(d, products.re + s), im = hn::Load(d, products.im + s);
     const Vec x = hn::Abs(re), y = hn::Abs(im);
     const Vec angle = hn::Mul(perTurn, hn::Atan(d, hn::Div(hn::Min(x, y), hn::Max(x, y))));
@@ -170,7 +171,7 @@ void addDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
   addInSingle(dipoles, moments, count, samples, sums,
     [](std::size_t, SingleVec flux, SingleVec, SingleVec inverse) HWY_ATTR
     {
-      // Factor by factor: the cube alone would leave the range near the point.
+      // The factors come one by one: their cube alone would leave the range near the point.
       return hn::Mul(hn::Mul(hn::Mul(flux, inverse), inverse), inverse);
     });
 }

@@ -8,42 +8,46 @@
 /**
  * @file
  * The inner loops of the direct sums, compiled once per instruction set and chosen at run time
- * (Highway). Vectorised over samples; sources are broadcast one after the other, in their order.
+ * (Highway). They are vectorised over samples; sources are broadcast one after the other, in their
+ * order.
  */
 namespace winding
 {
 
-/// values[i] = argument of product i / 2π + its turns: the sum of all Ω / 4π.
+/// Writes the sum of all Ω / 4π of each sample: values[i] = argument of product i / 2π + its turns.
 void sumAngles(const AngleProducts& products, std::size_t count, double* values);
 
+/// Multiplies the product of each sample by the factors of all triangles (DirectSum.h).
 void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const SampleBlock& samples,
   AngleProducts& products);
 
 /**
- * The same, and marks the samples that lie on a triangle, its edges included, within rounding: those
- * where numerator and denominator are both less than suspectAngle times |a||b||c|; and those at a
- * vertex, which sides that were rounded apart may pass on either side: nearer than suspectAngle times
- * |a| + |b| + |c|.
+ * Multiplies as multiplyAngles() does, and marks the samples that lie on a triangle, its edges
+ * included, within rounding: samples where the numerator's size and the denominator are both at
+ * most suspectAngle times |a||b||c|, and samples at a vertex, which sides that were rounded apart
+ * may pass on either side, not farther from it than suspectAngle times |a| + |b| + |c|.
  */
 void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products);
 
-/// Rounding errors of the two are some 1e-16 times |a||b||c| times the ratio of the coordinates to
-/// the distances; what passes has angles right to 1e-10 and better.
+/// The bound for samples that multiplyAnglesWatching() marks. Rounding errors of numerator and
+/// denominator are some 1e-16 times |a||b||c| times the ratio of the coordinates to the distances;
+/// samples that are not marked have angles right to 1e-10 and better.
 constexpr double suspectAngle = 1e-6;
 
+/// Adds m·d/|d|³, d = p − q, of dipoles m at p for samples q; 0 at the point itself.
 void addDipoles(
   const KernelDipole* dipoles, std::size_t count, const SampleBlock& samples, KernelSums& sums);
 
 /**
- * The same in single precision from offsets in double, summed in double every few dipoles: relative
- * errors of some 1e-7 of each share, however near the sample. moments: those of the dipoles in single
- * precision.
+ * Adds what addDipoles() adds in single precision, from offsets in double; the shares are summed in
+ * double every few dipoles. The relative error of each share is some 1e-7, however near the sample.
+ * `moments` are those of the dipoles in single precision.
  */
 void addDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
   std::size_t count, const SampleBlock& samples, KernelSums& sums);
 
-/// Name of the instruction set that this machine's kernels use, such as "AVX2".
+/// The name of the instruction set that this machine's kernels use, such as "AVX2".
 const char* kernelInstructionSet();
 
 } // namespace winding

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "sums/GradientKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After highway.h, of which it wants to know the instruction set.
+// This header stands after highway.h, which tells it the instruction set.
 #include "sums/KernelVectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,13 +22,13 @@ HWY_INLINE Vectors edgeGradient(const KernelEdge& edge, const Vectors& q)
   const Tag d;
   const Vectors a = broadcast(edge.from) - q, b = broadcast(edge.to) - q;
   const Vec aa = dot(a, a), bb = dot(b, b), ab = dot(a, b);
-  // a×b = a×(b−a) = b×(b−a): the shorter one loses fewer digits.
+  // The cross product is a×b = a×(b−a) = b×(b−a): the shorter of a and b loses fewer digits.
   const auto isNearA = hn::Le(aa, bb);
   const Vectors shorter = {hn::IfThenElse(isNearA, a.x, b.x), hn::IfThenElse(isNearA, a.y, b.y),
     hn::IfThenElse(isNearA, a.z, b.z)};
   const Vectors c = cross(shorter, broadcast(edge.along));
   const Vec la = hn::Sqrt(aa), lb = hn::Sqrt(bb), product = hn::Mul(la, lb);
-  // Beside the edge |a||b| + a·b would cancel; it is |a×b|² / (|a||b| − a·b).
+  // The sum |a||b| + a·b would cancel beside the edge; there it is |a×b|² / (|a||b| − a·b).
   const auto isBeside = hn::Lt(ab, hn::Zero(d));
   const Vec numerator = hn::IfThenElse(isBeside, hn::Sub(product, ab), hn::Set(d, 1.0));
   const Vec denominator = hn::IfThenElse(isBeside, dot(c, c), hn::Add(product, ab));
@@ -50,7 +50,7 @@ HWY_INLINE Vectors dipoleGradient(const KernelDipole& dipole, const Vectors& q)
   const Vectors r = broadcast(dipole.position) - q, m = broadcast(dipole.moment);
   const Vec squared = dot(r, r), length = hn::Sqrt(squared);
   const Vec inverse = hn::Div(hn::Set(d, 1.0), hn::Mul(squared, length));
-  // 3 m·r / r²
+  // The flux is 3 m·r / r².
   const Vec flux = hn::Mul(hn::Mul(hn::Set(d, 3.0), dot(m, r)), hn::Mul(length, inverse));
   return {hn::Mul(inverse, hn::MulSub(flux, r.x, m.x)),
     hn::Mul(inverse, hn::MulSub(flux, r.y, m.y)), hn::Mul(inverse, hn::MulSub(flux, r.z, m.z))};

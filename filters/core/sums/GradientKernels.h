@@ -9,22 +9,22 @@
 /**
  * @file
  * The inner loops of gradients, compiled once per instruction set and chosen at run time (Highway).
- * Vectorised over samples; sources are broadcast one after the other, in their order.
+ * They are vectorised over samples; sources are broadcast one after the other, in their order.
  *
- * A share that is larger than 1e290 or not a number counts as 0: so sums stay finite at the sources
- * themselves, and where squares and cubes of distances leave the range of double.
+ * A share that is larger than 1e290 or not a number counts as 0, so that sums stay finite at the
+ * sources themselves, and where squares and cubes of distances leave the range of double.
  */
 namespace winding
 {
 
-/// From u to v, in scaled coordinates.
+/// The edge from u to v, which are in scaled coordinates.
 inline KernelEdge kernelEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, int multiplicity)
 {
   return {{u[0], u[1], u[2]}, {v[0], v[1], v[2]}, {v[0] - u[0], v[1] - u[1], v[2] - u[2]},
     multiplicity / (4 * pi)};
 }
 
-/// Writes the sums for samples in scaled coordinates as gradients in the caller's.
+/// Writes sums for samples in scaled coordinates as gradients in the caller's coordinates.
 inline void storeGradients(
   const GradientSums& sums, std::size_t count, double scale, double* gradients)
 {
@@ -36,7 +36,7 @@ inline void storeGradients(
   }
 }
 
-/// Adds the gradients of BoundaryGradient.h.
+/// Adds the gradients that boundary edges give (BoundaryGradient.h).
 void addEdgeGradients(
   const KernelEdge* edges, std::size_t count, const SampleBlock& samples, GradientSums& sums);
 

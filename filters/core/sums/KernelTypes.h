@@ -8,12 +8,13 @@
 
 /**
  * @file
- * What the inner loops of all sums take, in scaled coordinates, and what they add to.
+ * The types that the inner loops of all sums take, in scaled coordinates, and add to.
  */
 namespace winding
 {
 
-/// Sources per call: small enough to stay in the first-level cache beside a block of samples.
+/// The most sources per call, so few that they stay in the first-level cache beside a block of
+/// samples.
 constexpr std::size_t kernelChunk = 128;
 
 struct KernelTriangle
@@ -35,10 +36,11 @@ struct KernelEdge
   double weight;   ///< multiplicity / 4π
 };
 
-/// Per sample the product of all factors so far, up to a positive scale, and its lost turns.
+/// The product of all factors so far for each sample, up to a positive scale, and its lost turns.
 struct AngleProducts
 {
-  /// For so many samples, rounded up to whole vectors; the rest is left as it is.
+  /// Sets the products of so many samples, rounded up to whole vectors, to 1; the rest stays
+  /// uninitialised.
   explicit AngleProducts(std::size_t samples)
   {
     const std::size_t used = roundUp(samples, 8);
@@ -52,7 +54,8 @@ struct AngleProducts
   alignas(64) double re[SampleBlock::capacity];
   alignas(64) double im[SampleBlock::capacity];
   alignas(64) double turns[SampleBlock::capacity];
-  /// Not 0 where a triangle is so near that rounding decides about its angle; see below.
+  /// Not 0 where a triangle is so near that rounding decides about its angle, see
+  /// multiplyAnglesWatching().
   alignas(64) double suspect[SampleBlock::capacity];
 };
 
@@ -61,7 +64,7 @@ struct KernelSums
   alignas(64) double sum[SampleBlock::capacity] = {};
 };
 
-/// One vector per sample.
+/// Sums of gradients, one vector per sample.
 struct GradientSums
 {
   alignas(64) double x[SampleBlock::capacity] = {};

@@ -1,5 +1,5 @@
-// Vectors of three per lane, for kernels of gradients. Compiled once for every instruction set: to be
-// included after foreach_target.h, by files that do so.
+// Vectors of three numbers per lane, for kernels of gradients. The file is compiled once for every
+// instruction set: a file that uses it includes it after foreach_target.h.
 #if defined(WINDING_KERNEL_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WINDING_KERNEL_VECTORS_INL_H
 #undef WINDING_KERNEL_VECTORS_INL_H
@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
 using Vec = hn::Vec<Tag>;
 
-/// One vector of three per lane.
+/// One vector of three numbers per lane.
 struct Vectors
 {
   Vec x, y, z;
@@ -43,7 +43,8 @@ HWY_INLINE Vec dot(const Vectors& a, const Vectors& b)
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
-/// Not fused: so that it is exactly 0 of vectors that are exactly parallel.
+/// The cross product without fused operations, so that it is exactly 0 for exactly parallel
+/// vectors.
 HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b)
 {
   return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),

@@ -7,12 +7,12 @@ namespace winding
 {
 
 /**
- * The definition itself, one term after the other, one atan2 per triangle: what every other method
- * is tested and verified against. O(n) per sample, and slow; see DirectSum.h for the same sum made
- * fast by another formulation.
+ * The definition itself, one term after the other, one atan2 per triangle. Every other method is
+ * tested and verified against it. It takes O(n) per sample and is slow; see DirectSum.h for the
+ * same sum made fast by another formulation.
  *
- * Scalar is double or long double (the calculation's precision; the input is double).
- * Areas: one per point of the cloud, which has the lengths over which points are spread, if any.
+ * Scalar is double or long double (the calculation's precision; the input is double). There is one
+ * area per point of the cloud, which has the lengths over which points are spread, if any.
  */
 template <class Scalar> Scalar referenceSum(const Surface& surface, const Eigen::Vector3d& sample);
 template <class Scalar>

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "sums/RegularizedKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After highway.h, of which they want to know the instruction set.
+// These headers stand after highway.h, which tells them the instruction set.
 #include "sums/KernelVectors-inl.h"
 #include "sums/SingleKernels-inl.h"
 #include <hwy/contrib/math/math-inl.h>
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Highest power first.
+/// The value of a polynomial at x; the coefficient of the highest power comes first.
 template <class Scalar, std::size_t N, class V>
 HWY_INLINE V polynomial(const Scalar (&coefficients)[N], V x)
 {
@@ -30,13 +30,14 @@ HWY_INLINE V polynomial(const Scalar (&coefficients)[N], V x)
   return sum;
 }
 
-/// Below this S is taken from a polynomial, so that it has all digits however small it is; above from
-/// 1 − exp(−t²) (…), where less than a bit cancels.
+/// The t that parts two formulas for S. Below it S is t³ times a polynomial, so that it has all
+/// digits however small it is; above it S is 1 − exp(−t²) times a polynomial, where less than a bit
+/// cancels.
 constexpr double smallUntil = 1.5;
 
 /**
- * G(u) = S(t) / t³, u = t²: a minimax polynomial of degree 13 in u − 1.125 for u in [0, 2.25], fitted
- * to 50 digits; as it stands here, in double, it is within 5.0e-16 of G, relatively.
+ * G(u) = S(t) / t³, u = t², as a minimax polynomial of degree 13 in u − 1.125 for u in [0, 2.25],
+ * fitted to 50 digits. As it stands here, in double, its relative error is within 5.0e-16.
  */
 HWY_INLINE Vec shareOverCube(Vec squared)
 {
@@ -45,15 +46,15 @@ HWY_INLINE Vec shareOverCube(Vec squared)
     -9.6839336922906708e-06, 7.8007218208084333e-05, -0.00055066272822204782, 0.00333841325048571,
     -0.016906231054538014, 0.068635448618743974, -0.20830433604220713, 0.40044897250720146};
   const Tag d;
-  // Lanes that are not small do not use it.
+  // Lanes beyond smallUntil do not use the result, so they may be clamped.
   const Vec clamped = hn::Min(squared, hn::Set(d, smallUntil * smallUntil));
   return polynomial(coefficients, hn::Sub(clamped, hn::Set(d, 1.125)));
 }
 
 /**
- * exp(t²) erfc(t) + 2t/√π: a polynomial of degree 15 in t − 1.5 for t in [1.5, 6.3], fitted to 50
- * digits such that the largest error times exp(−t²), which is that of S, is least. In double it is
- * 2.3e-16.
+ * exp(t²) erfc(t) + 2t/√π as a polynomial of degree 15 in t − 1.5 for t in [1.5, 6.3], fitted to 50
+ * digits such that the largest error times exp(−t²), which is the error of S, is least. In double
+ * this error is 2.3e-16.
  */
 HWY_INLINE Vec restOverGaussian(Vec t)
 {
@@ -65,13 +66,13 @@ HWY_INLINE Vec restOverGaussian(Vec t)
   return polynomial(coefficients, hn::Sub(t, hn::Set(Tag(), smallUntil)));
 }
 
-/// exp(−t²), for t up to pureFrom.
+/// exp(−t²) for t up to pureFrom.
 HWY_INLINE Vec gaussian(Vec t)
 {
   return hn::Exp(Tag(), hn::Neg(hn::Mul(t, t)));
 }
 
-/// S(t), which is not small.
+/// S(t) for t from smallUntil to pureFrom, given exp(−t²).
 HWY_INLINE Vec largeShare(Vec t, Vec gaussian)
 {
   return hn::NegMulAdd(gaussian, restOverGaussian(t), hn::Set(Tag(), 1.0));
@@ -111,7 +112,7 @@ void addRegularizedDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles,
     Vec sum = hn::Load(d, sums.sum + s);
     for (std::size_t i = 0; i < count; ++i)
     {
-      // As in addDipoles(), for the sake of its bits.
+      // The operations are those of addDipoles(), so that pure dipoles get the same bits.
       const Vectors r = broadcast(dipoles[i].position) - q;
       const Vec squared = dot(r, r), length = hn::Sqrt(squared);
       const Vec cube = hn::Mul(squared, length);
@@ -123,11 +124,13 @@ void addRegularizedDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles,
   }
 }
 
-/// From here on 1 − S is less than single precision tells from 0.
+/// The t from which on 1 − S(t) is less than a unit in the last place of numbers below 1 in single
+/// precision, 6.0e-8.
 constexpr float singlePureFrom = 4.3f;
 
-/// The same in single precision: polynomials of degrees 7 and 6, fitted alike up to t = 4.3, within
-/// 5.2e-8 of G, relatively, and 2.3e-9 of S.
+/// S(t) in single precision. The polynomials are those of shareOverCube() and restOverGaussian()
+/// with degrees 7 and 6, fitted in the same way up to t = 4.3; errors are within 5.2e-8 of G,
+/// relatively, and 2.3e-9 of S.
 HWY_INLINE SingleVec singleShareAt(SingleVec t)
 {
   constexpr float ofSmall[] = {-9.66706466e-06f, 8.07036122e-05f, -0.000551081088f, 0.00333632948f,
@@ -164,16 +167,19 @@ void addRegularizedDipolesInSingleLoop(const KernelDipole* HWY_RESTRICT dipoles,
     [inverseLengths](std::size_t i, SingleVec flux, SingleVec squared, SingleVec inverse) HWY_ATTR
     {
       const SingleTag d;
-      // Times the largest of distances, and of those that are not 0 the least, still in range.
+      // The limit keeps the inverse length times the largest distance, and times the least one that
+      // is not 0, in the range of single precision.
       const float inverseLength = static_cast<float>(std::min(inverseLengths[i], 1e25));
       const SingleVec t = hn::Mul(hn::Mul(squared, inverse), hn::Set(d, inverseLength));
-      // S last: times what is small before, it would leave the range next to the point.
+      // S is the last factor: times the small ones before, it would leave the range next to the
+      // point.
       const SingleVec pure = hn::Mul(hn::Mul(hn::Mul(flux, inverse), inverse), inverse);
       return hn::Mul(pure, singleShareAt(t));
     });
 }
 
-/// factor · (slope (m·r) r / r² − share m)
+/// The factors of the gradient, factor · (slope (m·r) r · inverseSquare − share m), for a dipole m
+/// at offset r; inverseSquare is 1/r².
 struct GradientFactors
 {
   Vec factor, share, slope, inverseSquare;
@@ -193,7 +199,7 @@ HWY_INLINE GradientFactors gradientFactors(Vec squared, Vec length, Vec inverseO
   }
   const Vec within = hn::Min(t, end), square = hn::Mul(within, within);
   const Vec bell = gaussian(within);
-  // S' / t²
+  // The derivative is taken as S' / t² = 4/√π exp(−t²).
   const Vec derivative = hn::Mul(hn::Set(d, 2.2567583341910251478), bell);
   const Vec share = largeShare(within, bell);
   const Vec slope = hn::NegMulAdd(derivative, hn::Mul(square, within), hn::Mul(three, share));
@@ -204,8 +210,9 @@ HWY_INLINE GradientFactors gradientFactors(Vec squared, Vec length, Vec inverseO
   {
     return factors;
   }
-  // Everything over t³. The slope's two terms cancel like t², but so much smaller is its part of the
-  // whole; at the point itself it is times 0 whatever it is, as long as it is finite.
+  // Share and slope are divided by t³ for small t, and the common factor is multiplied by it. The
+  // slope's two terms cancel like t², but its part of the whole is smaller by as much; at the point
+  // itself the slope is multiplied by 0, so it may have any finite value.
   const Vec small = shareOverCube(square);
   const Vec smallSlope = hn::MulSub(three, small, derivative);
   const Vec atLeast = hn::Set(d, 1e-290);
@@ -230,7 +237,7 @@ void addRegularizedDipoleGradientsLoop(const KernelDipole* HWY_RESTRICT dipoles,
     Vectors sum = {hn::Load(d, sums.x + s), hn::Load(d, sums.y + s), hn::Load(d, sums.z + s)};
     for (std::size_t i = 0; i < count; ++i)
     {
-      // As in addDipoleGradients(), for the sake of its bits.
+      // The operations are those of addDipoleGradients(), so that pure dipoles get the same bits.
       const Vectors r = broadcast(dipoles[i].position) - q, m = broadcast(dipoles[i].moment);
       const Vec squared = dot(r, r), length = hn::Sqrt(squared);
       const GradientFactors of = gradientFactors(squared, length, hn::Set(d, inverseLengths[i]));
@@ -267,15 +274,15 @@ void addRegularizedDipoles(const KernelDipole* dipoles, const double* inverseLen
 void addRegularizedDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
   const double* inverseLengths, std::size_t count, const SampleBlock& samples, KernelSums& sums)
 {
-  HWY_DYNAMIC_DISPATCH(addRegularizedDipolesInSingleLoop)
-  (dipoles, moments, inverseLengths, count, samples, sums);
+  auto& addAll = HWY_DYNAMIC_DISPATCH(addRegularizedDipolesInSingleLoop);
+  addAll(dipoles, moments, inverseLengths, count, samples, sums);
 }
 
 void addRegularizedDipoleGradients(const KernelDipole* dipoles, const double* inverseLengths,
   std::size_t count, const SampleBlock& samples, GradientSums& sums)
 {
-  HWY_DYNAMIC_DISPATCH(addRegularizedDipoleGradientsLoop)
-  (dipoles, inverseLengths, count, samples, sums);
+  auto& addAll = HWY_DYNAMIC_DISPATCH(addRegularizedDipoleGradientsLoop);
+  addAll(dipoles, inverseLengths, count, samples, sums);
 }
 
 } // namespace winding

@@ -1,5 +1,5 @@
-// Sums in single precision of offsets in double. Compiled once for every instruction set: to be included
-// after foreach_target.h, by files that do so.
+// Sums in single precision from offsets in double. The file is compiled once for every instruction
+// set: a file that uses it includes it after foreach_target.h.
 #if defined(WINDING_SINGLE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WINDING_SINGLE_KERNELS_INL_H
 #undef WINDING_SINGLE_KERNELS_INL_H
@@ -23,8 +23,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using SingleTag = hn::CappedTag<float, 16>;
 using SingleVec = hn::Vec<SingleTag>;
 
-/// position − samples, two vectors of doubles as one of floats, cut off where powers of them would
-/// leave the range; shares have long been 0 there.
+/// The offsets position − samples, two vectors of doubles as one of floats, cut off where powers of
+/// them would leave the range; shares have long been 0 there.
 HWY_INLINE SingleVec offsetsTo(double position, const double* HWY_RESTRICT samples)
 {
   const SingleTag d;
@@ -43,15 +43,15 @@ HWY_INLINE SingleVec offsetsTo(double position, const double* HWY_RESTRICT sampl
   return hn::Min(hn::Max(offsets, hn::Neg(farthest)), farthest);
 }
 
-/// To single precision's full 24 bits, or nearly so.
+/// 1/√value to the full 24 bits of single precision, or nearly so.
 HWY_INLINE SingleVec inverseRoot(SingleVec value)
 {
   const SingleTag d;
 #if HWY_TARGET == HWY_SCALAR
-  // What stands for an estimate there has a few bits only.
+  // The estimate of this target has a few bits only.
   return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(value));
 #else
-  // An estimate of 12 bits at least, doubled by a step of Newton's method.
+  // A step of Newton's method doubles the bits of the estimate, which are 12 at least.
   const SingleVec guess = hn::ApproximateReciprocalSqrt(value);
   const SingleVec half = hn::Mul(hn::Set(d, 0.5f), value);
   return hn::Mul(guess, hn::NegMulAdd(half, hn::Mul(guess, guess), hn::Set(d, 1.5f)));
@@ -73,13 +73,14 @@ HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
 #endif
 }
 
-/// Adds shareOf(i, m·d, |d|², 1/|d|) for all dipoles i and samples but those at the dipole.
+/// Adds shareOf(i, m·d, |d|², 1/|d|) for each dipole i to all samples but those at the dipole
+/// itself.
 template <class ShareOf>
 HWY_INLINE void addInSingle(const KernelDipole* HWY_RESTRICT dipoles,
   const std::array<float, 3>* HWY_RESTRICT moments, std::size_t count, const SampleBlock& samples,
   KernelSums& sums, const ShareOf& shareOf)
 {
-  // As many as may be summed before rounding errors add up.
+  // A run has as many shares as may be summed in single precision before rounding errors add up.
   constexpr std::size_t run = 8;
   const SingleTag d;
   const SingleVec zero = hn::Zero(d);

@@ -8,17 +8,17 @@
 
 /**
  * @file
- * The kernels of the winding number: the solid angle of a triangle and of an oriented point, the latter
- * also spread over some length. Divided by 4π and summed over a surface, each gives w.
+ * The kernels of the winding number: the solid angle of a triangle and of an oriented point, the
+ * latter also spread over some length. Divided by 4π and summed over a surface, each gives w.
  *
- * Notation: q the sample; a, b, c the vertices of a triangle minus q.
+ * Notation: q is the sample; a, b, c are the vertices of a triangle minus q.
  *
- * Guaranteed: (1) no absolute epsilon, so a uniform scale of all coordinates changes nothing but
- * rounding; (2) odd under a flip of orientation, to the bit where
- * it exchanges b and c; (3) a sample in the plane of a
- * triangle receives 0 from it: on the surface the sums are therefore principal values, the mean of
- * the two sides (0.5 on a face of a closed mesh); (4) degenerate triangles give 0. Not guaranteed:
- * (3) for a sample that is in the plane only up to rounding; it gets one side.
+ * Guaranteed: (1) there is no absolute epsilon, so a uniform scale of all coordinates changes
+ * nothing but rounding; (2) solid angles are odd under a flip of orientation, to the bit where the
+ * flip exchanges b and c; (3) a sample in the plane of a triangle receives 0 from it: on the
+ * surface the sums are therefore principal values, the mean of the two sides (0.5 on a face of a
+ * closed mesh); (4) degenerate triangles give 0. Not guaranteed is (3) for a sample that is in the
+ * plane only up to rounding; it gets one side.
  */
 namespace winding
 {
@@ -42,14 +42,14 @@ Scalar solidAngle(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vect
     return 0;
   }
   const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
-  // Symmetric in b and c to the bit.
+  // The denominator is symmetric in b and c to the bit.
   const Scalar denominator = (lb * lc + b.dot(c)) * la + (a.dot(b) * lc + a.dot(c) * lb);
   return 2 * std::atan2(numerator, denominator);
 }
 
 /**
  * Solid angle of a small patch of the given area and unit normal at offset p − q:
- * area · normal·(p−q) / |p−q|³ (Barill et al., Fast winding numbers for soups and clouds, 2018).
+ * area · normal·(p−q) / |p−q|³ (Barill et al., Fast winding numbers for soups and clouds, 2018);
  * 0 at the point itself.
  */
 template <class Scalar>
@@ -61,14 +61,15 @@ Scalar dipoleSolidAngle(
 }
 
 /**
- * The same of a patch that is spread over a length e > 0: S(t) times it, t = |p−q| / e,
+ * Solid angle of a patch that is spread over a length e > 0: dipoleSolidAngle() times S(t),
+ * t = |p−q| / e,
  *
  *   S(t) = erf t − 2t/√π exp(−t²),   S(t)/t³ = 4/√π Σ_k (−t²)^k / (k! (2k+3)).
  *
- * It is the field of dipoles distributed like (e√π)^−3 exp(−|x|²/e²) around p, as the field of a charge
- * so distributed is S(t) times that of a point (Gauss's law). So it is smooth, odd in p−q and 0 at the
- * point itself, and from t = 6.3 on, where 1 − S is below 1e-16, it is that of the patch. A length of 0
- * spreads nothing.
+ * The product is the field of dipoles distributed like (e√π)^−3 exp(−|x|²/e²) around p, since the
+ * field of a charge with this distribution is S(t) times that of a point (Gauss's law). So it is
+ * smooth, odd in p−q and 0 at the point itself, and from t = 6.3 on, where 1 − S is below 1e-16, it
+ * is that of the patch. A length of 0 spreads nothing.
  */
 template <class Scalar>
 Scalar regularizedDipoleSolidAngle(
@@ -85,7 +86,7 @@ Scalar regularizedDipoleSolidAngle(
     return (std::erf(t) - twoOverRootPi * t * std::exp(-t * t)) *
            dipoleSolidAngle<Scalar>(offset, unitNormal, area);
   }
-  // Where the difference above would cancel.
+  // The series is for t ≤ 1, where the difference above would cancel.
   Scalar sum = 0, power = 1, term;
   int k = 0;
   do
