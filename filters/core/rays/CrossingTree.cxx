@@ -51,7 +51,8 @@ std::int32_t CrossingTree::makeNode(std::int32_t begin, std::int32_t end)
     return number;
   }
   const int axis = bounds.sizes()[1] >= bounds.sizes()[2] ? 1 : 2;
-  // By their centres; equal ones by their numbers, so that the order is a total one.
+  // Triangles are sorted by their centres, and those with equal centres by their numbers, so that
+  // the order is a total one.
   const auto key = [this, axis](std::int32_t triangle)
   {
     double sum = 0;
@@ -73,9 +74,9 @@ std::int32_t CrossingTree::makeNode(std::int32_t begin, std::int32_t end)
 int CrossingTree::crossingOf(std::int32_t triangle, const Eigen::Vector3d& from) const
 {
   const Triangle& corners = surface_.triangles[triangle];
-  return RayTriangle(surface_.vertices[corners[0]] * scale_, surface_.vertices[corners[1]] * scale_,
-    surface_.vertices[corners[2]] * scale_)
-    .crossing(from * scale_);
+  const RayTriangle target(surface_.vertices[corners[0]] * scale_,
+    surface_.vertices[corners[1]] * scale_, surface_.vertices[corners[2]] * scale_);
+  return target.crossing(from * scale_);
 }
 
 } // namespace winding

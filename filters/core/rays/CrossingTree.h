@@ -10,27 +10,29 @@ namespace winding
 {
 
 /**
- * Triangles of closed parts of a surface, sorted so that those which a ray along +x meets are found in
- * logarithmic time, however unlike in size they are: a tree of boxes over their projections along the
- * rays. A ray ignores parts in whose bounds it does not begin: they wind round nothing there.
+ * Triangles of closed parts of a surface, sorted so that those which a ray along +x meets are found
+ * in logarithmic time, however unlike in size they are: a tree of boxes over their projections
+ * along the rays. A ray ignores parts in whose bounds it does not begin, as their winding number is
+ * 0 there.
  */
 class CrossingTree
 {
 public:
-  /// By triangle, the number of its part; and by part, its bounds: empty for parts that are left out.
-  /// Keeps references, which must outlive this. O(n log n) time, 4 bytes per triangle and 56 per eight.
+  /// Takes the number of its part for each triangle, and for each part its bounds, empty for parts
+  /// that are left out. Keeps references, which must outlive this. Takes O(n log n) time, 4 bytes
+  /// per triangle and 64 per node, of which there is one for every 2 to 4 triangles.
   CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
     const std::vector<Bounds>& boundsOfPart);
 
   /**
-   * Calls visit(part, crossing) for the triangles that the ray from a vertex meets, with a crossing of
-   * +1 or −1 (RayTriangle.h); in no particular order. The vertex itself counts as moved by the
-   * infinitesimal steps of sideOfPlane(), so what it is a corner of may be among them.
+   * Calls visit(part, crossing) for the triangles that the ray from a vertex meets, with a crossing
+   * of +1 or −1 (RayTriangle.h), in no particular order. The vertex itself counts as moved by the
+   * infinitesimal steps of sideOfPlane(), so triangles that have it as a corner may be among them.
    */
   template <class Visit> void forEachCrossing(std::int32_t vertex, const Visit& visit) const
   {
     const Eigen::Vector3d& from = surface_.vertices[vertex];
-    std::int32_t stack[64]; // of a tree that halves its triangles at every step
+    std::int32_t stack[64]; // large enough, for every step down the tree halves the triangles
     int size = 0;
     if (!nodes_.empty())
     {
@@ -63,13 +65,13 @@ public:
   }
 
 private:
-  /// Its first child comes right after it.
+  /// A node of the tree; its first child comes right after it.
   struct Node
   {
-    double startX; ///< rays from lower x ignore all of it
+    double startX; ///< lowest x of its parts' bounds: rays that begin before it ignore the node
     double highX, lowY, highY, lowZ, highZ;
-    std::int32_t begin, end; ///< in triangles_
-    std::int32_t second;     ///< its other child; −1 for a leaf
+    std::int32_t begin, end; ///< its triangles in triangles_
+    std::int32_t second;     ///< its second child; −1 for a leaf
 
     bool isMetFrom(const Eigen::Vector3d& from) const
     {
@@ -84,7 +86,7 @@ private:
   const Surface& surface_;
   const std::vector<std::int32_t>& partOfTriangle_;
   const std::vector<Bounds>& boundsOfPart_;
-  double scale_; ///< UnitScale.h
+  double scale_; ///< brings the surface to about unit size (UnitScale.h)
   std::vector<std::int32_t> triangles_;
   std::vector<Node> nodes_;
 };

@@ -20,10 +20,10 @@ namespace winding
 namespace
 {
 
-/// Samples of a block: so few that small inputs occupy several cores, too.
+/// The number of samples in a block, so few that small inputs occupy several cores, too.
 constexpr std::size_t samplesPerBlock = 4096;
 
-/// Of what the executor shows as progress.
+/// A part of what the executor shows as progress, from `first` to `last` of 0 to 1.
 struct Share
 {
   double first, last;
@@ -33,9 +33,9 @@ struct Share
 };
 
 /**
- * Counts and writes the crossings of rays in columns, a task to a column. A task that has too much to
- * do gives up, and its column is divided into columns of its own: so all tasks are short, of whatever
- * there is much in few columns.
+ * Counts and writes the crossings of rays in columns, a task to a column. A task that has too much
+ * to do gives up, and its column is divided into columns of its own: so all tasks are short, even
+ * if most rays or triangles are in a few columns.
  */
 class ColumnTasks
 {
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  /// False when interrupted; or throws Interrupted.
+  /// Returns false, or throws Interrupted, when the executor was interrupted.
   bool run(const RaysInColumns& rays, const CandidateTriangles& triangles, const Share& share)
   {
     const ReachOfTriangles reach(counter_, triangles, rays, executor_);
@@ -69,13 +69,14 @@ public:
   }
 
 private:
+  /// A column whose task gave up.
   struct Full
   {
     std::size_t column;
     TriangleIds triangles;
   };
 
-  /// The columns first … last − 1.
+  /// Runs the tasks of columns first … last − 1, and divides those that give up.
   bool run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
     std::size_t last, const Share& share)
   {
@@ -83,12 +84,12 @@ private:
     double tasksEnd;
     {
       const Buckets<std::uint32_t> triangles = reach.inColumns(first, last);
-      bool mayGiveUp = false; // a guess: where it is wrong, what is left shows no progress
+      bool mayGiveUp = false; // a guess: where it is wrong, columns divided later show no progress
       for (std::size_t i = 0; i < triangles.count(); ++i)
       {
-        mayGiveUp = mayGiveUp || static_cast<double>(rays.size(first + i)) *
-                                     static_cast<double>(triangles.size(i)) >
-                                   static_cast<double>(RayCounter::mostSteps);
+        const double pairs =
+          static_cast<double>(rays.size(first + i)) * static_cast<double>(triangles.size(i));
+        mayGiveUp = mayGiveUp || pairs > static_cast<double>(RayCounter::mostSteps);
       }
       std::mutex mutex;
       tasksEnd = mayGiveUp ? 0.5 : 1;
@@ -131,7 +132,8 @@ private:
     return true;
   }
 
-  /// Into columns that are not too full even if all triangles reach all of them, if possible.
+  /// Divides a column into columns that, if possible, are not too full even if all triangles reach
+  /// all of them.
   bool divide(Ray* first, Ray* last, const TriangleIds& triangles, const Share& share)
   {
     constexpr double pairsPerColumn = RayCounter::mostSteps / 4.0;

@@ -13,33 +13,36 @@ namespace winding
 
 /**
  * The exact integer winding numbers of a closed chain of triangles at scattered samples: the sum of
- * the signs of the crossings of a ray from the sample along +x. It is what RowCrossings is on grids.
+ * the signs of the crossings of a ray from the sample along +x. RowCrossings does the same on
+ * grids.
  *
  * Seen along the rays, samples are points and triangles are triangles in the plane of y and z. Both
- * are put into columns, cells of a grid over the samples in that plane, triangles into those that they
- * overlap rather than their boxes; columns that still hold many of both are divided again, by a grid
- * over their own samples: so it matters little how unevenly either is distributed, and needles cost
- * what they cross. Samples with the same y and z, such as those of a line along x, are sorted along x,
- * and each triangle is searched for among them.
+ * are put into columns, cells of a grid over the samples in that plane; a triangle goes into the
+ * columns that it overlaps, not into all that its box overlaps. Columns that still hold many of
+ * both are divided again, by a grid over their own samples: so it matters little how unevenly
+ * either is distributed, and needles cost what they cross. Samples with the same y and z, such as
+ * those of a line along x, are sorted along x, and each triangle is searched for among them.
  *
  * Guaranteed: (1) every value is an integer, and the right one for all samples off the chain; (2) a
- * sample on the chain gets one of the values that occur around it, chosen by the same rule everywhere
- * (sideOfPlane()); (3) a value depends on the chain and the sample only, not on other samples, the
- * executor or its threads. Samples that are NaN or infinite get NaN. For chains larger than 1e150
- * sample coordinates below 1e-150 of that leave the range of the predicates.
+ * sample on the chain gets one of the values that occur around it, chosen by the same rule
+ * everywhere (sideOfPlane()); (3) a value depends on the chain and the sample only, not on other
+ * samples, the executor or its threads. Samples that are NaN or infinite get NaN. For chains larger
+ * than 1e150 sample coordinates below 1e-150 of that leave the range of the predicates.
  *
- * Time: linear in triangles and samples, and in the pairs of both that are near to each other in that
- * plane. Where triangles overlap each other very often, such as a thousand solids through one another,
- * most pairs may be, and a direct sum may be faster; more so for samples that crowd round a place, each
- * half as far from it as the last: a division takes off a few of them only.
+ * The time is linear in triangles and samples, and in the pairs of both that are near to each other
+ * in that plane. Most pairs may be near where triangles overlap each other very often, as in a
+ * thousand solids through one another, and a direct sum may be faster there. This is even more so
+ * for samples that crowd round a place, each half as far from it as the last: a division takes off
+ * only a few of them.
  *
- * The executor gets tasks of some ten milliseconds, however the samples are distributed: one that turns
- * out to be longer is given up, and its column divided into tasks. So interruption is answered soon.
- * A line of samples along x is one task; a million of them take a tenth of a second.
+ * The executor gets tasks of some ten milliseconds, however the samples are distributed: a task
+ * that turns out to be longer is given up, and its column is divided into tasks. So interruption is
+ * answered soon. A line of samples along x is one task; a million of them take a tenth of a second.
  *
- * Memory: 42 bytes per sample, and 40 more for those of a column that is divided. Up to 140 per
- * triangle, and that again for the triangles of a column that is divided: lists of what overlaps the
- * columns are made for as many columns at a time as that allows. A thread takes up to 20 MB.
+ * The memory is 42 bytes per sample, and 40 more for each sample of a column that is divided; up to
+ * 140 bytes per triangle, and that again for each triangle of a column that is divided: lists of
+ * the triangles in columns are made for as many columns at a time as that allows. A thread takes up
+ * to 20 MB.
  */
 class PointCrossings
 {
@@ -47,16 +50,18 @@ public:
   /// Keeps a reference; takes no time.
   explicit PointCrossings(const Surface& surface);
 
-  /// What evaluate() is expected to take for so many samples. Walks over the triangles the first time.
+  /// The cost that evaluate() is expected to have for so many samples. The first call walks over
+  /// the triangles.
   EvaluationCost expectedCost(std::size_t samples) const;
 
-  /// False when the executor was interrupted. Its share is divided, and what it was in the end.
+  /// Returns false when the executor was interrupted. Divides the executor's share of progress and
+  /// restores it in the end.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
 private:
   const Surface& surface_;
   mutable std::once_flag areRaysKnown_;
-  mutable RaysThroughTriangles rays_; ///< if they are
+  mutable RaysThroughTriangles rays_; ///< valid once areRaysKnown_ is set
 };
 
 } // namespace winding

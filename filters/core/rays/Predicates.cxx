@@ -102,7 +102,7 @@ int exactOrientation(
 int exactSideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
   const Eigen::Vector3d& q)
 {
-  // Six triple products of differences; every difference is a pair of value and error.
+  // The sum has six triple products of differences; every difference is a pair of value and error.
   Expansion<192> sum;
   for (int x = 0; x < 3; ++x)
   {
@@ -137,8 +137,8 @@ int sideOfEdgeExactly(
   {
     return side;
   }
-  // On the line: what the infinitesimal steps of q add, −(to − from)_v along u, (to − from)_u along
-  // v.
+  // The infinitesimal steps of a q on the line decide: they add −(to − from)_v along u and
+  // (to − from)_u along v.
   const int alongU = (from[1] > to[1]) - (from[1] < to[1]);
   return alongU != 0 ? alongU : (to[0] > from[0]) - (to[0] < from[0]);
 }
@@ -155,7 +155,8 @@ int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen:
     sum += offset[x] * (first - second);
     magnitude += std::abs(offset[x]) * (std::abs(first) + std::abs(second));
   }
-  // Three differences and two products to a term, and the sums: (7 + 56ε)ε with ε = 2^−53.
+  // Each term has three differences and two products, and the sums round, too: (7 + 56ε)ε with
+  // ε = 2^−53.
   constexpr double errorBound = 7.771561172376103e-16;
   if (std::abs(sum) > errorBound * magnitude)
   {
@@ -166,7 +167,8 @@ int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen:
   {
     return side;
   }
-  // In the plane: what the steps of q add is −normal · step, the largest step first.
+  // The infinitesimal steps of a q in the plane decide: each adds −normal · step, the largest
+  // first.
   if (const int alongY = exactOrientation(a, b, c, 2, 0))
   {
     return -alongY;

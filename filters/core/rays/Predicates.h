@@ -21,15 +21,16 @@ namespace winding
 inline int sideOfEdge(
   const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
 
-/// The same, without trying whether rounded arithmetic is enough.
+/// The sign that sideOfEdge() gives, without trying first whether rounded arithmetic is enough.
 int sideOfEdgeExactly(
   const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& q);
 
 /**
- * The side of the plane of a triangle that q is on: +1 where the normal (b−a)×(c−a) points away from
- * q, −1 where it points towards q. Exact as sideOfEdge() is; a q in the plane counts as moved by
- * infinitesimal steps, along y, by an infinitely smaller one along z, and by one smaller still along
- * x, which is what sideOfEdge() assumes where u, v are y, z. 0 only for degenerate triangles.
+ * The side of the plane of a triangle that q is on: +1 where the normal (b−a)×(c−a) points away
+ * from q, −1 where it points towards q. The side is as exact as that of sideOfEdge(). A q in the
+ * plane counts as moved by infinitesimal steps: one along y, an infinitely smaller one along z, and
+ * one smaller still along x. The steps are those of sideOfEdge() where u, v are y, z. The side is 0
+ * only for degenerate triangles.
  */
 int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
   const Eigen::Vector3d& q);

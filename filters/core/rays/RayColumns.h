@@ -12,13 +12,14 @@
 
 /**
  * @file
- * Rays along +x and triangles, seen along the rays: points and triangles in the plane of y and z, in
- * the columns of a grid over the rays.
+ * Rays along +x and triangles as they are seen along the rays: points and triangles in the plane of
+ * y and z, in the columns of a grid over the rays.
  */
 namespace winding
 {
 
-/// A sample in units of the surface, and the crossings that were found so far.
+/// A sample in scaled coordinates (RayCounter), and the sum of the crossings that were found so
+/// far.
 struct Ray
 {
   double x, y, z;
@@ -28,7 +29,7 @@ struct Ray
   Eigen::Vector3d start() const { return {x, y, z}; }
 };
 
-/// What of a triangle's box tells whether rays along +x may cross it.
+/// The sides of a triangle's box that tell whether rays along +x may cross it.
 struct TriangleBox
 {
   TriangleBox(
@@ -44,7 +45,7 @@ struct TriangleBox
   double lowY, highY, lowZ, highZ, highX;
 };
 
-/// The box of rays across them, in y and z, and the x from which on they are all ahead.
+/// The box of rays in y and z, across them, and the lowest x at which one of them starts.
 struct RayBox
 {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -76,7 +77,7 @@ struct RayBox
 
   bool isEmpty() const { return !(low[0] <= high[0]); }
 
-  /// All rays lie on the same line.
+  /// Whether all rays lie on the same line.
   bool isLine() const { return low == high; }
 
   bool isReachedBy(const TriangleBox& box) const
@@ -86,7 +87,8 @@ struct RayBox
   }
 };
 
-/// Columns of a grid: first to last in y, and in z. A row is what has the same z.
+/// The columns of a grid from the first to the last in y, and in z. Columns of the same z form a
+/// row.
 struct ColumnRange
 {
   std::uint16_t firstY, lastY, firstZ, lastZ;
@@ -99,19 +101,20 @@ struct ColumnRange
     return (std::size_t(lastY) + 1 - firstY) * (std::size_t(lastZ) + 1 - firstZ);
   }
 
-  /// The box of a triangle in so few columns is as good as its footprint.
+  /// Whether these are so few columns that the box of a triangle is as good as its footprint.
   bool isNarrow() const { return this->size() <= 16; }
 };
 
 /**
- * A grid over a box of rays. Places are rounded, but never fall as a coordinate rises: what a triangle
- * overlaps is in the columns between those of its corners.
+ * A grid over a box of rays. Places are rounded, but never fall as a coordinate rises: all columns
+ * that a triangle overlaps are between those of its corners.
  */
 class Columns
 {
 public:
-  /// About so many, at least 1, and at most mostBuckets. Two or more if the box is no line and two are
-  /// wanted, unless it is so thin (1e-305) that a double cannot tell how thin.
+  /// Makes about `wanted` columns, at least 1 and at most mostBuckets. There are two or more if the
+  /// box is no line and two are wanted, unless the box is so thin (1e-305) that a double cannot
+  /// tell how thin.
   Columns(const RayBox& box, std::size_t wanted)
     : low_(box.low)
   {
@@ -124,9 +127,8 @@ public:
     {
       const bool isDivided = isDivisible(box, axis, perAxis);
       count_[axis] = isDivided ? perAxis : 1;
-      scale_[axis] = isDivided                        ? perAxis / (box.high[axis] - box.low[axis])
-                     : box.high[axis] > box.low[axis] ? 0
-                                                      : inPlane;
+      const double undivided = box.high[axis] > box.low[axis] ? 0 : inPlane;
+      scale_[axis] = isDivided ? perAxis / (box.high[axis] - box.low[axis]) : undivided;
     }
   }
 
@@ -134,7 +136,7 @@ public:
   {
     return static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]);
   }
-  /// How many columns a row has.
+  /// The number of columns in a row.
   std::size_t perRow() const { return static_cast<std::size_t>(count_[0]); }
 
   std::size_t number(int y, int z) const
@@ -156,19 +158,21 @@ public:
     return {place(0, box.lowY), place(0, box.highY), place(1, box.lowZ), place(1, box.highZ)};
   }
 
-  /// Column i of an axis is from i to i + 1.
+  /// A coordinate in units of columns: column i of an axis is from i to i + 1.
   double inUnits(int axis, double coordinate) const
   {
     return (coordinate - low_[axis]) * scale_[axis];
   }
-  /// The column of an axis that a coordinate in those units is in, or the one next to it.
+  /// The column of an axis that a coordinate in units of columns is in; the nearest one for a
+  /// coordinate beside the grid.
   int place(int axis, double inUnits) const
   {
     return inUnits >= count_[axis] ? count_[axis] - 1 : inUnits > 0 ? static_cast<int>(inUnits) : 0;
   }
 
 private:
-  /// For rays in one plane, a column so thin (1e-9) that it cuts what of triangles is in that plane.
+  /// The scale across rays that all lie in one plane: a column so thin (1e-9) that it cuts from
+  /// triangles just their part in that plane.
   static constexpr double inPlane = 0x1p30;
 
   static bool isDivisible(const RayBox& box, int axis, int count)
@@ -183,14 +187,16 @@ private:
 };
 
 /**
- * The columns that a triangle overlaps: none of them is left out, whatever the rounding, and of the
- * others only what lies within rounding of them. They are walked row by row, or across the rows where
- * those are more, and of each the triangle covers one run.
+ * The columns that a triangle overlaps. None of them is left out, whatever the rounding, and other
+ * columns are included only if they lie within rounding of the triangle. Columns are walked in
+ * runs: the triangle covers one run of each row, or, where there are more rows than columns in a
+ * row, one run across the rows.
  */
 class Footprint
 {
 public:
-  /// `range` is of the triangle's box, or what of it is asked for. Keeps a reference to the columns.
+  /// `range` is that of the triangle's box, or the part of it that is asked for. Keeps a reference
+  /// to the columns.
   Footprint(const Columns& columns, const ColumnRange& range, const Eigen::Vector3d& a,
     const Eigen::Vector3d& b, const Eigen::Vector3d& c)
     : columns_(columns)
@@ -199,33 +205,35 @@ public:
   {
     const int along = areRows_ ? 0 : 1;
     const Eigen::Vector3d* corners[3] = {&a, &b, &c};
-    double u[3], v[3], size = static_cast<double>(mostBuckets); // along the runs, and across
+    // Coordinates are u along the runs and v across them.
+    double u[3], v[3], size = static_cast<double>(mostBuckets);
     for (int i = 0; i < 3; ++i)
     {
       u[i] = columns.inUnits(along, (*corners[i])[1 + along]);
       v[i] = columns.inUnits(1 - along, (*corners[i])[2 - along]);
       size = std::max({size, std::abs(u[i]), std::abs(v[i])});
     }
-    // The places of corners and of rays are off by 2 roundings each, that of a cut by 11: these are
-    // 32. For a triangle that is so much larger than columns that this matters, its box must do.
+    // The places of corners and of rays are off by 2 roundings each, that of a cut by 11; the
+    // margin is 32 roundings. The box must do for a triangle so much larger than columns that this
+    // matters.
     margin_ = 16 * std::numeric_limits<double>::epsilon() * size;
     isCertain_ = margin_ < 0.25;
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
       const int from = v[i] < v[j] ? i : j, to = v[i] < v[j] ? j : i;
-      if (v[from] < v[to]) // else its ends are those of the other edges
+      if (v[from] < v[to]) // an edge along the runs has no ends but those of the other edges
       {
         const double slope = (u[to] - u[from]) / (v[to] - v[from]);
         isCertain_ = isCertain_ && std::isfinite(slope);
         edges_[count_++] = {v[from], v[to], u[from], slope};
       }
     }
-    // All in one place across the runs, where a row has no edge to cut.
+    // A triangle in a single place across the runs has no edges that cut a row.
     isCertain_ = isCertain_ && count_ > 0;
   }
 
-  /// Calls visit(column).
+  /// Calls visit(column) for all columns.
   template <class Visit> void forEach(const Visit& visit) const
   {
     if (areRows_)
@@ -251,7 +259,8 @@ public:
   }
 
 private:
-  /// From a lower place across the runs to a higher one; `along` is that of the lower.
+  /// An edge from its lower end across the runs to its higher one; `along` is the place of the
+  /// lower end along the runs.
   struct Edge
   {
     double low, high, along, slope;

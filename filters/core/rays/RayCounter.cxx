@@ -32,9 +32,9 @@ RaysInColumns RayCounter::sort(Ray* first, Ray* last, const Columns& columns)
 bool RayCounter::count(
   Ray* first, Ray* last, const TriangleIds& triangles, std::ptrdiff_t& steps) const
 {
-  constexpr std::size_t fewPairs = 2048; // not worth dividing
+  constexpr std::size_t fewPairs = 2048; // so few pairs are not worth dividing
   constexpr std::size_t raysPerColumn = 4;
-  constexpr std::size_t fullColumn = 64; // more rays are divided again
+  constexpr std::size_t fullColumn = 64; // columns with more rays are divided again
 
   const RayBox box(first, last);
   if (box.isLine())
@@ -53,7 +53,7 @@ bool RayCounter::count(
     sort(first, last, Columns(box, isDivided ? std::max<std::size_t>(1, rays / raysPerColumn) : 1));
   const Columns& columns = inColumns.columns;
   const std::vector<Ray*>& starts = inColumns.starts;
-  std::vector<TriangleIds> ofFull(columns.count()); // by column, full ones only
+  std::vector<TriangleIds> ofFull(columns.count()); // triangles by column, in full columns only
   for (const std::uint32_t id : triangles)
   {
     const TriangleBox ours = this->box(id);
@@ -107,8 +107,9 @@ bool RayCounter::count(
   return true;
 }
 
-/// A ray crosses a triangle of its line if it starts before a place on it that depends on the line and
-/// the triangle only, the infinitesimal steps included: so those that cross it are the first ones.
+/// Adds the crossings of rays on one line. A ray crosses a triangle that the line crosses if it
+/// starts before a place on the line that depends on the line and the triangle only, the
+/// infinitesimal steps included: so the rays that cross it are the first ones.
 void RayCounter::countOnLine(
   Ray* first, Ray* last, const TriangleIds& triangles, const RayBox& box) const
 {

@@ -12,7 +12,7 @@ namespace winding
 
 using TriangleIds = std::vector<std::uint32_t>;
 
-/// Rays in columns: starts[c] … starts[c + 1] − 1 are those of column c.
+/// Rays sorted by columns: starts[c] … starts[c + 1] − 1 are the rays of column c.
 struct RaysInColumns
 {
   Columns columns;
@@ -52,13 +52,13 @@ public:
   /// Sorts rays by the columns of a grid over them.
   static RaysInColumns sort(Ray* first, Ray* last, const Columns& columns);
 
-  /// What may be done before count() gives up: steps of some 10 ns, 20 ms in all.
+  /// The most steps that count() takes before it gives up: steps of some 10 ns, 20 ms in all.
   static constexpr std::ptrdiff_t mostSteps = 1 << 21;
 
   /**
-   * Adds the crossings of all rays with all triangles; puts the rays into another order. False, with
-   * some crossings added and others not, if there is too much to do; never for rays on one line, which
-   * are sorted along it, so that each triangle takes a search only.
+   * Adds the crossings of all rays with all triangles; puts the rays into another order. Returns
+   * false, with some crossings added and others not, if there is too much to do. Rays on one line
+   * are never too much: they are sorted along it, so that each triangle takes a search only.
    */
   bool count(Ray* first, Ray* last, const TriangleIds& triangles) const
   {
@@ -66,7 +66,7 @@ public:
     return this->count(first, last, triangles, steps);
   }
 
-  /// The same, without giving up.
+  /// Does what count() does, without giving up.
   void countAll(Ray* first, Ray* last, const TriangleIds& triangles) const
   {
     std::ptrdiff_t steps = std::numeric_limits<std::ptrdiff_t>::max();

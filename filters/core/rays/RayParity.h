@@ -10,9 +10,9 @@ namespace winding
  * The baseline that winding numbers replace: one ray per sample, along +x, and 1 where it crosses
  * the surface an odd number of times. Orientation is ignored, holes and overlaps give stripes.
  *
- * Guaranteed: right for every sample off a closed surface, rays through edges, through vertices and
- * along faces included: whether a ray meets a triangle is decided exactly, as far as Predicates.h goes.
- * On the surface itself: 0 or 1. O(n) per sample.
+ * Guaranteed: the parity is right for every sample off a closed surface, rays through edges,
+ * through vertices and along faces included: whether a ray meets a triangle is decided exactly, as
+ * far as Predicates.h goes. A sample on the surface itself gets 0 or 1. Takes O(n) per sample.
  */
 class RayParity final : public Evaluator
 {

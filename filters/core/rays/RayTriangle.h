@@ -7,7 +7,8 @@
 namespace winding
 {
 
-/// A triangle prepared for many rays along +x. Every decision is exact, as far as Predicates.h goes.
+/// A triangle prepared for many rays along +x. Every decision is exact, as far as Predicates.h
+/// goes.
 class RayTriangle
 {
 public:
@@ -18,12 +19,12 @@ public:
   {
   }
 
-  /// For the ray from q: +1 if it leaves through the front of the triangle, −1 if it enters, 0
-  /// if it does not cross. A ray through an edge or a vertex, and a start on the triangle, count as
-  /// moved by infinitesimal steps, the same ones for all triangles.
+  /// The crossing of the ray from q: +1 if it leaves through the front of the triangle, −1 if it
+  /// enters, 0 if it does not cross. A ray through an edge or a vertex, and a start on the
+  /// triangle, count as moved by infinitesimal steps, the same ones for all triangles.
   int crossing(const Eigen::Vector3d& q) const
   {
-    // One branch, for which of these fails cannot be foretold.
+    // The conditions share one branch, for it cannot be foretold which of them holds.
     const bool isBeside = (q[1] < low_[1]) | (q[1] > high_[1]) | (q[2] < low_[2]) |
                           (q[2] > high_[2]) | (q[0] > high_[0]);
     if (isBeside)
@@ -40,7 +41,7 @@ public:
     {
       return 0;
     }
-    // Within the triangle's extent along the ray: which side of its plane is the start on?
+    // The side of the plane decides for a start within the triangle's extent along the ray.
     const bool isAhead =
       q[0] < low_[0] || sideOfPlane(corners_[0], corners_[1], corners_[2], q) == side;
     return isAhead ? side : 0;

@@ -11,10 +11,10 @@ namespace winding
 namespace
 {
 
-/// Triangles of a block: so few that small inputs occupy several cores, too.
+/// The number of triangles in a block, so few that small inputs occupy several cores, too.
 constexpr std::size_t perBlock = 4096;
 
-/// Lists of triangles are made for as many columns at a time as hold so many entries per triangle.
+/// The most entries per triangle that the lists for the columns of one round have.
 constexpr std::size_t mostEntries = 16;
 
 } // namespace
@@ -76,7 +76,7 @@ ReachOfTriangles::ReachOfTriangles(const RayCounter& counter, const CandidateTri
   this->makeRounds(inBoxes);
 }
 
-/// Calls visit for those of a window that triangle i reaches.
+/// Calls visit(column) for the columns of a window that triangle i reaches.
 template <class Visit>
 void ReachOfTriangles::forEachColumn(std::size_t i, const Window& window, const Visit& visit) const
 {

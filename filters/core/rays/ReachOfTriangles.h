@@ -36,7 +36,7 @@ private:
   std::size_t count_;
 };
 
-/// Which of some triangles reach which columns of rays.
+/// Tells which of some triangles reach which columns of rays.
 class ReachOfTriangles
 {
 public:
@@ -44,7 +44,8 @@ public:
   ReachOfTriangles(const RayCounter& counter, const CandidateTriangles& triangles,
     const RaysInColumns& rays, Executor& executor);
 
-  /// Rounds are runs of columns of which there are lists at a time: starts, and the end.
+  /// The first column of each round, and at last the number of columns. A round is a run of columns
+  /// whose lists of triangles are made at one time, so that they take limited memory.
   const std::vector<std::size_t>& rounds() const { return rounds_; }
 
   /// The triangles that reach the columns first … last − 1. Throws Interrupted.

@@ -13,8 +13,8 @@ namespace
 {
 
 /**
- * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of a
- * layer that stand beside each other; the first may begin before the extent.
+ * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of
+ * a layer that stand beside each other; the first may begin before the extent.
  */
 class Bands
 {
@@ -61,8 +61,7 @@ public:
   }
 
 private:
-  /// First and last index along an axis between a triangle's lowest and highest vertex; none if the
-  /// first is the larger one.
+  /// The indices of an extent along an axis between a triangle's lowest and highest vertex.
   static IndexRange samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
     const Triangle& triangle, int axis, const Extent& extent)
   {
@@ -84,7 +83,7 @@ private:
 struct Crossing
 {
   int row;    ///< j
-  int behind; ///< first sample behind it
+  int behind; ///< first sample behind the crossing
   int sign;
 };
 
@@ -220,8 +219,11 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
     extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
   const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent, rows);
   const std::size_t bands = rows.countIn(extent);
-  return executor.run(bands * depth, [&](std::size_t block)
-    { onGrid->evaluate(extent[4] + static_cast<int>(block / bands), block % bands, work); });
+  const auto evaluateBand = [&](std::size_t block)
+  {
+    onGrid->evaluate(extent[4] + static_cast<int>(block / bands), block % bands, work);
+  };
+  return executor.run(bands * depth, evaluateBand);
 }
 
 int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const

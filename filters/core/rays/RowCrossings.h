@@ -18,10 +18,10 @@ struct RowRun
   int value;
 };
 
-/// Rows of a layer by so many: those from firstRow on are band 0.
+/// The rows of a layer in bands of rowsPerBand rows each; band 0 begins with firstRow.
 struct RowBands
 {
-  int firstRow; ///< not behind the first row of an extent
+  int firstRow; ///< the first row of an extent, or a row before it
   int rowsPerBand;
 
   std::size_t bandOf(int row) const
@@ -42,17 +42,19 @@ struct RowBands
  * Guaranteed: (1) every value is an integer, and the right one for all samples off the chain; (2) a
  * sample on the chain gets the value beside it that sideOfPlane() steps to: one of those that occur
  * around it, chosen by the same rule everywhere; (3) values depend on the grid as a whole, never on
- * the extent, the executor or its threads. Off means: off the vertices as they are in units of the
- * grid, which rounds their coordinates once, to 2⁻⁵³ of their distance from its first sample; grids
- * whose voxels are smaller than 1e-150 of that leave the range of the predicates.
+ * the extent, the executor or its threads. The chain is taken in units of the grid, which rounds
+ * the coordinates of its vertices once and for all, to 2⁻⁵² of their distance from the grid's first
+ * sample; grids whose voxels are smaller than 1e-150 of that distance leave the range of the
+ * predicates.
  *
- * Time: linear in the triangles, the crossings and the runs. Memory: 24 bytes per vertex, 4 per
- * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work.
+ * The time is linear in the triangles, the crossings and the runs. The memory is 24 bytes per
+ * vertex, 4 per triangle, layer and band that it reaches, 8 per layer and band, and the crossings
+ * at work.
  */
 class RowCrossings
 {
 public:
-  /// What to do with row (j, k): called once for each, from the executor's threads. The runs cover
+  /// The work for row (j, k), called once for each row, from the executor's threads. The runs cover
   /// the extent's range of x without gaps.
   using RowWork = std::function<void(int j, int k, const std::vector<RowRun>& runs)>;
 
@@ -61,17 +63,18 @@ public:
   RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
     const std::vector<Triangle>& cap = noTriangles());
 
-  /// What the rows of an extent need, made once for all of them.
+  /// The data that the rows of an extent need, made once for all of them.
   class OnGrid;
   std::unique_ptr<const OnGrid> on(
     const Grid& grid, const Extent& extent, const RowBands& rows) const;
 
-  /// samplesPerBlock: about how many make a block of work, at least a row. False when the executor
-  /// was interrupted.
+  /// Calls work for all rows of an extent. A block of work has about samplesPerBlock samples, and
+  /// at least a row. Returns false when the executor was interrupted.
   bool evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
     const RowWork& work, Executor& executor) const;
 
-  /// The value of a single sample: the very value that its row gets. Linear in the triangles.
+  /// The value of a single sample, the very value that it has in its row. Takes time linear in the
+  /// triangles.
   int valueAt(const Grid& grid, int i, int j, int k) const;
 
 private:
@@ -88,7 +91,7 @@ class RowCrossings::OnGrid
 public:
   virtual ~OnGrid() = default;
 
-  /// Calls work for the rows of a band of layer k, those in the extent.
+  /// Calls work for the rows of a band of layer k that are in the extent.
   virtual void evaluate(int k, std::size_t band, const RowWork& work) const = 0;
 };
 

@@ -26,7 +26,7 @@ void addIntersection(
   const double rise = to[2] - from[2];
   const double scale = std::abs(k) + std::abs(from[2]) + std::abs(to[2]);
   const double edgeLow = std::min(from[1], to[1]), edgeHigh = std::max(from[1], to[1]);
-  const double uncertainty = 8 * epsilon * scale / std::abs(rise); // of the fraction along the edge
+  const double uncertainty = 8 * epsilon * scale / std::abs(rise); // in the fraction along the edge
   if (!(uncertainty < 0.25))
   {
     low = std::min(low, edgeLow);
@@ -41,8 +41,9 @@ void addIntersection(
 }
 
 ///@{
-/// Rounded down and up, within a range. Not std::clamp, which would let NaN pass: coordinates may be
-/// huge in units of the grid. And not std::floor, which is a call on processors of any age.
+/// A value rounded down or up, within a range. The code avoids std::clamp, which would let NaN
+/// pass: coordinates may be huge in units of the grid. It avoids std::floor, which is a call in
+/// code for processors of any age.
 int floorIndex(double value, int lowest, int highest)
 {
   if (!(value > lowest))
@@ -102,13 +103,13 @@ int RowTriangle::crossingSign(int j, int k) const
 {
   const Eigen::Vector2d q(j, k);
   const int side = sideOfEdge(a_.tail<2>(), b_.tail<2>(), q);
-  return side != 0 && sideOfEdge(b_.tail<2>(), c_.tail<2>(), q) == side &&
-             sideOfEdge(c_.tail<2>(), a_.tail<2>(), q) == side
-           ? side
-           : 0;
+  const bool crosses = side != 0 && sideOfEdge(b_.tail<2>(), c_.tail<2>(), q) == side &&
+                       sideOfEdge(c_.tail<2>(), a_.tail<2>(), q) == side;
+  return crosses ? side : 0;
 }
 
-/// Where row (j, k) meets the triangle's plane, and a bound of that number's rounding error.
+/// The x at which row (j, k) meets the triangle's plane, and a bound of that number's rounding
+/// error.
 double RowTriangle::crossingX(int j, int k, double& error) const
 {
   const double nx = normal_[0], nxError = 4 * epsilon * normalMagnitude_[0];
@@ -132,7 +133,7 @@ double RowTriangle::crossingAt(int j, int k) const
 {
   double error;
   const double x = this->crossingX(j, k, error);
-  // Along the rows, any place of the triangle is as good as another.
+  // Any place of a triangle along the rows is as good as another.
   return std::isfinite(error) ? std::clamp(x, lowX_, highX_) : 0.5 * (lowX_ + highX_);
 }
 
@@ -140,12 +141,13 @@ int RowTriangle::firstBehind(int j, int k, int sign, int lowest, int highest) co
 {
   double error;
   const double x = this->crossingX(j, k, error);
-  // The crossing lies in [low, high] for certain; samples in between are asked one by one.
+  // The crossing lies in [low, high] for certain. Samples below `before` are before it, samples
+  // from `behind` on, which may be beyond the range, are behind it, and bisection asks those in
+  // between.
   const double low = std::isfinite(error) ? std::max(x - error, lowX_) : lowX_;
   const double high = std::isfinite(error) ? std::min(x + error, highX_) : highX_;
-  int before = ceilIndex(low, lowest, highest + 1); // may or may not be behind
-  int behind =
-    !(high >= lowest) ? lowest : floorIndex(high, lowest, highest) + 1; // or beyond the extent
+  int before = ceilIndex(low, lowest, highest + 1);
+  int behind = !(high >= lowest) ? lowest : floorIndex(high, lowest, highest) + 1;
   while (before < behind)
   {
     const int middle = before + (behind - before) / 2;

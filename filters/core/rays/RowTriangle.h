@@ -6,9 +6,9 @@ namespace winding
 {
 
 /**
- * A triangle in units of a grid, sample (i, j, k) at (i, j, k): which rows along x cross it, in which
- * direction, and between which samples. Every decision is exact for the given coordinates
- * (Predicates.h); rounded arithmetic only narrows down where to ask.
+ * A triangle in units of a grid, where sample (i, j, k) is at (i, j, k). It tells which rows along
+ * x cross it, in which direction, and between which samples. Every decision is exact for the given
+ * coordinates (Predicates.h); rounded arithmetic only narrows down where to ask.
  */
 class RowTriangle
 {
@@ -22,18 +22,18 @@ public:
   };
   Range rowsIn(int k, int lowest, int highest) const;
 
-  /// +1 if row (j, k) leaves through the front of the triangle, walking along +x, −1 if it enters, 0
-  /// if it does not cross.
+  /// The sign of the crossing of row (j, k), walked along +x: +1 if it leaves through the front of
+  /// the triangle, −1 if it enters, 0 if it does not cross.
   int crossingSign(int j, int k) const;
 
-  /// For a row that crosses with this sign: the first sample i in [lowest, highest] behind the
-  /// crossing, highest + 1 if there is none. Samples before it see the triangle along +x.
+  /// The first sample i in [lowest, highest] behind the crossing of a row that crosses with this
+  /// sign; highest + 1 if there is none. Samples before it see the triangle along +x.
   int firstBehind(int j, int k, int sign, int lowest, int highest) const;
 
-  /// For a row that crosses: where, as far as rounding goes, and never beyond the triangle.
+  /// The x at which a crossing row crosses, as far as rounding goes, and never beyond the triangle.
   double crossingAt(int j, int k) const;
 
-  /// Twice its area, in the direction of its normal.
+  /// The triangle's normal, with twice its area as length.
   const Eigen::Vector3d& areaVector() const { return normal_; }
 
 private:

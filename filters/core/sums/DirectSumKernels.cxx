@@ -61,8 +61,8 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec a = hn::Sqrt(dot(ax, ay, az, ax, ay, az));
       const Vec b = hn::Sqrt(dot(bx, by, bz, bx, by, bz));
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
-      const Vec height = dot(ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]),
-        hn::Set(d, t->normal[2]));
+      const Vec height = dot(
+        ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
       // Adding 0 turns −0 into +0: by a factor of 1 − 0i, a product at the branch cut would change
       // the sign of its imaginary part and so lose a turn.
       const Vec num = hn::Add(zero, height);
