@@ -33,25 +33,27 @@ public:
 
   virtual const winding::Bounds& bounds() const = 0;
 
-  /// Triangles are cut to what suits a grid of these bounds and spacing; 0: not at all.
+  /// The sources of a far field. Triangles are cut to sizes that suit a grid of these bounds and
+  /// spacing; a spacing of 0 leaves them whole.
   virtual std::unique_ptr<winding::FarFieldSources> sources(
     const winding::Bounds& region, double spacing) const = 0;
 
   std::unique_ptr<winding::FarFieldSources> sources() const { return this->sources({}, 0); }
 
-  /// The direct sum in double. NaN where a sample lies on a triangle, so that no value is right.
+  /// The direct sum in double; NaN where a sample lies on a triangle, so that no value is right.
   virtual std::vector<double> values(const std::vector<Point>& samples) const = 0;
 
-  /// Exact gradients.
+  /// The exact gradients at samples.
   virtual std::vector<Point> gradients(const std::vector<Point>& samples) const = 0;
 
-  /// To the nearest point of a cloud or vertex of a mesh, and at least what all points are spread over.
+  /// The distance to the nearest point of a cloud or vertex of a mesh, and at least the shortest of
+  /// the lengths over which points are spread.
   virtual double distance(const Point& sample) const = 0;
 
-  /// About the sum of the absolute values that the direct sum adds.
+  /// The sum, roughly, of the absolute values that the direct sum adds.
   virtual std::vector<double> strengths(const std::vector<Point>& samples) const = 0;
 
-  /// On random points or triangles.
+  /// Places on random points or triangles of the source.
   virtual std::vector<Point> places(std::size_t count, unsigned seed) const = 0;
 };
 
@@ -68,7 +70,7 @@ inline double distanceBetween(const Point& sample, const std::vector<Point>& poi
 class CloudSource final : public FarSource
 {
 public:
-  /// regularization: see FieldOptions.
+  /// FieldOptions explains `regularization`.
   CloudSource(const Cloud& cloud, std::vector<double> areas, double regularization)
     : cloud_(clean(cloud))
     , areas_(std::move(areas))
@@ -112,11 +114,9 @@ public:
       double sum = 0;
       for (std::size_t i = 0; i < areas_.size(); ++i)
       {
-        // Spread over e, no share is more than 0.43 a/e², that at 0.97 e.
-        const double squared = (cloud_.positions[i] - q).squaredNorm();
-        sum += areas_[i] / (shortest_ > 0 ? std::max(squared,
-                                              2.3 * std::pow(cloud_.regularizationLengths[i], 2))
-                                          : squared);
+        // The share of a point that is spread over e is at most 0.43 a/e², at a distance of 0.97 e.
+        const double least = shortest_ > 0 ? 2.3 * std::pow(cloud_.regularizationLengths[i], 2) : 0;
+        sum += areas_[i] / std::max((cloud_.positions[i] - q).squaredNorm(), least);
       }
       strengths.push_back(sum / (4 * winding::pi));
     }
@@ -138,7 +138,7 @@ private:
   winding::PointCloud cloud_;
   std::vector<double> areas_;
   winding::DipoleSum sum_;
-  double shortest_ = 0; ///< of the lengths over which points are spread
+  double shortest_ = 0; ///< shortest length over which points are spread; 0 for pure dipoles
 };
 
 class MeshSource final : public FarSource
@@ -221,7 +221,7 @@ inline std::unique_ptr<FarSource> farSource(
   return std::make_unique<CloudSource>(cloud, areas, regularization);
 }
 
-/// All areas equal, those of a sphere of a radius in all.
+/// A source of points with equal areas, whose sum is that of a sphere of the given radius.
 inline std::unique_ptr<FarSource> farSource(const Cloud& cloud, double radius = 1)
 {
   const auto count = static_cast<double>(cloud.positions.size());
@@ -242,7 +242,8 @@ inline Cloud with(Cloud cloud, const Cloud& other)
   return cloud;
 }
 
-/// As many points in every shell as in the one around it of twice the radius; areas shrink alike.
+/// A cloud with as many points in every shell as in the one around it of twice the radius; areas
+/// shrink with the square of the radius.
 inline std::unique_ptr<FarSource> gradedSource(
   std::size_t count, unsigned seed, double regularization = 0)
 {
@@ -259,7 +260,7 @@ inline std::unique_ptr<FarSource> gradedSource(
   return farSource(cloud, areas, regularization);
 }
 
-/// A heap of equal points and a sphere of 5000.
+/// A sphere of 5000 points and a heap of equal points.
 inline Cloud sphereWithHeap(std::size_t heap)
 {
   Cloud cloud = sphereCloud(5000);
@@ -268,7 +269,7 @@ inline Cloud sphereWithHeap(std::size_t heap)
   return cloud;
 }
 
-/// Most points in a ball of a ten thousandth of the size.
+/// A sphere of 5000 points, and `ball` points in a cube of 1/20000 of its size.
 inline Cloud sphereWithBall(std::size_t ball, unsigned seed)
 {
   const auto shrunk = [](const Point& p) -> Point
@@ -278,7 +279,8 @@ inline Cloud sphereWithBall(std::size_t ball, unsigned seed)
   return with(mapped(randomCloud(ball, seed), shrunk), sphereCloud(5000));
 }
 
-/// A tenth of the longest side of space on every side; the bounds must have an extent.
+/// A grid around bounds, which must have an extent, with a tenth of their longest side as margin on
+/// every side.
 inline winding::Grid gridAround(const winding::Bounds& bounds, const Eigen::Vector3i& dimensions)
 {
   winding::GridRequest request;
@@ -344,7 +346,8 @@ inline std::vector<Point> gradientsAt(
   return gradientsAt(field, samples, serial);
 }
 
-/// Samples of a grid: random ones, and those nearest to places on the source that are within it.
+/// Samples of a grid: random ones, and those nearest to places on the source that are within the
+/// grid.
 inline std::vector<Eigen::Vector3i> comparedSamples(
   const FarSource& source, const winding::Grid& grid, std::size_t count, unsigned seed)
 {
@@ -368,16 +371,16 @@ inline std::vector<Eigen::Vector3i> comparedSamples(
 }
 
 /**
- * The largest difference between values at samples and the direct sum of a source. Where what is
- * summed (FarSource::strengths) is more than 1, eight roundings of float of the excess are taken off:
- * next to points of a cloud, where terms in the hundreds may cancel, they alone are more than the
- * finest tolerance.
+ * The largest difference between values at samples and the direct sum of a source. Where the
+ * absolute values of the summands (FarSource::strengths) add up to more than 1, eight roundings of
+ * float of the excess are taken off: next to points of a cloud, where terms in the hundreds may
+ * cancel, these alone are more than the finest tolerance.
  */
 inline double largestError(
   const FarSource& source, const std::vector<Point>& samples, const std::vector<float>& values)
 {
-  const std::vector<double> expected = source.values(samples),
-                            strengths = source.strengths(samples);
+  const std::vector<double> expected = source.values(samples);
+  const std::vector<double> strengths = source.strengths(samples);
   double largest = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {

@@ -5,7 +5,8 @@
 namespace shapes
 {
 
-/// Is interrupted in the run after so many whole ones, and after some of its blocks; for ever after.
+/// An executor that is interrupted after so many whole runs and so many blocks of the next, and in
+/// all runs after that.
 class Interruption final : public winding::Executor
 {
 public:

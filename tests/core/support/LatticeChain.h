@@ -16,21 +16,21 @@
 
 /**
  * @file
- * Random chains of triangles on a small integer lattice, with a grid whose planes run through them:
- * every degeneracy occurs often. What lies on what is known exactly, from the integers. All inline,
- * so that programs outside the test suite can use it.
+ * Random chains of triangles on a small integer lattice, with a grid whose planes run through them,
+ * so that every degeneracy occurs often. The integers tell exactly which samples lie on triangles
+ * and edges. All functions are inline, so that programs outside the test suite can use them.
  */
 namespace shapes
 {
 
-/// Integers: quarters of a lattice step.
+/// Integer coordinates in quarters of a lattice step.
 using Quarters = Eigen::Vector3i;
 
 struct LatticeChain
 {
   std::vector<Quarters> corners; ///< three per triangle
-  double scale = 1;              ///< of a lattice step
-  double shift = 0;              ///< of all coordinates, in lattice steps times scale
+  double scale = 1;              ///< length of a lattice step
+  double shift = 0;              ///< added to all coordinates after scaling
   bool isExact = true;           ///< nothing was rounded when the integers became coordinates
   Quarters firstSample, step;
   winding::Grid grid;
@@ -48,7 +48,7 @@ inline bool isOnTriangle(const Quarters* corner, const Quarters& q)
   const Quarters normal = (b - a).cross(c - a);
   if (normal.isZero())
   {
-    // Along a line, in the box of the corners.
+    // The degenerate triangle is the part of a line in the box of the corners.
     return (b - a).cross(q - a).isZero() && (c - a).cross(q - a).isZero();
   }
   return (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 &&
@@ -84,8 +84,8 @@ inline bool isOnRim(
     });
 }
 
-/// Depending on the seed: triangles without relation, or tetrahedra, some of whose faces are
-/// deleted, duplicated or flipped, or none: a closed chain.
+/// A chain that depends on the seed: triangles without relation, or tetrahedra some of whose faces
+/// are deleted, duplicated or flipped, or undamaged tetrahedra, which are a closed chain.
 inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int largest)
 {
   Random random(seed);
@@ -131,7 +131,7 @@ inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int lar
   chain.shift = place == 0 ? 1e5 : place == 1 ? -0.7 : 0;
   chain.isExact = chain.scale == 1 && place != 1;
 
-  // Samples on the lattice, between, or beside it along one axis.
+  // Samples lie on the lattice, between its points, or beside it along one axis.
   const int subdivision = 1 + below(2);
   chain.step.setConstant(4 / subdivision);
   chain.firstSample = -chain.step;
@@ -161,18 +161,20 @@ inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int lar
   return chain;
 }
 
-/// What a comparison of a chain's field by rows and caps with the direct sum found.
+/// The findings of a comparison of a chain's field by rows and caps with the direct sum.
 struct ChainComparison
 {
   std::size_t offSurface = 0, onSurface = 0, onRim = 0;
-  std::size_t means = 0;   ///< on the surface and, within rounding, on both caps: the direct sum
-  double largestError = 0; ///< off the surface
-  std::string failure;     ///< of the last sample that failed; empty if none did
+  /// Samples on the surface that got the direct sum, as they are, within rounding, on both caps.
+  std::size_t means = 0;
+  double largestError = 0; ///< largest error of samples off the surface
+  std::string failure;     ///< message on the last sample that failed; empty if none did
 };
 
-/// Off the surface the direct sum; on it, but not on the rim, the direct sum a small step aside, the
-/// way that samples in a plane count as moved, or, by accident, right there; on the rim something
-/// finite. fieldTolerance: what the field may be off anyway.
+/// Compares a chain's field with what it should be: off the surface, the direct sum; on the
+/// surface, but not on the rim, the direct sum a small step aside, in the direction in which
+/// samples in a plane count as moved, or, by accident, the direct sum right there; on the rim,
+/// anything finite. The field may be off by fieldTolerance anyway.
 inline ChainComparison compareWithDirectSum(const LatticeChain& chain, double fieldTolerance = 0)
 {
   using namespace winding;

@@ -7,13 +7,14 @@
 namespace shapes
 {
 
-/// A solid of unit cubes, as it is or sheared and turned, with samples on its quarter lattice: a ray
-/// along x from any of them runs along faces, edges or through vertices, or is in general position.
+/// A solid of unit cubes, as it is or sheared and turned, with samples on its quarter lattice: a
+/// ray along x from any of them runs along faces, edges or through vertices, or is in general
+/// position.
 struct LatticeSolid
 {
   Mesh mesh;
   std::vector<Point> samples;
-  std::vector<double> windings; ///< of the samples
+  std::vector<double> windings; ///< winding numbers of the samples
 
   /// Whether a sample is not on the surface.
   bool isOff(std::size_t sample) const { return windings[sample] == 0 || windings[sample] == 1; }

@@ -10,8 +10,9 @@
 namespace shapes
 {
 
-/// The distance from a triangle in long double, by the region of it that the point is nearest to: what its
-/// edges leave is the plane, for projections inside of all three. Nothing is shared with the library.
+/// The distance from a triangle in long double: the least of the distances from its edges and, if
+/// the point's projection is inside of all three, from its plane. The code shares nothing with the
+/// library.
 inline double naiveDistance(const Point& p, const Point& a, const Point& b, const Point& c)
 {
   using Real = long double;
@@ -27,9 +28,18 @@ inline double naiveDistance(const Point& p, const Point& a, const Point& b, cons
     const Vector along = to - from, beside = q - from;
     const Real square = along.dot(along), place = along.dot(beside);
     isInside = isInside && normal.dot(along.cross(beside)) >= 0;
-    nearest = std::min(nearest, place <= 0        ? beside.norm()
-                                : place >= square ? (q - to).norm()
-                                                  : (beside - place / square * along).norm());
+    if (place <= 0)
+    {
+      nearest = std::min(nearest, beside.norm());
+    }
+    else if (place >= square)
+    {
+      nearest = std::min(nearest, (q - to).norm());
+    }
+    else
+    {
+      nearest = std::min(nearest, (beside - place / square * along).norm());
+    }
   }
   if (isInside)
   {
@@ -38,7 +48,7 @@ inline double naiveDistance(const Point& p, const Point& a, const Point& b, cons
   return static_cast<double>(nearest);
 }
 
-/// From all of a mesh.
+/// The distance from the nearest triangle of a mesh.
 inline double naiveDistance(const Point& p, const Mesh& mesh)
 {
   double nearest = std::numeric_limits<double>::infinity();
@@ -51,7 +61,7 @@ inline double naiveDistance(const Point& p, const Mesh& mesh)
   return nearest;
 }
 
-/// From all of a cloud.
+/// The distance from the nearest point of a cloud.
 inline double naiveDistance(const Point& p, const std::vector<Point>& points)
 {
   double nearest = std::numeric_limits<double>::infinity();

@@ -10,7 +10,8 @@
 namespace shapes
 {
 
-/// Vertices, rounded to float as VTK's readers do, and triangles of an OBJ file; empty if absent.
+/// The vertices, rounded to float as VTK's readers do, and triangles of an OBJ file; an empty mesh
+/// if there is no file.
 inline Mesh readObj(const std::string& path)
 {
   Mesh mesh;

@@ -33,7 +33,7 @@ inline std::size_t placeIn(const winding::Extent& extent, const Eigen::Vector3i&
     ((index[2] - extent[4]) * height + index[1] - extent[2]) * width + index[0] - extent[0]);
 }
 
-/// The values of all samples, and a check that the runs of every row are what they should be.
+/// The values of all samples. Checks that every row comes once and that its runs cover it in order.
 inline std::vector<int> rowValues(const winding::RowCrossings& rows, const winding::Grid& grid,
   const winding::Extent& extent, std::size_t samplesPerBlock, winding::Executor& executor)
 {
@@ -73,7 +73,7 @@ public:
   {
   }
   const winding::Grid& grid() const { return chain_.grid; }
-  /// Valid while this lives.
+  /// The result is valid while this object lives.
   winding::RowCrossings rows() const
   {
     return {chain_.surface.vertices, chain_.surface.triangles, cap_};

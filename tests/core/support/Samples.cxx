@@ -81,7 +81,7 @@ winding::PointCloud clean(const Cloud& cloud)
 namespace
 {
 
-/// Calls evaluate(block, number of its first sample).
+/// Calls evaluate(block, number of its first sample) for all samples in blocks.
 template <class Evaluate>
 void forEachBlock(const std::vector<Point>& samples, const Evaluate& evaluate)
 {
@@ -102,8 +102,11 @@ void forEachBlock(const std::vector<Point>& samples, const Evaluate& evaluate)
 std::vector<double> valuesOf(const winding::Evaluator& evaluator, const std::vector<Point>& samples)
 {
   std::vector<double> values(samples.size());
-  forEachBlock(samples, [&](const winding::SampleBlock& block, std::size_t first)
-    { evaluator.evaluate(block, values.data() + first); });
+  const auto evaluate = [&](const winding::SampleBlock& block, std::size_t first)
+  {
+    evaluator.evaluate(block, values.data() + first);
+  };
+  forEachBlock(samples, evaluate);
   return values;
 }
 
@@ -111,8 +114,11 @@ std::vector<Point> gradientsOf(
   const winding::GradientEvaluator& evaluator, const std::vector<Point>& samples)
 {
   std::vector<Point> gradients(samples.size());
-  forEachBlock(samples, [&](const winding::SampleBlock& block, std::size_t first)
-    { evaluator.evaluateGradients(block, gradients[first].data()); });
+  const auto evaluate = [&](const winding::SampleBlock& block, std::size_t first)
+  {
+    evaluator.evaluateGradients(block, gradients[first].data());
+  };
+  forEachBlock(samples, evaluate);
   return gradients;
 }
 

@@ -10,8 +10,8 @@
 
 /**
  * @file
- * Points: random ones, clouds, and values at them. Whatever is random comes from a seed and is the
- * same with every standard library.
+ * Random points, clouds, and values at points. Random numbers come from a seed and are the same
+ * with every standard library.
  */
 namespace shapes
 {
@@ -25,7 +25,7 @@ public:
     : engine_(seed)
   {
   }
-  /// In [low, high).
+  /// A number in [low, high).
   double operator()(double low, double high)
   {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
@@ -49,12 +49,12 @@ struct Cloud
   winding::OrientedPointsView view() const;
 };
 
-/// Evenly spread (a Fibonacci lattice), normals outward.
+/// Points evenly spread over the unit sphere (a Fibonacci lattice), with outward normals.
 Cloud sphereCloud(std::size_t count);
 Cloud randomCloud(std::size_t count, unsigned seed);
 winding::PointCloud clean(const Cloud& cloud);
 
-/// All values, block by block.
+/// The values at all samples, evaluated block by block.
 std::vector<double> valuesOf(
   const winding::Evaluator& evaluator, const std::vector<Point>& samples);
 

@@ -13,7 +13,7 @@ namespace shapes
 namespace
 {
 
-/// Points by their coordinates, so that neighbours share them.
+/// Builds a mesh from coordinates; quadrilaterals share points with equal coordinates.
 class Builder
 {
 public:
@@ -108,7 +108,7 @@ Mesh tetrahedron()
 Mesh cube(const Point& low, const Point& high)
 {
   const Point size = high - low;
-  // Faces at z = high last, so that the open cube is a part of this one.
+  // The faces at z = high come last, so that the open cube is a part of this one.
   return surfaceOf({{0, 0, 0}})
     .mapped([&](const Point& p) -> Point { return low + p.cwiseProduct(size); });
 }
@@ -248,7 +248,14 @@ Mesh surfaceOf(const Cells& cells)
         c[u] += 1;
         c[v] += 1;
         d[v] += 1;
-        high ? builder.quad(a, b, c, d) : builder.quad(a, d, c, b);
+        if (high)
+        {
+          builder.quad(a, b, c, d);
+        }
+        else
+        {
+          builder.quad(a, d, c, b);
+        }
       }
     }
   }
@@ -257,7 +264,7 @@ Mesh surfaceOf(const Cells& cells)
 
 double windingOf(const Cells& cells, const Point& point)
 {
-  // The eight octants about the point: each lies in one cell near the point.
+  // Each of the eight octants about the point lies in one cell near the point.
   int solid = 0;
   for (int octant = 0; octant < 8; ++octant)
   {
