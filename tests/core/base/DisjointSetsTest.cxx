@@ -14,11 +14,11 @@ using shapes::Random;
 using winding::DisjointSets;
 using winding::SensedSets;
 
-/// Sets by relabelling, the slow way.
+/// Sets that are united by relabelling, the slow way.
 struct NaiveSets
 {
   std::vector<int> labels;
-  std::vector<bool> senses; ///< relative to the label
+  std::vector<bool> senses; ///< comparable among items with the same label
 
   explicit NaiveSets(int count)
     : senses(static_cast<std::size_t>(count), false)

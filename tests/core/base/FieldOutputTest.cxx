@@ -26,7 +26,7 @@ struct Arrays
   {
     return values == other.values && doubleValues == other.doubleValues && inside == other.inside;
   }
-  /// With the arrays whose bits are set in mask.
+  /// An output to the arrays whose bits are set in mask.
   FieldOutput output(int mask)
   {
     FieldOutput output;
@@ -44,7 +44,7 @@ struct Arrays
 constexpr InsideRule rules[] = {
   InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
 
-// Around thresholds, rounded to float and not.
+// The values are at and around thresholds, and some reach them only when rounded to float.
 const std::vector<double> someValues = {
   0, 1, -1, 2, -3, 0.5, 0.5 - 1e-10, -0.5 + 1e-10, 0.5 + 1e-10, 0.1, 1e-300, 1.5, -1.5, 2.5};
 
@@ -97,7 +97,7 @@ TEST(FieldOutput, FillsAsItWrites)
 
 TEST(FieldOutput, DecidesInsideOnTheValueAsTheArrayStoresIt)
 {
-  // Rounded to float this is the threshold.
+  // The value is the threshold when it is rounded to float.
   const double justBelow = 0.5 - 1e-10;
   unsigned char inside = 99;
   float value;

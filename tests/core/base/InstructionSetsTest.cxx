@@ -13,20 +13,21 @@
 
 /**
  * @file
- * Kernels are chosen by what the processor can do. These tests take each choice that this one has.
+ * Kernels are chosen by what the processor can do. These tests take each choice that there is on
+ * the machine at hand.
  */
 namespace
 {
 
 using namespace shapes;
 
-/// Has kernels use one instruction set until the end of the test.
+/// Makes kernels use one instruction set until the end of the test.
 class InstructionSets : public testing::Test
 {
 protected:
   ~InstructionSets() override { this->use(0); }
 
-  /// 0 for the best.
+  /// Chooses an instruction set (hwy/targets.h); 0 chooses the best.
   void use(std::int64_t target)
   {
     hwy::SetSupportedTargetsForTest(target);
@@ -89,23 +90,23 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
     gradients = gradients.empty() ? found : gradients;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      // Those of the first instruction set; RegularizationTest.cxx has the right ones.
+      // The expected gradients are those of the first instruction set; RegularizationTest.cxx
+      // compares with the right ones.
       ASSERT_LT((found[i] - gradients[i]).norm(), 1e-11);
     }
     for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
     {
       const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(tolerance);
-      winding::FarField(
-        winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}), accuracy,
-        serial)
-        .evaluate(view, output, serial);
+      const auto evaluate = [&](std::unique_ptr<winding::FarFieldSources> sources)
+      {
+        winding::FarField(std::move(sources), accuracy, serial).evaluate(view, output, serial);
+      };
+      evaluate(winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}));
       EXPECT_LT(largestDifference(values, exact), tolerance);
-      winding::FarField(winding::farFieldSources(cloud, areas), accuracy, serial)
-        .evaluate(view, output, serial);
-      // Beside points the values are large, and so is their rounding to float.
+      evaluate(winding::farFieldSources(cloud, areas));
+      // Values are large beside points, and so is their rounding to float.
       EXPECT_LT(largestDifference(values, exactOfCloud), tolerance + 1e-5); // measured: 5.5e-6
-      winding::FarField(winding::farFieldSources(regularized, areas), accuracy, serial)
-        .evaluate(view, output, serial);
+      evaluate(winding::farFieldSources(regularized, areas));
       EXPECT_LT(largestDifference(values, exactOfRegularized), tolerance);
     }
   }
