@@ -33,7 +33,7 @@ GridRequest overSome()
   return over({1, 2, 3}, {5, 4, 4});
 }
 
-/// Refused, in one line that says something and has a number or a name of the culprit in it.
+/// Expects a refusal in one line that mentions a number or the name of the culprit.
 void expectRefused(const GridRequest& request, const std::string& mention)
 {
   try
@@ -99,8 +99,8 @@ TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
     const Point last =
       grid.sample(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1);
     const Point after = last + 0.5 * grid.spacing - request.bounds.max() - margin;
-    const double rounding =
-      1e-11 * grid.spacing[0]; // the 1e-12 of a side that countVoxels forgives
+    // Rounding includes the 1e-12 of a side that countVoxels() forgives.
+    const double rounding = 1e-11 * grid.spacing[0];
     EXPECT_EQ(grid.dimensions.maxCoeff(), request.resolution);
     EXPECT_EQ(grid.spacing.minCoeff(), grid.spacing.maxCoeff());
     EXPECT_LT((before - after).cwiseAbs().maxCoeff(), 1e-13);

@@ -42,7 +42,7 @@ TEST(MeshVertices, HaveTheSumsOverTheirTriangles)
   for (unsigned seed = 1101; seed < 1106; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    // Loose triangles, with corners made to meet.
+    // The triangles are loose except that their first corners are made to meet.
     Mesh mesh = triangleSoup(300, seed);
     Random random(seed);
     for (auto& triangle : mesh.triangles)
@@ -115,7 +115,7 @@ TEST(MeshVertices, LeaveBadTrianglesOut)
   mesh.triangles.push_back({0, 1, -1});
   EXPECT_EQ(verticesOf(mesh).normals, expected.normals);
   EXPECT_EQ(verticesOf(mesh).areas, expected.areas);
-  mesh.points.emplace_back(0, std::numeric_limits<double>::infinity(), 0); // number 8
+  mesh.points.emplace_back(0, std::numeric_limits<double>::infinity(), 0); // point number 8
   MeshVertices found = verticesOf(mesh);
   found.normals.resize(expected.normals.size());
   found.areas.resize(expected.areas.size());

@@ -178,7 +178,7 @@ TEST(SanitizeSurface, IsTheSameForAllTypesAndStrides)
   expectSame(sanitize(std::vector<TrianglesView>{
                {{strided.data(), count, 5}, {mesh.triangles[0].data(), mesh.triangles.size()}}}),
     expected);
-  wide[3] = std::int64_t(1) << 32; // 0, were it cut to 32 bits
+  wide[3] = std::int64_t(1) << 32; // the id would be 0 if it were cut to 32 bits
   EXPECT_EQ(
     sanitize(std::vector<TrianglesView>{{{floats.data(), count, 4}, ids}}).invalidIdTriangles, 1u);
 }

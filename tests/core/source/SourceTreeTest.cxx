@@ -160,7 +160,7 @@ void checkTree(const std::vector<Point>& centers, const SourceTree& tree, std::s
     ASSERT_EQ(next, node.end);
   }
   EXPECT_EQ(inLeaves, centers.size());
-  // Nothing has a single child.
+  // No node has a single child.
   EXPECT_LE(nodes.size(), 2 * leaves - 1);
 }
 
@@ -214,7 +214,7 @@ TEST(SourceTree, MakesOneLeafOfEqualItems)
   winding::SerialExecutor serial;
   std::vector<Point> centers(240001, Point(0.1, 0.2, 0.3));
   EXPECT_EQ(SourceTree(centers, 24, serial).nodes().size(), 1u);
-  // And one of each of two.
+  // Items at two places get one leaf for each.
   std::fill_n(centers.begin(), 100, Point(0.1, 0.2, 0.4));
   EXPECT_EQ(SourceTree(centers, 24, serial).nodes().size(), 3u);
 }
