@@ -46,7 +46,7 @@ struct Case
 
   std::vector<double> values() const { return valuesOf(DipoleSum(cloud, areas), samples); }
 
-  /// A similarity: the normals stay, the areas grow with the square of the scale.
+  /// The case after a similarity: normals stay, and areas grow with the square of the scale.
   Case scaledAndMoved(double scale, const Point& shift) const
   {
     Cloud moved{cloud.positions, cloud.normals};
@@ -169,8 +169,8 @@ TEST(DipoleSum, PowersOfTwoChangeNoBit)
 TEST(DipoleSum, OtherUnitsOfLengthChangeNothingButRounding)
 {
   SCOPED_TRACE(seeds);
-  // The scaled positions round by 1e-16, so beside a point, at a distance d where w is about 1e-3/d²,
-  // by 1e-16/d of that: the samples at 1e-8 are left out.
+  // The scaled positions round by 1e-16, and so w beside a point, which is about 1e-3/d² at a
+  // distance d, changes by 1e-16/d of that: the samples at 1e-8 are left out.
   Case unit = someCase();
   unit.samples.resize(400);
   double worst = 0;
@@ -193,7 +193,7 @@ TEST(DipoleSum, FarFromTheOriginTheFieldIsTheSame)
   };
   std::for_each(still.cloud.positions.begin(), still.cloud.positions.end(), toLattice);
   std::for_each(still.samples.begin(), still.samples.end(), toLattice);
-  // Without the samples at 1e-8: the lattice is 4e-9 wide, and 0 away is another matter.
+  // The samples at 1e-8 are left out: the lattice is 4e-9 wide, and may bring them onto points.
   still.samples.resize(400);
   const Case moved = still.scaledAndMoved(1, {4e6, -3e6, 5e6});
   const double error = largestDifference(moved.values(), still.values());

@@ -39,7 +39,7 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
-    // Written so that NaN counts as a difference.
+    // The comparison is written so that NaN counts as a difference.
     largest = std::abs(a[i] - b[i]) <= largest ? largest : std::abs(a[i] - b[i]);
   }
   return largest;
@@ -78,7 +78,7 @@ TEST(TriangleSum, EqualsTheLongDoubleReference)
   {
     const std::vector<Point> samples = farAndNear(mesh, 12);
     const double error = largestDifference(windingOf(mesh, samples), referenceOf(mesh, samples));
-    EXPECT_LT(error, 1e-11) << name; // promised; measured: 7.7e-15
+    EXPECT_LT(error, 1e-11) << name; // promised: 1e-8; measured: 7.7e-15
     worst = std::max(worst, error);
   }
   record("worst", worst);
@@ -112,7 +112,7 @@ TEST(TriangleSum, KnowsWhatIsInsideASphere)
   const std::vector<double> values = windingOf(icosphere(4), samples);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    // Between its inscribed and its circumscribed sphere the mesh may be on either side.
+    // Samples between the inscribed and the circumscribed sphere may be on either side of the mesh.
     if (samples[i].norm() < 0.99 || samples[i].norm() > 1)
     {
       ASSERT_EQ(std::round(values[i]), samples[i].norm() < 1) << samples[i].transpose();
@@ -122,7 +122,7 @@ TEST(TriangleSum, KnowsWhatIsInsideASphere)
 
 TEST(TriangleSum, IsTheMeanOfTheSidesOnFacesEdgesAndVertices)
 {
-  // Exactly in the planes: the quarters of the cube's size are free of rounding.
+  // The samples are exactly in the planes: quarters of the cube's size are free of rounding.
   const std::vector<Point> samples = {{0.25, 0.5, 0}, {0.25, 0.25, 1}, {0, 0.75, 0.5}, {0.5, 0, 0},
     {1, 1, 0.25}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {2, 0.5, 0}};
   const std::vector<double> expected = {0.5, 0.5, 0.5, 0.25, 0.25, 0.125, 0.125, 0.125, 0};
@@ -192,7 +192,7 @@ TEST(TriangleSum, IgnoresDegenerateTriangles)
   mesh.triangles.push_back({0, 0, 1});
   for (const auto& t : cube().triangles)
   {
-    // Needles with three different, collinear corners on every edge.
+    // A needle with three different, collinear corners lies on an edge of each triangle.
     const auto middle = static_cast<std::int32_t>(mesh.points.size());
     mesh.points.push_back(0.5 * (mesh.points[t[0]] + mesh.points[t[1]]));
     mesh.triangles.push_back({t[0], t[1], middle});

@@ -23,7 +23,8 @@ KernelDipole dipoleOf(const Point& position, const Point& moment)
   return {{position[0], position[1], position[2]}, {moment[0], moment[1], moment[2]}};
 }
 
-/// t = distance / length from where S is of the size of rounding errors to far beyond all spreading.
+/// A random t = distance / length, from where S is of the size of rounding errors to far beyond all
+/// spreading.
 double someDistance(Random& random)
 {
   return random(0, 1) < 0.5 ? random(0, 7) : std::exp(random(std::log(1e-8), std::log(30)));
@@ -67,7 +68,8 @@ struct Case
       this->offset(sample), moment.cast<long double>(), 1, static_cast<long double>(length));
   }
 
-  /// By a form of its own: −∇_d, with G(u) = S/t³ and −2 G'(u) by their series or by erf.
+  /// The gradient by a formula of its own: −∇_d, with G(u) = S/t³ and −2 G'(u) by their series or
+  /// by erf.
   Long gradient(std::size_t sample) const
   {
     constexpr long double fourOverRootPi = 2.2567583341910251477923178062430904L;
@@ -151,7 +153,7 @@ TEST(RegularizedKernels, HaveTheBitsOfPureDipolesFarAway)
     const double distance = std::exp2(random(-30, 10));
     samples.set(samples.count, Point(0.1, 0.2, 0.3) + distance * random.direction());
   }
-  // Of no length all are far away, also the one at the place of the dipole.
+  // All samples are far away for a length of 0, also this one at the place of the dipole.
   samples.set(7, Point(0.1, 0.2, 0.3));
   KernelSums pure;
   GradientSums pureGradients;

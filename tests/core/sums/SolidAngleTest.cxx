@@ -33,7 +33,8 @@ long double excessFromDihedralAngles(const LongPoint& a, const LongPoint& b, con
   return a.dot(b.cross(c)) < 0 ? -excess : excess;
 }
 
-/// The same from the sides alone: tan²(E/4) = tan(s/2) tan((s−a)/2) tan((s−b)/2) tan((s−c)/2).
+/// The spherical excess E from the sides alone, with half their sum as s (L'Huilier):
+/// tan²(E/4) = tan(s/2) tan((s−a)/2) tan((s−b)/2) tan((s−c)/2).
 long double excessByLHuilier(const LongPoint& a, const LongPoint& b, const LongPoint& c)
 {
   const auto side = [](const LongPoint& p, const LongPoint& q)
@@ -76,8 +77,9 @@ TEST(SolidAngle, EqualsTheSphericalExcessByTwoOtherFormulas)
   double worstDihedral = 0, worstLHuilier = 0;
   for (const auto& [a, b, c] : randomTriangles(20000, 1))
   {
-    const LongPoint la = a.cast<long double>(), lb = b.cast<long double>(),
-                    lc = c.cast<long double>();
+    const LongPoint la = a.cast<long double>();
+    const LongPoint lb = b.cast<long double>();
+    const LongPoint lc = c.cast<long double>();
     worstDihedral = std::max(worstDihedral,
       std::abs(static_cast<double>(angle(a, b, c) - excessFromDihedralAngles(la, lb, lc))));
     worstLHuilier = std::max(worstLHuilier,
@@ -98,7 +100,8 @@ TEST(SolidAngle, KeepsItsDigitsForSmallFarTriangles)
   for (int i = 0; i < 10000; ++i)
   {
     const Point far = 1e5 * random.direction();
-    // A normal along the line of sight: an edge-on triangle's angle is itself a small difference.
+    // The normal is along the line of sight, for the angle of an edge-on triangle is itself a small
+    // difference.
     const Point u = far.cross(random.direction()).normalized(), v = far.cross(u).normalized();
     const Point a = far, b = far + u, c = far + v;
     const long double exact = winding::solidAngle<long double>(
@@ -138,7 +141,7 @@ TEST(SolidAngle, ComesCloseToTwoPiJustBelowATriangleAndNeverReachesIt)
     const Point q(0, -0.25, -height);
     const double below = angle(a - q, b - q, c - q);
     EXPECT_LT(below, 2 * winding::pi);
-    // What is missing is proportional to the height: measured, at most 8.54 times it.
+    // The difference from 2π is proportional to the height: measured, at most 8.54 times it.
     EXPECT_GT(below, 2 * winding::pi - 9 * height);
   }
 }
@@ -201,9 +204,10 @@ TEST(DipoleSolidAngle, IsTheLimitOfASmallTriangle)
       const Point p = away + size * a, q = away + size * b, r = away + size * c;
       const Point cross = (q - p).cross(r - p);
       const double area = cross.norm() / 2;
-      const double error = std::abs(angle(p, q, r) - winding::dipoleSolidAngle<double>(
-                                                       (p + q + r) / 3, cross.normalized(), area));
-      // The next term of the expansion is of second order: relative to the area, size².
+      const double dipole =
+        winding::dipoleSolidAngle<double>((p + q + r) / 3, cross.normalized(), area);
+      const double error = std::abs(angle(p, q, r) - dipole);
+      // The next term of the expansion is of second order: size² relative to the area.
       EXPECT_LT(error / area, 2 * size * size);
       EXPECT_LT(error / area, before);
       before = error / area;

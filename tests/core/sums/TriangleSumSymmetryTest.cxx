@@ -10,8 +10,8 @@
 
 #include <cmath>
 
-// What must not change the winding number: where the mesh lies, how it is turned, its unit of
-// length. What changes its sign: the orientation.
+// The winding number must not change with the place of the mesh, its rotation and its unit of
+// length. Its sign must change with the orientation.
 
 namespace
 {
@@ -40,7 +40,8 @@ struct Case
   }
 };
 
-/// Not within rounding of the surface: a motion may round a sample to the other side.
+/// A case without samples within rounding of the surface, which a motion may round to the other
+/// side.
 Case someCase()
 {
   Case result{triangleSoup(500, 31).with(icosphere(2).part(0, 300)), {}};
@@ -139,8 +140,8 @@ TEST(TriangleSumSymmetry, OtherUnitsOfLengthChangeNothingButRounding)
 TEST(TriangleSumSymmetry, FarFromTheOriginTheFieldIsTheSame)
 {
   SCOPED_TRACE(seeds);
-  // A million diagonals away, in double: the coordinates keep nine digits of the shape. On a lattice
-  // of 2^-28 they move without rounding, so the field must be the same to rounding, not to 1e-9.
+  // Coordinates a million diagonals away keep nine digits of the shape in double. On a lattice of
+  // 2^-28 they move without rounding, so the field must be the same to rounding, not to 1e-9.
   const auto onLattice = [](const Point& p) -> Point
   {
     return (p * 0x1p28).array().round().matrix() * 0x1p-28;
