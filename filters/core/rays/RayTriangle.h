@@ -7,8 +7,7 @@
 namespace winding
 {
 
-/// A triangle prepared for many rays along +x. Every decision is exact, as far as Predicates.h
-/// goes.
+/// A triangle prepared for many rays along +x. Every decision is as exact as Predicates.h allows.
 class RayTriangle
 {
 public:

@@ -41,7 +41,8 @@ std::vector<double> crossings(const Mesh& mesh, const std::vector<Point>& sample
   return crossings(clean(mesh), samples, serial);
 }
 
-/// Against the direct sum, which is no integer on the surface and within rounding of it.
+/// Compares crossings with the direct sum, which is no integer on the surface and within rounding
+/// of it.
 void expectTheIntegers(const Mesh& mesh, const std::vector<Point>& samples)
 {
   const winding::Surface surface = clean(mesh);
@@ -66,8 +67,8 @@ Mesh scaled(const Mesh& mesh, double factor, const Point& shift = Point::Zero())
   return mesh.mapped([&](const Point& p) -> Point { return factor * p + shift; });
 }
 
-/// Closed, and through each other: the first corner anywhere, and the others within a box around it or,
-/// for needles, one of them anywhere and two near the first.
+/// Tetrahedra through each other. The first corner of each is anywhere, and the others are within a
+/// box around it or, for needles, one of them is anywhere and two are near the first.
 Mesh tetrahedra(int count, double size, bool areNeedles, unsigned seed)
 {
   Random random(seed);
@@ -87,7 +88,7 @@ Mesh tetrahedra(int count, double size, bool areNeedles, unsigned seed)
   return mesh;
 }
 
-/// Its axis is that of no coordinate, and its sides are slivers.
+/// A cylinder whose axis is along no coordinate, and whose sides are slivers.
 Mesh tiltedCylinder(int sides)
 {
   const Point axis = Point(1, 0.8, 0.7).normalized();
@@ -110,7 +111,7 @@ Mesh tiltedCylinder(int sides)
   return mesh;
 }
 
-/// Most of them in a small place, so that one column of all holds them.
+/// Samples of which all but two are in a place so small that a single column holds them.
 std::vector<Point> cluster(std::size_t count, unsigned seed)
 {
   std::vector<Point> samples = randomPoints(count, -1e-6, 1e-6, seed);
@@ -123,7 +124,7 @@ std::vector<Point> cluster(std::size_t count, unsigned seed)
   return samples;
 }
 
-/// The same from several threads.
+/// Compares crossings with the direct sum, and crossings from several threads with those from one.
 void expectTheIntegersFromThreads(const Mesh& mesh, const std::vector<Point>& samples)
 {
   expectTheIntegers(mesh, samples);
@@ -131,7 +132,7 @@ void expectTheIntegersFromThreads(const Mesh& mesh, const std::vector<Point>& sa
   EXPECT_EQ(crossings(clean(mesh), samples, threads), crossings(mesh, samples));
 }
 
-/// Writes down what becomes of its share, and how many blocks there were.
+/// An executor that writes down the shares that are set, and the number of blocks that it runs.
 class ShareLog final : public winding::Executor
 {
 public:
@@ -172,12 +173,13 @@ TEST(PointCrossings, AgreeWithTheDirectSum)
 {
   SCOPED_TRACE("seeds 262, 263");
   const Mesh overlapping = icosphere(3).with(scaled(icosphere(2), 0.7, Point(0.6, 0, 0)));
+  const auto stretched = [](const Point& p) -> Point
+  {
+    return {1e3 * p[0], p[1], 1e-3 * p[2]};
+  };
   for (const Mesh& mesh : {tetrahedron(), cube(), icosphere(4), torus(48, 24), overlapping,
          icosphere(2).reversed().with(torus(24, 12)), icosphere(1).with(icosphere(1)),
-         torus(7, 5).mapped(
-           [](const Point& p) -> Point {
-             return {1e3 * p[0], p[1], 1e-3 * p[2]};
-           })})
+         torus(7, 5).mapped(stretched)})
   {
     const winding::Bounds bounds = clean(mesh).bounds;
     std::vector<Point> samples = randomPoints(5000, -0.1, 1.1, 262);
@@ -193,7 +195,7 @@ TEST(PointCrossings, AgreeWithTheDirectSum)
 TEST(PointCrossings, OfUnevenSamplesAndTriangles)
 {
   SCOPED_TRACE("seeds 264 …");
-  // A speck inside a box of twelve large triangles, and most samples at the speck.
+  // The mesh is a speck inside a box of twelve large triangles, and most samples are at the speck.
   const Point place(0.31, 0.62, 0.43);
   const Mesh mesh = cube().with(scaled(icosphere(4), 1e-5, place));
   std::vector<Point> samples = randomPoints(200, -0.2, 1.2, 264);
@@ -201,7 +203,7 @@ TEST(PointCrossings, OfUnevenSamplesAndTriangles)
   {
     samples.push_back(place + 1e-5 * p);
   }
-  // Along x, along y, along a diagonal, and all in one place.
+  // Further samples are along x, along y, along a diagonal, and all in one place.
   for (int i = 0; i < 1500; ++i)
   {
     const double t = -0.1 + 1.2 * i / 1500;
@@ -213,7 +215,7 @@ TEST(PointCrossings, OfUnevenSamplesAndTriangles)
   expectTheIntegers(mesh, samples);
   for (std::size_t i = 0; i < 4; ++i)
   {
-    // Each of these alone, so that there is nothing else that columns could be made of.
+    // Each of these four sets comes alone, too, so that columns can be made of nothing else.
     std::vector<Point> alike;
     for (std::size_t n = samples.size() - 6000 + i; n < samples.size(); n += 4)
     {
@@ -247,7 +249,7 @@ TEST(PointCrossings, DoNotDependOnUnitOriginOtherSamplesOrThreads)
   {
     EXPECT_EQ(crossings(surface, {samples[i]}, serial)[0], expected[i]);
   }
-  // A million sizes away the coordinates are rounded, the same for the mesh and for the samples.
+  // Coordinates a million sizes away are rounded, but in the same way for the mesh and the samples.
   const Point far(1e6, -1e6, 1e6);
   std::vector<Point> there = samples;
   for (Point& p : there)
@@ -259,8 +261,8 @@ TEST(PointCrossings, DoNotDependOnUnitOriginOtherSamplesOrThreads)
 
 TEST(PointCrossings, OfSamplesThatAreNowhereOrFarAway)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN(),
-               infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Point> samples = {{nan, 0, 0}, {0, nan, 0}, {0, 0, nan}, {infinity, 0, 0},
     {-infinity, 0, 0}, {0, infinity, 0}, {0, 0, -infinity}, {1e300, 0.1, 0.1}, {-1e300, 0.1, 0.1},
     {0.1, 1e308, 0.1}, {0.1, 0.1, 0.1}};
@@ -289,7 +291,7 @@ TEST(PointCrossings, OfNeedlesAndSlivers)
     expectTheIntegersFromThreads(mesh, cluster(4000, 271));
     expectTheIntegersFromThreads(mesh, pointsNear(mesh, 2000, 1e-6, 272));
   }
-  // Thinner than the roundings of their places.
+  // These needles are thinner than the roundings of their places.
   expectTheIntegers(tetrahedra(200, 1e-15, true, 273), randomPoints(2000, -1, 1, 270));
 }
 
@@ -324,7 +326,8 @@ TEST(PointCrossings, OfSamplesOnLinesThroughOverlappingTriangles)
 
 TEST(PointCrossings, OfRaysAlongFacesFromSortedStarts)
 {
-  // Many starts to a line, in the planes of faces and on edges: off the surface, the values are known.
+  // The lines have many starts each, in the planes of faces and on edges; values are known off the
+  // surface.
   SCOPED_TRACE("seed 276");
   const Cells cells = randomCells(4, 276);
   const Mesh mesh = surfaceOf(cells);
@@ -380,14 +383,14 @@ TEST(PointCrossings, AreExpectedToTakeLongerWhereTrianglesOverlapAndForNeedles)
   const Mesh sphere = icosphere(3); // 1280 triangles
   EXPECT_GT(seconds(tetrahedra(320, 1, false, 279)), 2 * seconds(sphere));
   EXPECT_GT(seconds(tetrahedra(320, 1e-3, true, 280)), 1.2 * seconds(sphere));
-  // Whatever the unit, and where there is no area across the rays at all.
+  // The cost does not depend on the unit, and is less if there is no area across the rays at all.
+  const auto flattened = [](const Point& p) -> Point
+  {
+    return {p[0], p[1], 0};
+  };
   EXPECT_EQ(seconds(scaled(sphere, 0x1p-300)), seconds(sphere));
   EXPECT_LT(seconds(Mesh()), seconds(sphere));
-  EXPECT_LT(seconds(sphere.mapped(
-              [](const Point& p) -> Point {
-                return {p[0], p[1], 0};
-              })),
-    seconds(sphere));
+  EXPECT_LT(seconds(sphere.mapped(flattened)), seconds(sphere));
 }
 
 TEST(PointCrossings, StopWhenInterrupted)

@@ -12,10 +12,10 @@ namespace
 using shapes::Random;
 using winding::sideOfEdge;
 using Point2 = Eigen::Vector2d;
-// Wide enough for the exact products of 60-bit coordinates.
+// Wide integers have room for the exact products of 60-bit coordinates.
 using Wide = __int128;
 
-/// A point on an integer lattice, and the same as doubles.
+/// A point on an integer lattice; scaled() gives it in doubles.
 struct LatticePoint
 {
   std::int64_t u, v;
@@ -54,14 +54,14 @@ std::vector<LatticePoint> smallLattice()
   return points;
 }
 
-/// What plain arithmetic says.
+/// The sign that plain, rounded arithmetic gives.
 int roundedSign(const Point2& from, const Point2& to, const Point2& q)
 {
   const double area = (to[0] - from[0]) * (q[1] - from[1]) - (to[1] - from[1]) * (q[0] - from[0]);
   return (area > 0) - (area < 0);
 }
 
-/// 0 … 2^bits − 1.
+/// A random integer of 0 … 2^bits − 1.
 std::int64_t integer(Random& random, int bits)
 {
   return static_cast<std::int64_t>(random.bits() >> (64 - bits));
@@ -120,7 +120,7 @@ TEST(SideOfEdge, IsExactForNearlyCollinearPointsOfManyDigits)
     const int expected = exactSign(from, to, q);
     onLine += expected == 0;
     rounded += roundedSign(f, t, r) != expected;
-    // On the line, a step along +u leads to the right of an edge that rises.
+    // A step along +u from the line leads to the right of an edge that rises.
     ASSERT_EQ(sideOfEdge(f, t, r), expected == 0 ? -1 : expected) << i;
   }
   shapes::record("rounded", static_cast<double>(rounded));
@@ -136,8 +136,9 @@ TEST(SideOfEdge, IsExactWhereTheDifferencesThemselvesRound)
   std::size_t rounded = 0;
   for (int i = 0; i < 200000; ++i)
   {
-    // An edge of 50 bits from close to the origin; a point beyond it on a coarser lattice, at most a
-    // step of that beside the line: differences need up to 60 bits, a double has 53.
+    // The edge has 50 bits and starts close to the origin; the point lies beyond it on a coarser
+    // lattice, at most a step of that beside the line: differences need up to 60 bits, a double has
+    // 53.
     const LatticePoint from{integer(random, 8), integer(random, 8)};
     const LatticePoint to{integer(random, 50), integer(random, 50)};
     const double t = random(2, 500);
@@ -164,7 +165,7 @@ TEST(SideOfEdge, IsOddAndZeroOnlyForEqualEnds)
   for (int i = 0; i < 100000; ++i)
   {
     const Point2 from = random.point(-1, 1).head<2>(), to = random.point(-1, 1).head<2>();
-    // On the line up to rounding, at an end, or equal in one coordinate.
+    // The point is on the line up to rounding, at an end, or has a coordinate of the end.
     Point2 q = from + random(-0.5, 1.5) * (to - from);
     q = i % 4 == 1 ? from : q;
     q = i % 4 == 2 ? Point2(from[0], q[1]) : q;
@@ -179,7 +180,8 @@ TEST(SideOfEdge, PutsEveryPointIntoExactlyOneTriangleOfATriangulation)
 {
   SCOPED_TRACE("seed 54");
   Random random(54);
-  // A square of n by n cells with random diagonals, its inner vertices on and off the lattice.
+  // The triangulation is a square of n by n cells with random diagonals; its inner vertices are on
+  // or off the lattice.
   constexpr int n = 6;
   for (const double jitter : {0.0, 1e-16, 0.2})
   {

@@ -26,7 +26,7 @@ std::vector<double> windingOf(const Mesh& mesh, const std::vector<Point>& sample
   return valuesOf(winding::TriangleSum(surface), samples);
 }
 
-/// Samples that share two coordinates with vertices and middles of edges: rays that hit them.
+/// Samples that share two coordinates with vertices and middles of edges, so that rays hit these.
 std::vector<Point> rayHitsEdgesAndVertices(const Mesh& mesh, unsigned seed)
 {
   Random random(seed);
@@ -71,7 +71,7 @@ TEST(RayParity, AgreesWithTheDirectSumWhereRaysHitEdgesAndVertices)
     std::size_t compared = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      // On the surface itself there is no right answer.
+      // Samples on the surface itself have no right answer.
       if (std::abs(expected[i] - std::round(expected[i])) < 1e-9)
       {
         ++compared;

@@ -31,7 +31,7 @@ const Point symbolicStep(1e-10, 1e-6, 1e-8);
 
 TEST(RowCrossings, AreExactOnLatticeSolidsWhateverTheRowsHit)
 {
-  // Rows on the lattice run along faces and edges and through vertices; on the half lattice too.
+  // Rows on the lattice and on the half lattice run along faces and edges and through vertices.
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d sheared = (Eigen::Matrix3d() << 1, 2, 1, 0, 1, 1, 0, 0, 1).finished();
   const Eigen::Matrix3d turned = (Eigen::Matrix3d() << 1, -1, 1, 1, 1, 0, -1, 2, 3).finished();
@@ -77,7 +77,7 @@ TEST(RowCrossings, GiveBoxesOnGridPlanesTheirLowerFacesAndNotTheUpper)
 
 TEST(RowCrossings, GiveEverySampleToOneOfTheBoxesThatFillARoom)
 {
-  // With decimal sides on a decimal grid: what is rounded, is rounded alike for neighbours.
+  // Boxes and grids have decimal sizes: coordinates are rounded, but alike for neighbours.
   Mesh room;
   for (int n = 0; n < 27; ++n)
   {
@@ -98,16 +98,17 @@ TEST(RowCrossings, AgreeWithTheDirectSumOffTheSurface)
 {
   SCOPED_TRACE("seed 133");
   Random random(133);
-  for (const Mesh& mesh : {tetrahedron(), icosphere(3), torus(48, 24),
-         icosphere(2).reversed().with(torus(24, 12)), icosphere(1).with(icosphere(1)),
-         torus(7, 5).mapped(
-           [](const Point& p) -> Point {
-             return {1e3 * p[0], p[1], 1e-3 * p[2]};
-           })})
+  const auto stretched = [](const Point& p) -> Point
+  {
+    return {1e3 * p[0], p[1], 1e-3 * p[2]};
+  };
+  for (const Mesh& mesh :
+    {tetrahedron(), icosphere(3), torus(48, 24), icosphere(2).reversed().with(torus(24, 12)),
+      icosphere(1).with(icosphere(1)), torus(7, 5).mapped(stretched)})
   {
     const winding::Surface surface = clean(mesh);
     const winding::TriangleSum sum(surface);
-    // Anisotropic, and a little beyond the bounds.
+    // The grid is anisotropic and reaches a little beyond the bounds.
     const Point spacing = surface.bounds.sizes().cwiseQuotient(random.point(11, 31));
     const Grid grid = gridOf(surface.bounds.min() - 1.3 * spacing, spacing, {33, 34, 35});
     const std::vector<int> values = valuesOn(mesh, grid);
@@ -207,7 +208,7 @@ TEST(RowCrossings, FindTheInsideOfTrianglesFarLargerThanTheGrid)
   const Grid grid = gridOf({-8, -8, -8}, {1, 1, 1}, {17, 17, 17});
   const std::vector<int> values = valuesOn(huge, grid);
   EXPECT_EQ(values, std::vector<int>(values.size(), 1));
-  // The plane x + y + z = 0 through the samples: those in it are moved over it.
+  // The plane x + y + z = 0 goes through samples; these count as moved over it.
   const Mesh cut =
     huge.mapped([](const Point& p) -> Point { return p - Point::Constant(16e6 / 3); });
   const winding::Surface surface = clean(cut);
@@ -250,7 +251,7 @@ TEST(RowCrossings, DoNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
     const Grid same = gridOf(scale * grid.firstSample, scale * grid.spacing, grid.dimensions);
     EXPECT_EQ(valuesOn(scaled, same), expected) << scale;
   }
-  // A million diagonals away.
+  // The solid and its grid move a million diagonals away.
   const Point away(6e6, -5e6, 4e6);
   const Mesh moved = solid.mapped([&](const Point& p) -> Point { return p + away; });
   const Grid there = gridOf(grid.firstSample + away, grid.spacing, grid.dimensions);

@@ -23,8 +23,8 @@ struct Corners
   double high(int axis) const { return std::max({a[axis], b[axis], c[axis]}); }
 };
 
-/// Of lattice corners, near them, of wide range, slivers, and in general position; in [−2, 14]³ but
-/// for the large ones.
+/// A triangle with lattice corners, one with corners near them, a large one, a sliver, or one in
+/// general position, by `kind`. All but the large ones are in [−2, 14]³.
 Corners someCorners(Random& random, int kind)
 {
   const auto corner = [&]() -> Point
@@ -46,7 +46,7 @@ Corners someCorners(Random& random, int kind)
   Corners corners{corner(), corner(), corner()};
   if (kind % 5 == 3)
   {
-    // Along x up to rounding.
+    // The sliver lies along x up to rounding.
     corners.c = corners.a + random(0, 1) * (corners.b - corners.a) + random(-1, 1) * Point::UnitX();
   }
   return corners;
@@ -79,7 +79,8 @@ TEST(RowTriangle, FindsEveryRowThatCrossesInItsRange)
   }
   shapes::record("crossings", static_cast<double>(crossings));
   shapes::record("asked", static_cast<double>(asked));
-  // A row or two at the ends of a range do not cross, and rows along edges. Measured: 1.08 times.
+  // A row or two at the ends of a range do not cross, nor do rows along edges. Measured: 1.08
+  // times.
   EXPECT_LT(static_cast<double>(asked), 1.3 * static_cast<double>(crossings));
 }
 
@@ -123,7 +124,7 @@ TEST(RowTriangle, PutsTheFirstSampleBehindWhereThePlaneTurnsItsSide)
         ++expected;
       }
       ASSERT_EQ(triangle.firstBehind(j, k, sign, -3, 15), expected) << n;
-      // Of any shorter range the same, cut to it.
+      // Shorter ranges give the same sample, cut to the range.
       ASSERT_EQ(triangle.firstBehind(j, k, sign, 2, 6), std::clamp(expected, 2, 7)) << n;
       ASSERT_EQ(triangle.firstBehind(j, k, sign, 5, 5), std::clamp(expected, 5, 6)) << n;
     }
@@ -170,7 +171,7 @@ TEST(RowTriangle, IsNotCrossedAlongRowsOrWhereItIsALine)
 
 TEST(RowTriangle, LeavesThroughTheFront)
 {
-  // Normal along +x: a walk along +x leaves.
+  // The normal of the front is along +x, so a walk along +x leaves.
   const RowTriangle front({4.5, -9, -9}, {4.5, 9, -9}, {4.5, 0, 9});
   EXPECT_EQ(front.crossingSign(0, 0), 1);
   EXPECT_EQ(front.firstBehind(0, 0, 1, 0, 9), 5);

@@ -30,7 +30,7 @@ int exactSign(const Lattice& a, const Lattice& b, const Lattice& c, const Lattic
   return (sum > 0) - (sum < 0);
 }
 
-/// What plain arithmetic says.
+/// The sign that plain, rounded arithmetic gives.
 int roundedSign(const Point& a, const Point& b, const Point& c, const Point& q)
 {
   const double sum = (a - q).dot((b - a).cross(c - a));
@@ -42,13 +42,13 @@ Point scaled(const Lattice& p, double unit)
   return p.cast<double>() * unit;
 }
 
-/// The points of {−1, 0, 1}³.
+/// Point n of {−1, 0, 1}³.
 Lattice smallLattice(int n)
 {
   return {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
 }
 
-/// 0 … 2^bits − 1.
+/// A random integer of 0 … 2^bits − 1.
 std::int64_t integer(Random& random, int bits)
 {
   return static_cast<std::int64_t>(random.bits() >> (64 - bits));
@@ -93,7 +93,7 @@ TEST(SideOfPlane, IsExactForNearlyCoplanarPointsOfManyDigits)
   std::size_t rounded = 0, inPlane = 0;
   for (int i = 0; i < 200000; ++i)
   {
-    // Products of up to 117 bits; the sample at most a lattice step beside the plane.
+    // Products have up to 117 bits; the sample is at most a lattice step beside the plane.
     const Lattice a = lattice(random, 36), b = lattice(random, 36), c = lattice(random, 36);
     const Lattice beside(integer(random, 1), 0, i % 2 == 0 ? 0 : integer(random, 1));
     const Lattice q =
@@ -123,8 +123,8 @@ TEST(SideOfPlane, IsExactWhereTheDifferencesThemselvesRound)
   std::size_t rounded = 0;
   for (int i = 0; i < 200000; ++i)
   {
-    // x of 60 bits as seen from a corner with the lowest bits, y and z of 20; the sample's x is that
-    // of the plane, rounded to a double.
+    // The corners' x have 60 bits as seen from a corner with the lowest bits, y and z have 20; the
+    // sample's x is that of the plane, rounded to a double.
     const auto corner = [&](int bits, int shift) -> Lattice
     {
       const std::int64_t x = integer(random, bits) << shift, y = integer(random, 20);
@@ -166,7 +166,7 @@ TEST(SideOfPlane, IsOddUnderSwapsAndZeroOnlyForDegenerateTriangles)
   {
     const Point a = random.point(-1, 1), b = random.point(-1, 1);
     const Point c = i % 4 == 1 ? Point(a[0], a[1], b[2]) : random.point(-1, 1);
-    // In the plane up to rounding, or a corner.
+    // The sample is in the plane up to rounding, or a corner.
     const Point q = i % 3 == 0 ? a : Point(a + random(-1, 1) * (b - a) + random(-1, 1) * (c - a));
     const int side = sideOfPlane(a, b, c, q);
     ASSERT_NE(side, 0);
@@ -181,13 +181,14 @@ TEST(SideOfPlane, IsOddUnderSwapsAndZeroOnlyForDegenerateTriangles)
 
 TEST(SideOfPlane, OfARowThatCrossesTurnsOnceFromTheSideThatItsEdgesSay)
 {
-  // Rows along x that cross by sideOfEdge(), through edges and vertices too: before the plane the
-  // sample is on that side, behind it on the other, in it on either. That takes one perturbation.
+  // The sample of a row along x that crosses by sideOfEdge(), perhaps through an edge or a vertex,
+  // is on that side before the plane, on the other side behind it, and on either side in it. This
+  // takes one perturbation for both predicates.
   std::size_t crossings = 0;
   for (int n = 0; n < 27 * 27 * 27; ++n)
   {
-    const Lattice a = smallLattice(n % 27), b = smallLattice(n / 27 % 27),
-                  c = smallLattice(n / 729);
+    const Lattice a = smallLattice(n % 27), b = smallLattice(n / 27 % 27);
+    const Lattice c = smallLattice(n / 729);
     const Point p[3] = {scaled(a, 1), scaled(b, 1), scaled(c, 1)};
     for (int row = 0; row < 25; ++row)
     {
