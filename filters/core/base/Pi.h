@@ -3,7 +3,7 @@
 namespace winding
 {
 
-/// The solid angle of a whole sphere is 4π; C++17 has no constant for π.
+/// π in any type of floating-point numbers, as C++17 has no constant for it.
 template <class Real> constexpr Real piAs = Real(3.14159265358979323846264338327950288L);
 
 constexpr double pi = piAs<double>;

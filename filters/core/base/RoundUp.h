@@ -5,7 +5,7 @@
 namespace winding
 {
 
-/// The widest vectors that kernels of single precision use have so many lanes, and their arrays are
+/// The number of lanes of the widest vectors that kernels of single precision use; their arrays are
 /// filled up to a multiple of it.
 constexpr std::size_t floatLanes = 16;
 
