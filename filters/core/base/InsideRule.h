@@ -10,7 +10,7 @@ enum class InsideRule
 {
   signedThreshold,   ///< w ≥ threshold: for outward oriented solids
   absoluteThreshold, ///< |w| ≥ threshold: for solids of either orientation
-  odd                ///< the integer nearest to w is odd: for what the parity of crossings says
+  odd                ///< the integer nearest to w is odd, like a parity of crossings
 };
 
 inline bool isInside(double windingNumber, InsideRule rule, double threshold)

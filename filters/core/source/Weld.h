@@ -86,8 +86,8 @@ private:
   Concatenation points_;
   std::unique_ptr<std::atomic<unsigned char>[]> states_;
 
-  /// By point: an equal point before it for a repeated point, the vertex for the first of equal
-  /// ones.
+  /// Targets by point: an equal point before it for a repeated point, the vertex for the first of
+  /// equal points.
   std::unique_ptr<std::uint32_t[]> targets_;
 };
 

@@ -157,7 +157,7 @@ void addDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles, std::size_t count,
       const Vec cube = hn::Mul(r2, hn::Sqrt(r2));
       const Vec flux =
         dot(x, y, z, hn::Set(d, p->moment[0]), hn::Set(d, p->moment[1]), hn::Set(d, p->moment[2]));
-      // At the point itself, and where the cube of the distance underflows, the share is 0.
+      // The share is 0 at the point itself, and where the cube of the distance underflows.
       sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(cube, zero), hn::Div(flux, cube)));
     }
     hn::Store(sum, d, sums.sum + s);

@@ -54,7 +54,7 @@ struct AngleProducts
   alignas(64) double re[SampleBlock::capacity];
   alignas(64) double im[SampleBlock::capacity];
   alignas(64) double turns[SampleBlock::capacity];
-  /// Not 0 where a triangle is so near that rounding decides about its angle, see
+  /// Marks that are not 0 where a triangle is so near that rounding decides about its angle, see
   /// multiplyAnglesWatching().
   alignas(64) double suspect[SampleBlock::capacity];
 };
