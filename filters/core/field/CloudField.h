@@ -48,8 +48,8 @@ private:
 
   PointCloud cloud_;
   FieldInfo info_;
-  double slowdown_ = 1;     ///< times that regularization makes the far field slower
-  bool isAskedFor_ = false; ///< whether the user chose the method
+  double slowdown_ = 1;                      ///< factor by which regularization slows the far field
+  bool isAskedFor_ = false;                  ///< whether the user chose the method
   std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical
   std::unique_ptr<const DipoleSum> sum_;
 };

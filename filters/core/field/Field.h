@@ -25,7 +25,7 @@ class RowCrossings;
 struct PointCloud;
 struct Surface;
 
-/// How w is found. Every method but parity gives the winding number.
+/// The way in which w is found. Every method but parity gives the winding number.
 enum class Method
 {
   automatic, ///< the method that is expected to be the fastest within the tolerance
@@ -92,7 +92,7 @@ struct FieldInfo
   Bounds bounds;                    ///< box of the vertices or points
   Method method = Method::direct;   ///< method that was chosen, never automatic
   std::string why;                  ///< reason for the choice of the method, for the user
-  std::string warning;              ///< what the user should know about the input; may be empty
+  std::string warning;              ///< note on the input that the user should read; may be empty
 };
 
 /**

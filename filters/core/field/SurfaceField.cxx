@@ -110,7 +110,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
                 : "open: rows find the integer part, a cap of " + cap + " gives the rest";
   if (!crossings_)
   {
-    // Scattered samples need it; its trees are not built before such samples come.
+    // Scattered samples need a far field; its trees are not built before such samples come.
     this->makeFarField(options.tolerance);
   }
 }

@@ -54,12 +54,13 @@ private:
   bool isAskedFor_ = false; ///< whether the user chose the method
   int order_ = 0;           ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
-  std::unique_ptr<const CappedSurface> capped_; ///< grids with method rows
-  /// Scattered samples of a closed surface with method rows.
+  std::unique_ptr<const CappedSurface> capped_; ///< evaluates grids with method rows
+  /// Evaluates scattered samples of a closed surface with method rows.
   std::unique_ptr<const PointCrossings> crossings_;
-  /// All samples with method hierarchical; scattered samples of an open surface with method rows.
+  /// Evaluates all samples with method hierarchical, and scattered samples of an open surface with
+  /// method rows.
   std::unique_ptr<const TriangleFarField> farField_;
-  std::unique_ptr<const Evaluator> evaluator_; ///< all that the three above leave
+  std::unique_ptr<const Evaluator> evaluator_; ///< evaluates all that the three above leave
 };
 
 } // namespace winding

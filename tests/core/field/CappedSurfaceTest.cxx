@@ -134,9 +134,9 @@ TEST(CappedSurface, KeepsToleranceOnRandomLatticeChainsAndTheirCaps)
 
 TEST(CappedSurface, EqualsTheDirectSumWhereAMillionRandomChainsFailed)
 {
-  // In some of them two equal triangles of the cap make half a turn, and the sample lies in the
-  // plane of a third. In others a sample on the surface and on the cap lies in a plane of the other
-  // cap by accident.
+  // In some of these chains two equal triangles of the cap make half a turn, and the sample lies in
+  // the plane of a third. In others a sample on the surface and on the cap lies in a plane of the
+  // other cap by accident.
   for (const unsigned seed : {296587u, 322077u, 398403u, 872884u, 989924u})
   {
     const ChainComparison found = compareWithDirectSum(randomLatticeChain(seed, 12, 4));

@@ -198,7 +198,7 @@ TEST(ClosedComponents, DoNotLieInsideWhatTheyPokeOutOf)
 
 TEST(ClosedComponents, LieInsideWhatTheyTouchAtAVertex)
 {
-  // Both have the corner (1, 1, 1).
+  // The two cubes have the corner (1, 1, 1) in common.
   const auto movedInside = [](const Point& p)
   {
     return p == Point(1, 1, 1) ? p : Point(p - Point(0.1, 0.2, 0.3));
@@ -253,7 +253,8 @@ TEST(ClosedComponents, AreTheSameFarAwayAndAtAnySize)
 
 TEST(ClosedComponents, ThousandsOfThemTakeNoTime)
 {
-  // Half of them lie in a line along the rays, half in a lattice, and all of them in one box.
+  // Half of the boxes lie in a line along the rays, half in a lattice, and all of them in a large
+  // one.
   Mesh many = box({5000, 0, 0}, 6000);
   many.points.reserve(90'000);
   for (int i = 0; i < 10'000; ++i)
