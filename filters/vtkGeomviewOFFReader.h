@@ -2,14 +2,14 @@
  * @class   vtkGeomviewOFFReader
  * @brief   read Geomview's Object File Format (.off): vertices and polygons as text
  *
- * Gives vtkPolyData with points in double precision and polygons of any size. Faces with two
- * corners become lines, those with one become vertices; a file without faces gives one cell of all
- * its points.
+ * The reader gives vtkPolyData with points in double precision and polygons of any size. Faces with
+ * two corners become lines, those with one become vertices; a file without faces gives one cell of
+ * all its points.
  *
- * Read: the keyword OFF with the prefixes ST, C and N in this order, the counts on the same line or
- * the next, comments from '#' on, one vertex and one face on a line. Vertex normals (NOFF) become
- * the active point normals "Normals"; colours and texture coordinates are passed over. Not read:
- * binary files, and the prefixes 4 and n (other dimensions).
+ * It reads the keyword OFF with the prefixes ST, C and N in this order, the counts on the same line
+ * or the next, comments from '#' on, one vertex and one face on a line. Vertex normals (NOFF)
+ * become the active point normals "Normals"; colours and texture coordinates are passed over. It
+ * does not read binary files, nor the prefixes 4 and n (other dimensions).
  *
  * Errors, each one line through vtkErrorMacro with the name and the line of the file, with the
  * error code set and the output empty: files that cannot be read, are empty, truncated or not of
@@ -32,7 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The file to read. Default: none.
+  /// The name of the file to read. Default: none.
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

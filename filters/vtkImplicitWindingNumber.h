@@ -3,9 +3,9 @@
  * @brief   implicit function of the winding number of a surface or an oriented point cloud
  *
  * The value at a point is WindingThreshold − w, w being the generalized winding number of the input
- * there (see vtkWindingNumberAlgorithm, also for what an input may be): negative inside, positive
- * outside. The gradient is −∇w. So VTK's own filters clip, cut, extract and sample with surfaces that
- * need not be closed, with triangle soups and with clouds:
+ * there (see vtkWindingNumberAlgorithm, also for the inputs that are possible): negative inside,
+ * positive outside. The gradient is −∇w. So VTK's own filters clip, cut, extract and sample with
+ * surfaces that need not be closed, with triangle soups and with clouds:
  *
  * @code
  *   vtkNew<vtkImplicitWindingNumber> inside;
@@ -13,35 +13,38 @@
  *   vtkNew<vtkClipDataSet> clip;
  *   clip->SetInputConnection(grid->GetOutputPort());
  *   clip->SetClipFunction(inside);
- *   clip->InsideOutOn(); // keep what is inside
+ *   clip->InsideOutOn(); // keep the part that is inside
  * @endcode
  *
- * It is no distance: across the surface the value jumps by one, and away from holes it is the same
- * everywhere on a side. A filter that interpolates between its points therefore finds the surface in the
- * right cells, about half way through them; fine cells make it smooth. The gradient is that off the
- * surface, so 0 for closed ones. For a mesh it is exact, by a sum over the edges of its boundary.
+ * The function is no distance: across the surface the value jumps by one, and away from holes it is
+ * the same everywhere on a side. A filter that interpolates between its points therefore finds the
+ * surface in the right cells, about half way through them; fine cells make it smooth. The gradient
+ * is the one off the surface, so it is 0 for closed surfaces. For a mesh it is exact, by a sum over
+ * the edges of its boundary.
  *
  * Like other implicit functions it has no pipeline: the input is a data object, which its producer
- * must have updated. When it or a property is modified, GetMTime() says so, and the next call works
- * with what there is then. With SetTransform() points are transformed first.
+ * must have updated. GetMTime() tells when the input or a property was modified, and the next call
+ * works with their new state. SetTransform() has points transformed first.
  *
- * What is needed of the input is built once, by the first call or before by BuildField(). After that,
- * values and gradients may be asked for from any number of threads, without a lock, as long as nobody
- * modifies the function or the input meanwhile; a value's bits depend on the input and the point only. A
- * first call may come from many threads at once, too: one of them builds, alone if it runs in a parallel
- * section of vtkSMPTools, and the others wait. BuildField() has all threads build, and must come before
- * a parallel section if the input has volume cells: VTK's filter for their surface would start another
- * section in it, in which TBB may give the thread that builds a call that waits for it.
+ * The first call builds the field of the input, or BuildField() does so before. After that, values
+ * and gradients may be asked for from any number of threads, without a lock, as long as nobody
+ * modifies the function or the input meanwhile; a value's bits depend on the input and the point
+ * only. The first call may come from many threads at once, too: one of them builds, alone if it
+ * runs in a parallel section of vtkSMPTools, and the others wait. BuildField() has all threads
+ * build. It must come before a parallel section if the input has volume cells: VTK's filter for
+ * their surface would start another section in it, and TBB may then give the thread that builds a
+ * call that waits for the field.
  *
- * One call takes some microseconds for tolerances that leave an approximation: with AUTOMATIC that is
- * a hierarchy for inputs of any size, as though HIERARCHICAL were asked for. With DIRECT and PARITY it
- * asks every primitive, which takes a hundred times as long for large inputs. Arrays of points (FunctionValue(vtkDataArray*,
- * vtkDataArray*)) are evaluated together, on the threads of vtkSMPTools: the values are the same up to
- * the Tolerance, and with DIRECT and PARITY to the bit.
+ * One call takes some microseconds for tolerances that leave an approximation; AUTOMATIC then takes
+ * a hierarchy for inputs of any size, as though HIERARCHICAL were asked for. DIRECT and PARITY ask
+ * every primitive, which takes a hundred times as long for large inputs. Arrays of points
+ * (FunctionValue(vtkDataArray*, vtkDataArray*)) are evaluated together, on the threads of
+ * vtkSMPTools: the values are the same up to the Tolerance, and with DIRECT and PARITY to the bit.
  *
- * Without an input, or with one that cannot be worked with (w is not defined for points without normals,
- * say), an error is reported once, not again before input or properties change, and w counts as 0, so
- * that everything is outside. Points that are NaN or infinite have the value NaN.
+ * Without an input, or with one that cannot be worked with (w is not defined for points without
+ * normals, for example), an error is reported once, and again only after input or properties
+ * change; w counts as 0, so that everything is outside. Points that are NaN or infinite have the
+ * value NaN.
  *
  * @sa vtkWindingNumberProbe vtkWindingNumberField vtkImplicitPolyDataDistance
  */
@@ -51,9 +54,9 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkImplicitFunction.h"
 #include "vtkSmartPointer.h"           // for the input
-#include "vtkWindingNumberAlgorithm.h" // for what the values of properties mean
+#include "vtkWindingNumberAlgorithm.h" // for the meaning of properties and their values
 
-#include <memory> // for what was built
+#include <memory> // for the field that was built
 #include <vector> // for values
 
 class vtkDataObject;
@@ -72,22 +75,23 @@ public:
   ///@}
 
   ///@{
-  /// What is inside: vtkWindingNumberAlgorithm::SIGNED or ABSOLUTE, for which |w| takes the place of w.
-  /// (The rule ODD has no function that would tell how far from it a point is.) Default SIGNED.
+  /// The rule for what is inside: vtkWindingNumberAlgorithm::SIGNED or ABSOLUTE, for which |w|
+  /// takes the place of w. The rule ODD is no comparison with a threshold, so there is no implicit
+  /// function for it. Default SIGNED.
   vtkSetClampMacro(
     InsideRule, int, vtkWindingNumberAlgorithm::SIGNED, vtkWindingNumberAlgorithm::ABSOLUTE);
   vtkGetMacro(InsideRule, int);
   ///@}
 
   ///@{
-  /// Default 0.5.
+  /// The value of w at which the function is 0. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
 
   ///@{
-  /// How w is found: as vtkWindingNumberAlgorithm says of the properties of these names, with the same
-  /// values and defaults. ROWS is for grids and an error here.
+  /// The way in which w is found. Meaning, values and defaults are those of the properties of the
+  /// same names of vtkWindingNumberAlgorithm, but ROWS is for grids and an error here.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
@@ -112,11 +116,11 @@ public:
   vtkGetMacro(Regularization, double);
   ///@}
 
-  /// Builds what the next call would build, unless it is there. False, after an error, where the input
-  /// cannot be worked with.
+  /// Builds the field that the next call would build, unless it is there. Returns false, after an
+  /// error, if the input cannot be worked with.
   bool BuildField();
 
-  /// Also of the input.
+  /// The time of the last modification of this function or its input.
   vtkMTimeType GetMTime() override;
 
   using vtkImplicitFunction::EvaluateFunction;
@@ -125,8 +129,8 @@ public:
   void EvaluateGradient(double x[3], double g[3]) override;
 
   using vtkImplicitFunction::FunctionValue;
-  /// Transforms all points, then evaluates them together; vtkImplicitFunction has those that are
-  /// transformed one by one.
+  /// Transforms all points, then evaluates them together, where vtkImplicitFunction would evaluate
+  /// transformed points one by one.
   void FunctionValue(vtkDataArray* input, vtkDataArray* output) override;
 
 protected:

@@ -2,11 +2,11 @@
  * @class   vtkOrientedPointsReader
  * @brief   read points with normals from text (.xyz, .pwn)
  *
- * Gives vtkPolyData with points in double precision, the active point normals "Normals" where the
- * file has them, and one cell of all points, so that they can be seen.
+ * The reader gives vtkPolyData with points in double precision, the active point normals "Normals"
+ * where the file has them, and one cell of all points, so that they can be seen.
  *
- * Read: one point on a line, as `x y z` or `x y z nx ny nz`, the same on all lines; comments from
- * '#' on. The first line may be the number of points. With it, the normals may also stand in lines
+ * It reads one point on a line, as `x y z` or `x y z nx ny nz`, the same on all lines, and comments
+ * from '#' on. The first line may be the number of points; the normals may then also stand in lines
  * of their own after all positions, as the classic .pwn has it: n, n lines of `x y z`, n lines of
  * `nx ny nz`. Normals are given as they are; they need not have unit length.
  *
@@ -30,7 +30,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The file to read. Default: none.
+  /// The name of the file to read. Default: none.
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

@@ -2,10 +2,11 @@
  * @class   vtkPointAreas
  * @brief   the area that each point of an oriented cloud stands for
  *
- * Gives its input with a point data array of areas (double, one per point, in squared units of the
- * coordinates): what vtkWindingNumberField and vtkWindingNumberProbe find for a cloud on their own,
- * to be looked at, changed, or used by other filters. With their point area method ARRAY downstream
- * of this filter they give the very same field as with the method of this filter.
+ * The filter adds a point data array of areas to its input (double, one per point, in squared units
+ * of the coordinates): the areas that vtkWindingNumberField and vtkWindingNumberProbe find for a
+ * cloud on their own, to be looked at, changed, or used by other filters. With their point area
+ * method ARRAY downstream of this filter they give the very same field as with the method of this
+ * filter.
  *
  * The input is any vtkPointSet. Points need normals; a mesh is taken as the cloud of its points,
  * which have the area-weighted mean of their triangles' normals where they have none of their own.
@@ -14,7 +15,7 @@
  * cloud of its own.
  *
  * The output is of the input's type and shares its arrays. The array has as many tuples as there
- * are points. Area 0 have:
+ * are points. The area is 0 for:
  * - points with NaN or infinite values or a normal of length 0; a warning counts them,
  * - ghost points, for which another piece of the data answers,
  * - the inner points of a mesh with volume cells. Points that its outer surface has several times,
@@ -23,11 +24,11 @@
  *   with a warning.
  *
  * Errors leave the output empty. They are: points without normals, method MESH for points without
- * triangles, an array that is not there, no usable point at all, a PointAreaMethod or PointArea
- * that there cannot be. Points that are all at one place have area 0, with a warning.
+ * triangles, an array that is not there, no usable point at all, and a value of PointAreaMethod or
+ * PointArea that does not exist. Points that are all at one place have area 0, with a warning.
  *
- * Threads are those of vtkWindingNumberAlgorithm; areas have the same bits for any number of them.
- * Aborted, the output is empty.
+ * The filter takes its threads as vtkWindingNumberAlgorithm does; areas have the same bits for any
+ * number of them. When it is aborted, its output is empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberProbe
  */
@@ -50,57 +51,59 @@ public:
   vtkTypeMacro(vtkPointAreas, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where areas come from; the numbers are those of vtkWindingNumberAlgorithm.
+  /// The ways in which points get their areas; the numbers are those of vtkWindingNumberAlgorithm.
   enum PointAreaMethodType
   {
-    VORONOI = 0, ///< each point's cell among its neighbours, in its tangent plane
+    VORONOI = 0, ///< the area of each point's cell among its neighbours, in its tangent plane
     MESH = 1,    ///< a third of every triangle around the point; in total the area of the mesh
     CONSTANT = 2 ///< PointArea for every point
   };
 
   ///@{
-  /// Default VORONOI.
+  /// The way in which points get their areas. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
   ///@}
 
   ///@{
-  /// How many neighbours of a point tell its area, and its normal where that is estimated. 3 to
-  /// 1000, default 20.
+  /// The number of neighbours that tell the area of a point, and its normal where that is
+  /// estimated. 3 to 1000, default 20.
   vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
   ///@{
-  /// Method CONSTANT: the area of every point. 0 takes the mean of what VORONOI gives. 0 or more,
-  /// default 0.
+  /// The area of every point, for method CONSTANT. 0 stands for the mean of the areas that VORONOI
+  /// gives. 0 or more, default 0.
   vtkSetMacro(PointArea, double);
   vtkGetMacro(PointArea, double);
   ///@}
 
   ///@{
-  /// The point data array of normals, which need not have unit length. Default: none named, so the
-  /// active normals.
+  /// The name of the point data array with the normals, which need not have unit length. Default:
+  /// no name, for the active normals.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}
 
   ///@{
-  /// Points without normals: estimate them from the neighbours of each point. They are used for the
-  /// areas only, and not added to the output. Default off: such points are refused.
+  /// Whether points without normals get estimated ones, from the neighbours of each point. These
+  /// serve the areas only, and are not added to the output. Default off: points without normals are
+  /// refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Name of the array of areas. Default "Area".
+  /// The name of the array of areas. Default "Area".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
   ///@}
 
   ///@{
-  /// Most threads to use; 0 leaves it to vtkSMPTools. Default 0. Does not change the result.
+  /// The largest number of threads to use; 0 leaves it to vtkSMPTools. The number does not change
+  /// the result. Default 0.
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
   ///@}

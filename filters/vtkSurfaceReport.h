@@ -1,90 +1,105 @@
 /**
  * @class   vtkSurfaceReport
- * @brief   the health of a surface or an oriented point cloud, as far as winding numbers are concerned
+ * @brief   the health of a surface or an oriented point cloud, with regard to winding numbers
  *
- * Takes a source as vtkWindingNumberAlgorithm does (polydata, the outer surface of any other mesh, a
- * cloud of points, or composite data of these, of which all leaves are one source) and counts what is
- * wrong with it. The first output is the source as polydata, with the counts as field data:
- * - polydata comes out as it is (a shallow copy),
- * - of another mesh its outer surface, and of a cloud that is no polydata its points, each with a
- *   vertex cell and its point data,
- * - the leaves of a composite, each as above, appended to each other, with the arrays that all have.
+ * The filter takes a source as vtkWindingNumberAlgorithm does (polydata, the outer surface of any
+ * other mesh, a cloud of points, or composite data of these, whose leaves are one source) and
+ * counts its faults. The first output is the source as polydata, with the counts as field data:
+ * - Polydata comes out unchanged, as a shallow copy.
+ * - Another mesh comes out as its outer surface. A cloud that is no polydata comes out as its
+ *   points, each with a vertex cell and its point data.
+ * - The leaves of a composite come out in these ways, appended to each other, with the arrays that
+ *   all of them have.
  *
  * Ghost cells and points pass through, but are not counted.
  *
- * The second output shows what is wrong with a surface: a multi-block dataset with the blocks Boundary
- * (the loops of edges that do not cancel, as closed polylines, with the cell data Loop, Edges and
- * Multiplicity), Caps (the triangles that the field closes these loops with, with the cell data Loop),
- * NonManifoldEdges (lines, with the cell data Triangles: how many meet there), and InconsistentEdges
- * (lines). For clouds, and where nothing is wrong, they are empty.
+ * The second output shows the faults of a surface. It is a multi-block dataset with four blocks,
+ * which are empty for clouds and where there is no such fault:
+ * - Boundary: the loops of edges that do not cancel, as closed polylines, with the cell data Loop,
+ *   Edges and Multiplicity.
+ * - Caps: the triangles that the field closes these loops with, with the cell data Loop.
+ * - NonManifoldEdges: lines, with the cell data Triangles, the number of triangles that meet there.
+ * - InconsistentEdges: lines.
  *
- * With FixOrientation, the polygons of a surface are turned round so that it has an outside, and the
- * report and both outputs are about the surface that comes out:
- * -# Polygons that share an edge with no third one are made to agree about it. Parts that admit it are
- *    turned such that less than half of their area is; those that do not, Möbius strips say, stay as
- *    they are. Where more than two polygons meet, parts are turned as long as that makes more of them
- *    cancel.
- * -# Closed components then get a positive volume: they are turned outward. Those that lie inside an
- *    odd number of other closed components are cavities, and are turned inward. So is what a cap of at
- *    most half of its own area closes; but that makes no cavity of anything that is really closed.
+ * FixOrientation turns polygons of a surface round so that it has an outside. The report and both
+ * outputs are then about the surface that comes out. It works in two steps:
+ * -# Polygons that share an edge with no third one are made to agree about it. A connected part
+ *    that can be made to agree is turned such that less than half of its area is turned; a part
+ *    that cannot, such as a Möbius strip, stays as it is. Where more than two polygons meet, parts
+ *    are turned as long as that makes more of the polygons cancel.
+ * -# Closed components then get a positive volume: they are turned outward. A component inside an
+ *    odd number of other closed components is a cavity, and is turned inward. An open component
+ *    counts as closed here if a cap of at most half of its own area closes it, but it makes no
+ *    cavity of a component that is really closed.
  *
- * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips of a
- * surface in which something is turned become triangles, each with the cell data of its strip. A warning
- * says what has been turned, and what could not be.
+ * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips
+ * of a surface in which something is turned become triangles, each with the cell data of its strip.
+ * A warning says how many triangles were turned, and what could not be.
  *
- * The arrays of the field data have one value each, unless said otherwise. For all sources:
- * | array       | |
- * |-------------|-|
- * | kind        | "surface" or "points" |
- * | non_finite  | triangles or points left out: a coordinate or normal is NaN or infinite |
- * | bbox        | one tuple of six: the lowest x, y, z, and the highest; no tuple if nothing is finite |
- * | advice      | what all this means, and what could be done: one line |
+ * The arrays of the field data have one value each, unless said otherwise. All sources have:
+ * - **kind**: "surface" or "points".
+ * - **non_finite**: triangles or points that were left out because a coordinate or a normal is NaN
+ *   or infinite.
+ * - **bbox**: one tuple of six numbers, the lowest x, y, z and the highest; no tuple if nothing is
+ *   finite.
+ * - **advice**: one line that says what the other figures mean and what could be done.
  *
- * Surfaces, of which points with equal coordinates are one vertex:
- * | array                 | |
- * |-----------------------|-|
- * | triangles             | polygons are fans |
- * | vertices              | points as they came in |
- * | vertices_merged       | different ones |
- * | unreferenced_vertices | of these, those without a triangle |
- * | closed                | 1 if the uses of every edge cancel: winding numbers are integers; else 0 |
- * | boundary_edges        | used by one triangle |
- * | boundary_loops        | connected pieces of boundary edges |
- * | nonmanifold_edges     | used by more than two triangles |
- * | inconsistent_edges    | used by two triangles in the same direction |
- * | net_boundary_edges    | used more often in one direction than in the other |
- * | components_vertex     | pieces connected through vertices |
- * | components_edge       | pieces connected through edges |
- * | closed_components     | parts with no boundary of their own. Parts are what is connected through edges that two triangles share; those that are open are joined where more than two meet |
- * | inverted_components   | of these, those with negative volume, unless they are the walls of cavities: inside an odd number of others, which wind round each of their vertices |
- * | nested_solids         | of these, those with positive volume inside an odd number of others: w is 2 there, or a cavity is inside out |
- * | one_sided_components  | connected through edges that two triangles share, and impossible to orient |
- * | duplicate_faces       | triangles beyond the first with the same vertices |
- * | degenerate            | triangles left out: two of their vertices are one |
- * | zero_area             | triangles with three vertices on a line |
- * | invalid_ids           | triangles left out: a point does not exist |
- * | euler                 | vertices − edges + triangles |
- * | volume                | enclosed, negative if inside out; means nothing for open surfaces |
- * | area                  | |
- * | fractional_share      | the share (0 to 1) of samples whose w is farther than 0.1 from an integer: how open it is. 0 if it is closed. The samples: cubic voxels, 32 along the longest side of the bounds with a twentieth added on each side; no tuple if the bounds admit none |
- * | flipped_triangles     | with FixOrientation only: turned round; polygons are fans |
- * | flipped_components    | with FixOrientation only: parts with a triangle that is turned round |
+ * Surfaces have the arrays that follow. Points with equal coordinates are one vertex, and polygons
+ * are fans of triangles.
+ * - **triangles**: number of triangles.
+ * - **vertices**: number of points as they came in.
+ * - **vertices_merged**: number of different points.
+ * - **unreferenced_vertices**: different points that belong to no triangle.
+ * - **closed**: 1 if the uses of every edge cancel, so that winding numbers are integers; else 0.
+ * - **boundary_edges**: edges used by one triangle.
+ * - **boundary_loops**: connected pieces of boundary edges.
+ * - **nonmanifold_edges**: edges used by more than two triangles.
+ * - **inconsistent_edges**: edges used by two triangles in the same direction.
+ * - **net_boundary_edges**: edges used more often in one direction than in the other.
+ * - **components_vertex**: pieces connected through vertices.
+ * - **components_edge**: pieces connected through edges.
+ * - **closed_components**: parts with no boundary of their own. A part is what is connected through
+ *   edges that two triangles share; open parts are joined where more than two triangles meet.
+ * - **inverted_components**: closed components with negative volume, except the walls of cavities,
+ *   which lie inside an odd number of other components that wind round each of their vertices.
+ * - **nested_solids**: closed components with positive volume inside an odd number of others. w is
+ *   2 there if it is a solid; it may also be a cavity that is inside out.
+ * - **one_sided_components**: parts, connected through edges that two triangles share, that cannot
+ *   be oriented.
+ * - **duplicate_faces**: triangles beyond the first with the same vertices.
+ * - **degenerate**: triangles that were left out because two of their vertices are one.
+ * - **zero_area**: triangles with three vertices on a line.
+ * - **invalid_ids**: triangles that were left out because one of their points does not exist.
+ * - **euler**: vertices − edges + triangles.
+ * - **volume**: the enclosed volume, negative if the surface is inside out; without meaning for
+ *   open surfaces.
+ * - **area**: the sum of the triangles' areas.
+ * - **fractional_share**: the share (0 to 1) of samples whose w is farther than 0.1 from an
+ *   integer, which tells how open the surface is; 0 if it is closed. The samples are the centres of
+ *   cubic voxels, 32 along the longest side of the bounds with a twentieth added on each side; no
+ *   tuple if the bounds admit no such grid.
+ * - **flipped_triangles**, with FixOrientation only: triangles that were turned round.
+ * - **flipped_components**, with FixOrientation only: parts with a triangle that was turned round.
  *
- * Clouds:
- * | array             | |
- * |-------------------|-|
- * | points            | |
- * | duplicates        | points beyond the first at their position |
- * | normals           | 1 if there are any; else 0 |
- * | zero_normals      | normals of length 0 |
- * | non_unit_normals  | other normals not of unit length |
- * | spacing_min, spacing_median, spacing_mean, spacing_max | distances to the nearest other position |
- * | opposite_neighbors | the share (0 to 1) of near points whose normals are more than 90° apart: ½ where normals point to either side at random, little where they agree |
- * | w_behind, w_before | the median of the field two spacings behind the points, against their normals, and before them: 1 and 0 for closed clouds outward, 0 and −1 inward; no tuple without usable normals |
- * | outward_share, inward_share | the shares (0 to 1) of points with such a field; no tuple without usable normals |
+ * Clouds have:
+ * - **points**: number of points.
+ * - **duplicates**: points beyond the first at their position.
+ * - **normals**: 1 if there are any; else 0.
+ * - **zero_normals**: normals of length 0.
+ * - **non_unit_normals**: other normals that are not of unit length.
+ * - **spacing_min**, **spacing_median**, **spacing_mean**, **spacing_max**: distances from a
+ *   position to the nearest other one.
+ * - **opposite_neighbors**: the share (0 to 1) of neighbouring points whose normals are more than
+ *   90° apart. It is ½ where normals point to either side at random, and small where they agree.
+ * - **w_behind**, **w_before**: the median of the field two spacings behind the points, against
+ *   their normals, and two spacings before them. Closed clouds with outward normals have 1 and 0,
+ *   with inward normals 0 and −1; no tuple without usable normals.
+ * - **outward_share**, **inward_share**: the shares (0 to 1) of points that have such a field about
+ *   them; no tuple without usable normals.
  *
- * What is no source is an error, and so is a surface that has bad triangles only. Works on the whole
- * source: with several pieces, all is in the first. Aborted, the output is empty.
+ * Data that is no source is an error, and so is a surface whose triangles are all unusable. The
+ * filter works on the whole source: where several pieces are asked for, the first has everything.
+ * When it is aborted, its outputs are empty.
  *
  * @sa vtkWindingNumberField
  */
@@ -106,27 +121,27 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The point array with the normals of a cloud; empty, the default, for the active normals.
+  /// Name of the point array with the normals of a cloud. Default: empty, for the active normals.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}
 
   ///@{
-  /// Whether to turn polygons round, see above. Default: off.
+  /// Whether to turn polygons round so that the surface has an outside. Default off.
   vtkSetMacro(FixOrientation, bool);
   vtkGetMacro(FixOrientation, bool);
   vtkBooleanMacro(FixOrientation, bool);
   ///@}
 
-  /// The second output.
+  /// The second output: the blocks that show the faults of a surface.
   vtkMultiBlockDataSet* GetFaults();
 
-  /// The arrays above, in the order in which people read them, and none that the source had. Empty
-  /// before the first execution, and after one that failed or was aborted.
+  /// The arrays of the report, in the order in which people read them, without those that the
+  /// source had. Empty before the first execution, and after one that failed or was aborted.
   vtkFieldData* GetReport();
 
   ///@{
-  /// What the report says: 0, false or empty where it says nothing about that.
+  /// Single values of the report; 0, false or empty where the report has no such value.
   const char* GetAdvice();
   bool GetSourceIsSurface();
   bool GetClosed();
@@ -135,7 +150,7 @@ public:
   vtkIdType GetNumberOfBoundaryLoops();
   vtkIdType GetNumberOfNonManifoldEdges();
   vtkIdType GetNumberOfInconsistentEdges();
-  vtkIdType GetNumberOfComponents(); ///< connected through edges
+  vtkIdType GetNumberOfComponents(); ///< pieces connected through edges
   vtkIdType GetNumberOfClosedComponents();
   vtkIdType GetNumberOfInvertedComponents();
   vtkIdType GetNumberOfNestedSolids();
@@ -146,7 +161,7 @@ public:
   vtkIdType GetNumberOfDuplicateFaces();
   double GetVolume();
   double GetArea();
-  vtkIdType GetNumberOfPoints(); ///< of a cloud
+  vtkIdType GetNumberOfPoints(); ///< points of a cloud
   vtkIdType GetNumberOfDuplicatePoints();
   vtkIdType GetNumberOfZeroNormals();
   bool GetHasNormals();
@@ -154,7 +169,7 @@ public:
   double GetOppositeNeighbors();
   double GetOutwardShare();
   double GetInwardShare();
-  vtkIdType GetNumberOfNonFinite(); ///< triangles or points
+  vtkIdType GetNumberOfNonFinite(); ///< triangles or points left out
   ///@}
 
 protected:
@@ -171,12 +186,15 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  /// Sets the report and both outputs. Throws what the core throws, and has set nothing then.
+  /// Sets the report and both outputs. An exception of the core passes through, and nothing is set
+  /// then.
   void MakeReport(vtkDataObject* source, vtkPolyData* output);
 
-  /// The only value of an array of the report.
+  ///@{
+  /// The only value of an array of the report; 0 if the array has none.
   double GetNumber(const char* name);
   vtkIdType GetCount(const char* name);
+  ///@}
 
   char* NormalsArray = nullptr;
   bool FixOrientation = false;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkWindingNumberAlgorithm
- * @brief   what winding-number filters have in common: source, method, result arrays
+ * @brief   base class of winding-number filters: source, method and result arrays
  *
  * The generalized winding number w says how often an oriented surface wraps around a point: 1
  * inside, 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It tells
@@ -19,14 +19,16 @@
  * Primitives with NaN or infinite values or ids of points that do not exist are left out; a warning
  * says how many. A source without primitives gives w = 0 everywhere, with a warning.
  *
- * What is built from a source (welded vertices, areas) is kept until a source with other points,
- * cells, normals or areas comes in: threshold, grid, time steps or other attributes never rebuild
- * it (for polydata; any change of another data set counts as a change of its cells). Only where
- * triangles are large beside the voxels, those of a cap most often, another grid has them cut anew.
+ * The filter keeps what it built from a source (welded vertices, areas) until a source with other
+ * points, cells, normals or areas comes in: threshold, grid, time steps or other attributes never
+ * rebuild it. This holds for polydata; any change of another data set counts as a change of its
+ * cells. Only triangles that are large beside the voxels, most often those of a cap, are cut anew
+ * for another grid.
  *
- * Threads are those of vtkSMPTools. Where its backend is Sequential only because VTK was built so
- * (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or NumberOfThreads
- * 1 keep it serial. Results have the same bits for any backend and number of threads.
+ * Work is shared among the threads of vtkSMPTools. Where its backend is Sequential only because VTK
+ * was built so (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or
+ * NumberOfThreads 1 keep it serial. Results have the same bits for any backend and number of
+ * threads.
  */
 #ifndef vtkWindingNumberAlgorithm_h
 #define vtkWindingNumberAlgorithm_h
@@ -35,7 +37,7 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 
 #include <functional> // for work handed to the threads
-#include <memory>     // for the private source field
+#include <memory>     // for the field of the source, which is kept
 
 namespace winding
 {
@@ -60,18 +62,18 @@ public:
   vtkTypeMacro(vtkWindingNumberAlgorithm, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How w is computed. The numbers are kept for state files.
+  /// The methods by which w is computed. Their numbers never change, for state files have them.
   enum MethodType
   {
-    AUTOMATIC = 0,    ///< the fastest that keeps the tolerance
-    ROWS = 1,         ///< grids of surfaces, whole rows at once: exact but for a cap over holes;
-                      ///< closed surfaces at scattered samples, too
-    HIERARCHICAL = 2, ///< near primitives summed, far ones through expansions, within Tolerance
-    DIRECT = 3,       ///< sum over all primitives, exact up to rounding
+    AUTOMATIC = 0,    ///< the fastest method that keeps the tolerance
+    ROWS = 1,         ///< surfaces: whole rows of a grid at once, exact but for a cap over holes;
+                      ///< for closed surfaces also at scattered samples
+    HIERARCHICAL = 2, ///< near primitives are summed, far ones act through expansions
+    DIRECT = 3,       ///< the sum over all primitives, exact up to rounding
     PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
   };
 
-  /// When a sample counts as inside; t is WindingThreshold.
+  /// The rules by which a sample counts as inside; t is WindingThreshold.
   enum InsideRuleType
   {
     SIGNED = 0,   ///< w >= t
@@ -79,158 +81,162 @@ public:
     ODD = 2       ///< the integer nearest to w is odd
   };
 
-  /// Where the areas of the points of a cloud come from.
+  /// The ways in which the points of a cloud get their areas.
   enum PointAreaMethodType
   {
-    VORONOI = 0,  ///< each point's cell among its neighbours, in its tangent plane
+    VORONOI = 0,  ///< the area of each point's cell among its neighbours, in its tangent plane
     MESH = 1,     ///< a third of every triangle around the point; for meshes taken as points
     CONSTANT = 2, ///< PointArea for every point
-    ARRAY = 3     ///< the point data array AreaArray
+    ARRAY = 3     ///< the values of the point data array AreaArray
   };
 
-  /// What a source is.
+  /// The kinds of sources.
   enum SourceKindType
   {
-    NO_SOURCE = 0,   ///< without points, or not there yet
-    MESH_SOURCE = 1, ///< with cells of two or three dimensions
-    CLOUD_SOURCE = 2 ///< points without such cells
+    NO_SOURCE = 0,   ///< a source without points, or one that is not there yet
+    MESH_SOURCE = 1, ///< a source with cells of two or three dimensions
+    CLOUD_SOURCE = 2 ///< a source of points without such cells
   };
 
-  /// How the last execution ended.
+  /// The ways in which an execution ends.
   enum StatusType
   {
-    DONE = 0,
+    DONE = 0,          ///< the result is there
     REFUSED = 1,       ///< input or properties cannot be worked with; an error was reported
     OUT_OF_MEMORY = 2, ///< the result does not fit into memory; an error was reported
-    ABORTED = 3        ///< AbortExecute; the output is empty
+    ABORTED = 3        ///< AbortExecute was set; the output is empty
   };
 
-  /// Input of port 0 without a pipeline.
+  /// Sets the input of port 0 without a pipeline.
   void SetInputData(vtkDataObject* input) { this->SetInputDataObject(0, input); }
 
   ///@{
-  /// Default AUTOMATIC.
+  /// The method by which w is computed. Default AUTOMATIC.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// Largest absolute error of w, at any sample, that an approximation may make: by the method
-  /// HIERARCHICAL, and by ROWS for what it gets from a cap over holes. The presets behind it are 1e-2,
-  /// 1e-3, 1e-4, 1e-5 and 1e-6; what lies between takes the finer one. Below 1e-6, and so with 0,
-  /// nothing is approximated. 0 or more, default 0.001.
+  /// The largest absolute error of w, at any sample, that an approximation may make: the method
+  /// HIERARCHICAL, and ROWS for the values of a cap over holes. There are presets for 1e-2, 1e-3,
+  /// 1e-4, 1e-5 and 1e-6; a tolerance between two of them takes the finer one. Below 1e-6, 0
+  /// included, nothing is approximated. 0 or more, default 0.001.
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /// Take a mesh as the cloud of its points. Points without normals get the area-weighted mean of
-  /// their triangles' normals. Default off.
+  /// Whether a mesh is taken as the cloud of its points. Points without normals get the
+  /// area-weighted mean of their triangles' normals. Default off.
   vtkSetMacro(SourceAsPoints, vtkTypeBool);
   vtkGetMacro(SourceAsPoints, vtkTypeBool);
   vtkBooleanMacro(SourceAsPoints, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Clouds: the point data array of normals, which need not have unit length. Default: none named,
-  /// so the active normals.
+  /// The name of the point data array with the normals of a cloud, which need not have unit length.
+  /// Default: no name, for the active normals.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}
 
   ///@{
-  /// Clouds without normals: estimate them from the neighbours of each point, orient them consistently,
-  /// and outward by the field that they give (NormalEstimation.h). A warning says where that gives no
-  /// clear inside and outside. Default off: points without normals are refused.
+  /// Whether a cloud without normals gets estimated ones: found from the neighbours of each point,
+  /// oriented consistently, and turned outward by the field that they give (NormalEstimation.h). A
+  /// warning says where that field tells no inside from outside. Default off: points without
+  /// normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Clouds: where areas come from. Default VORONOI.
+  /// The way in which the points of a cloud get their areas. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
   ///@}
 
   ///@{
-  /// Clouds: how many neighbours of a point tell its area, and its normal where that is estimated. 3 to
-  /// 1000, default 20.
+  /// The number of neighbours that tell the area of a cloud's point, and its normal where that is
+  /// estimated. 3 to 1000, default 20.
   vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
   ///@{
-  /// Clouds, method CONSTANT: the area of every point. 0 takes the mean of what VORONOI gives. 0 or
-  /// more, default 0.
+  /// The area of every point of a cloud, for PointAreaMethod CONSTANT. 0 stands for the mean of the
+  /// areas that VORONOI gives. 0 or more, default 0.
   vtkSetMacro(PointArea, double);
   vtkGetMacro(PointArea, double);
   ///@}
 
   ///@{
-  /// Clouds, method ARRAY: the point data array of areas. Default "Area".
+  /// The name of the point data array with the areas of a cloud's points, for PointAreaMethod
+  /// ARRAY. Default "Area".
   vtkSetStringMacro(AreaArray);
   vtkGetStringMacro(AreaArray);
   ///@}
 
   ///@{
-  /// Clouds: over which length each point is spread, in units of its spacing, the square root of its
-  /// area. 0 is the winding number of points as it is defined, which grows without bounds beside them;
-  /// 1 keeps it about between 0 and 1 there, 0.5 within some tenths of that, and both change nothing a
-  /// few spacings away. At a point itself the point adds 0 either way. Method HIERARCHICAL takes about
-  /// 1.4, 4, 11 and 20 times as long with 1, 2, 3 and 4. 0 to 4, default 0.
+  /// The length over which each point of a cloud is spread, in units of its spacing, which is the
+  /// square root of its area. 0 is the winding number of points as it is defined, which grows
+  /// without bounds beside them. 1 keeps w about between 0 and 1 there, 0.5 within some tenths of
+  /// that, and both change nothing a few spacings away. A point adds 0 at its own position either
+  /// way. Method HIERARCHICAL takes about 1.4, 4, 11 and 20 times as long with 1, 2, 3 and 4. 0 to
+  /// 4, default 0.
   vtkSetMacro(Regularization, double);
   vtkGetMacro(Regularization, double);
   ///@}
 
   ///@{
-  /// Finite. Default 0.5.
+  /// The value t that the inside rules compare w with; a finite number. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
 
   ///@{
-  /// Default SIGNED.
+  /// The rule by which a sample counts as inside. Default SIGNED.
   vtkSetClampMacro(InsideRule, int, SIGNED, ODD);
   vtkGetMacro(InsideRule, int);
   ///@}
 
   ///@{
-  /// Add the array of w itself. Default on. Without it, "Inside" (and the sign of "SignedDistance") is made
-  /// directly, and takes a byte for each sample; it is what it would be with an array of floats.
+  /// Whether to add the array of w itself. Default on. Without it, "Inside" and the sign of
+  /// "SignedDistance" are made directly, with one byte of memory for each sample; they are what
+  /// they would be with an array of floats.
   vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
   vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
   vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from the value
-  /// in the result array. Default off.
+  /// Whether to add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from
+  /// the value in the array of w. Default off.
   vtkSetMacro(GenerateInside, vtkTypeBool);
   vtkGetMacro(GenerateInside, vtkTypeBool);
   vtkBooleanMacro(GenerateInside, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Add the array "SignedDistance": the distance from the nearest point of the source's triangles, or
-  /// from the nearest point of its cloud, negative inside. Its sign is that of the sample by w, threshold and
-  /// rule, as "Inside" has it (whatever coverage or turning inside out make of that), and so may change
-  /// across holes, where nothing is near; its size is exact up to rounding. 0 on the source.
-  /// Without anything to be far from, it is the largest number of its type. Default off.
+  /// Whether to add the array "SignedDistance": the distance to the nearest point of the source's
+  /// triangles, or to the nearest point of its cloud, negative inside and 0 on the source. Its size
+  /// is exact up to rounding. Its sign follows from w, threshold and rule, whatever coverage or
+  /// InsideOut make of "Inside", and so may change across holes, where nothing is near. A source
+  /// without primitives gives the largest number of the array's type. Default off.
   vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
   vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
   vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Name of the array of w. Default "WindingNumber".
+  /// The name of the array of w. Default "WindingNumber".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
   ///@}
 
   ///@{
-  /// VTK_FLOAT or VTK_DOUBLE, of w and of distances; methods without approximation compute in double, and
-  /// so do distances. Default VTK_FLOAT.
+  /// The type of the arrays of w and of distances, VTK_FLOAT or VTK_DOUBLE. Methods without
+  /// approximation compute in double, and so do distances. Default VTK_FLOAT.
   vtkSetMacro(OutputScalarType, int);
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
@@ -238,23 +244,23 @@ public:
   ///@}
 
   ///@{
-  /// Most threads to use, as far as the machine has them; 0 leaves it to vtkSMPTools. Default 0. Does
-  /// not change the result.
+  /// The largest number of threads to use, as far as the machine has them; 0 leaves it to
+  /// vtkSMPTools. The number does not change the result. Default 0.
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   ///@{
-  /// What the source is, even if SourceAsPoints takes it for something else; composite data is a mesh
-  /// if any leaf is. Known as soon as the pipeline's information is, for a source that has been
-  /// updated by then, so that a user interface can offer what the source needs before anything is
-  /// executed. NO_SOURCE until then.
+  /// The kind of the source, even if SourceAsPoints takes it for another; composite data is a mesh
+  /// if any leaf is. It is known as soon as the pipeline's information is, for a source that has
+  /// been updated by then, so that a user interface can offer what the source needs before anything
+  /// is executed; until then it is NO_SOURCE.
   vtkGetMacro(SourceKind, int);
   ///@}
 
   ///@{
-  /// About the last execution: how it ended, the method used and why it was chosen, the seconds
-  /// spent on building from the source (what was kept takes none) and on evaluating.
+  /// Facts about the last execution: how it ended, the method used and why it was chosen, the
+  /// seconds spent on building from the source (none for what was kept) and on evaluating.
   vtkGetMacro(Status, int);
   const char* GetMethodUsed() const;
   const char* GetMethodReason() const;
@@ -263,16 +269,16 @@ public:
   ///@}
 
   ///@{
-  /// What the whole result, made in one piece, was expected to take before the last execution, by the
-  /// cost model that AUTOMATIC chooses by: seconds from the source on, if all threads are free, and
-  /// bytes beside the source but with the result arrays. Estimates.
+  /// Estimates, made before the last execution, of what the whole result would take in one piece,
+  /// by the cost model that AUTOMATIC chooses by: the seconds from the source on, if all threads
+  /// are free, and the bytes beside the source, the result arrays included.
   vtkGetMacro(ExpectedSeconds, double);
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}
 
   ///@{
-  /// About the source of the last execution. Boundary edges are those used by one triangle; net
-  /// boundary edges those whose uses do not cancel; without any, w is an integer everywhere.
+  /// Facts about the source of the last execution. Boundary edges are used by one triangle. The
+  /// uses of net boundary edges do not cancel; a surface without any has an integer w everywhere.
   bool GetSourceIsSurface() const;
   vtkIdType GetNumberOfPrimitives() const;
   vtkIdType GetNumberOfDroppedPrimitives() const;
@@ -282,15 +288,17 @@ public:
   ///@}
 
   ///@{
-  /// Clouds: the mean area of a point, and whether normals were estimated. Then a share of the points,
-  /// 1 for a closed cloud that is sampled well, has a field of about 1 behind and 0 before it.
+  /// Facts about a cloud: the mean area of a point, and whether normals were estimated. The clear
+  /// share is known where they were: the share of the points with a field of about 1 behind and 0
+  /// before them, which is 1 for a closed cloud that is sampled well.
   double GetMeanPointArea() const;
   bool GetNormalsWereEstimated() const;
   double GetClearShare() const;
   ///@}
 
   ///@{
-  /// Method rows: triangles of the cap that closes the source; 0 for closed sources.
+  /// The number of triangles of the cap that closes the source for method ROWS; 0 for closed
+  /// sources.
   vtkIdType GetNumberOfCapTriangles() const;
   ///@}
 
@@ -305,8 +313,8 @@ protected:
   void operator=(const vtkWindingNumberAlgorithm&) = delete;
 
   ///@{
-  /// What a filter does for the pipeline's requests. They may throw what the core throws: it is
-  /// reported as an error, sets Status and fails the request.
+  /// The filter's answers to the pipeline's requests. They may throw the core's exceptions: these
+  /// are reported as errors, set Status and fail the request.
   virtual void GiveDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
   virtual void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
   virtual void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
@@ -318,43 +326,46 @@ protected:
 
   static void FillSourcePortInformation(vtkInformation* info);
 
-  /// The field of a source, built or kept, and prepared for samples; warns about what is wrong with
-  /// the source. Null, with Status set, if aborted.
+  /// The field of a source, built or kept, and prepared for samples; warns about faults of the
+  /// source. Null, with Status set, if aborted.
   const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,
     const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
 
-  /// Finds out what a source is, for SourceKind. Filters do it when they are asked for information.
+  /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
   void LookAtSource(vtkDataObject* source);
 
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
-  /// InsideRule for the core.
+  /// The property InsideRule as the core's type.
   winding::InsideRule GetCoreInsideRule() const;
 
-  /// What result arrays the properties want.
+  /// The result arrays that the properties want.
   virtual winding::ResultOptions GetResultOptions() const;
 
   ///@{
-  /// Result arrays as the properties want them, where the core writes to in them, and their way
-  /// into the output, together with what DescribeMethod() adds.
+  /// The way of results into an output: arrays as the properties want them, the places in them that
+  /// the core writes to, and their addition to the output, together with what DescribeMethod()
+  /// adds.
   winding::ResultArrays MakeResults(vtkIdType samples) const;
   winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
   void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
     vtkDataSetAttributes* attributes) const;
   ///@}
 
-  /// Field data that says how an output came about.
+  /// Adds field data that says how an output came about.
   void DescribeMethod(vtkDataObject* output) const;
 
-  /// Whether signed distances are to be made: those of result arrays, unless a filter says otherwise.
+  /// Whether signed distances are to be made; as the result arrays want it, unless a filter says
+  /// otherwise.
   virtual bool WantsDistances() const;
 
-  /// What farther samples get instead of their distance: infinity, unless a filter says otherwise.
+  /// The distance beyond which samples get this number instead of theirs: infinity, unless a filter
+  /// says otherwise.
   virtual double GetDistanceLimit() const;
 
-  /// Bytes that the filter takes for the result at so many samples, for ExpectedMemory: of result
-  /// arrays, unless a filter says otherwise.
+  /// The bytes that the filter takes for the result at so many samples, for ExpectedMemory: those
+  /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
   /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.

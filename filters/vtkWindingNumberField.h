@@ -2,9 +2,10 @@
  * @class   vtkWindingNumberField
  * @brief   winding-number field of a surface or an oriented point cloud on a regular grid
  *
- * Takes a source (see vtkWindingNumberAlgorithm) and gives vtkImageData with the array
- * "WindingNumber" and, if asked for, "Inside", "SignedDistance" and "Coverage". Threshold the field, or hand it to
- * vtkWindingNumberVoxels for a voxel surface; vtkWindingNumberSurface makes the smooth one.
+ * The filter takes a source (see vtkWindingNumberAlgorithm) and gives vtkImageData with the array
+ * "WindingNumber" and, if asked for, "Inside", "SignedDistance" and "Coverage". Threshold the
+ * field, or hand it to vtkWindingNumberVoxels for a voxel surface; vtkWindingNumberSurface makes
+ * the smooth one.
  *
  * @code
  *   vtkNew<vtkWindingNumberField> field;
@@ -16,20 +17,21 @@
  *
  * The grid is that of vtkWindingNumberGridAlgorithm.
  *
- * **Coverage.** "Inside" tells of each voxel, the box of one spacing around its sample, whether its
- * centre is inside; or, so that nothing thin is lost, whether any of it is; or whether half of it is.
- * The winding number is always that of the centre.
+ * **Coverage.** "Inside" tells whether the centre of a voxel, which is the box of one spacing
+ * around its sample, is inside; or, so that nothing thin is lost, whether any of the voxel is; or
+ * whether half of it is. The winding number is always that of the centre.
  *
- * **Pipeline.** Streams: any sub-extent can be asked for, and has the very bits that the whole has.
- * The whole source is read for each. The grid is laid when the pipeline's information is asked for,
- * over the source as it is then; for geometry that moves with time, set SamplingBounds.
- * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, while preparing
- * too; then the output is empty.
+ * **Pipeline.** The filter streams: any sub-extent can be asked for, and has the very bits that the
+ * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
+ * asked for, over the source as it is then; for geometry that moves with time, set SamplingBounds.
+ * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, also while the
+ * filter prepares; the output is then empty.
  *
- * **On the surface.** Method rows: a sample exactly on a closed surface gets the value beside it,
- * towards +y, or if that is on the surface too towards +z, or +x. Sums (direct, clouds, the caps of open
- * surfaces): a sample exactly in the plane of a triangle gets the mean of both sides from it, 0.5 on
- * a face of a closed mesh; one that is there only up to rounding gets one of the sides.
+ * **On the surface.** Method ROWS gives a sample exactly on a closed surface the value beside it,
+ * towards +y, or if that is on the surface too towards +z, or +x. Sums (method DIRECT, clouds, the
+ * caps of open surfaces) give a sample exactly in the plane of a triangle the mean of both sides,
+ * 0.5 on a face of a closed mesh, and a sample that lies there only up to rounding one of the
+ * sides.
  *
  * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds
  * without normals, sources of which no primitive is usable, and results larger than the free
@@ -51,45 +53,47 @@ public:
   vtkTypeMacro(vtkWindingNumberField, vtkWindingNumberGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the samples are in the image.
+  /// The place of the samples in the image.
   enum OutputAssociationType
   {
-    POINTS = 0, ///< its points: n per axis, at the voxel centres. Contour these.
-    CELLS = 1   ///< its cells: n per axis, the voxels themselves. Threshold these.
+    POINTS = 0, ///< points of the image: n per axis, at the voxel centres. Contour these.
+    CELLS = 1   ///< cells of the image: n per axis, the voxels themselves. Threshold these.
   };
 
   ///@{
-  /// Default POINTS. The values are the same for both.
+  /// Whether samples are points or cells of the image; their values are the same. Default POINTS.
   vtkSetClampMacro(OutputAssociation, int, POINTS, CELLS);
   vtkGetMacro(OutputAssociation, int);
   void SetOutputAssociationToPoints() { this->SetOutputAssociation(POINTS); }
   void SetOutputAssociationToCells() { this->SetOutputAssociation(CELLS); }
   ///@}
 
-  /// What makes a voxel inside, in the array "Inside". ANY and FRACTION add that array even if
-  /// GenerateInside is off.
+  /// The rules by which a voxel is inside in the array "Inside". ANY and FRACTION add that array
+  /// even if GenerateInside is off.
   enum CoverageType
   {
-    /// Its centre is.
+    /// The centre of the voxel is inside.
     CENTER = 0,
     /**
-     * It overlaps the solid or its surface: the centre is inside, or a triangle or a point of the
-     * source touches the voxel, its boundary included, or, with open surfaces and clouds, a corner is
-     * inside. So the voxels hold all of the surface that lies in the grid, and those of CENTER, too.
+     * The voxel overlaps the solid or its surface: the centre is inside, or a triangle or a point
+     * of the source touches the voxel, its boundary included, or, with open surfaces and clouds, a
+     * corner is inside. So the voxels hold all of the surface that lies in the grid, and all voxels
+     * of CENTER are among them.
      */
     ANY = 1,
     /**
-     * Half of it is, or more. Adds the array "Coverage", of floats: of CoverageSamples³ samples, evenly
-     * spaced in the voxel, the share that is inside. Samples are counted, for a mean of w would be no
-     * share of the voxel beside holes, where w fades, or where solids overlap. The surface of all
-     * voxels beyond another share: vtkWindingNumberVoxels with that array. Time: that of a few fields for
-     * closed surfaces, of a field of as many samples otherwise.
+     * At least half of the voxel is inside. This adds the array "Coverage", of floats: the share
+     * that is inside of CoverageSamples³ samples, evenly spaced in the voxel. Samples are counted,
+     * for a mean of w would be no share of the voxel beside holes, where w fades, or where solids
+     * overlap. vtkWindingNumberVoxels gives the surface of all voxels beyond another share from
+     * that array. It takes the time of a few fields for closed surfaces, of a field of as many
+     * samples otherwise.
      */
     FRACTION = 2
   };
 
   ///@{
-  /// Default CENTER.
+  /// The rule by which a voxel is inside. Default CENTER.
   vtkSetClampMacro(Coverage, int, CENTER, FRACTION);
   vtkGetMacro(Coverage, int);
   void SetCoverageToCenter() { this->SetCoverage(CENTER); }
@@ -98,15 +102,16 @@ public:
   ///@}
 
   ///@{
-  /// FRACTION: samples along each axis of a voxel. 1 to 10, default 4: shares are multiples of 1/64.
+  /// The number of samples along each axis of a voxel, for FRACTION. 1 to 10, default 4, with which
+  /// shares are multiples of 1/64.
   vtkSetClampMacro(CoverageSamples, int, 1, 10);
   vtkGetMacro(CoverageSamples, int);
   ///@}
 
   ///@{
-  /// How far "SignedDistance" reaches, in voxels (of their longest side): samples that are farther from the
-  /// source get that distance, with their sign, and take little time. 0: all distances. 0 or more,
-  /// default 0.
+  /// The reach of "SignedDistance", in units of the longest side of a voxel: samples that are
+  /// farther from the source get that distance, with their sign, and take little time. 0 stands for
+  /// all distances. 0 or more, default 0.
   vtkSetMacro(DistanceBand, double);
   vtkGetMacro(DistanceBand, double);
   ///@}

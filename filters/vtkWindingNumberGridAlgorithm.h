@@ -1,6 +1,6 @@
 /**
  * @class   vtkWindingNumberGridAlgorithm
- * @brief   what winding-number filters that sample a regular grid have in common: the grid
+ * @brief   base class of winding-number filters that sample a regular grid: the grid
  *
  * **Grid.** The samples are the centres of voxels that fill a box: the input's bounds and a padding
  * around them, or SamplingBounds. Voxels are cubic, their size given by VoxelSize or by Resolution,
@@ -29,57 +29,59 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Cubic voxels along the longest side. Used where neither SamplingDimensions nor VoxelSize is
-  /// set. At least 1, default 64.
+  /// The number of cubic voxels along the longest side, where neither SamplingDimensions nor
+  /// VoxelSize is set. At least 1, default 64.
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
   ///@}
 
   ///@{
-  /// Side of the cubic voxels, in the unit of the input; 0: from Resolution. Default 0.
+  /// The side of the cubic voxels, in the unit of the input; 0 leaves it to Resolution. Default 0.
   vtkSetMacro(VoxelSize, double);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /// Voxels along each axis, which need not be cubic then; 0 0 0: cubic voxels. Default 0 0 0.
+  /// The number of voxels along each axis, which need not be cubic then; 0 0 0 leaves it to
+  /// VoxelSize and Resolution. Default 0 0 0.
   vtkSetVector3Macro(SamplingDimensions, int);
   vtkGetVector3Macro(SamplingDimensions, int);
   ///@}
 
   ///@{
-  /// Lay the grid over the bounds of the input, with Padding, instead of SamplingBounds. Default
-  /// on.
+  /// Whether to lay the grid over the bounds of the input, with Padding, instead of SamplingBounds.
+  /// Default on.
   vtkSetMacro(UseInputBounds, vtkTypeBool);
   vtkGetMacro(UseInputBounds, vtkTypeBool);
   vtkBooleanMacro(UseInputBounds, vtkTypeBool);
   ///@}
 
   ///@{
-  /// The outer faces of the voxels: xmin, xmax, ymin, ymax, zmin, zmax. Used as they are, without
-  /// padding, where UseInputBounds is off or the input is empty. Default 0 1 0 1 0 1.
+  /// The outer faces of the voxels: xmin, xmax, ymin, ymax, zmin, zmax. They are used as they are,
+  /// without padding, where UseInputBounds is off or the input is empty. Default 0 1 0 1 0 1.
   vtkSetVector6Macro(SamplingBounds, double);
   vtkGetVector6Macro(SamplingBounds, double);
   ///@}
 
   ///@{
-  /// Margin around the input's bounds on each side, as a fraction of their longest side. 0 or more,
-  /// default 0.05.
+  /// The margin around the input's bounds on each side, as a fraction of their longest side. 0 or
+  /// more, default 0.05.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
 
   ///@{
-  /// Compare this many random samples, and as many within two voxels of the source, with the direct
-  /// sum done one triangle after the other in double precision; not for parity. Default 0.
+  /// The number of random samples, and of samples within two voxels of the source, to compare with
+  /// the direct sum, done one primitive after the other in double precision; not for parity.
+  /// Default 0.
   vtkSetClampMacro(VerifySamples, int, 0, VTK_INT_MAX);
   vtkGetMacro(VerifySamples, int);
   ///@}
 
   ///@{
-  /// What the last execution's verification found: largest and root-mean-square error over the
-  /// random samples, and the largest over those near the source; and how many samples there were,
-  /// of the two together. When streaming: those of the extent that was executed last.
+  /// The findings of the last execution's verification: the largest and the root-mean-square error
+  /// over the random samples, the largest over those near the source, and the numbers of samples.
+  /// When streaming, they are those of the extent that was executed last.
   vtkGetMacro(MaxError, double);
   vtkGetMacro(RMSError, double);
   vtkGetMacro(NearMaxError, double);
@@ -87,8 +89,8 @@ public:
   vtkGetMacro(NumberOfNearVerifiedSamples, vtkIdType);
   ///@}
 
-  /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the samples.
-  /// 0 voxels before the first.
+  /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the
+  /// samples. 0 voxels before the first.
   void GetGrid(int dimensions[3], double firstSample[3], double spacing[3]) const;
 
 protected:
@@ -109,11 +111,11 @@ protected:
   /// The field of a source, prepared for the whole grid. Null, with Status set, if aborted.
   const winding::Field* PrepareGridField(vtkDataObject* source);
 
-  /// Throws what keeps the samples from being verified, if that is asked for; hasValues: whether there
+  /// Throws a refusal if samples are to be verified and cannot be; hasValues tells whether there
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;
 
-  /// Verifies the values of an extent, if that is asked for.
+  /// Verifies the values of an extent, if VerifySamples asks for it.
   void Verify(const winding::Field& field, const int samples[6], vtkDataArray* values);
 
   int Resolution = 64;

@@ -2,11 +2,12 @@
  * @class   vtkWindingNumberProbe
  * @brief   winding number at the points or cells of any data set
  *
- * Port 0 takes the data set that says where, any vtkDataSet or a composite one of them; port 1 the
- * source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm). The output is a shallow
- * copy of port 0 with the array "WindingNumber" and, if asked for, "Inside" and "SignedDistance"; or, with ExtractInside,
- * what of it is inside. The ports are those of vtkPointInterpolator; what the filter is for is what
- * vtkSelectEnclosedPoints is for, on surfaces that need not be closed.
+ * Port 0 takes the data set that says where to evaluate, any vtkDataSet or a composite of them.
+ * Port 1 takes the source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm).
+ * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for, "Inside"
+ * and "SignedDistance"; ExtractInside keeps only the part of it that is inside. The ports are those
+ * of vtkPointInterpolator. The filter does what vtkSelectEnclosedPoints does, but on surfaces that
+ * need not be closed.
  *
  * @code
  *   vtkNew<vtkWindingNumberProbe> probe;
@@ -15,38 +16,38 @@
  *   probe->GenerateInsideOn();
  * @endcode
  *
- * For a closed surface values are integers, and right ones off the surface (method ROWS, which AUTOMATIC
- * takes then). Else the value of a point depends on the other points within the Tolerance only; with
- * method DIRECT, or Tolerance 0, not at all. Points that are NaN or infinite get NaN, as value and as
- * distance, and are neither inside nor outside.
+ * A closed surface gives integers, the right ones off the surface (method ROWS, which AUTOMATIC
+ * takes then). For any other source the value of a point depends on the other points, but only
+ * within the Tolerance, and not at all with method DIRECT or Tolerance 0. Points that are NaN or
+ * infinite get NaN, as value and as distance, and are neither inside nor outside.
  *
- * Of a composite data set the output has the same structure: every vtkDataSet in it gets its arrays, all
- * of them evaluated at once; what is empty, or another kind of data, stays. Field data that says how
- * the result came about is added to the output and to every data set in it. (AMR data goes through the
- * filter block by block.)
+ * The output for a composite data set has the same structure. Every vtkDataSet in it gets its
+ * arrays, all of them evaluated at once; empty places and other kinds of data stay as they are.
+ * Field data that says how the result came about is added to the output and to every data set in
+ * it. AMR data goes through the filter block by block.
  *
- * **Instead of vtkSelectEnclosedPoints.** These edits make it a replacement, for whatever reads the
- * output, IsInside() included:
+ * **Instead of vtkSelectEnclosedPoints.** These edits make the filter a replacement, also for
+ * readers of the output and callers of IsInside():
  * @code
  *   vtkNew<vtkWindingNumberProbe> select;         // another class
  *   select->SetInputConnection(points->GetOutputPort());
- *   select->SetSurfaceConnection(surface->GetOutputPort());
- *   select->InsideOutOn();                        // if there was one
- *   select->GenerateInsideOn();                   // the array of 0 and 1 ...
+ *   select->SetSurfaceConnection(surface->GetOutputPort()); select->InsideOutOn();
+ *   // if there was one select->GenerateInsideOn();                   // the array of 0 and 1 ...
  *   select->SetInsideArrayName("SelectedPoints"); // ... has this name there ...
- *   select->GenerateWindingNumberOff();           // ... and is the only one, and the active scalars
+ *   select->GenerateWindingNumberOff();           // ... and is the only one, and the active
+ *   scalars
  * @endcode
- * CheckSurface has no counterpart, for the surface need not be closed. Take SetTolerance() out: here it
- * bounds the error of w, and the default is good. Instead of Initialize(), IsInsideSurface() and
- * Complete() there is vtkImplicitWindingNumber. Surfaces whose triangles are oriented inward have w = −1
- * inside; use InsideRule ABSOLUTE where that may be so.
+ * CheckSurface has no counterpart, for the surface need not be closed. Take SetTolerance() out:
+ * here it bounds the error of w, and the default is good. vtkImplicitWindingNumber takes the place
+ * of Initialize(), IsInsideSurface() and Complete(). Surfaces whose triangles face inward have w =
+ * −1 inside; use InsideRule ABSOLUTE where that may be so.
  *
  * @sa vtkWindingNumberField vtkImplicitWindingNumber vtkSelectEnclosedPoints
  */
 #ifndef vtkWindingNumberProbe_h
 #define vtkWindingNumberProbe_h
 
-#include "vtkSmartPointer.h" // for what IsInside() knows
+#include "vtkSmartPointer.h" // for the flags that IsInside() reads
 #include "vtkWindingNumberAlgorithm.h"
 
 namespace winding
@@ -78,13 +79,13 @@ public:
   ///@}
 
   ///@{
-  /// The same, by the names that vtkSelectEnclosedPoints has for it.
+  /// Synonyms of SetSourceConnection() and SetSourceData(), as vtkSelectEnclosedPoints names them.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetSourceConnection(surface); }
   void SetSurfaceData(vtkDataObject* surface) { this->SetSourceData(surface); }
   ///@}
 
   ///@{
-  /// Default POINTS.
+  /// Whether points or the centres of cells are evaluated. Default POINTS.
   vtkSetClampMacro(ProbeAssociation, int, POINTS, CELLS);
   vtkGetMacro(ProbeAssociation, int);
   void SetProbeAssociationToPoints() { this->SetProbeAssociation(POINTS); }
@@ -92,35 +93,36 @@ public:
   ///@}
 
   ///@{
-  /// Take what is outside for inside, and the other way round: in the array "Inside", for IsInside()
-  /// and for ExtractInside. w and distances stay what they are. Default off.
+  /// Whether inside and outside change places in the array "Inside", for IsInside() and for
+  /// ExtractInside. w and distances stay what they are. Default off.
   vtkSetMacro(InsideOut, vtkTypeBool);
   vtkGetMacro(InsideOut, vtkTypeBool);
   vtkBooleanMacro(InsideOut, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Keep only what is inside: cells whose points are all inside, or, with CELLS, whose centre is. A
-  /// data set without cells, or with poly-vertices only, is taken as points, which get a vertex each.
-  /// Polydata stays vtkPolyData, any other data set becomes vtkUnstructuredGrid; arrays are kept.
-  /// Default off.
+  /// Whether to keep only the part that is inside: the cells whose points are all inside, or, with
+  /// CELLS, whose centre is. A data set without cells, or with poly-vertices only, counts as
+  /// points, and every point that is kept gets a vertex. Polydata stays vtkPolyData, any other data
+  /// set becomes vtkUnstructuredGrid; arrays are kept. Default off.
   vtkSetMacro(ExtractInside, vtkTypeBool);
   vtkGetMacro(ExtractInside, vtkTypeBool);
   vtkBooleanMacro(ExtractInside, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Name of the array of GenerateInside; unlike that of any other array of the result. Default, and
-  /// where it is empty, "Inside".
+  /// The name of the array of GenerateInside, which no other array of the result may have. Default,
+  /// and where it is empty, "Inside".
   vtkSetStringMacro(InsideArrayName);
   vtkGetStringMacro(InsideArrayName);
   ///@}
 
-  /// Whether a point of the last input (with CELLS: a cell) is inside, whatever arrays were asked for;
-  /// 0 for one that there is not. In composite data, numbers go on from one data set to the next.
+  /// Whether a point of the last input, or with CELLS a cell, is inside, whatever arrays were asked
+  /// for; 0 for a number that is too large. In composite data, numbers go on from one data set to
+  /// the next.
   int IsInside(vtkIdType queryId);
 
-  /// Null for composite data, which GetOutputDataObject(0) has.
+  /// The output, if it is a data set. Null for composite data, which GetOutputDataObject(0) has.
   vtkDataSet* GetOutput();
 
 protected:
@@ -145,13 +147,13 @@ protected:
   char* InsideArrayName = nullptr;
 
 private:
-  /// Of one data set, with its part of the arrays of all.
+  /// The output for one data set, with its part of the arrays of all data sets.
   vtkSmartPointer<vtkDataSet> AnswerTo(const winding::ProbeQueries& queries,
     const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll);
   void WriteOutput(vtkDataObject* input, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results, vtkDataObject* output);
 
-  vtkSmartPointer<vtkUnsignedCharArray> InsideFlags; ///< of all queries; null before the first
+  vtkSmartPointer<vtkUnsignedCharArray> InsideFlags; ///< one for each query; null before the first
 };
 
 #endif

@@ -1,8 +1,8 @@
 /**
  * @class   vtkWindingNumberSurface
- * @brief   smooth surface of a winding-number field: w = WindingThreshold
+ * @brief   smooth surface of the solid that a source encloses: w = WindingThreshold
  *
- * Takes a source (see vtkWindingNumberAlgorithm) and gives the surface of what is inside, as
+ * The filter takes a source (see vtkWindingNumberAlgorithm) and gives the surface of its inside, as
  * triangles: where w crosses WindingThreshold or, more generally, where InsideRule changes its
  * answer. Holes of the source are closed by the level set of w, which is smooth there.
  *
@@ -14,25 +14,26 @@
  *
  * The samples of a grid, which are inside or outside, give the triangles, as marching cubes does
  * (vtkMarchingCubes). Every vertex then goes to where the true w crosses the threshold on its edge
- * of the grid. So the steps that contouring a field of 0 and 1 shows do not come about: where the
- * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from it, so
- * that no two have the same place.
+ * of the grid. So the steps that a contour of a field of 0 and 1 shows do not come about: where the
+ * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from
+ * it, so that no two have the same place.
  *
- * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid, where
- * what is inside may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
+ * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
+ * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
  * finer than a voxel may be lost, and edges of the source are cut off inside of voxels.
  *
- * Of the properties that are inherited, those about result arrays (GenerateWindingNumber,
- * GenerateInside, GenerateSignedDistance, ResultArrayName, OutputScalarType) have no effect.
+ * The inherited properties about result arrays (GenerateWindingNumber, GenerateInside,
+ * GenerateSignedDistance, ResultArrayName, OutputScalarType) have no effect.
  *
- * **Pipeline.** The grid is laid over the source as it is at each execution. Works as a whole: with
- * several pieces, all is in the first. Progress and abort are those of vtkWindingNumberField. The same
- * bits for any number of threads. Memory: that of the triangles, and 13 bytes for each row of the grid.
- * Unless the source is closed, the field passes through it in slabs, in about 100 MB; only to be verified
- * it is kept as a whole.
+ * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
+ * the whole: where several pieces are asked for, the first has everything. Progress and abort are
+ * those of vtkWindingNumberField. The result has the same bits for any number of threads. It takes
+ * the memory of the triangles and 13 bytes for each row of the grid. For a source that is not
+ * closed the field passes through memory in slabs of about 100 MB; it is kept as a whole only to be
+ * verified.
  *
- * Errors, each one line through vtkErrorMacro: those of vtkWindingNumberField, and grids that have one
- * voxel only along an axis.
+ * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and grids with
+ * only one voxel along an axis.
  *
  * @sa vtkWindingNumberField vtkWindingNumberVoxels
  */
@@ -51,28 +52,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Close the surface where what is inside reaches the border of the grid, by faces on the outer
-  /// sides of the voxels, as vtkWindingNumberVoxels does. Default off: all of the surface is the level
-  /// set, and what SamplingBounds cut off is missing.
+  /// Whether to close the surface where the solid reaches the border of the grid, by faces on the
+  /// outer sides of the voxels, as vtkWindingNumberVoxels does. Default off: all of the surface is
+  /// the level set, and parts that SamplingBounds cut off are missing.
   vtkSetMacro(CloseBorder, vtkTypeBool);
   vtkGetMacro(CloseBorder, vtkTypeBool);
   vtkBooleanMacro(CloseBorder, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Add point normals, which point outward: that of the source's triangle on which a vertex lies, so
-  /// that edges and details which voxels blur show in the shading; where the level is off the source's
-  /// triangles, and of clouds, the mean of the surface's own around the vertex, weighted by area. Default
-  /// on.
+  /// Whether to add point normals, which point outward. A vertex has the normal of the source's
+  /// triangle on which it lies, so that edges and details which voxels blur show in the shading. A
+  /// vertex off the source's triangles, and any vertex of a cloud's surface, has the mean of the
+  /// normals of the surface's own triangles around it, weighted by area. Default on.
   vtkSetMacro(GenerateNormals, vtkTypeBool);
   vtkGetMacro(GenerateNormals, vtkTypeBool);
   vtkBooleanMacro(GenerateNormals, vtkTypeBool);
   ///@}
 
   ///@{
-  /// vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION, which takes double only
-  /// where single could not tell places apart to a ten-thousandth of a voxel: far from the origin, on
-  /// very fine grids, and beyond the range of single precision. Default DEFAULT_PRECISION.
+  /// The precision of the points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+  /// DEFAULT_PRECISION, which takes double only where single could not tell places apart to a
+  /// ten-thousandth of a voxel: far from the origin, on very fine grids, and beyond the range of
+  /// single precision. Default DEFAULT_PRECISION.
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}

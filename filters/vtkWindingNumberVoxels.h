@@ -2,19 +2,20 @@
  * @class   vtkWindingNumberVoxels
  * @brief   surface of the voxels that are inside, as quads
  *
- * Takes the image of vtkWindingNumberField (or any vtkImageData with a scalar array) and gives the
- * "block" surface of its inside voxels: one quad for every face between an inside voxel and an
- * outside one, or the edge of the image, facing outwards. Quads share their vertices; there are no
- * faces inside, no duplicate points and no unused points.
+ * The filter takes the image of vtkWindingNumberField (or any vtkImageData with a scalar array) and
+ * gives the "block" surface of its inside voxels: one quad for every face between an inside voxel
+ * and an outside one, or the edge of the image, facing outwards. Quads share their vertices; there
+ * are no faces inside, no duplicate points and no unused points.
  *
  * Samples may be the image's points (a voxel around each, of the size of the spacing) or its cells.
- * A voxel is inside as InsideRule and WindingThreshold say; NaN is outside. Where the image has an array
- * "Coverage", quads carry that of their voxel, as cell data to colour them by.
+ * InsideRule and WindingThreshold say which voxels are inside; NaN is outside. If the image has an
+ * array "Coverage", each quad carries the value of its voxel, as cell data to colour it by.
  *
- * The array is picked by SetInputArrayToProcess(0, …); where it picks none, the active scalars of
- * the points are taken, or else of the cells. Time is linear in voxels and quads; working memory is
- * a byte for each voxel and 8 for each quad. The order of points and quads depends on the input only. Works on the whole
- * image: with several pieces, all is in the first. Aborted, the output is empty.
+ * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
+ * are taken, or else those of the cells. Time is linear in voxels and quads; working memory is a
+ * byte for each voxel and 8 for each quad. The order of points and quads depends on the input only.
+ * The filter works on the whole image: where several pieces are asked for, the first has
+ * everything. When it is aborted, its output is empty.
  *
  * @sa vtkWindingNumberField vtkThreshold
  */
@@ -32,13 +33,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Default 0.5.
+  /// The value that InsideRule compares w with. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
 
   ///@{
-  /// As vtkWindingNumberAlgorithm::InsideRuleType. Default SIGNED.
+  /// The rule by which a voxel is inside, one of vtkWindingNumberAlgorithm::InsideRuleType. Default
+  /// SIGNED.
   vtkSetClampMacro(InsideRule, int, 0, 2);
   vtkGetMacro(InsideRule, int);
   ///@}
