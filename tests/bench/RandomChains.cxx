@@ -1,7 +1,7 @@
-// Rows and caps against the direct sum on as many random chains as there is time for.
+// Compares rows and caps with the direct sum, on as many random chains as there is time for.
 // random_chains [cases] [first seed] [triangles] [tolerance]: prints the seeds of failures and a
-// summary; 1 if any failed. By default 10000 cases of 12 triangles without a tolerance; caps of more
-// than a few triangles come from the far field within one.
+// summary, and returns 1 if any case failed. By default there are 10000 cases of 12 triangles
+// without a tolerance. With one, caps of more than a few triangles come from the far field.
 
 #include "core/support/LatticeChain.h"
 

@@ -1,15 +1,11 @@
-#include "BenchShapes.h"
+#include "BenchInputs.h"
 
 #include "source/Sanitize.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 #include <thread>
-
-namespace shapes
-{
 
 using namespace winding;
 
@@ -36,52 +32,11 @@ bool Threads::run(std::size_t count, const std::function<void(std::size_t)>& wor
   return true;
 }
 
-Soup lumpySphereSoup(int n)
+Surface weldedSphere(int n)
 {
-  const double pi = std::acos(-1.0);
-  const auto point = [&](int i, int j) -> Eigen::Vector3d
-  {
-    const double theta = pi * i / n, phi = 2 * pi * (j % n) / n;
-    const double r = 1 + 0.2 * std::sin(5 * theta) * std::cos(4 * phi);
-    return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi),
-      r * std::cos(theta)};
-  };
-  Soup soup;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}})
-      {
-        const Eigen::Vector3d corner = point(i + di, j + dj);
-        soup.corners.insert(soup.corners.end(), corner.data(), corner.data() + 3);
-      }
-    }
-  }
-  soup.ids.resize(soup.corners.size() / 3);
-  std::iota(soup.ids.begin(), soup.ids.end(), 0);
-  return soup;
-}
-
-Surface lumpySphere(int n)
-{
-  const Soup soup = lumpySphereSoup(n);
+  const Triangles sphere = lumpySphere(n);
   SerialExecutor serial;
-  return sanitize(std::vector<TrianglesView>{soup.view()}, serial);
-}
-
-Surface withHoles(const Surface& surface, std::size_t period)
-{
-  Surface result = surface;
-  result.triangles.clear();
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-  {
-    if (i % period != 0)
-    {
-      result.triangles.push_back(surface.triangles[i]);
-    }
-  }
-  return result;
+  return sanitize(std::vector{sphere.view()}, serial);
 }
 
 PointCloud centroids(const Surface& surface)
@@ -89,12 +44,13 @@ PointCloud centroids(const Surface& surface)
   PointCloud cloud;
   for (const Triangle& t : surface.triangles)
   {
-    const Eigen::Vector3d &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
-                          &c = surface.vertices[t[2]];
+    const Eigen::Vector3d& a = surface.vertices[t[0]];
+    const Eigen::Vector3d& b = surface.vertices[t[1]];
+    const Eigen::Vector3d& c = surface.vertices[t[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     if (normal.isZero(0))
     {
-      continue; // at the poles
+      continue; // the poles have triangles without area
     }
     cloud.positions.push_back((a + b + c) / 3);
     cloud.normals.push_back(normal.normalized());
@@ -126,4 +82,9 @@ Grid gridAround(int n)
   return grid;
 }
 
-} // namespace shapes
+void reportTimePer(benchmark::State& state, const char* what, std::size_t count)
+{
+  const double all = static_cast<double>(count) * static_cast<double>(state.iterations());
+  state.counters[what] =
+    benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
