@@ -4,6 +4,7 @@ Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xv
 """
 
 import math
+import os
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything)
@@ -208,7 +209,8 @@ def add_panel(window, place, caption, actors, bounds):
 
 
 def write_picture(rows, path):
-    """Rows of panels, (caption, actors, bounds to look at) each, into a PNG."""
+    """Rows of panels, (caption, actors, bounds to look at) each, into a PNG, which takes its name when
+    it is complete."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -223,9 +225,15 @@ def write_picture(rows, path):
     pixels = vtkWindowToImageFilter()
     pixels.SetInput(window)
     pixels.ReadFrontBufferOff()
+    part = path + ".part"
     writer = vtkPNGWriter()
     writer.SetInputConnection(pixels.GetOutputPort())
-    writer.SetFileName(path)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(f"{path}: cannot be written")
+    writer.SetFileName(part)
+    try:
+        writer.Write()
+        if writer.GetErrorCode():
+            raise SystemExit(f"{path}: cannot be written")
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)

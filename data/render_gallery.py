@@ -186,6 +186,7 @@ def main():
             (draw_orientation, arguments.open),
         ):
             name = draw.__name__.removeprefix("draw_") + ".png"
+            print(name, flush=True)
             draw(winding, source, os.path.join(arguments.folder, name))
 
 

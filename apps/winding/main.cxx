@@ -1,16 +1,14 @@
-#include "Commands.h"
-#include "Failure.h"
-#include "Interrupt.h"
-#include "Messages.h"
-#include "Options.h"
+#include "bench/BenchCommand.h"
+#include "commands/Commands.h"
+#include "options/CommandLine.h"
+#include "program/Failure.h"
+#include "program/Interrupt.h"
+#include "program/Messages.h"
+#include "program/Threads.h"
 
-#include "vtkSMPTools.h"
-
-#include <algorithm>
 #include <csignal>
 #include <map>
 #include <new>
-#include <thread>
 
 namespace
 {
@@ -23,16 +21,11 @@ int fail(ExitStatus status, const std::string& message)
 
 void run(const Options& options)
 {
-  Messages& messages = Messages::install(options.quiet);
-  if (options.threads > 0)
-  {
-    // More gain nothing, and TBB complains of them or crashes.
-    const unsigned int most = std::max(1u, std::thread::hardware_concurrency());
-    vtkSMPTools::Initialize(std::min(options.threads, static_cast<int>(most)));
-  }
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
     {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck},
     {"bench", runBench}};
+  Messages& messages = Messages::install(options.quiet);
+  limitThreads(options.threads);
   try
   {
     commands.at(options.command)(options, messages);

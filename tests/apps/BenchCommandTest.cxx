@@ -36,7 +36,7 @@ TEST_F(BenchCommand, ClosedSurface)
     EXPECT_EQ(rows[i]["method"], methods[i % 4]);
     EXPECT_EQ(rows[i]["voxels"], i < 4 ? "8 x 8 x 8" : "16 x 16 x 16");
     EXPECT_EQ(rows[i]["boundary edges"], 0);
-    const double largest = i % 4 == 1 ? 1e-3 : 1e-6; // hierarchical keeps the tolerance
+    const double largest = i % 4 == 1 ? 1e-3 : 1e-6; // hierarchical has the tolerance
     EXPECT_LT(rows[i]["max error"], largest) << rows[i];
     EXPECT_LT(rows[i]["near max error"], largest) << rows[i];
     EXPECT_EQ(rows[i]["crossings"].is_null(), i % 4 != 0);
@@ -131,7 +131,7 @@ TEST_F(BenchCommand, BesideTheFiltersOfVtk)
     {
       EXPECT_EQ(rows[i]["filter"], filters[i]);
       EXPECT_EQ(rows[i]["question"], questions[i / 2]);
-      if (i < 8) // the last is a grid of eight voxels along its longest side
+      if (i < 8) // the last question is about a grid, not points
       {
         EXPECT_EQ(rows[i]["samples"], samples[i / 2]);
       }
@@ -158,12 +158,13 @@ TEST_F(BenchCommand, Kernels)
   }
 }
 
-/// What the three tables of bench hierarchical say of one far field each.
+/// Expects the three tables of bench hierarchical to agree with each other, for so many far fields.
 void expectExplained(const nlohmann::json& tables, std::size_t fields, double tolerance)
 {
   ASSERT_EQ(tables.size(), 3u);
-  const nlohmann::json &times = tables[0]["rows"], &parts = tables[1]["rows"],
-                       &counts = tables[2]["rows"];
+  const nlohmann::json& times = tables[0]["rows"];
+  const nlohmann::json& parts = tables[1]["rows"];
+  const nlohmann::json& counts = tables[2]["rows"];
   ASSERT_EQ(times.size(), 2 * fields) << "on one thread and on two";
   for (std::size_t i = 0; i < times.size(); ++i)
   {

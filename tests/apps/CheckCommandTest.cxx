@@ -104,7 +104,7 @@ TEST_F(CheckCommand, CloudsInAllTheirFormats)
     EXPECT_EQ(report["normals"], withNormals);
     EXPECT_EQ(report["non_unit_normals"], 0);
     EXPECT_EQ(report["opposite_neighbors"], 0);
-    // Edges of the octahedron's faces divided eightfold, longer in the middle of a face.
+    // The octahedron's edges are divided in eight; the parts are longer in the middle of a face.
     EXPECT_NEAR(report["spacing_median"].get<double>(), 0.17, 0.04);
     EXPECT_LE(report["spacing_min"], report["spacing_median"]);
     EXPECT_LE(report["spacing_mean"], report["spacing_max"]);
@@ -126,7 +126,7 @@ TEST_F(CheckCommand, DuplicateAndContradictingPoints)
   double x, y, z, nx, ny, nz;
   for (int i = 0; lines >> x >> y >> z >> nx >> ny >> nz; ++i)
   {
-    const double sign = i * i % 7 < 3 ? 1 : -1; // as good as at random
+    const double sign = i * i % 7 < 3 ? 1 : -1; // as irregular as random numbers
     std::ostringstream line;
     line << x << " " << y << " " << z << " " << sign * nx << " " << sign * ny << " " << sign * nz;
     contradicting += line.str() + "\n";
@@ -243,8 +243,8 @@ TEST_F(CheckCommand, WritesFaultsAsBlocks)
   mesh.triangles.erase(mesh.triangles.begin() + 40);
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
   const std::string in = folder.write("in.off", asOff(mesh));
-  const std::string out = folder.path("what is <wrong>.vtm"),
-                    blocks = folder.path("what is <wrong>");
+  const std::string out = folder.path("what is <wrong>.vtm");
+  const std::string blocks = folder.path("what is <wrong>");
   const Outcome run = runProgram({"check", in, "--blocks", out, "--json"});
   ASSERT_EQ(run.status, 0) << run;
   const nlohmann::json cells = run.json()["blocks"]["cells"];
@@ -261,7 +261,7 @@ TEST_F(CheckCommand, WritesFaultsAsBlocks)
   const nlohmann::json caps = runProgram({"check", blocks + "/Caps.vtp", "--json"}).json();
   EXPECT_EQ(caps["triangles"], cells["Caps"]);
 
-  // Again, over what is there; and a text that says so.
+  // A second run writes over the blocks of the first, and its text says so.
   const Outcome again = runProgram({"check", in, "--blocks", out});
   EXPECT_EQ(again.status, 0) << again;
   EXPECT_NE(again.out.find("\nwrote " + out + "\n"), std::string::npos) << again;
@@ -334,7 +334,7 @@ TEST_F(CheckCommand, TextEndsWithAdvice)
   EXPECT_NE(run.out.find("\nclosed: every winding number is an integer\n"), std::string::npos);
 }
 
-/// What another program found in the real meshes.
+/// Compares with the values that another program found in the real meshes.
 TEST(CheckReference, Manifest)
 {
   const std::string shared = WINDING_SHARED_DATA;
@@ -365,8 +365,8 @@ TEST(CheckReference, Manifest)
     ++meshes;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      // "vertices" counts what VTK's OBJ reader makes of corners with different normals, too. The
-      // volume of an open surface depends on the origin.
+      // VTK's OBJ reader makes several vertices of a corner with different normals, so "vertices"
+      // differs. The volume of an open surface depends on the origin.
       const bool comparable = report.contains(names[i]) && names[i] != "bbox" &&
                               names[i] != "vertices" &&
                               (names[i] != "volume" || report["closed"] == true);

@@ -8,7 +8,7 @@
 
 /**
  * @file
- * Clouds as they come, and what each gets.
+ * Clouds of every kind that comes in, and the field, warning or refusal that each gets.
  */
 namespace
 {
@@ -18,7 +18,7 @@ using Point = std::array<double, 3>;
 struct Cloud
 {
   std::vector<Point> points;
-  std::vector<Point> normals; ///< as many, or none
+  std::vector<Point> normals; ///< one for each point, or none
 };
 
 Cloud sphereCloud(int count)
@@ -63,7 +63,8 @@ protected:
     return runProgram(arguments);
   }
 
-  /// A field within the tolerance, with a warning that says something, or without any.
+  /// Expects a field within the tolerance and a warning that has a text; none if that is empty.
+  /// Returns the report.
   nlohmann::json expectField(
     const Cloud& cloud, const std::vector<std::string>& options, const std::string& warning)
   {
@@ -196,8 +197,9 @@ TEST_F(Clouds, OfTablesHaveColumnsByAnyUsualName)
 
 TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
 {
-  const std::string mesh = folder.write("mesh.off", asOff(sphere(2))), out = folder.path("out.vti"),
-                    csv = folder.path("out.csv");
+  const std::string mesh = folder.write("mesh.off", asOff(sphere(2)));
+  const std::string out = folder.path("out.vti");
+  const std::string csv = folder.path("out.csv");
   const std::vector<std::string> options[] = {{"--estimate-normals"}, {"--regularization", "1"},
     {"--areas", "constant"}, {"--neighbors", "10"}};
   for (const std::vector<std::string>& option : options)

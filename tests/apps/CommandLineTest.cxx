@@ -20,7 +20,7 @@ TEST(CommandLine, HelpAndVersionGoToStandardOutput)
   }
 }
 
-/// Every one of them is exit status 1 and one line, and names what is wrong.
+/// Each ends with exit status 1 and one line, which names what is wrong.
 TEST(CommandLine, UsageErrors)
 {
   const TemporaryFolder folder;
@@ -35,6 +35,7 @@ TEST(CommandLine, UsageErrors)
     {{"bench", in, "--threads", "-1"}, "--threads is -1"},
     {{"bench", "seed", in}, "bench seed stands alone"},
     {{"bench", "kernels", "kernels"}, "bench kernels stands alone"},
+    {{"bench", "seed"}, "bench seed needs --data"},
     {{"bench", in, "hierarchical"}, "bench hierarchical comes before its files"},
     {{"bench", "hierarchical", "--tolerance", "1e-3", "1e-7"}, "--tolerance is 1e-07"},
     {{"bench", "hierarchical", "--sources", "5"}, "--sources is 5"},

@@ -65,9 +65,11 @@ TEST_F(FieldCommand, CoverageAddsItsArrays)
   {
     return vtkSmartPointer<vtkDataArray>(image(file)->GetPointData()->GetArray(array));
   };
-  const auto any = arrayOf("any.vti", "Inside"), onlyInside = arrayOf("only.vti", "Inside"),
-             whole = arrayOf("whole.vti", "Coverage"), pieces = arrayOf("pieces.vti", "Coverage"),
-             only = arrayOf("only.vti", "Coverage");
+  const auto any = arrayOf("any.vti", "Inside");
+  const auto onlyInside = arrayOf("only.vti", "Inside");
+  const auto whole = arrayOf("whole.vti", "Coverage");
+  const auto pieces = arrayOf("pieces.vti", "Coverage");
+  const auto only = arrayOf("only.vti", "Coverage");
   EXPECT_EQ(image("any.vti")->GetPointData()->GetNumberOfArrays(), 2);
   EXPECT_EQ(image("whole.vti")->GetPointData()->GetNumberOfArrays(), 3);
   EXPECT_EQ(image("only.vti")->GetPointData()->GetNumberOfArrays(), 2);

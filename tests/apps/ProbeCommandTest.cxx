@@ -45,7 +45,7 @@ protected:
   std::string in = folder.write("sphere.off", asOff(sphere(3)));
 };
 
-/// Rows, their order and their text stay: quotes, spaces, trailing zeros, line ends and all.
+/// Rows, their order and their text stay, with quotes, spaces, trailing zeros and line ends.
 TEST_F(ProbeCommand, TableIsKeptAsItIs)
 {
   const std::vector<std::string> rows = {
@@ -204,9 +204,9 @@ TEST_F(ProbeCommand, ExtractsTheRowsThatAreInside)
 
 TEST_F(ProbeCommand, NothingIsAnAnswer)
 {
-  const std::string far = folder.write("far.csv", "x,y,z,name\n5,5,5,a\n"),
-                    none = folder.write("none.csv", "x,y,z\n"),
-                    mesh = folder.write("small.vtu", asVtu(sphere(2)));
+  const std::string far = folder.write("far.csv", "x,y,z,name\n5,5,5,a\n");
+  const std::string none = folder.write("none.csv", "x,y,z\n");
+  const std::string mesh = folder.write("small.vtu", asVtu(sphere(2)));
   for (const char* out : {"out.vtp", "out.vtu", "out.csv"})
   {
     for (const std::string& queries : {far, none})
@@ -254,7 +254,7 @@ TEST_F(ProbeCommand, ExtractsRowsToPointsWithTheirColumns)
 
 TEST_F(ProbeCommand, ExtractsCells)
 {
-  // Two spheres of 32 triangles, one of them out of the other's reach.
+  // There are two spheres of 32 triangles, one of them far from the source.
   Mesh both = sphere(1);
   const std::size_t corners = both.points.size();
   for (std::size_t i = 0; i < corners; ++i)
@@ -279,7 +279,7 @@ TEST_F(ProbeCommand, ExtractsCells)
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), static_cast<vtkIdType>(triangles));
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(corners));
-  // In a table there are no cells: its rows are points.
+  // A table has no cells: its rows are points.
   ASSERT_EQ(probe(mesh, "out.csv", {"--extract"}).status, 0);
   EXPECT_EQ(split(contentsOf(folder.path("out.csv")), '\n').size(), 1 + corners);
   const std::string grid = folder.write("both.vtu", asVtu(both));
@@ -291,7 +291,8 @@ TEST_F(ProbeCommand, ExtractsCells)
   EXPECT_GT(gridReader->GetOutput()->GetBounds()[0], 8);
 }
 
-/// Independent values, from long-double sums of another program over the same float coordinates.
+/// Compares with independent values: sums in long double, by another program, over the same float
+/// coordinates.
 TEST(ProbeReference, EveryMesh)
 {
   const std::string shared = WINDING_SHARED_DATA;
@@ -324,7 +325,7 @@ TEST(ProbeReference, EveryMesh)
       const auto fields = split(answers[i], '\t');
       largest = std::max(largest, std::abs(std::stod(fields[6]) - std::stod(fields[7])));
     }
-    EXPECT_LT(largest, 2e-5) << name; // measured: 1.2e-7 at most
+    EXPECT_LT(largest, 2e-5) << name; // at most 1.2e-7 was measured
   }
 }
 

@@ -58,7 +58,7 @@ TEST(ReadInput, TextVariantsOfBinaryFormats)
   }
 }
 
-/// Editors leave the end of the last line away, and Windows ends lines in its own way.
+/// Editors may leave the end of the last line away, and Windows ends lines with two characters.
 TEST(ReadInput, LineEnds)
 {
   const TemporaryFolder folder;
@@ -149,7 +149,7 @@ TEST(ReadInput, TruncatedAnywhere)
     const std::string whole = asFile(mesh, suffix);
     for (const double part : {0.003, 0.1, 0.35, 0.6, 0.8, 0.99})
     {
-      // Ends within a number or a word, not between the lines: half of an .xyz is a good .xyz.
+      // The cut is within a number or a word, not between lines: half of an .xyz is a good .xyz.
       std::size_t length = static_cast<std::size_t>(part * static_cast<double>(whole.size()));
       while (length > 1 && (whole[length - 1] == '\n' || whole[length] == '\n'))
       {
@@ -157,7 +157,7 @@ TEST(ReadInput, TruncatedAnywhere)
       }
       const Outcome run =
         check(folder.write("cut." + suffix, whole.substr(0, std::max<std::size_t>(1, length))));
-      // The last number of a line may be cut where nobody can tell, but not crash anything.
+      // These formats may be cut within the last number of a line, where nobody can tell.
       const bool cannotTell =
         suffix == "xyz" || suffix == "pwn" || suffix == "csv" || suffix == "obj";
       EXPECT_TRUE(run.status == 2 || (cannotTell && run.status == 0)) << suffix << part << run;
@@ -266,7 +266,7 @@ TEST(ReadInput, IndicesOutOfRange)
     EXPECT_EQ(run.status, 2) << run;
     EXPECT_TRUE(run.saysInOneLine({"bad." + suffix})) << run;
   }
-  // VTK's own format may be read; the triangle is left out and counted.
+  // VTK's own formats are read, and the triangle is left out and counted.
   for (const std::string suffix : {"vtp", "vtk"})
   {
     const Outcome run = check(folder.write("bad." + suffix, asFile(mesh, suffix)));

@@ -19,7 +19,7 @@ public:
   /// Makes a file and returns its path.
   std::string write(const std::string& name, const std::string& contents) const;
 
-  /// What is in it, hidden files too.
+  /// The names of the files in it, hidden ones too.
   std::vector<std::string> names() const;
 
 private:
@@ -28,10 +28,10 @@ private:
 
 std::string contentsOf(const std::string& fileName);
 
-/// What a run of the program has left.
+/// The outcome of a run of the program.
 struct Outcome
 {
-  int status = -1; ///< exit status; 128 and more for signals
+  int status = -1; ///< exit status; 128 and more if a signal ended the run
   std::string out;
   std::string err;
 
@@ -41,11 +41,12 @@ struct Outcome
   bool saysInOneLine(const std::vector<std::string>& parts) const;
 };
 
-/// For the messages of failed expectations.
+/// Describes an outcome in the messages of failed expectations.
 std::ostream& operator<<(std::ostream& stream, const Outcome& run);
 
-/// Runs `winding` with the arguments; `before` is shell text in front of it, such as "ulimit -f 1;".
+/// Runs `winding` with the arguments; `before` is shell text in front of the command, such as
+/// "ulimit -f 1;".
 Outcome runProgram(const std::vector<std::string>& arguments, const std::string& before = "");
 
-/// Starts it in the background, with its output to nowhere, and returns its process id.
+/// Starts `winding` in the background, without any output, and returns its process id.
 int startProgram(const std::vector<std::string>& arguments);

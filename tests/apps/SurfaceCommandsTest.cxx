@@ -9,7 +9,7 @@ namespace
 class SurfaceCommands : public testing::TestWithParam<std::string>
 {
 protected:
-  /// What `winding check` says about what a command has made of the sphere.
+  /// The report of `winding check` about the surface that a command has made of the sphere.
   nlohmann::json checked(const std::string& command, const std::string& suffix,
     const std::vector<std::string>& more = {})
   {
@@ -31,7 +31,7 @@ protected:
 
 constexpr double volumeOfSphere = 4.18879;
 
-/// Outward faces and nothing open, in every format.
+/// The results have outward faces and no boundary, in every format.
 TEST_P(SurfaceCommands, AreClosedAndFaceOutward)
 {
   for (const std::string suffix : {"vtp", "ply", "stl", "obj"})
@@ -106,7 +106,7 @@ TEST_P(SurfaceCommands, EmptyResultsAreWarnedOf)
 INSTANTIATE_TEST_SUITE_P(Both, SurfaceCommands, testing::Values("surface", "voxels"),
   [](const auto& parameter) { return parameter.param; });
 
-/// Neither what is stored on the way nor its precision makes a difference.
+/// Neither the array that is stored on the way nor its precision makes a difference.
 TEST(VoxelsCommand, SameVoxelsFromInsideAndFromValues)
 {
   const TemporaryFolder folder;
@@ -131,7 +131,7 @@ TEST(VoxelsCommand, SameVoxelsFromInsideAndFromValues)
   }
 }
 
-/// Voxels of any overlap hold the whole sphere, those with half of them inside are as large as it.
+/// Voxels of any overlap hold the whole sphere; voxels that are half inside are as large as it.
 TEST(VoxelsCommand, CoverageSaysWhichVoxels)
 {
   const TemporaryFolder folder;
@@ -170,7 +170,7 @@ TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
   EXPECT_TRUE(run.saysInOneLine({"one voxel along y"})) << run;
 }
 
-/// Contouring 0 and 1 shows steps of half a voxel, which add a tenth to the area.
+/// A contour of the array Inside would have steps of half a voxel, which add a tenth to the area.
 TEST(SurfaceCommand, IsAsSmoothAsItsInput)
 {
   const TemporaryFolder folder;

@@ -35,7 +35,8 @@ TEST_F(WriteOutput, AFolderIsNotReplaced)
   EXPECT_TRUE(run.saysInOneLine({"out.vti"})) << run;
 }
 
-/// A limit on the size of files stands in for a full disk: writing stops in the middle, too.
+/// A limit on the size of files stands in for a full disk, since it stops writing in the middle,
+/// too.
 TEST_F(WriteOutput, FullDisk)
 {
   const std::string queries = folder.write("queries.csv", asCsv(sphere(4)));
@@ -98,8 +99,10 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
     }
     return folder.write(name, asOff(mesh));
   };
-  const std::string far = moved("far.off", 1, 1e6), large = moved("large.off", 1e90, 0),
-                    small = moved("small.off", 1e-90, 0), beyond = moved("beyond.off", 1, 1e8);
+  const std::string far = moved("far.off", 1, 1e6);
+  const std::string large = moved("large.off", 1e90, 0);
+  const std::string small = moved("small.off", 1e-90, 0);
+  const std::string beyond = moved("beyond.off", 1, 1e8);
   for (const std::string suffix : {".stl", ".ply"})
   {
     const std::string out = folder.path("out" + suffix);

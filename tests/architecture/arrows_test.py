@@ -1,4 +1,4 @@
-"""The includes of filters/core respect the floors that docs/architecture.md states.
+"""The includes of filters/core and of apps/winding respect the floors that docs/architecture.md states.
 
 Usage: arrows_test.py <root of the repository>. Prints a table of all arrows between rooms, then one
 line for each fault, and fails if there is any.
@@ -9,15 +9,27 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
+SECTION = re.compile(r"^The rooms of `([\w/]+)`", re.MULTILINE)
 FLOOR_ROW = re.compile(r"^\| (\d+) \| `(\w+)` \|", re.MULTILINE)
+VTK_HEADER = re.compile(r"vtk\w*\.h")
 
-
-def sources(folder):
-    return sorted(path for path in folder.rglob("*") if path.suffix in (".h", ".cxx"))
+CORE = "filters/core"
+PROGRAM = "apps/winding"
+ROOM_WITH_CORE = "bench"  # the only room of the program that may include the core
 
 
 def floors_of_rooms(page):
-    return {room: int(floor) for floor, room in FLOOR_ROW.findall(page.read_text())}
+    """For each folder that the page divides into rooms, the floor of each of its rooms."""
+    pieces = SECTION.split(page.read_text())
+    return {
+        folder: {room: int(floor) for floor, room in FLOOR_ROW.findall(text)}
+        for folder, text in zip(pieces[1::2], pieces[2::2])
+    }
+
+
+def includes_of(path):
+    """Pairs of a bracket and a name."""
+    return INCLUDE.findall(path.read_text())
 
 
 def circles(needs):
@@ -41,45 +53,91 @@ def circles(needs):
     return faults
 
 
-def main(root):
-    core = root / "filters" / "core"
-    floors = floors_of_rooms(root / "docs" / "architecture.md")
-    faults, arrows, needs = [], {}, {}
+class Rooms:
+    """A folder whose subfolders are rooms, the arrows between them, and the faults."""
 
-    rooms = {path.name for path in core.iterdir() if path.is_dir()}
-    for room in sorted(rooms ^ set(floors)):
-        faults.append(f"{room}: a folder of filters/core and a row of the table should have this name")
-    files = sources(core)
-    if not files:
-        faults.append("filters/core has no sources")
+    def __init__(self, root, folder, floors, at_the_top=()):
+        self.folder, self.floors = root / folder, floors
+        self.faults, self.arrows, self.needs = [], {}, {}
+        found = {path.name for path in self.folder.iterdir() if path.is_dir()}
+        for room in sorted(found ^ set(floors)):
+            self.fault(f"a folder {room} and a row of the table should have this name")
+        self.files = []  # pairs of a path and its room; None above all rooms
+        for path in sorted(self.folder.rglob("*")):
+            if path.suffix in (".h", ".cxx"):
+                name = path.relative_to(self.folder)
+                if len(name.parts) == 2:
+                    self.files.append((path, name.parts[0]))
+                elif str(name) in at_the_top:
+                    self.files.append((path, None))
+                else:
+                    self.fault(f"{name} lies in no room")
+        if not self.files:
+            self.fault("there are no sources")
 
-    for path in files:
-        name = path.relative_to(core)
-        if len(name.parts) != 2:
-            faults.append(f"{name}: a file of the core lies in a room")
-            continue
-        room, unit = name.parts[0], str(name.with_suffix(""))
-        for bracket, included in INCLUDE.findall(path.read_text()):
-            if re.match(r"vtk\w*\.h", included):
-                faults.append(f"{name} includes {included}: the core knows no VTK")
+    def fault(self, text):
+        self.faults.append(f"{self.folder.name}: {text}")
+
+    def has(self, included):
+        return (self.folder / included).is_file()
+
+    def add_arrow(self, path, room, included):
+        name, other = path.relative_to(self.folder), pathlib.PurePath(included)
+        unit, needed = str(name.with_suffix("")), str(other.with_suffix(""))
+        if other.parts[0] != room:
+            self.arrows.setdefault((room, other.parts[0]), []).append(f"{name} -> {included}")
+        if unit != needed:
+            self.needs.setdefault(unit, set()).add(needed)
+
+    def check(self):
+        print(f"\n{self.folder.name}: includes, from room, to room")
+        for (room, other), names in sorted(self.arrows.items(), key=str):
+            print(f"{len(names):8}  {room or '(top)':9}  {other}")
+            if room and self.floors.get(other, 99) >= self.floors.get(room, 0):
+                for name in names:
+                    self.fault(f"{name}: this arrow does not go down")
+        for circle in circles(self.needs):
+            self.fault(f"{circle}: these need each other")
+        return self.faults
+
+
+def check_core(core):
+    """The core knows itself only, and no VTK."""
+    for path, room in core.files:
+        for bracket, included in includes_of(path):
+            if VTK_HEADER.match(included):
+                core.fault(f"{path.name} includes {included}: the core knows no VTK")
             if bracket == "<":
                 continue
-            if not (core / included).is_file():
-                faults.append(f'{name} includes "{included}", which is no file below filters/core')
+            if core.has(included):
+                core.add_arrow(path, room, included)
+            else:
+                core.fault(f'{path.name} includes "{included}", which is no file of the core')
+    return core.check()
+
+
+def check_program(program, core):
+    """The program knows itself, VTK and the public headers of the filters; bench knows the core."""
+    filters = core.folder.parent
+    for path, room in program.files:
+        for bracket, included in includes_of(path):
+            if program.has(included):
+                program.add_arrow(path, room, included)
+            elif core.has(included):
+                if room != ROOM_WITH_CORE:
+                    program.fault(f"{path.name} includes {included} of the core, from outside bench")
+            elif VTK_HEADER.fullmatch(included):
                 continue
-            other = pathlib.PurePath(included)
-            if other.parts[0] != room:
-                arrows.setdefault((room, other.parts[0]), []).append(f"{name} -> {included}")
-            if str(other.with_suffix("")) != unit:
-                needs.setdefault(unit, set()).add(str(other.with_suffix("")))
+            elif bracket == '"' or (filters / included).is_file():
+                program.fault(f"{path.name} includes {included}, which is not for the program")
+    return program.check()
 
-    print("includes  from room  to room")
-    for (room, other), names in sorted(arrows.items()):
-        print(f"{len(names):8}  {room:9}  {other}")
-        if floors.get(other, 99) >= floors.get(room, 0):
-            faults.extend(f"{name}: this arrow does not go down" for name in names)
-    faults.extend(f"{circle}: these need each other" for circle in circles(needs))
 
+def main(root):
+    floors = floors_of_rooms(root / "docs" / "architecture.md")
+    core = Rooms(root, CORE, floors.get(CORE, {}))
+    program = Rooms(root, PROGRAM, floors.get(PROGRAM, {}), at_the_top=("main.cxx",))
+    faults = check_core(core) + check_program(program, core)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

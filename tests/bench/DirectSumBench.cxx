@@ -1,7 +1,7 @@
-// Time per primitive and sample of the methods that sum over everything, on one thread, on the
-// triangles (and their centroids, as points) of a lumpy closed surface.
+// Measures the time per primitive and sample of the methods that sum over all primitives, on one
+// thread, for the triangles of a lumpy closed surface and for their centroids as points.
 
-#include "BenchShapes.h"
+#include "BenchInputs.h"
 
 #include "rays/RayParity.h"
 #include "source/PointCloud.h"
@@ -18,8 +18,8 @@ namespace
 {
 
 using namespace winding;
-using namespace shapes;
 
+/// Reports the time of one primitive at one sample, and the instructions that the kernels use.
 void report(benchmark::State& state, std::size_t primitives, std::size_t samples)
 {
   const double pairs =
@@ -43,19 +43,19 @@ void runEvaluator(benchmark::State& state, const Evaluator& evaluator, std::size
 
 void directTriangles(benchmark::State& state)
 {
-  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Surface surface = weldedSphere(static_cast<int>(state.range(0)));
   runEvaluator(state, TriangleSum(surface), surface.triangles.size());
 }
 
 void directPoints(benchmark::State& state)
 {
-  const PointCloud cloud = centroids(lumpySphere(static_cast<int>(state.range(0))));
+  const PointCloud cloud = centroids(weldedSphere(static_cast<int>(state.range(0))));
   runEvaluator(state, DipoleSum(cloud, cloud.areas), cloud.positions.size());
 }
 
 void directRegularizedPoints(benchmark::State& state)
 {
-  PointCloud cloud = centroids(lumpySphere(static_cast<int>(state.range(0))));
+  PointCloud cloud = centroids(weldedSphere(static_cast<int>(state.range(0))));
   for (const double area : cloud.areas)
   {
     cloud.regularizationLengths.push_back(std::sqrt(area));
@@ -65,13 +65,13 @@ void directRegularizedPoints(benchmark::State& state)
 
 void parity(benchmark::State& state)
 {
-  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Surface surface = weldedSphere(static_cast<int>(state.range(0)));
   runEvaluator(state, RayParity(surface), surface.triangles.size());
 }
 
 void reference(benchmark::State& state)
 {
-  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Surface surface = weldedSphere(static_cast<int>(state.range(0)));
   const SampleBlock block = someSamples();
   double sum = 0;
   for (auto _ : state)

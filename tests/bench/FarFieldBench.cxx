@@ -1,8 +1,8 @@
-// Time of the far field: of its inner loops for each order, per node, sample or dipole, on one thread;
-// of the tree and the moments per source, and of whole evaluations per sample, on one thread and on
-// two.
+// Measures the far field: its inner loops for each order, per node, sample or dipole, on one
+// thread; the tree and the moments per source, and whole evaluations per sample, on one thread and
+// on two.
 
-#include "BenchShapes.h"
+#include "BenchInputs.h"
 
 #include "base/FieldOutput.h"
 #include "base/FlushToZero.h"
@@ -22,16 +22,8 @@ namespace
 {
 
 using namespace winding;
-using namespace shapes;
 
-void reportTimePer(benchmark::State& state, const char* what, std::size_t count)
-{
-  const double all = static_cast<double>(count) * static_cast<double>(state.iterations());
-  state.counters[what] =
-    benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-/// Between −1 and 1, without a pattern that a kernel could make use of.
+/// A number between −1 and 1, without a pattern that a kernel could make use of.
 float somewhere(std::size_t i)
 {
   return static_cast<float>(std::sin(1.7 * static_cast<double>(i)));
@@ -49,7 +41,7 @@ std::vector<float> someNumbers(std::size_t count)
 
 constexpr std::size_t nodes = 1024;
 
-/// Argument: candidates.
+/// The argument is the number of candidates.
 void nodeTests(benchmark::State& state)
 {
   const auto count = static_cast<std::size_t>(state.range(0));
@@ -75,7 +67,7 @@ void nodeTests(benchmark::State& state)
   reportTimePer(state, "time per node", count);
 }
 
-/// Arguments: order, nodes in the batch.
+/// The arguments are the order and the number of nodes in the batch.
 void translations(benchmark::State& state)
 {
   const FlushToZero flush;
@@ -121,7 +113,7 @@ void shiftOfLocal(benchmark::State& state)
   reportTimePer(state, "time per cell", 1);
 }
 
-/// Samples of a block, as offsets.
+/// Samples of a block, as offsets from a centre.
 struct Offsets
 {
   explicit Offsets(float distance)
@@ -214,19 +206,19 @@ void momentsOfDipoles(benchmark::State& state)
 
 std::unique_ptr<FarFieldSources> trianglesOf(int n)
 {
-  const Surface surface = lumpySphere(n);
+  const Surface surface = weldedSphere(n);
   return farFieldSources(surface.vertices, surface.triangles, surface.bounds, SplitRule());
 }
 
 std::unique_ptr<FarFieldSources> pointsOf(int n)
 {
-  const PointCloud cloud = centroids(lumpySphere(n));
+  const PointCloud cloud = centroids(weldedSphere(n));
   return farFieldSources(cloud, cloud.areas);
 }
 
 using MakeSources = std::unique_ptr<FarFieldSources> (*)(int n);
 
-/// Arguments of these: n of the sphere, threads.
+/// The arguments of trees and their moments are n of the sphere and the number of threads.
 void tree(benchmark::State& state, MakeSources make)
 {
   const auto sources = make(static_cast<int>(state.range(0)));
@@ -252,7 +244,8 @@ void momentsOfTree(benchmark::State& state, MakeSources make)
   reportTimePer(state, "time per source", tree.order().size());
 }
 
-/// Arguments: n of the sphere, samples along each axis, digits of the tolerance, threads.
+/// The arguments are n of the sphere, samples along each axis, digits of the tolerance, and
+/// threads.
 void evaluation(benchmark::State& state, MakeSources make)
 {
   Threads threads(static_cast<int>(state.range(3)));

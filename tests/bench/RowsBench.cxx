@@ -1,8 +1,8 @@
-// Time of the parts of method rows: per triangle of welding and boundary, on one thread and on two,
-// and on one thread per boundary edge of the cap, crossings and bytes per second on a grid, per cap
-// triangle and sample.
+// Measures the parts of method rows: welding and boundary per triangle, on one thread and on two;
+// and on one thread the cap per boundary edge, crossings and bytes per second on a grid, and the
+// sum over the cap per triangle and sample.
 
-#include "BenchShapes.h"
+#include "BenchInputs.h"
 
 #include "base/FieldOutput.h"
 #include "base/Views.h"
@@ -20,31 +20,22 @@ namespace
 {
 
 using namespace winding;
-using namespace shapes;
 
-/// The time of one of so many things that each iteration does.
-void reportTimePer(benchmark::State& state, const char* what, std::size_t count)
-{
-  const double all = static_cast<double>(count) * static_cast<double>(state.iterations());
-  state.counters[what] =
-    benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-/// Arguments of these: n of the sphere, threads.
+/// The arguments of welding and boundary are n of the sphere and the number of threads.
 void weldingOfSoup(benchmark::State& state)
 {
-  const Soup soup = lumpySphereSoup(static_cast<int>(state.range(0)));
+  const Triangles soup = lumpySphere(static_cast<int>(state.range(0)));
   Threads threads(static_cast<int>(state.range(1)));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(sanitize(std::vector<TrianglesView>{soup.view()}, threads));
+    benchmark::DoNotOptimize(sanitize(std::vector{soup.view()}, threads));
   }
-  reportTimePer(state, "time per triangle", soup.ids.size() / 3);
+  reportTimePer(state, "time per triangle", soup.triangles());
 }
 
 void weldingOfMesh(benchmark::State& state)
 {
-  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Surface surface = weldedSphere(static_cast<int>(state.range(0)));
   const TrianglesView view = {{surface.vertices[0].data(), surface.vertices.size()},
     {surface.triangles[0].data(), surface.triangles.size()}};
   Threads threads(static_cast<int>(state.range(1)));
@@ -67,17 +58,17 @@ void boundaryOf(benchmark::State& state, const Surface& surface)
 
 void boundaryOfClosed(benchmark::State& state)
 {
-  boundaryOf(state, lumpySphere(static_cast<int>(state.range(0))));
+  boundaryOf(state, weldedSphere(static_cast<int>(state.range(0))));
 }
 
 void boundaryOfOpen(benchmark::State& state)
 {
-  boundaryOf(state, withHoles(lumpySphere(static_cast<int>(state.range(0))), 10));
+  boundaryOf(state, withHoles(weldedSphere(static_cast<int>(state.range(0))), 10));
 }
 
 void loopsAndCap(benchmark::State& state)
 {
-  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  const Surface surface = withHoles(weldedSphere(static_cast<int>(state.range(0))), 10);
   SerialExecutor serial;
   const BoundaryChain chain = boundaryChain(surface, serial);
   for (auto _ : state)
@@ -87,10 +78,10 @@ void loopsAndCap(benchmark::State& state)
   reportTimePer(state, "time per boundary edge", chain.edges.size());
 }
 
-/// Arguments: n of the sphere, samples along each axis.
+/// The arguments are n of the sphere and samples along each axis.
 void crossings(benchmark::State& state)
 {
-  const Surface surface = lumpySphere(static_cast<int>(state.range(0)));
+  const Surface surface = weldedSphere(static_cast<int>(state.range(0)));
   const Grid grid = gridAround(static_cast<int>(state.range(1)));
   const RowCrossings rows(surface.vertices, surface.triangles);
   SerialExecutor executor;
@@ -107,7 +98,7 @@ void crossings(benchmark::State& state)
   reportTimePer(state, "time per crossing", count);
 }
 
-/// A fresh array each time: its pages are touched first by the fill, as in a new image.
+/// The array is fresh each time: its pages are touched first by the fill, as in a new image.
 void fillFresh(benchmark::State& state)
 {
   const auto samples = static_cast<std::size_t>(state.range(0));
@@ -142,7 +133,7 @@ void fillUsed(benchmark::State& state)
 /// The sum that open surfaces need, watching for samples on the cap.
 void capSum(benchmark::State& state)
 {
-  const Surface surface = withHoles(lumpySphere(static_cast<int>(state.range(0))), 10);
+  const Surface surface = withHoles(weldedSphere(static_cast<int>(state.range(0))), 10);
   SerialExecutor serial;
   const std::vector<Triangle> cap =
     capOf(boundaryLoops(boundaryChain(surface, serial), surface.vertices.size()));

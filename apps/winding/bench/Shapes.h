@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bench/Triangles.h"
+
+#include "source/Surface.h"
+
+/**
+ * @file
+ * Shapes that measurements are made on, for `winding bench` and for the programs in tests/bench.
+ */
+
+/// A closed sphere of 2 n² triangles whose radius varies, without common points, as in a .stl file.
+/// n is at least 3.
+Triangles lumpySphere(int n);
+
+/// The surface without every `period`-th triangle, from the first one on; each leaves a hole.
+winding::Surface withHoles(const winding::Surface& surface, std::size_t period);

@@ -1,0 +1,37 @@
+#include "bench/ThreadExecutor.h"
+
+#include "program/Interrupt.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  const vtkIdType last = static_cast<vtkIdType>(count);
+  const auto workOn = [&work](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end && !interrupt::requested(); ++block)
+    {
+      work(static_cast<std::size_t>(block));
+    }
+  };
+  if (threads_ == 1)
+  {
+    workOn(0, last); // no thread but the caller's, and nothing to start
+    return !interrupt::requested();
+  }
+  const auto onThreads = [&]
+  {
+    vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256), workOn);
+  };
+  if (threads_ == 0)
+  {
+    onThreads();
+  }
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_), onThreads);
+  }
+  return !interrupt::requested();
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+class Messages;
+struct Options;
+
+/**
+ * @file
+ * The commands of the program, each in a file of its own; bench/BenchCommand.h has one more. They
+ * throw Failure for whatever keeps them from being done.
+ */
+void runField(const Options& options, Messages& messages);
+void runSurface(const Options& options, Messages& messages);
+void runVoxels(const Options& options, Messages& messages);
+void runProbe(const Options& options, Messages& messages);
+void runCheck(const Options& options, Messages& messages);

@@ -1,0 +1,22 @@
+#include "commands/Commands.h"
+#include "commands/FieldRun.h"
+#include "commands/FilterSettings.h"
+#include "options/Options.h"
+#include "output/OutputFile.h"
+
+#include "vtkNew.h"
+#include "vtkWindingNumberField.h"
+
+void runField(const Options& options, Messages& messages)
+{
+  OutputFile output(options.output);
+  vtkNew<vtkWindingNumberField> field;
+  applyImage(options, field);
+  FieldRun run(*field, options, messages);
+  if (options.pieces == 1)
+  {
+    run.update();
+  }
+  run.write(output);
+  run.print();
+}

@@ -1,0 +1,242 @@
+#include "commands/FieldRun.h"
+
+#include "commands/FilterOutcome.h"
+#include "commands/FilterSettings.h"
+#include "commands/ReportParts.h"
+#include "input/ReadInput.h"
+#include "options/Options.h"
+#include "output/OutputFile.h"
+#include "output/WriteOutput.h"
+#include "program/Interrupt.h"
+#include "program/Messages.h"
+#include "program/Progress.h"
+#include "program/Threads.h"
+
+#include "vtkCommand.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+FieldRun::FieldRun(
+  vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages)
+  : options_(options)
+  , messages_(messages)
+  , filter_(&filter)
+{
+  const auto input = readInput(options.input, messages);
+  readSeconds_ = stopwatch_.seconds();
+  filter_->SetInputDataObject(input);
+  applyMethod(options, filter_);
+  applyGrid(options, filter_);
+  startObserver_ = filter_->AddObserver(vtkCommand::StartEvent, this, &FieldRun::startExecution);
+  endObserver_ = filter_->AddObserver(vtkCommand::EndEvent, this, &FieldRun::addExecution);
+  filter_->UpdateInformation();
+  this->check();
+  warnOfIdleOptions(options, *filter_, messages);
+}
+
+FieldRun::~FieldRun()
+{
+  filter_->RemoveObserver(startObserver_);
+  filter_->RemoveObserver(endObserver_);
+}
+
+void FieldRun::update()
+{
+  const Progress progress(filter_, "field", messages_.isQuiet());
+  filter_->Update();
+  this->check();
+}
+
+void FieldRun::write(OutputFile& file)
+{
+  const Progress progress(filter_, "field", messages_.isQuiet());
+  const Stopwatch writing;
+  const double before = executionSeconds_;
+  writeImage(filter_->GetOutputPort(), options_.pieces, file, messages_,
+    [this] { this->checkExecutions(); });
+  writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
+}
+
+void FieldRun::write(vtkPolyData* surface, OutputFile& file)
+{
+  const Stopwatch writing;
+  writeSurface(surface, file, messages_);
+  writeSeconds_ = writing.seconds();
+  surface_ = {{"file", file.name()}, {"points", surface->GetNumberOfPoints()},
+    {"cells", surface->GetNumberOfCells()}};
+}
+
+void FieldRun::print() const
+{
+  const Json report = this->report();
+  if (options_.json)
+  {
+    ::print(report);
+  }
+  else if (!options_.quiet)
+  {
+    ::print(this->summary(report));
+  }
+}
+
+void FieldRun::check()
+{
+  checkFilter(filter_->GetStatus(), options_.input, messages_);
+}
+
+void FieldRun::checkExecutions()
+{
+  interrupt::check();
+  if (status_ != vtkWindingNumberAlgorithm::DONE)
+  {
+    checkFilter(status_, options_.input, messages_);
+  }
+}
+
+void FieldRun::startExecution()
+{
+  execution_ = Stopwatch();
+}
+
+void FieldRun::addExecution()
+{
+  const double seconds = execution_.seconds();
+  executionSeconds_ += seconds;
+  if (status_ == vtkWindingNumberAlgorithm::DONE)
+  {
+    status_ = filter_->GetStatus();
+  }
+  prepareSeconds_ += filter_->GetPrepareSeconds();
+  expectedSeconds_ = filter_->GetExpectedSeconds();
+  expectedMemory_ = filter_->GetExpectedMemory();
+  evaluateSeconds_ += filter_->GetEvaluateSeconds();
+  if (options_.verify > 0)
+  {
+    // Verification is the only long work beside what the filter itself measures.
+    verifySeconds_ +=
+      std::max(0.0, seconds - filter_->GetPrepareSeconds() - filter_->GetEvaluateSeconds());
+  }
+  const vtkIdType samples = filter_->GetNumberOfVerifiedSamples();
+  maxError_ = std::max(maxError_, filter_->GetMaxError());
+  nearMaxError_ = std::max(nearMaxError_, filter_->GetNearMaxError());
+  sumOfSquares_ += std::pow(filter_->GetRMSError(), 2) * static_cast<double>(samples);
+  verified_ += samples;
+  nearVerified_ += filter_->GetNumberOfNearVerifiedSamples();
+}
+
+Json FieldRun::describeGrid() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
+  Json dimensions, origins, spacings, bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = firstSample[axis] - spacing[axis] / 2;
+    dimensions.push_back(voxels[axis]);
+    origins.push_back(options_.cells ? low : firstSample[axis]);
+    spacings.push_back(spacing[axis]);
+    bounds.push_back(low);
+    bounds.push_back(low + voxels[axis] * spacing[axis]);
+  }
+  return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
+    {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"}};
+}
+
+/// How far distances reach, in the unit of the input.
+double FieldRun::distanceBand() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
+  return options_.distanceBand * *std::max_element(spacing, spacing + 3);
+}
+
+void FieldRun::addErrors(Json& report) const
+{
+  // An error is null where the grid does not reach the source, so that nothing could be compared.
+  const auto errorOf = [](vtkIdType samples, double error)
+  {
+    return samples > 0 ? Json(error) : Json(nullptr);
+  };
+  report["max_error"] = errorOf(verified_, maxError_);
+  report["rms_error"] = errorOf(
+    verified_, std::sqrt(sumOfSquares_ / std::max<double>(1, static_cast<double>(verified_))));
+  report["near_max_error"] = errorOf(nearVerified_, nearMaxError_);
+}
+
+Json FieldRun::report() const
+{
+  Json seconds = {
+    {"read", readSeconds_}, {"prepare", prepareSeconds_}, {"evaluate", evaluateSeconds_}};
+  if (options_.verify > 0)
+  {
+    seconds["verify"] = verifySeconds_;
+  }
+  seconds["write"] = writeSeconds_;
+  seconds["total"] = stopwatch_.seconds();
+  Json report = {{"input", describeInput(options_.input, *filter_)},
+    {"method", filter_->GetMethodUsed()}, {"why", filter_->GetMethodReason()},
+    {"tolerance", options_.tolerance}, {"grid", this->describeGrid()},
+    {"expected", {{"seconds", expectedSeconds_}, {"memory", expectedMemory_}}},
+    {"seconds", seconds}, {"peak_memory", peakMemory()},
+    {"threads", threadsUsed(options_.threads)}};
+  if (report["method"] == "rows")
+  {
+    report["cap_triangles"] = filter_->GetNumberOfCapTriangles();
+  }
+  if (options_.distance)
+  {
+    report["distance_band"] =
+      options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
+  }
+  if (options_.verify > 0)
+  {
+    this->addErrors(report);
+  }
+  if (!surface_.is_null())
+  {
+    report["output"] = surface_;
+  }
+  return report;
+}
+
+std::string FieldRun::summary(const Json& report) const
+{
+  const Json& input = report["input"];
+  std::string text = options_.input + ": ";
+  if (input["kind"] == "surface")
+  {
+    text += "surface, " + input["primitives"].dump() + " triangles, " +
+            input["boundary_edges"].dump() + " boundary edges";
+  }
+  else
+  {
+    text += input["primitives"].dump() + " points, mean area " +
+            shown(input["mean_area"].get<double>(), 3);
+    if (input["normals_estimated"] == true)
+    {
+      const double percent = std::round(100 * input["clear_share"].get<double>());
+      text += ", estimated normals, clear at " + shown(percent, 3) + " %";
+    }
+  }
+  const Json& grid = report["grid"]["dimensions"];
+  text += "\nmethod " + report["method"].get<std::string>() + " (" +
+          report["why"].get<std::string>() + "), " + grid[0].dump() + " x " + grid[1].dump() +
+          " x " + grid[2].dump() + " voxels, " +
+          shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
+  if (options_.verify > 0)
+  {
+    text += "error max " + report["max_error"].dump() + ", rms " + report["rms_error"].dump() +
+            ", max near the surface " + report["near_max_error"].dump() + "\n";
+  }
+  text += "wrote " + options_.output;
+  if (!surface_.is_null())
+  {
+    text += ": " + surface_["points"].dump() + " points, " + surface_["cells"].dump() + " faces";
+  }
+  return text;
+}

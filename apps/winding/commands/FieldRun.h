@@ -1,0 +1,74 @@
+#pragma once
+
+#include "program/Print.h"
+#include "program/Stopwatch.h"
+
+#include "vtkWindingNumberGridAlgorithm.h"
+
+class Messages;
+class OutputFile;
+struct Options;
+class vtkPolyData;
+
+/**
+ * One run of a filter that samples a grid over the input of a command, with the figures that it
+ * reports: the commands field, surface and voxels are made of it. Its functions throw Failure for
+ * whatever keeps them from being done.
+ */
+class FieldRun
+{
+public:
+  /// Reads the input and gives it to the filter, with the options. Keeps the references.
+  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
+  ~FieldRun();
+
+  /// Makes the whole output of the filter.
+  void update();
+
+  /// Writes the field that the filter gives, and evaluates it piece by piece where update() was not
+  /// called.
+  void write(OutputFile& file);
+
+  /// Writes a surface that was made of the field or by the filter.
+  void write(vtkPolyData* surface, OutputFile& file);
+
+  /// Prints the report, as JSON or for people, once the output is written.
+  void print() const;
+
+private:
+  void check();
+  void checkExecutions();
+  void startExecution();
+  void addExecution();
+  Json report() const;
+  Json describeGrid() const;
+  double distanceBand() const;
+  void addErrors(Json& report) const;
+  std::string summary(const Json& report) const;
+
+  const Options& options_;
+  Messages& messages_;
+  vtkWindingNumberGridAlgorithm* filter_;
+  unsigned long startObserver_ = 0;
+  unsigned long endObserver_ = 0;
+  Stopwatch stopwatch_;
+
+  int status_ =
+    vtkWindingNumberAlgorithm::DONE; ///< status of the first execution that was not DONE
+  double readSeconds_ = 0;
+  double writeSeconds_ = 0;
+  Json surface_; ///< describes the surface that was written; null where there is none
+  Stopwatch execution_;
+  // There is an execution for each piece, and the figures are sums, or maxima, over all of them.
+  double prepareSeconds_ = 0;
+  double expectedSeconds_ = 0;
+  vtkIdType expectedMemory_ = 0;
+  double evaluateSeconds_ = 0;
+  double verifySeconds_ = 0;
+  double executionSeconds_ = 0; ///< all of these, and the little around them
+  double maxError_ = 0;
+  double nearMaxError_ = 0;
+  double sumOfSquares_ = 0;
+  vtkIdType verified_ = 0;
+  vtkIdType nearVerified_ = 0;
+};

@@ -1,0 +1,73 @@
+#include "commands/FilterSettings.h"
+
+#include "options/Options.h"
+#include "program/Messages.h"
+
+#include "vtkWindingNumberField.h"
+
+void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
+{
+  filter->SetMethod(options.method);
+  filter->SetTolerance(options.tolerance);
+  filter->SetSourceAsPoints(options.asPoints);
+  filter->SetEstimateNormals(options.estimateNormals);
+  filter->SetPointAreaMethod(options.areas);
+  filter->SetNumberOfNeighbors(options.neighbors);
+  filter->SetRegularization(options.regularization);
+  filter->SetPointArea(options.area);
+  filter->SetWindingThreshold(options.threshold);
+  filter->SetInsideRule(options.rule);
+  filter->SetGenerateInside(options.inside || options.insideOnly);
+  filter->SetGenerateWindingNumber(!options.insideOnly);
+  filter->SetGenerateSignedDistance(options.distance);
+  filter->SetResultArrayName(options.array.c_str());
+  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
+  filter->SetNumberOfThreads(options.threads);
+}
+
+void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
+{
+  filter->SetResolution(options.resolution);
+  filter->SetVoxelSize(options.voxelSize);
+  if (!options.dimensions.empty())
+  {
+    filter->SetSamplingDimensions(options.dimensions.data());
+  }
+  if (!options.bounds.empty())
+  {
+    filter->SetUseInputBounds(0);
+    filter->SetSamplingBounds(options.bounds.data());
+  }
+  filter->SetPadding(options.padding);
+  filter->SetVerifySamples(options.verify);
+}
+
+void applyImage(const Options& options, vtkWindingNumberField* filter)
+{
+  filter->SetOutputAssociation(
+    options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
+  filter->SetCoverage(options.coverage);
+  filter->SetCoverageSamples(options.coverageSamples);
+  filter->SetDistanceBand(options.distanceBand);
+}
+
+void warnOfIdleOptions(
+  const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages)
+{
+  if (options.asPoints || filter.GetSourceKind() != vtkWindingNumberField::MESH_SOURCE)
+  {
+    return;
+  }
+  const std::pair<const char*, bool> forPoints[] = {{"--estimate-normals", options.estimateNormals},
+    {"--regularization", options.regularization > 0},
+    {"--areas", options.areas != vtkWindingNumberField::VORONOI},
+    {"--neighbors", options.neighbors != Options().neighbors}};
+  for (const auto& [option, isGiven] : forPoints)
+  {
+    if (isGiven)
+    {
+      messages.warn(options.input + ": " + option +
+                    " is for points and the input is a surface; --points takes its vertices");
+    }
+  }
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+class Messages;
+struct Options;
+class vtkPointSet;
+class vtkWindingNumberAlgorithm;
+class vtkWindingNumberField;
+class vtkWindingNumberGridAlgorithm;
+
+/// Hands on to a filter how to make winding numbers and what to make of them: method, areas,
+/// threshold, arrays, threads.
+void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter);
+
+/// Hands on the grid, and how many samples to verify.
+void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter);
+
+/// Hands on what the samples are in the image, what makes a voxel inside, and how far distances
+/// reach.
+void applyImage(const Options& options, vtkWindingNumberField* filter);
+
+/// Warns of options for points where the filter's source, which it has looked at, is a surface.
+void warnOfIdleOptions(
+  const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages);

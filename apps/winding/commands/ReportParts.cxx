@@ -1,0 +1,32 @@
+#include "commands/ReportParts.h"
+
+#include "vtkWindingNumberAlgorithm.h"
+
+#include <sys/resource.h>
+
+Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm& filter)
+{
+  Json input = {{"file", fileName}, {"kind", filter.GetSourceIsSurface() ? "surface" : "points"},
+    {"primitives", filter.GetNumberOfPrimitives()},
+    {"welded_vertices", filter.GetNumberOfWeldedVertices()},
+    {"boundary_edges", filter.GetNumberOfBoundaryEdges()},
+    {"net_boundary_edges", filter.GetNumberOfNetBoundaryEdges()},
+    {"dropped", filter.GetNumberOfDroppedPrimitives()}};
+  if (!filter.GetSourceIsSurface())
+  {
+    input["mean_area"] = filter.GetMeanPointArea();
+    input["normals_estimated"] = filter.GetNormalsWereEstimated();
+    if (filter.GetNormalsWereEstimated())
+    {
+      input["clear_share"] = filter.GetClearShare();
+    }
+  }
+  return input;
+}
+
+long long peakMemory()
+{
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024LL * usage.ru_maxrss; // which Linux gives in KiB
+}

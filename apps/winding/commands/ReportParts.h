@@ -1,0 +1,18 @@
+#pragma once
+
+#include "program/Print.h"
+
+#include <string>
+
+class vtkWindingNumberAlgorithm;
+
+/**
+ * @file
+ * Parts that the reports of several commands have.
+ */
+
+/// Describes the source of an executed filter, which was read from a file.
+Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm& filter);
+
+/// The most memory that the program has held so far, in bytes.
+long long peakMemory();

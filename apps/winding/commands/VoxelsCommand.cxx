@@ -1,0 +1,52 @@
+#include "commands/Commands.h"
+#include "commands/FieldRun.h"
+#include "commands/FilterSettings.h"
+#include "options/Options.h"
+#include "output/OutputFile.h"
+#include "program/Interrupt.h"
+#include "program/Messages.h"
+#include "program/Progress.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberVoxels.h"
+
+void runVoxels(const Options& given, Messages& messages)
+{
+  Options options = given;
+  // The array "Inside" says all that is needed and takes a quarter of the memory of winding
+  // numbers; but it is made from floats, and only winding numbers can be verified.
+  options.insideOnly = !options.asDouble && options.verify == 0;
+  const bool byInside = options.insideOnly || options.coverage != vtkWindingNumberField::CENTER;
+  OutputFile output(options.output);
+  vtkNew<vtkWindingNumberField> field;
+  applyImage(options, field);
+  FieldRun run(*field, options, messages);
+  run.update();
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputData(field->GetOutput());
+  voxels->SetInputArrayToProcess(0, 0, 0,
+    options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                  : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    byInside ? "Inside" : options.array.c_str());
+  voxels->SetWindingThreshold(byInside ? 0.5 : options.threshold);
+  voxels->SetInsideRule(
+    byInside ? static_cast<int>(vtkWindingNumberAlgorithm::SIGNED) : options.rule);
+  {
+    const Progress progress(voxels, "voxels", messages.isQuiet());
+    voxels->Update();
+  }
+  interrupt::check();
+  messages.throwIfError(options.input);
+  vtkPolyData* surface = voxels->GetOutput();
+  if (surface->GetNumberOfCells() == 0)
+  {
+    const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
+    messages.warn(options.input + ": no voxel is inside, so the surface is empty" +
+                  (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
+  }
+  run.write(surface, output);
+  run.print();
+}

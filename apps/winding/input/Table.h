@@ -1,0 +1,80 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkPolyData;
+
+/**
+ * A text table with a header line: .csv with commas, .tsv with tabs. The text of its rows stays
+ * unchanged, so that columns that are not understood can be handed on.
+ */
+class Table
+{
+public:
+  /// Throws Failure for files that cannot be read, and rows with more or fewer fields than the
+  /// header.
+  explicit Table(const std::string& fileName);
+
+  std::size_t rows() const { return rows_.size(); }
+  std::size_t columns() const { return names_.size(); }
+  const std::string& name(std::size_t column) const { return names_[column]; }
+
+  /// The column of that name, if there is one.
+  std::optional<std::size_t> find(const std::string& name) const;
+
+  /// The column that means x, y, z, nx, ny, nz or area, if there is one: in small letters or large
+  /// ones, or by ParaView's names of the components of points and normals ("Points:0",
+  /// "Normals:2").
+  std::optional<std::size_t> findMeaning(const std::string& name) const;
+
+  /// A column as numbers. Throws Failure, naming the line, where a field is no number.
+  std::vector<double> numbers(std::size_t column) const;
+
+  /// The fields of a column as they stand, without quotes around them.
+  std::vector<std::string> texts(std::size_t column) const;
+
+  /// Whether all fields of a column are numbers.
+  bool isNumeric(std::size_t column) const;
+
+  /// One point per row from the columns x, y and z, in double precision, all in one vertex cell.
+  /// Throws Failure without these columns.
+  vtkSmartPointer<vtkPolyData> points() const;
+
+  char separator() const { return separator_; }
+  std::string_view header() const { return header_; }
+
+  /// The text of a row, without the end of its line.
+  std::string_view row(std::size_t index) const { return rows_[index].text; }
+
+  /// The end of the file's lines.
+  const char* lineEnd() const { return lineEnd_; }
+
+private:
+  struct Row
+  {
+    std::string_view text;
+    std::size_t line; ///< its number in the file, from 1
+  };
+
+  std::optional<std::size_t> findIf(
+    const std::function<bool(const std::string& column)>& isWanted) const;
+  std::vector<std::string_view> fieldsOf(std::string_view row) const;
+
+  std::string fileName_;
+  std::string text_;
+  char separator_;
+  const char* lineEnd_;
+  std::string_view header_;
+  std::vector<std::string> names_;
+  std::vector<Row> rows_;
+};
+
+/// A source from a table: points, with normals from the columns nx, ny and nz and areas from the
+/// column area where there are such.
+vtkSmartPointer<vtkPolyData> cloudFrom(const Table& table);

@@ -1,0 +1,220 @@
+#include "options/CommandLine.h"
+
+#include "options/OptionChecks.h"
+#include "options/OptionGroups.h"
+#include "program/Failure.h"
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr const char* surfaceFormats = ".vtp .ply .stl .obj";
+
+CLI::App* addCommand(
+  CLI::App& app, Options& options, const std::string& name, const std::string& description)
+{
+  CLI::App* command = app.add_subcommand(name, description);
+  addInput(command, options);
+  return command;
+}
+
+void addField(CLI::App& app, Options& options)
+{
+  CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
+  addOutput(field, options, ".vti");
+  addThreshold(field, options);
+  addCoverage(field, options);
+  field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
+  CLI::Option* insideOnly = field->add_flag("--inside-only", options.insideOnly,
+    "The array Inside and no winding numbers, which take four times the memory");
+  addDistance(field, options);
+  CLI::Option* band = field->add_option("--distance-band", options.distanceBand,
+    "Distances up to so many voxels only, which takes less time; farther voxels get that distance "
+    "(0: all)");
+  addArrayName(field, options);
+  CLI::Option* asDouble =
+    field->add_flag("--double", options.asDouble, "Numbers in double precision, not float");
+  for (CLI::Option* option : {insideOnly, band, asDouble})
+  {
+    option->group("Output");
+  }
+  band->type_name("N");
+  insideOnly->excludes(asDouble);
+  addFieldOptions(field, options);
+  field
+    ->add_option("--pieces", options.pieces,
+      "Make and write the field in this many pieces, to save memory (1)")
+    ->group("Run");
+  addThreads(field, options);
+  addReporting(field, options);
+}
+
+void addSurface(CLI::App& app, Options& options)
+{
+  CLI::App* surface =
+    addCommand(app, options, "surface", "Smooth surface where the winding field is the threshold");
+  addOutput(surface, options, surfaceFormats);
+  addThreshold(surface, options);
+  surface
+    ->add_flag("--close-border", options.closeBorder,
+      "Close the surface where it reaches the border of the grid")
+    ->group("Output");
+  surface->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
+    ->group("Output");
+  addFieldOptions(surface, options);
+  addThreads(surface, options);
+  addReporting(surface, options);
+}
+
+void addVoxels(CLI::App& app, Options& options)
+{
+  CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
+  addOutput(voxels, options, surfaceFormats);
+  addThreshold(voxels, options);
+  addCoverage(voxels, options);
+  voxels
+    ->add_flag("--double", options.asDouble,
+      "Compare winding numbers in double precision with the threshold, not in float")
+    ->group("Output");
+  addFieldOptions(voxels, options);
+  addThreads(voxels, options);
+  addReporting(voxels, options);
+}
+
+void addProbe(CLI::App& app, Options& options)
+{
+  CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
+  probe
+    ->add_option("QUERIES", options.queries,
+      "The points: any of the formats of IN; .csv or .tsv with columns x,y,z")
+    ->required()
+    ->type_name("");
+  addOutput(probe, options, ".vtp .vtu .csv .tsv");
+  addThreshold(probe, options);
+  probe
+    ->add_flag("--inside-out", options.insideOut,
+      "Take what is outside for inside; the winding numbers stay what they are")
+    ->group("Output");
+  probe
+    ->add_flag("--extract", options.extract,
+      "Write only what is inside: cells with all their points, points without cells, rows of "
+      "tables")
+    ->group("Output");
+  addDistance(probe, options);
+  addArrayName(probe, options);
+  addMethod(probe, options);
+  addThreads(probe, options);
+  addReporting(probe, options);
+}
+
+void addCheck(CLI::App& app, Options& options)
+{
+  CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
+  CLI::Option* fix = check->add_flag("--fix-orientation", options.fixOrientation,
+    "Turn polygons round so that neighbours agree, and closed components so that they are outward, "
+    "those inside an odd number of others inward; then report on the result");
+  CLI::Option* output = check->add_option("-o,--output", options.output,
+    "With --fix-orientation: the surface that results, .vtp .ply .stl .obj");
+  CLI::Option* faults = check->add_option("--blocks", options.faults,
+    "Write what is wrong with a surface, to look at, .vtm: the blocks Boundary, Caps, "
+    "NonManifoldEdges and InconsistentEdges");
+  output->needs(fix);
+  output->type_name("OUT");
+  faults->type_name("OUT");
+  for (CLI::Option* option : {fix, output, faults})
+  {
+    option->group("Output");
+  }
+  addReporting(check, options);
+}
+
+void addBench(CLI::App& app, Options& options)
+{
+  CLI::App* bench =
+    app.add_subcommand("bench", "How long the methods take, and how exact they are");
+  bench
+    ->add_option("FILE", options.bench.subjects,
+      "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
+      "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
+      "with each kind of areas, beside the surfaces | vtk FILE..., VTK's own filters at the same "
+      "samples | hierarchical FILE..., the far field of surfaces, of their vertices and of their "
+      "caps, in its parts | hierarchical, the same of spheres with few and many sources")
+    ->required()
+    ->type_name("");
+  bench
+    ->add_option("--resolution", options.bench.resolutions,
+      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; vtk: 64; "
+      "hierarchical: 64 128 256 512 for files, 128 for spheres)")
+    ->type_name("N...")
+    ->group("Grid");
+  bench
+    ->add_option("--points", options.bench.points,
+      "vtk: scattered points to ask about, one or more (1000 10000 100000)")
+    ->type_name("N...")
+    ->group("Grid");
+  bench
+    ->add_option("--tolerance", options.bench.tolerances,
+      "hierarchical: largest absolute errors, 1e-6 or more, one or more (0.001)")
+    ->type_name("T...")
+    ->group("Method");
+  bench
+    ->add_option("--sources", options.bench.sources,
+      "hierarchical: triangles and points of the spheres, one or more (1000 10000 100000 1000000)")
+    ->type_name("N...")
+    ->group("Method");
+  bench
+    ->add_option(
+      "--data", options.bench.data, "seed, which needs it: the folder with the published meshes")
+    ->type_name("FOLDER")
+    ->group("Grid");
+  addThreads(bench, options);
+  addReporting(bench, options);
+}
+
+/// The words of the parser on one line, and where to look further.
+std::string explanation(const CLI::App& app, const CLI::ParseError& error, const std::string& first)
+{
+  std::string text = error.what();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  const auto commands = app.get_subcommands();
+  if (commands.empty() && !first.empty() && first[0] != '-')
+  {
+    text = "\"" + first + "\" is no subcommand";
+  }
+  return text + "; see winding " + (commands.empty() ? "" : commands[0]->get_name() + " ") +
+         "--help";
+}
+
+} // namespace
+
+std::optional<Options> parseCommandLine(int argc, char** argv)
+{
+  Options options;
+  CLI::App app(
+    "Winding numbers of surfaces and oriented point clouds: what is inside, and how often",
+    "winding");
+  app.set_version_flag("--version", WINDING_VERSION);
+  app.require_subcommand(1);
+  for (const auto add : {addField, addSurface, addVoxels, addProbe, addCheck, addBench})
+  {
+    add(app, options);
+  }
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& wish)
+  {
+    app.exit(wish); // prints the help or the version
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(USAGE, explanation(app, error, argc > 1 ? argv[1] : ""));
+  }
+  const CLI::App* command = app.get_subcommands()[0];
+  options.command = command->get_name();
+  checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
+  return options;
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "options/Options.h"
+
+#include <optional>
+
+/**
+ * Parses the command line. Prints help where that is asked for, and then returns nothing. Throws
+ * Failure(USAGE) for command lines that make no sense, whatever the input may be; the options of
+ * bench are left to its own checks (bench/BenchChecks.h).
+ */
+std::optional<Options> parseCommandLine(int argc, char** argv);

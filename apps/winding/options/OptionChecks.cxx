@@ -1,0 +1,172 @@
+#include "options/OptionChecks.h"
+
+#include "files/Suffix.h"
+#include "options/Options.h"
+#include "program/Failure.h"
+#include "program/Print.h"
+
+#include "vtkWindingNumberField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Filter = vtkWindingNumberField;
+
+/// The limit that the filters document for their property Regularization.
+constexpr double mostRegularization = 4;
+
+const std::vector<std::string> surfaceSuffixes = {".vtp", ".ply", ".stl", ".obj"};
+
+void checkGrid(const Options& options, const WasGiven& wasGiven)
+{
+  requireUsage(options.resolution >= 1,
+    "--resolution is " + std::to_string(options.resolution) + "; give 1 or more voxels");
+  requireUsage(
+    !wasGiven("--voxel-size") || (options.voxelSize > 0 && std::isfinite(options.voxelSize)),
+    "--voxel-size is " + shown(options.voxelSize) + "; give a length greater than 0");
+  for (const int size : options.dimensions)
+  {
+    requireUsage(
+      size >= 1, "--dims has " + std::to_string(size) + "; give 1 or more voxels per axis");
+  }
+  for (std::size_t axis = 0; axis < options.bounds.size() / 2; ++axis)
+  {
+    const double low = options.bounds[2 * axis], high = options.bounds[2 * axis + 1];
+    requireUsage(low < high && std::isfinite(low) && std::isfinite(high),
+      std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) + " to " + shown(high) +
+        "; give the lower one first");
+  }
+  requireUsage(options.padding >= 0 && std::isfinite(options.padding),
+    "--padding is " + shown(options.padding) + "; give 0 or more");
+}
+
+void checkMethod(const Options& options, const WasGiven& wasGiven)
+{
+  requireUsage(
+    options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  requireUsage(options.area >= 0 && std::isfinite(options.area),
+    "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
+  requireUsage(options.areas == Filter::CONSTANT || !wasGiven("--area"),
+    "--area is for --areas constant; say that, too, or leave it out");
+  requireUsage(options.areas != Filter::MESH || options.asPoints,
+    "--areas mesh is for meshes taken as points; say --points, too");
+  requireUsage(options.regularization >= 0 && options.regularization <= mostRegularization,
+    "--regularization is " + shown(options.regularization) + "; give 0 (none) to 4 spacings");
+  requireUsage(options.neighbors >= 3 && options.neighbors <= 1000,
+    "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
+  requireUsage(std::isfinite(options.threshold),
+    "--threshold is " + shown(options.threshold) + "; give a finite number");
+  requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),
+    "--rule odd has no threshold; leave --threshold out");
+}
+
+void checkOutput(const std::string& output, const std::string& whatWrites,
+  const std::vector<std::string>& suffixes)
+{
+  if (std::find(suffixes.begin(), suffixes.end(), suffixOf(output)) == suffixes.end())
+  {
+    std::string names;
+    for (const std::string& suffix : suffixes)
+    {
+      names += " " + suffix;
+    }
+    throw Failure(
+      USAGE, output, whatWrites + " writes" + names + "; give the output one of these suffixes");
+  }
+}
+
+void checkFieldOptions(const Options& options, const WasGiven& wasGiven)
+{
+  checkGrid(options, wasGiven);
+  requireUsage(options.verify >= 0,
+    "--verify is " + std::to_string(options.verify) + "; give a number of samples");
+  requireUsage(options.verify == 0 || options.method != Filter::PARITY,
+    "--verify compares winding numbers, which --method parity does not give; leave one out");
+  requireUsage(options.verify == 0 || !options.insideOnly,
+    "--verify compares winding numbers, which --inside-only does not make; leave one out");
+  requireUsage(!options.insideOnly || options.command != "field" || !wasGiven("--array"),
+    "--array names the winding numbers, which --inside-only does not make; leave one out");
+  requireUsage(
+    options.pieces >= 1, "--pieces is " + std::to_string(options.pieces) + "; give 1 or more");
+}
+
+void checkCheck(const Options& options, const WasGiven& wasGiven)
+{
+  if (wasGiven("--output"))
+  {
+    checkOutput(options.output, options.command, surfaceSuffixes);
+  }
+  if (wasGiven("--blocks"))
+  {
+    checkOutput(options.faults, "--blocks", {".vtm"});
+  }
+}
+
+void checkCoverage(const Options& options, const WasGiven& wasGiven)
+{
+  requireUsage(options.coverageSamples >= 1 && options.coverageSamples <= 10,
+    "--coverage-samples is " + std::to_string(options.coverageSamples) + "; give 1 to 10");
+  requireUsage(options.coverage == Filter::FRACTION || !wasGiven("--coverage-samples"),
+    "--coverage-samples is for --coverage fraction; say that, too, or leave it out");
+}
+
+void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
+{
+  requireUsage(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
+    "--distance-band is " + shown(options.distanceBand) +
+      "; give 0 (all distances) or more voxels");
+  requireUsage(options.distance || !wasGiven("--distance-band"),
+    "--distance-band is for --distance; say that, too, or leave it out");
+}
+
+} // namespace
+
+void checkOptions(const Options& options, const WasGiven& wasGiven)
+{
+  if (options.command == "check")
+  {
+    checkCheck(options, wasGiven);
+    return;
+  }
+  requireUsage(options.threads >= 0,
+    "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
+  if (options.command == "bench")
+  {
+    return;
+  }
+  checkMethod(options, wasGiven);
+  if (options.command == "probe")
+  {
+    checkOutput(options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv"});
+  }
+  else if (options.command == "field")
+  {
+    checkOutput(options.output, options.command, {".vti"});
+    checkFieldOptions(options, wasGiven);
+    checkCoverage(options, wasGiven);
+    checkDistanceBand(options, wasGiven);
+  }
+  else
+  {
+    checkOutput(options.output, options.command, surfaceSuffixes);
+    checkFieldOptions(options, wasGiven);
+    if (options.command == "voxels")
+    {
+      checkCoverage(options, wasGiven);
+    }
+  }
+  requireUsage(!options.array.empty(), "--array is empty; give the array a name");
+  // VTK writes the name into XML without escaping it, and could not read the file again.
+  const auto canBeWritten = [](char c)
+  {
+    return c >= ' ' && c <= '~' && !std::strchr("<>&\"'", c);
+  };
+  requireUsage(std::all_of(options.array.begin(), options.array.end(), canBeWritten),
+    "--array has characters that a file cannot hold; use letters, digits and blanks");
+}

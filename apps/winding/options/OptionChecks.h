@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+
+struct Options;
+
+/// Tells whether the command line had an option, such as "--output".
+using WasGiven = std::function<bool(const char* option)>;
+
+/// Throws Failure(USAGE) for options that make no sense, alone or together. Those of bench are
+/// checked where they are used.
+void checkOptions(const Options& options, const WasGiven& wasGiven);

@@ -1,0 +1,198 @@
+#include "options/OptionGroups.h"
+
+#include "vtkWindingNumberField.h"
+
+namespace
+{
+
+using Filter = vtkWindingNumberField;
+
+void addGrid(CLI::App* command, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution = command->add_option(
+    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
+  CLI::Option* voxelSize = command->add_option(
+    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
+  CLI::Option* dimensions = command->add_option(
+    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
+  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
+    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
+  CLI::Option* padding = command->add_option("--padding", options.padding,
+    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
+  CLI::Option* cells = command->add_flag("--cells", options.cells,
+    command->get_name() == "field" ? "Make the samples cells of the image, not points"
+                                   : "As for field; makes no difference to the surface");
+  dimensions->expected(3)->type_name("NX NY NZ");
+  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  resolution->excludes(voxelSize)->excludes(dimensions);
+  voxelSize->excludes(dimensions);
+  bounds->excludes(padding);
+  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
+  {
+    option->group(group);
+  }
+}
+
+} // namespace
+
+CLI::Validator oneOf(const Choices& choices)
+{
+  CLI::Validator validator;
+  validator.operation(
+    [choices](std::string& word)
+    {
+      std::string names;
+      for (const auto& [name, number] : choices)
+      {
+        if (word == name)
+        {
+          word = std::to_string(number);
+          return std::string();
+        }
+        names += (names.empty() ? "" : " | ") + name;
+      }
+      return word + " is not one of " + names;
+    });
+  return validator;
+}
+
+void addInput(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("IN", options.input,
+      "Surface or oriented points: .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv")
+    ->required()
+    ->type_name("");
+}
+
+void addOutput(CLI::App* command, Options& options, const std::string& suffixes)
+{
+  command->add_option("-o,--output", options.output, "The file to write: " + suffixes)
+    ->required()
+    ->type_name("OUT")
+    ->group("Output");
+}
+
+void addMethod(CLI::App* command, Options& options)
+{
+  const std::string group = "Method";
+  const std::string about =
+    command->get_name() == "probe"
+      ? "Rows counts signed crossings, for closed surfaces; parity is ray casting, for the same"
+      : "Rows is for surfaces; parity is ray casting, for closed ones";
+  command
+    ->add_option(
+      "--method", options.method, "auto | rows | hierarchical | direct | parity (auto). " + about)
+    ->transform(oneOf(
+      {{"auto", Filter::AUTOMATIC}, {"rows", Filter::ROWS}, {"hierarchical", Filter::HIERARCHICAL},
+        {"direct", Filter::DIRECT}, {"parity", Filter::PARITY}}))
+    ->type_name("NAME")
+    ->group(group);
+  command
+    ->add_option("--tolerance", options.tolerance,
+      "Largest absolute error that an approximation may make (0.001); below 1e-6, none is made")
+    ->group(group);
+  command
+    ->add_option("--areas", options.areas,
+      "Areas of a cloud's points: voronoi, each point's cell among its neighbours | mesh, a third "
+      "of the triangles around it (with --points) | constant | array, the point data array "
+      "\"Area\" (voronoi)")
+    ->transform(oneOf({{"voronoi", Filter::VORONOI}, {"mesh", Filter::MESH},
+      {"constant", Filter::CONSTANT}, {"array", Filter::ARRAY}}))
+    ->type_name("NAME")
+    ->group(group);
+  command
+    ->add_option("--area", options.area,
+      "The area of every point of a cloud, for --areas constant (the mean of those of voronoi)")
+    ->group(group);
+  command
+    ->add_option("--neighbors", options.neighbors,
+      "How many neighbours of a point tell its area and, if estimated, its normal (20)")
+    ->group(group);
+  command
+    ->add_option("--regularization", options.regularization,
+      "Spread each point of a cloud over so many spacings, so that values beside points stay about "
+      "between 0 and 1: 1 does; up to 4; 0, not at all (0)")
+    ->group(group);
+  command
+    ->add_flag("--estimate-normals", options.estimateNormals,
+      "Estimate the normals of points that have none, orient them, and check them by the field")
+    ->group(group);
+  command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
+    ->group(group);
+}
+
+void addFieldOptions(CLI::App* command, Options& options)
+{
+  addGrid(command, options);
+  addMethod(command, options);
+  command
+    ->add_option("--verify", options.verify,
+      "Compare this many random samples, and as many near the surface, with the direct sum")
+    ->group("Run");
+}
+
+void addThreshold(CLI::App* command, Options& options)
+{
+  command
+    ->add_option(
+      "--threshold", options.threshold, "The winding number from which on is inside (0.5)")
+    ->group("Output");
+  command
+    ->add_option("--rule", options.rule,
+      "Inside is where: signed, w >= threshold | absolute, |w| >= threshold | odd, w rounds to an "
+      "odd number (signed)")
+    ->transform(
+      oneOf({{"signed", Filter::SIGNED}, {"absolute", Filter::ABSOLUTE}, {"odd", Filter::ODD}}))
+    ->type_name("NAME")
+    ->group("Output");
+}
+
+void addCoverage(CLI::App* command, Options& options)
+{
+  std::string description = "A voxel is inside if: center, its centre is | any, it overlaps the "
+                            "solid or its surface | fraction, half of it is (center)";
+  if (command->get_name() == "field")
+  {
+    description += ". The latter two add the array Inside, fraction the array Coverage, the share "
+                   "of each voxel";
+  }
+  command->add_option("--coverage", options.coverage, description)
+    ->transform(
+      oneOf({{"center", Filter::CENTER}, {"any", Filter::ANY}, {"fraction", Filter::FRACTION}}))
+    ->type_name("NAME")
+    ->group("Output");
+  command
+    ->add_option("--coverage-samples", options.coverageSamples,
+      "Samples along each axis of a voxel for --coverage fraction, 1 to 10 (4)")
+    ->type_name("N")
+    ->group("Output");
+}
+
+void addDistance(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--distance", options.distance,
+      "Add the array SignedDistance: from the nearest point of the input, negative inside")
+    ->group("Output");
+}
+
+void addArrayName(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--array", options.array, "Name of the array of winding numbers (WindingNumber)")
+    ->group("Output");
+}
+
+void addThreads(CLI::App* command, Options& options)
+{
+  command->add_option("--threads", options.threads, "Most threads to use (all)")->group("Run");
+}
+
+void addReporting(CLI::App* command, Options& options)
+{
+  command->add_flag("--json", options.json, "Print one JSON object on standard output")
+    ->group("Run");
+  command->add_flag("--quiet", options.quiet, "No progress, warnings or summary")->group("Run");
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "options/Options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/**
+ * @file
+ * Options that several commands have. Each function adds some of them to a command, whose name may
+ * show in their descriptions.
+ */
+
+/// The words that an option takes, and the numbers that they stand for.
+using Choices = std::vector<std::pair<std::string, int>>;
+
+/// Turns a word into its number. (CLI11's own transformer would take numbers too, and say less.)
+CLI::Validator oneOf(const Choices& choices);
+
+void addInput(CLI::App* command, Options& options);
+void addOutput(CLI::App* command, Options& options, const std::string& suffixes);
+
+void addMethod(CLI::App* command, Options& options);
+
+/// Adds the options of commands that make a field: grid, method and verification.
+void addFieldOptions(CLI::App* command, Options& options);
+
+void addThreshold(CLI::App* command, Options& options);
+void addCoverage(CLI::App* command, Options& options);
+void addDistance(CLI::App* command, Options& options);
+void addArrayName(CLI::App* command, Options& options);
+
+void addThreads(CLI::App* command, Options& options);
+void addReporting(CLI::App* command, Options& options);

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The options of bench. An empty list stands for the values that suit the subject.
+struct BenchOptions
+{
+  /// Files; or "seed" or "kernels"; or "clouds" or "vtk" with files behind it; or "hierarchical"
+  /// with files or without.
+  std::vector<std::string> subjects;
+  std::vector<int> resolutions;
+  std::vector<double> tolerances; ///< of the far fields of "hierarchical"
+  std::vector<int> points;        ///< how many scattered points "vtk" asks about
+  std::vector<int> sources; ///< how many triangles and points the spheres of "hierarchical" have
+  std::string data;         ///< the folder of the meshes of "seed"
+};
+
+/// All that the command line can say, with the defaults of what it leaves out.
+struct Options
+{
+  std::string command; ///< field, surface, voxels, probe, check or bench
+  std::string input;
+  std::string queries;
+  std::string output;
+
+  // The grid. Empty dimensions and bounds were not given.
+  int resolution = 64;
+  double voxelSize = 0;
+  std::vector<int> dimensions;
+  std::vector<double> bounds;
+  double padding = 0.05;
+  bool cells = false;
+
+  // The method. Choices have the numbers that the filters give them.
+  int method = 0;
+  double tolerance = 1e-3;
+  int areas = 0;
+  double area = 0;
+  int neighbors = 20;
+  double regularization = 0;
+  bool estimateNormals = false;
+  bool asPoints = false;
+
+  // The output. Choices have the numbers that the filters give them.
+  double threshold = 0.5;
+  int rule = 0;
+  int coverage = 0;
+  int coverageSamples = 4;
+  bool inside = false;
+  bool insideOnly = false;
+  bool insideOut = false;
+  bool extract = false;
+  bool distance = false;
+  double distanceBand = 0;
+  bool closeBorder = false;
+  bool asDouble = false;
+  std::string array = "WindingNumber";
+
+  // The treatment of a surface by check.
+  bool fixOrientation = false;
+  std::string faults; ///< the file of faulty edges and caps; empty if none is wanted
+
+  BenchOptions bench;
+
+  // The run.
+  int threads = 0;
+  int pieces = 1;
+  int verify = 0;
+  bool json = false;
+  bool quiet = false;
+};

@@ -1,0 +1,168 @@
+#include "output/WriteOutput.h"
+
+#include "files/SinglePrecision.h"
+#include "files/Suffix.h"
+#include "output/OutputFile.h"
+#include "program/Failure.h"
+#include "program/Interrupt.h"
+#include "program/Messages.h"
+#include "program/Progress.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+namespace
+{
+
+/// Writes the input of a writer to a file and commits it.
+template <class Writer>
+void run(Writer* writer, OutputFile& file, Messages& messages,
+  const std::function<void()>& check = interrupt::check)
+{
+  const Progress progress(writer, "write", messages.isQuiet());
+  writer->SetFileName(file.temporaryName().c_str());
+  writer->Write();
+  check();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    file.refuseWriting(); // errors of VTK are consequences of this one
+  }
+  messages.throwIfError(file.name());
+  file.commit();
+}
+
+/// Chooses raw bytes behind the XML, lightly packed: small and quick, and every VTK reads them.
+void configureXml(vtkXMLWriter* writer)
+{
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToLZ4();
+}
+
+/// Throws Failure where single precision cannot hold the points, and warns where it moves them.
+void checkSinglePrecision(vtkPolyData* surface, const OutputFile& file, Messages& messages)
+{
+  switch (singlePrecisionOf(surface))
+  {
+  case SinglePrecision::holds:
+    return;
+  case SinglePrecision::movesPoints:
+    messages.warn(file.name() +
+                  ": the format keeps single precision, and so far from the origin that vertices "
+                  "move by more than a ten-thousandth of the size; .vtp keeps what they are");
+    return;
+  case SinglePrecision::collapsesPoints:
+    throw Failure(REFUSED, file.name(),
+      "the format keeps single precision, in which points so far from the origin fall together; "
+      "give it the suffix .vtp");
+  case SinglePrecision::isExceeded:
+    throw Failure(REFUSED, file.name(),
+      "the format keeps single precision, which coordinates of this size are beyond; give it the "
+      "suffix .vtp");
+  }
+}
+
+void writeStl(vtkPolyData* surface, OutputFile& file, Messages& messages)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetInputConnection(triangles->GetOutputPort());
+  writer->SetFileTypeToBinary();
+  run(writer.Get(), file, messages);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> asUnstructuredGrid(vtkPointSet* points)
+{
+  if (points->GetNumberOfCells() > 0)
+  {
+    vtkNew<vtkAppendFilter> append; // takes any point set
+    append->SetInputData(points);
+    append->Update();
+    return append->GetOutput();
+  }
+  // Without cells, the filter's result has no array of them, which the writer would follow.
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points->GetPoints());
+  grid->Allocate(0);
+  grid->GetPointData()->ShallowCopy(points->GetPointData());
+  grid->GetFieldData()->ShallowCopy(points->GetFieldData());
+  return grid;
+}
+
+} // namespace
+
+void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
+  const std::function<void()>& check)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  configureXml(writer);
+  writer->SetInputConnection(image);
+  writer->SetNumberOfPieces(pieces);
+  run(writer.Get(), file, messages, check);
+}
+
+void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages)
+{
+  const std::string suffix = suffixOf(file.name());
+  if (suffix == ".stl" || suffix == ".ply")
+  {
+    checkSinglePrecision(surface, file, messages);
+  }
+  if (suffix == ".stl")
+  {
+    writeStl(surface, file, messages);
+  }
+  else if (suffix == ".ply")
+  {
+    vtkNew<vtkPLYWriter> writer;
+    writer->SetInputData(surface);
+    run(writer.Get(), file, messages);
+  }
+  else if (suffix == ".obj")
+  {
+    vtkNew<vtkOBJWriter> writer;
+    writer->SetInputData(surface);
+    run(writer.Get(), file, messages);
+  }
+  else
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    configureXml(writer);
+    writer->SetInputData(surface);
+    run(writer.Get(), file, messages);
+  }
+}
+
+void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
+{
+  if (suffixOf(file.name()) == ".vtu")
+  {
+    const auto grid = asUnstructuredGrid(points);
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    configureXml(writer);
+    writer->SetInputData(grid);
+    run(writer.Get(), file, messages);
+    return;
+  }
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(points);
+  if (!surface)
+  {
+    throw Failure(
+      REFUSED, file.name(), "cannot hold the cells of the queries; give it the suffix .vtu");
+  }
+  writeSurface(surface, file, messages);
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+class Messages;
+class OutputFile;
+class vtkAlgorithmOutput;
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * @file
+ * These functions write to an output file, in the format of its suffix, and give it its name. They
+ * throw Failure when that fails or the program is interrupted.
+ */
+
+/// Writes an image (.vti), made and written in so many pieces. check is called before the file gets
+/// its name, and throws where the pieces could not be made.
+void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
+  const std::function<void()>& check);
+
+/// Writes a surface: .vtp .ply .stl .obj.
+void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages);
+
+/// Writes points with the arrays of a probe, and their cells: .vtp or .vtu.
+void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages);

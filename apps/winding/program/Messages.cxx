@@ -1,0 +1,134 @@
+#include "program/Messages.h"
+
+#include "program/Failure.h"
+#include "program/Progress.h"
+
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <iostream>
+
+vtkStandardNewMacro(Messages);
+
+namespace
+{
+
+/// Makes "message", on one line, of "ERROR: In file, line 1\nvtkFoo (0x1): message\n\n".
+std::string undecorated(const std::string& text)
+{
+  std::size_t start = 0;
+  if (text.rfind("ERROR: In ", 0) == 0 || text.rfind("Warning: In ", 0) == 0 ||
+      text.rfind("Generic Warning: In ", 0) == 0)
+  {
+    start = std::min(text.find('\n'), text.size());
+    const std::size_t address = text.find(" (0x", start);
+    const std::size_t close = text.find("): ", start);
+    if (address != std::string::npos && close != std::string::npos && address < close &&
+        text.find('\n', start + 1) > close)
+    {
+      start = close + 3;
+    }
+  }
+  std::string line;
+  for (std::size_t i = start; i < text.size(); ++i)
+  {
+    const bool isSpace = text[i] == ' ' || text[i] == '\n' || text[i] == '\t' || text[i] == '\r';
+    if (!isSpace)
+    {
+      // Messages may quote a broken file, whose bytes are not to control the terminal.
+      line += static_cast<unsigned char>(text[i]) < ' ' || text[i] == 127 ? '?' : text[i];
+    }
+    else if (!line.empty() && line.back() != ' ')
+    {
+      line += ' ';
+    }
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+/// Whether this is the line that a pipeline adds after an algorithm in it has failed and told why.
+bool isEcho(const std::string& line)
+{
+  return line.find("returned failure for request") != std::string::npos;
+}
+
+std::string about(const std::string& file, const std::string& message)
+{
+  return message.rfind(file, 0) == 0 || file.empty() ? message : file + ": " + message;
+}
+
+} // namespace
+
+Messages& Messages::install(bool quiet)
+{
+  vtkNew<Messages> messages;
+  messages->quiet_ = quiet;
+  vtkOutputWindow::SetInstance(messages);
+  // VTK's logger would print the same once more, in its own way.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  return *messages;
+}
+
+void Messages::setSubject(const std::string& file)
+{
+  subject_ = file;
+}
+
+void Messages::throwIfError(const std::string& file)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!error_.empty())
+  {
+    const std::string error = about(file, error_);
+    error_.clear();
+    throw Failure(REFUSED, error);
+  }
+}
+
+void Messages::warn(const std::string& text)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!quiet_ && printed_.insert(text).second)
+  {
+    printLine("winding: warning: " + text);
+  }
+}
+
+void Messages::DisplayText(const char* text)
+{
+  this->DisplayWarningText(text);
+}
+
+void Messages::DisplayErrorText(const char* text)
+{
+  const std::string line = undecorated(text);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (error_.empty() && !line.empty())
+  {
+    error_ = isEcho(line) ? "VTK failed without saying why" : line;
+  }
+}
+
+void Messages::DisplayWarningText(const char* text)
+{
+  this->warn(about(subject_, undecorated(text)));
+}
+
+void Messages::DisplayGenericWarningText(const char* text)
+{
+  this->DisplayWarningText(text);
+}
+
+void printLine(const std::string& line)
+{
+  Progress::clear();
+  std::cerr << line << std::endl;
+}
+
+std::string outOfMemoryAdvice()
+{
+  return "not enough memory; choose a coarser grid (--resolution, --voxel-size, --dims) or "
+         "--pieces";
+}

@@ -1,0 +1,29 @@
+#include "program/Print.h"
+
+#include "program/Failure.h"
+
+#include <iostream>
+#include <sstream>
+
+void print(const std::string& text)
+{
+  std::cout << text << std::endl;
+  if (!std::cout)
+  {
+    throw Failure(REFUSED, "standard output cannot be written to; is the disk full?");
+  }
+}
+
+void print(const Json& object)
+{
+  // File names may hold any bytes, JSON only UTF-8.
+  print(object.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string shown(double value, int digits)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// A JSON value whose objects keep the order in which names are put in.
+using Json = nlohmann::ordered_json;
+
+/// Prints text or JSON on standard output, with the end of a line. Throws Failure where that is not
+/// possible.
+void print(const std::string& text);
+void print(const Json& object);
+
+/// A number as people read it, with so many significant digits at most.
+std::string shown(double value, int digits = 6);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <chrono>
+
+/// Measures wall-clock time from the moment when it is made.
+class Stopwatch
+{
+public:
+  /// Seconds so far.
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_ = Clock::now();
+};

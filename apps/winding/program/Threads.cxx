@@ -1,0 +1,31 @@
+#include "program/Threads.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace
+{
+
+/// More threads than processors gain nothing, and TBB complains of them or crashes.
+int atMostTheProcessors(int threads)
+{
+  const unsigned int processors = std::max(1u, std::thread::hardware_concurrency());
+  return std::min(threads, static_cast<int>(processors));
+}
+
+} // namespace
+
+void limitThreads(int threads)
+{
+  if (threads > 0)
+  {
+    vtkSMPTools::Initialize(atMostTheProcessors(threads));
+  }
+}
+
+int threadsUsed(int threads)
+{
+  return threads > 0 ? atMostTheProcessors(threads) : vtkSMPTools::GetEstimatedNumberOfThreads();
+}
