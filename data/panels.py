@@ -5,18 +5,21 @@ Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xv
 
 import math
 import os
+import struct
+import zlib
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything)
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import (
+    vtkClipPolyData, vtkCutter, vtkFeatureEdges, vtkPolyDataNormals)
 from vtkmodules.vtkIOGeometry import vtkOBJReader
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkProperty, vtkRenderer, vtkRenderWindow,
+    vtkActor, vtkColorTransferFunction, vtkDataSetMapper, vtkProperty, vtkRenderer, vtkRenderWindow,
     vtkTextActor, vtkWindowToImageFilter)
 
 WIDTH, ROW_HEIGHT = 1600, 450
@@ -67,8 +70,8 @@ def read_surface(path):
 
 def actor_of(source, color, **properties):
     """An actor of a dataset or of a filter's output, in one colour."""
-    mapper = vtkPolyDataMapper()
-    if isinstance(source, vtkPolyData):
+    mapper = vtkDataSetMapper()
+    if isinstance(source, vtkDataSet):
         mapper.SetInputData(source)
     else:
         mapper.SetInputConnection(source.GetOutputPort())
@@ -123,24 +126,22 @@ def ghost_of(mesh):
     return actor_of(smooth_shaded(mesh), SHELL, Opacity=0.16, BackfaceCulling=True)
 
 
-def slice_actors(field, plane, stops=FIELD_COLORS):
-    """The winding number on a plane, with a bar of its colours."""
-    cut = vtkCutter()
-    cut.SetInputData(field)
-    cut.SetCutFunction(plane)
-
+def colored(actor, array, stops, of_cells=False):
+    """The actor, in the colours of an array of its points or cells, with a bar of them."""
     colors = vtkColorTransferFunction()
     colors.SetColorSpaceToLab()
     for value, color in stops:
         colors.AddRGBPoint(value, *color)
-    cut_actor = actor_of(cut, INK, Lighting=False)
-    mapper = cut_actor.GetMapper()
+    mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("WindingNumber")
+    if of_cells:
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.InterpolateScalarsBeforeMappingOn()
+    mapper.SelectColorArray(array)
     mapper.SetLookupTable(colors)
     mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOn()
 
     bar = vtkScalarBarActor()
     bar.SetLookupTable(colors)
@@ -155,7 +156,15 @@ def slice_actors(field, plane, stops=FIELD_COLORS):
     bar.SetPosition(0.88, 0.30)
     bar.SetWidth(0.1)
     bar.SetHeight(0.45)
-    return [cut_actor, bar]
+    return [actor, bar]
+
+
+def slice_actors(field, plane, stops=FIELD_COLORS, array="WindingNumber"):
+    """The winding number, or another array of its field, on a plane, with a bar of its colours."""
+    cut = vtkCutter()
+    cut.SetInputData(field)
+    cut.SetCutFunction(plane)
+    return colored(actor_of(cut, INK, Lighting=False), array, stops)
 
 
 def line_actor(surface, plane):
@@ -168,6 +177,22 @@ def line_actor(surface, plane):
 
 def voxel_actor(voxels):
     return actor_of(voxels, VOXELS, Interpolation=0, EdgeVisibility=True, EdgeColor=VOXEL_EDGES)
+
+
+def middle_plane(mesh):
+    plane = vtkPlane()
+    plane.SetOrigin(mesh.GetCenter())
+    plane.SetNormal(0, 0, 1)
+    return plane
+
+
+def cut_open(surface, plane, color):
+    """What lies behind the plane, its inner side in another colour."""
+    behind = vtkClipPolyData()
+    behind.SetInputData(surface)
+    behind.SetClipFunction(plane)
+    behind.InsideOutOn()
+    return [two_sided(actor_of(behind, color)), line_actor(surface, plane)]
 
 
 def add_panel(window, place, caption, actors, bounds):
@@ -208,6 +233,30 @@ def add_panel(window, place, caption, actors, bounds):
     window.AddRenderer(strip)
 
 
+def write_png(pixels, path):
+    """A picture of 256 colours, chosen to suit it: a third of the size of one of all colours."""
+    quantizer = vtkImageQuantizeRGBToIndex()
+    quantizer.SetInputConnection(pixels.GetOutputPort())
+    quantizer.SetNumberOfColors(256)
+    quantizer.Update()
+    image, palette = quantizer.GetOutput(), quantizer.GetLookupTable()
+    width, height, _ = image.GetDimensions()
+    indices = bytes(memoryview(image.GetPointData().GetScalars()).cast("B").cast("H").tolist())
+    # A filter byte before each row; VTK's lowest row comes first, a PNG's comes last.
+    rows = (bytes(1) + indices[row * width:(row + 1) * width] for row in reversed(range(height)))
+    colors = (palette.GetTableValue(i)[:3] for i in range(palette.GetNumberOfTableValues()))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        file.write(chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)))
+        file.write(chunk(b"PLTE", bytes(round(255 * part) for color in colors for part in color)))
+        file.write(chunk(b"IDAT", zlib.compress(b"".join(rows), 9)))
+        file.write(chunk(b"IEND", b""))
+
+
 def write_picture(rows, path):
     """Rows of panels, (caption, actors, bounds to look at) each, into a PNG, which takes its name when
     it is complete."""
@@ -226,13 +275,8 @@ def write_picture(rows, path):
     pixels.SetInput(window)
     pixels.ReadFrontBufferOff()
     part = path + ".part"
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(pixels.GetOutputPort())
-    writer.SetFileName(part)
     try:
-        writer.Write()
-        if writer.GetErrorCode():
-            raise SystemExit(f"{path}: cannot be written")
+        write_png(pixels, part)
         os.replace(part, path)
     finally:
         if os.path.exists(part):

@@ -6,18 +6,16 @@ Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xv
 """
 
 import argparse
-import os
-import subprocess
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from panels import (
     INK, SHELL, SMOOTH, SWOLLEN, actor_of, read_surface, smooth_shaded, write_picture)
+from winding_program import Winding
 
 RESOLUTION = 128
 
@@ -48,15 +46,6 @@ def points_actor(cloud):
     return actor_of(glyphs, INK, PointSize=2, Lighting=False)
 
 
-def surface_of(program, source, *options):
-    with tempfile.TemporaryDirectory() as folder:
-        surface = os.path.join(folder, "surface.vtp")
-        subprocess.run(
-            [program, "surface", source, "-o", surface, "--quiet", "--resolution", str(RESOLUTION),
-             *options], check=True)
-        return read_surface(surface)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("program", help="the program winding")
@@ -69,14 +58,12 @@ def main():
     mesh = read_surface(arguments.mesh)
     cloud = cloud_of(mesh, arguments.sparser)
     with tempfile.TemporaryDirectory() as folder:
-        cloud_file = os.path.join(folder, "cloud.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(cloud)
-        writer.SetFileName(cloud_file)
-        writer.Write()
-        constant = surface_of(arguments.program, cloud_file, "--areas", "constant")
-        voronoi = surface_of(arguments.program, cloud_file, "--areas", "voronoi")
-    whole = surface_of(arguments.program, arguments.mesh)
+        winding = Winding(arguments.program, folder)
+        cloud_file = winding.write(cloud)
+        options = "--resolution", RESOLUTION
+        constant = winding.surface(cloud_file, *options, "--areas", "constant")
+        voronoi = winding.surface(cloud_file, *options, "--areas", "voronoi")
+        whole = winding.surface(arguments.mesh, *options)
     panels = [
         (f"Input: {cloud.GetNumberOfPoints():,} points with normals", [points_actor(cloud)]),
         ("One area for all points", [actor_of(smooth_shaded(constant), SWOLLEN)]),

@@ -6,59 +6,21 @@ Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xv
 
 import argparse
 import os
-import subprocess
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
 
 from panels import (
-    SHELL, SMOOTH, SWOLLEN, actor_of, ghost_of, line_actor, mesh_actors, read, read_surface,
-    slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
+    SHELL, SMOOTH, SWOLLEN, actor_of, cut_open, ghost_of, line_actor, mesh_actors, middle_plane,
+    read_surface, slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
+from task_pictures import draw_clip, draw_coverage, draw_distance, draw_soup
+from winding_program import Winding
 
 OVERLAP_COLORS = [(0, (0.97, 0.97, 0.98)), (1, (0.80, 0.30, 0.22)), (2, (0.35, 0.08, 0.20))]
-
-
-class Winding:
-    """The program, its results read."""
-
-    def __init__(self, program, folder):
-        self.program, self.folder = program, folder
-
-    def run(self, command, source, suffix, *options):
-        result = os.path.join(self.folder, "result" + suffix)
-        subprocess.run(
-            [self.program, command, source, "-o", result, "--quiet", *map(str, options)], check=True)
-        return result
-
-    def write(self, mesh):
-        """The name of a file with the mesh; the next one takes its place."""
-        name = os.path.join(self.folder, "mesh.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(mesh)
-        writer.SetFileName(name)
-        writer.Write()
-        return name
-
-    def surface(self, source, *options):
-        return read_surface(self.run("surface", source, ".vtp", *options))
-
-    def voxels(self, source, *options):
-        return read_surface(self.run("voxels", source, ".vtp", *options))
-
-    def field(self, source, *options):
-        return read(vtkXMLImageDataReader(), self.run("field", source, ".vti", *options))
-
-
-def middle_plane(mesh):
-    plane = vtkPlane()
-    plane.SetOrigin(mesh.GetCenter())
-    plane.SetNormal(0, 0, 1)
-    return plane
 
 
 def draw_resolutions(winding, source, picture):
@@ -107,15 +69,6 @@ def overlapping(mesh):
     both.AddInputConnection(second.GetOutputPort())
     both.Update()
     return both.GetOutput()
-
-
-def cut_open(surface, plane, color):
-    """What lies behind the plane, its inner side in another colour."""
-    behind = vtkClipPolyData()
-    behind.SetInputData(surface)
-    behind.SetClipFunction(plane)
-    behind.InsideOutOn()
-    return [two_sided(actor_of(behind, color)), line_actor(surface, plane)]
 
 
 def draw_overlap(winding, source, picture):
@@ -184,6 +137,10 @@ def main():
             (draw_opening, arguments.open),
             (draw_overlap, arguments.closed),
             (draw_orientation, arguments.open),
+            (draw_soup, arguments.closed),
+            (draw_coverage, None),
+            (draw_distance, arguments.open),
+            (draw_clip, arguments.open),
         ):
             name = draw.__name__.removeprefix("draw_") + ".png"
             print(name, flush=True)

@@ -124,8 +124,11 @@ public:
   vtkMTimeType GetMTime() override;
 
   using vtkImplicitFunction::EvaluateFunction;
+  /// The value at a point, which no transform is applied to.
   double EvaluateFunction(double x[3]) override;
+  /// The values at all points of an array, evaluated together.
   void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
+  /// The gradient −∇w at a point, which no transform is applied to, in 1/length of the input.
   void EvaluateGradient(double x[3], double g[3]) override;
 
   using vtkImplicitFunction::FunctionValue;

@@ -302,6 +302,7 @@ public:
   vtkIdType GetNumberOfCapTriangles() const;
   ///@}
 
+  /// Answers the pipeline; what the core throws becomes an error, a Status and a failed request.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 

@@ -116,6 +116,7 @@ public:
   vtkGetMacro(DistanceBand, double);
   ///@}
 
+  /// The output of port 0.
   vtkImageData* GetOutput();
 
 protected:

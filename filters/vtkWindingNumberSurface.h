@@ -79,6 +79,7 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  /// The output of port 0.
   vtkPolyData* GetOutput();
 
 protected:

@@ -1,0 +1,46 @@
+"""What the tests of the installed package share: configuring, building and running what uses it."""
+
+import argparse
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    for name in ("cmake", "generator", "config", "prefix", "folder"):
+        parser.add_argument("--" + name, required=True)
+    parser.add_argument("--flags", default="", help="of the compiler, such as those of sanitizers")
+    found = parser.parse_args()
+    found.folder = pathlib.Path(found.folder)
+    return found
+
+
+def run(*command, folder=None):
+    print("+", *command, flush=True)
+    subprocess.run([str(word) for word in command], cwd=folder, check=True)
+
+
+def emptied(folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    return folder
+
+
+def build(settings, source, target, *options):
+    """Configures and builds a project against nothing but the installed package."""
+    run(settings.cmake, "-S", source, "-B", target, "-G", settings.generator,
+        f"-DCMAKE_BUILD_TYPE={settings.config}", f"-DCMAKE_PREFIX_PATH={settings.prefix}",
+        f"-DCMAKE_CXX_FLAGS={settings.flags}", *options)
+    run(settings.cmake, "--build", target)
+
+
+def require_files(folder, names):
+    for name in names:
+        path = folder / name
+        if not path.is_file() or not path.stat().st_size:
+            raise SystemExit(f"{name} was not written")
