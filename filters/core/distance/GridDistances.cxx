@@ -14,18 +14,18 @@ namespace winding
 namespace
 {
 
-/// Cells of this size are best by measurement at 128³ and 256³: 32 and 128 take up to twice as
-/// long.
+/// Cells of this size are best: those of 32 and 128 samples take up to twice as long (measured at
+/// 128³ and 256³).
 constexpr std::size_t samplesPerCell = 64;
 
-/// Blocks of this size make several tasks of small grids, too. Measured: 512 take up to a fifth
-/// longer.
+/// Blocks of this size make several tasks of small grids, too. Blocks of 512 samples take up to a
+/// fifth longer (measured).
 constexpr double samplesPerBlock = 4096;
 
 /// A task leaves its rest to other tasks after so many samples times items. These begin with the
 /// lists of the block again, so that a smaller number would take longer. Where all of a source is
-/// as near, as at the centre of a sphere, tasks take 0.6 s for 80 000 triangles, and 2 s for 300
-/// 000.
+/// equally near, as at the centre of a sphere, tasks take 0.6 s for 80 000 triangles, and 2 s for
+/// 300 000.
 constexpr double mostWorkPerTask = 1 << 28;
 
 /// An item is compared with this many samples at once; with fewer samples it takes as long.

@@ -82,7 +82,7 @@ constexpr int monomialCount(int order)
   return (order + 1) * (order + 2) * (order + 3) / 6;
 }
 
-/// Rows of that matrix in single precision, filled up to whole vectors.
+/// The number of rows of polynomialMatrix() in single precision, filled up to whole vectors.
 constexpr std::size_t polynomialRows(int order)
 {
   return roundUp(static_cast<std::size_t>(monomialCount(order)), floatLanes);

@@ -179,8 +179,8 @@ public:
 
   double secondsPerPair() const override
   {
-    // Spread points cost less beyond their spreading than within it, where they take 1.1 ns in
-    // single and 2 ns in double precision; the figures for them lie between.
+    // The figures for spread points lie between the costs of points near enough to feel their
+    // spreading, 1.1 ns in single and 2 ns in double precision, and of points farther away.
     return this->isSpread() ? (inSingle_ ? 0.6e-9 : 1.5e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
   }
   double secondsPerCutAndCoefficient() const override { return 1.5e-6; }

@@ -17,7 +17,7 @@ void addMomentGradientsLoop(const MomentDerivatives& derivatives, float inverseR
   const float* HWY_RESTRICT x, const float* HWY_RESTRICT y, const float* HWY_RESTRICT z,
   std::size_t count, FloatGradientSums& sums)
 {
-  // At most 16 lanes, for that is how arrays are padded.
+  // Vectors have at most 16 lanes, for that is how arrays are padded.
   const hn::CappedTag<float, 16> d;
   using Floats = hn::Vec<decltype(d)>;
   const auto set = [&d](float value) HWY_ATTR
@@ -26,7 +26,7 @@ void addMomentGradientsLoop(const MomentDerivatives& derivatives, float inverseR
   };
   for (std::size_t s = 0; s < count; s += hn::Lanes(d))
   {
-    // T_n^m one order m after the other, as addMomentValues() has them.
+    // The harmonics T_n^m come one order m after the other, as in addMomentValues().
     const Floats px = hn::Load(d, x + s), py = hn::Load(d, y + s), pz = hn::Load(d, z + s);
     const Floats squared = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
     const Floats inverse = hn::Div(set(1), squared);

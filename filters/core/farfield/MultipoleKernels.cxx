@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most 16 lanes, for that is how arrays are padded.
+// Vectors have at most 16 lanes, for that is how arrays are padded.
 using Tag = hn::CappedTag<float, 16>;
 using Vec = hn::Vec<Tag>;
 
