@@ -99,7 +99,7 @@ TEST_F(Coverage, AddsItsArraysAndLeavesWindingNumbersAlone)
     ASSERT_EQ(insideOf(fraction)[i], sharesOf(fraction)[i] >= 0.5F);
     ASSERT_LE(sharesOf(fraction)[i] > 0, insideOf(any)[i]) << "what is partly inside overlaps";
   }
-  // Without w, there is the same of the voxels.
+  // The arrays of the voxels are the same without w.
   field->GenerateWindingNumberOff();
   const auto only = made(Filter::FRACTION);
   EXPECT_EQ(only->GetPointData()->GetNumberOfArrays(), 2);
@@ -141,7 +141,8 @@ TEST_F(Coverage, IsTheSameForPointsAndCellsAndPiecesOfThem)
   }
 }
 
-/// The sum of all shares is the volume of the polyhedron, much better than that of the centres.
+/// The sum of all shares is the volume of the polyhedron, much better than the number of centres
+/// inside.
 TEST_F(Coverage, SharesAddUpToTheVolume)
 {
   sphere->SetCenter(0.013, -0.027, 0.041);
@@ -151,7 +152,7 @@ TEST_F(Coverage, SharesAddUpToTheVolume)
   mass->SetInputConnection(triangles->GetOutputPort());
   const double expected = mass->GetVolume();
   const int resolutions[] = {8, 16, 32, 64};
-  // Measured: 2.3e-3, 2.2e-4, 1.2e-4, 4.8e-5; centres 4.7e-2, 1.3e-2, 2.3e-3, 2.2e-4.
+  // Measured errors: 2.3e-3, 2.2e-4, 1.2e-4, 4.8e-5; by centres 4.7e-2, 1.3e-2, 2.3e-3, 2.2e-4.
   const double largest[] = {4e-3, 5e-4, 3e-4, 1e-4};
   for (int i = 0; i < 4; ++i)
   {
@@ -193,7 +194,7 @@ TEST_F(Coverage, MoreSamplesAreFinerShares)
   }
 }
 
-/// Voxels beyond any share, by the array; quads carry the share of their voxel.
+/// The array says which voxels are beyond any share, and quads carry the share of their voxel.
 TEST_F(Coverage, VoxelsFollowInsideAndShares)
 {
   vtkNew<vtkWindingNumberVoxels> voxels;
@@ -323,7 +324,7 @@ TEST_F(Coverage, NothingIsInsideOfNothing)
   vtkNew<Filter> empty;
   empty->SetInputData(nothing);
   empty->SetResolution(4);
-  ErrorLog log(empty); // the warning that it is
+  ErrorLog log(empty); // catches the warning that the source is empty
   for (const int coverage : {Filter::ANY, Filter::FRACTION})
   {
     empty->SetCoverage(coverage);

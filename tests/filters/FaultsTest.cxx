@@ -46,7 +46,7 @@ vtkSmartPointer<vtkPolyData> sphere()
   return source->GetOutput();
 }
 
-/// Cells by their numbers left out, turned round, or once more.
+/// A copy of a surface with some cells, given by their numbers, left out, turned round or repeated.
 vtkSmartPointer<vtkPolyData> damaged(vtkPolyData* surface, const std::vector<vtkIdType>& left,
   const std::vector<vtkIdType>& turned, const std::vector<vtkIdType>& twice)
 {
@@ -105,7 +105,7 @@ protected:
     return nullptr;
   }
 
-  /// What the sides of a surface's triangles, its cap's and nothing else add up to.
+  /// The number of edges whose sides in a surface's and its caps' triangles do not cancel.
   std::size_t uncancelledEdgesWithCaps(vtkPolyData* surface)
   {
     std::map<Edge, int> nets;
@@ -230,7 +230,7 @@ TEST_F(Faults, AreTheSecondOutputInAPipeline)
 {
   vtkNew<vtkSurfaceReport> first;
   first->SetInputData(damaged(sphere(), {30}, {}, {}));
-  first->UpdatePiece(1, 2, 0); // all is in the first piece
+  first->UpdatePiece(1, 2, 0); // the first piece has all blocks
   EXPECT_EQ(first->GetFaults()->GetNumberOfBlocks(), 0u);
   first->Update(1);
   EXPECT_EQ(first->GetFaults()->GetNumberOfBlocks(), 4u);
@@ -242,7 +242,7 @@ TEST_F(Faults, OfRealMeshesAreThoseOfOthers)
   {
     GTEST_SKIP() << "there are no meshes in " << WINDING_SHARED_DATA;
   }
-  // Meshes whose points are welded, as vtkFeatureEdges takes them.
+  // The points of these meshes are welded, as vtkFeatureEdges needs them.
   for (const char* name :
     {"bunny_res2_nonmanifold.ply", "truck_soup.obj", "maxplanck_open_90k.obj", "bunny_10k.obj"})
   {
@@ -255,7 +255,8 @@ TEST_F(Faults, OfRealMeshesAreThoseOfOthers)
     edges->BoundaryEdgesOff();
     edges->NonManifoldEdgesOn();
     edges->Update();
-    // It gives an edge once for each triangle beyond the second or so; places are what counts.
+    // vtkFeatureEdges gives an edge once for each triangle beyond the second or so, so that only
+    // the places of edges are compared.
     std::map<Edge, int> found, expected;
     const auto collect = [](vtkPolyData* lines, std::map<Edge, int>& places)
     {

@@ -147,7 +147,7 @@ TEST_F(FieldGrid, VoxelSizeWinsOverResolution)
 
 TEST_F(FieldGrid, InsideFollowsRuleAndThreshold)
 {
-  // Two spheres, one in the other, both outwards: w is 2 in the inner one.
+  // The winding number is 1 at the centre of the sphere.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(24);
   sphere->SetPhiResolution(24);

@@ -84,7 +84,7 @@ TEST_F(FieldPipeline, SubExtentsHaveTheBitsOfTheWhole)
     {3, 9, 4, 4, 0, 7}, {0, 0, 0, 0, 0, 0}, {5, last[1], 7, last[3], 11, last[5]}};
   for (auto& extent : extents)
   {
-    field->Modified(); // or the pipeline would be content with the whole that it has
+    field->Modified(); // else the pipeline would be content with the whole that it has
     field->UpdateExtent(extent);
     vtkImageData* part = field->GetOutput();
     int got[6];
@@ -203,7 +203,7 @@ TEST_F(FieldPipeline, GridAndThresholdKeepWhatWasBuilt)
 
 TEST_F(FieldPipeline, NewDataObjectsOfTheSameMeshKeepWhatWasBuilt)
 {
-  // What readers of time series do whose mesh stays the same: other objects, and perhaps arrays.
+  // Readers of time series whose mesh stays the same give other objects, and perhaps other arrays.
   sphere->Update();
   for (int step = 0; step < 3; ++step)
   {
@@ -266,7 +266,7 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
 {
   sphere->SetThetaResolution(200);
   sphere->SetPhiResolution(200);
-  // The first event is the filter's that nothing is done yet, the next are from preparing.
+  // The first event says that nothing is done yet, the next ones are from preparing.
   auto stopper = std::make_unique<ProgressLog>(field, 0);
   ErrorLog log(field);
   field->Update();

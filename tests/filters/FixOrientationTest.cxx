@@ -53,7 +53,7 @@ Polygon reversed(Polygon polygon)
   return polygon;
 }
 
-/// A copy with other polygons.
+/// A copy of a surface with other polygons.
 vtkSmartPointer<vtkPolyData> withPolygons(
   vtkPolyData* surface, const std::vector<Polygon>& polygons)
 {
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> withPolygons(
   return result;
 }
 
-/// Some polygons turned round, by the seed.
+/// A copy of a surface with some polygons turned round, chosen by the seed.
 vtkSmartPointer<vtkPolyData> shuffled(vtkPolyData* surface, unsigned seed)
 {
   std::mt19937 engine(seed);
@@ -112,7 +112,8 @@ vtkSmartPointer<vtkPolyData> inverted(vtkPolyData* surface)
   return reverse->GetOutput();
 }
 
-/// Polygons turned round by others than the filter may start elsewhere.
+/// Rotates polygons to start from their lowest point: polygons turned round by others than the
+/// filter may start elsewhere.
 std::vector<Polygon> fromTheirLowestPoint(std::vector<Polygon> polygons)
 {
   for (Polygon& polygon : polygons)
@@ -227,7 +228,7 @@ TEST_F(FixOrientation, MakesTrianglesOfStripsWhereItTurnsThem)
   strips->GetCellData()->AddArray(numbers);
   EXPECT_EQ(this->fixed(strips)->GetStrips(), strips->GetStrips());
 
-  // Every third strip the other way round: one more point at its start.
+  // One more point at its start turns every third strip the other way round.
   std::vector<Polygon> cells = polygonsOf(strips->GetStrips());
   vtkNew<vtkCellArray> mixed;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -260,7 +261,8 @@ TEST_F(FixOrientation, MakesTrianglesOfStripsWhereItTurnsThem)
 
 TEST_F(FixOrientation, KeepsCavitiesAndTurnsSolidsOutward)
 {
-  // A shell, a cavity in it and a solid in the cavity, all inside out; and another solid.
+  // The surface is a shell, a cavity in it and a solid in the cavity, all inside out, and another
+  // solid.
   vtkNew<vtkAppendPolyData> append;
   append->AddInputData(inverted(sphere(0, 4)));
   append->AddInputData(sphere(0, 3));
@@ -317,7 +319,7 @@ TEST_F(FixOrientation, SaysWhatHasNoOrientation)
 TEST_F(FixOrientation, OrientsTheLeavesOfACompositeTogether)
 {
   ErrorLog log(filter);
-  // A sphere in two halves that only together are closed, each with points of its own.
+  // The blocks are two halves of a sphere, closed only together, each with points of its own.
   auto whole = sphere();
   const std::vector<Polygon> polygons = polygonsOf(whole->GetPolys());
   std::vector<Polygon> halves[2];
@@ -358,7 +360,8 @@ TEST_F(FixOrientation, LeavesGhostsAlone)
 
 TEST_F(FixOrientation, TakesCellsThatBoundNothing)
 {
-  // A polygon with two points, one with a point twice, one that does not exist, one without an area.
+  // The cells added are a polygon with two points, one with a point twice, one with a point that
+  // does not exist, and one without points.
   auto right = sphere();
   std::vector<Polygon> polygons = polygonsOf(shuffled(right, 4)->GetPolys());
   const std::size_t own = polygons.size();
@@ -387,8 +390,8 @@ TEST_F(FixOrientation, OfCloudsAndOfNothingDoesNothing)
   EXPECT_EQ(log.errors() + log.warnings(), "");
 }
 
-/// The share of voxels whose winding number is 1 where ray parity, which no orientation changes, says
-/// inside, and 0 where it says outside.
+/// The share of voxels whose winding number is 1 where ray parity, which no orientation changes,
+/// says inside, and 0 where it says outside.
 double agreementWithParity(vtkPolyData* fixed, vtkPolyData* original)
 {
   const auto field = [](vtkPolyData* surface, int method)
@@ -419,7 +422,7 @@ TEST_F(FixOrientation, MakesTheFieldOfRealMeshesRight)
     GTEST_SKIP() << "there are no meshes in " << WINDING_SHARED_DATA;
   }
   ErrorLog log(filter);
-  // As it comes, a third of its triangles are flipped.
+  // A third of this mesh's triangles are flipped.
   auto conrod = readMesh(WINDING_SHARED_DATA "/conrod_flipped.stl");
   vtkPolyData* output = this->fixed(conrod);
   EXPECT_TRUE(filter->GetClosed());

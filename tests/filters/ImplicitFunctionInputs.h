@@ -8,7 +8,7 @@
 
 #include <vector>
 
-/// Of radius 0.5; open at the bottom if phi ends before 180.
+/// A sphere of radius 0.5, unless another is given; open at the bottom if phi ends before 180.
 inline vtkSmartPointer<vtkPolyData> sphere(double endPhi = 180, double radius = 0.5, double x = 0)
 {
   vtkNew<vtkSphereSource> source;
@@ -30,7 +30,7 @@ inline vtkSmartPointer<vtkPolyData> cloud()
   return points;
 }
 
-/// Closed, open, and a cloud.
+/// A closed surface, an open one, and a cloud.
 inline std::vector<vtkSmartPointer<vtkPolyData>> someInputs()
 {
   return {sphere(), sphere(120), cloud()};

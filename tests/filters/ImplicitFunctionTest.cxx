@@ -24,7 +24,7 @@
 namespace
 {
 
-/// Cubes of a side of 0.1 around the sphere, whose centre is no point of theirs.
+/// A grid of cubes with sides of 0.1 around the sphere, whose centre is no point of the grid.
 vtkSmartPointer<vtkImageData> grid()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -59,7 +59,7 @@ double volumeOf(vtkDataSet* cells)
   return volume;
 }
 
-/// VTK's own filters that take an implicit function.
+/// Tests the function in VTK's own filters that take an implicit function.
 class ImplicitFunction : public testing::Test
 {
 protected:
@@ -129,7 +129,7 @@ TEST_F(ImplicitFunction, CutsWhereTheSurfaceIs)
     EXPECT_GT(cut->GetNumberOfPoints(), 300);
     for (vtkIdType i = 0; i < cut->GetNumberOfPoints(); ++i)
     {
-      // Half way along an edge or diagonal of a cube, the longest of 0.17.
+      // Points lie half way along an edge or a diagonal of a cube, which is up to 0.17 long.
       EXPECT_NEAR(vtkMath::Norm(cut->GetPoint(i)), 0.5, 0.09);
     }
   }

@@ -60,7 +60,7 @@ vtkSmartPointer<vtkDoubleArray> arrayOf(const std::vector<Position>& points)
   return array;
 }
 
-/// What the probe, set up alike, gives at positions.
+/// The values that the probe, set up alike, gives at positions.
 std::vector<double> probed(vtkDataObject* source, const std::vector<Position>& at,
   int method = Algorithm::AUTOMATIC, double tolerance = 1e-3)
 {
@@ -107,7 +107,7 @@ double differenceOfGradients(vtkImplicitFunction* function, const std::vector<Po
   return largest;
 }
 
-/// Those not so near to the sphere that central differences would cross it.
+/// The positions that are not so near to the sphere that central differences would cross it.
 std::vector<Position> offTheSphere(std::vector<Position> at)
 {
   at.erase(std::remove_if(at.begin(), at.end(),
@@ -167,7 +167,7 @@ TEST_F(ImplicitWindingNumber, HasTheGradientOfItsValues)
   function->SetInput(cloud());
   EXPECT_LT(differenceOfGradients(function, offTheSphere(positions())), 1e-5); // measured: 3.5e-6
 
-  // Toward the hole at the bottom w falls, so values grow.
+  // w falls toward the hole at the bottom, so values grow.
   function->SetInput(sphere(120));
   double gradient[3];
   const double x[3] = {0, 0, -0.2};
@@ -188,7 +188,8 @@ TEST_F(ImplicitWindingNumber, HasTheGradientOfItsValuesWithinATolerance)
       double expected[3], gradient[3];
       exact->FunctionGradient(x.data(), expected);
       function->FunctionGradient(x.data(), gradient);
-      // Tolerances over the distance to the source, which is 0.05 at least. Measured: 0.0093.
+      // The limit is the tolerance over the distance to the source, which is 0.05 at least.
+      // Measured: 0.0093.
       EXPECT_LT(std::sqrt(vtkMath::Distance2BetweenPoints(expected, gradient)), 0.02);
     }
   }
@@ -223,7 +224,7 @@ TEST_F(ImplicitWindingNumber, TakesArraysOfAnyType)
   integers->InsertNextTuple3(0, 0, 0);
   integers->InsertNextTuple3(1, 0, 0);
   vtkNew<vtkFloatArray> values;
-  values->SetNumberOfComponents(2); // is put right
+  values->SetNumberOfComponents(2); // a wrong number, which is put right
   function->FunctionValue(integers, values);
   ASSERT_EQ(values->GetNumberOfValues(), 2);
   EXPECT_NEAR(values->GetValue(0), -0.5, 1e-3);

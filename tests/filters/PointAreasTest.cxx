@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> sphere(double x = 0)
   return source->GetOutput();
 }
 
-/// Its points without its triangles.
+/// The points of the sphere without its triangles.
 vtkSmartPointer<vtkPolyData> cloud(double x = 0)
 {
   auto result = sphere(x);
@@ -66,7 +66,7 @@ double surfaceOf(vtkPolyData* mesh)
   return properties->GetSurfaceArea();
 }
 
-/// The array of a data set, which must have a double for each point.
+/// The numbers of a data set's array, which must have a double for each point.
 std::vector<double> areasIn(vtkDataObject* data, const char* name = "Area")
 {
   auto* pointSet = vtkPointSet::SafeDownCast(data);
@@ -166,7 +166,7 @@ TEST_F(PointAreas, OfAMeshAreThirdsOfItsTriangles)
   this->areasOf(sphere());
   EXPECT_NEAR(filter->GetTotalArea(), surfaceOf(sphere()), 1e-12);
 
-  // Its normals are those of the triangles where it has none.
+  // The normals of a mesh that has none are those of its triangles.
   auto bare = sphere();
   bare->GetPointData()->Initialize();
   this->areasOf(bare);
@@ -195,7 +195,7 @@ TEST_F(PointAreas, NeighborsAndNormalsAreThoseAskedFor)
   EXPECT_NE(this->areasOf(input), areas);
   filter->SetNumberOfNeighbors(20);
 
-  // With one normal for all, everything is flat.
+  // One normal for all points makes everything flat.
   vtkNew<vtkDoubleArray> up;
   up->SetName("Up");
   up->SetNumberOfComponents(3);
@@ -251,7 +251,7 @@ TEST_F(PointAreas, WhatCannotBeIsRefused)
 
 TEST_F(PointAreas, UnusablePointsHaveNoneAndAreCounted)
 {
-  // Put between the others, to find that these keep theirs.
+  // The unusable points are put between the others, to find that these keep their areas.
   const std::vector<double> areas = this->areasOf(cloud());
   auto clean = cloud();
   vtkNew<vtkPoints> points;
@@ -329,7 +329,7 @@ TEST_F(PointAreas, GhostPointsHaveNone)
 
 TEST_F(PointAreas, PointsOfGhostCellsHaveNone)
 {
-  // Cells of the lower half are another piece's.
+  // The cells of the lower half are another piece's.
   auto input = sphere();
   auto flags = ghosts(input->GetNumberOfCells(), 0);
   for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
@@ -358,7 +358,7 @@ TEST_F(PointAreas, LeavesOfCompositeDataAreOneCloud)
   blocks->SetBlock(1, cloud());
   blocks->SetBlock(2, vtkSmartPointer<vtkPolyData>::New());
   blocks->SetBlock(3, nested);
-  blocks->SetBlock(4, cloud()); // where another one is: they share the area
+  blocks->SetBlock(4, cloud()); // in the place of block 1: they share the area
   vtkNew<vtkDoubleArray> note;
   note->SetName("Note");
   blocks->GetFieldData()->AddArray(note);
@@ -374,7 +374,7 @@ TEST_F(PointAreas, LeavesOfCompositeDataAreOneCloud)
   EXPECT_EQ(areasIn(output->GetBlock(4)), once);
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    ASSERT_NEAR(2 * once[i], areas[i], 0.2 * areas[i]); // fewer places are among its neighbours
+    ASSERT_NEAR(2 * once[i], areas[i], 0.2 * areas[i]); // neighbours are at fewer places than alone
   }
   const auto far = areasIn(vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(3))->GetBlock(0));
   EXPECT_NEAR(sumOf(far), alone, 1e-5 * alone);
@@ -455,7 +455,7 @@ TEST_F(PointAreas, PointsInsideOfVolumeMeshesHaveNone)
 
 TEST_F(PointAreas, PointsThatVtkMakesOnCurvedCellsAreCounted)
 {
-  // Of a Lagrange cell VTK evaluates the nodes anew, with point data between that of others.
+  // VTK evaluates the nodes of a Lagrange cell anew, with point data between that of others.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   std::vector<vtkIdType> ids;
@@ -506,7 +506,7 @@ TEST_F(PointAreas, GiveTheFieldThatTheirMethodGives)
     {
       if (method == vtkPointAreas::MESH && i != 1 && i != 3)
       {
-        continue; // no triangles
+        continue; // this input has no triangles
       }
       SCOPED_TRACE(std::to_string(i) + ", method " + std::to_string(method));
       filter->SetInputData(inputs[i]);

@@ -17,7 +17,7 @@ class PointProbe : public testing::Test
 protected:
   PointProbe() { probe->SetOutputScalarTypeToDouble(); }
 
-  /// NaN where there is none.
+  /// The winding number of a source at a point; NaN where there is none.
   double windingNumber(vtkDataObject* source, double x = 0, double y = 0, double z = 0)
   {
     vtkNew<vtkPoints> points;

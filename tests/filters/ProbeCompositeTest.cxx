@@ -53,7 +53,7 @@ protected:
     sphere->SetPhiResolution(30);
     probe->SetSourceConnection(sphere->GetOutputPort());
     probe->GenerateInsideOn();
-    probe->SetMethod(vtkWindingNumberProbe::DIRECT); // bits that depend on the point only
+    probe->SetMethod(vtkWindingNumberProbe::DIRECT); // its bits depend on the point only
 
     inner->SetBlock(0, somePoints(50, 1));
     inner->SetBlock(2, someImage());
@@ -66,7 +66,7 @@ protected:
     blocks->GetMetaData(5u)->Set(vtkCompositeDataSet::NAME(), "the last");
   }
 
-  /// What the filter gives for a data set that comes alone.
+  /// The filter's output for a data set that comes alone.
   vtkSmartPointer<vtkDataSet> alone(vtkDataSet* queries)
   {
     vtkNew<vtkWindingNumberProbe> other;
@@ -199,7 +199,7 @@ TEST_F(ProbeComposite, WithoutDataSetsStaysAsItIs)
   EXPECT_EQ(log.errors(), "");
 }
 
-/// One list of samples, not a thousand: for a far field, too, and as fast.
+/// A thousand small data sets are one list of samples for a far field, too, and so take no longer.
 TEST_F(ProbeComposite, ManySmallDataSetsAreOneEvaluation)
 {
   probe->SetMethod(vtkWindingNumberProbe::AUTOMATIC);
@@ -232,7 +232,7 @@ TEST_F(ProbeComposite, ManySmallDataSetsAreOneEvaluation)
   }
 }
 
-/// The executive takes these apart and puts them together again.
+/// The executive takes AMR data sets apart and puts them together again.
 TEST_F(ProbeComposite, AmrGoesBlockByBlock)
 {
   vtkNew<vtkOverlappingAMR> amr;

@@ -28,7 +28,7 @@
 namespace
 {
 
-constexpr double side = 0.851; // of the cube around the origin, whose faces meet no query
+constexpr double side = 0.851; // side of the cube around the origin, whose faces meet no query
 
 bool isInCube(const double x[3])
 {
@@ -86,7 +86,8 @@ protected:
     cube->SetZLength(length);
   }
 
-  /// Points and cells of what was kept are those of the queries, with all that belongs to them.
+  /// Expects points and cells that were kept to be those of the queries, with all that belongs to
+  /// them.
   void expectKept(vtkDataSet* queries, const std::set<vtkIdType>& cells)
   {
     vtkDataSet* part = probe->GetOutput();
@@ -131,7 +132,7 @@ protected:
     EXPECT_NE(part->GetFieldData()->GetAbstractArray("WindingNumberMethod"), nullptr);
   }
 
-  /// The cells that isKept() says of.
+  /// The cells for which isKept() is true.
   static std::set<vtkIdType> cellsOf(
     vtkDataSet* queries, const std::function<bool(vtkIdType cell)>& isKept)
   {
@@ -191,7 +192,7 @@ TEST_F(ProbeExtraction, OfAnImageIsAnUnstructuredGridOfItsVoxels)
   EXPECT_NEAR(data->GetArray("WindingNumber")->GetRange()[0], 1, 1e-6);
   EXPECT_EQ(data->GetScalars(), data->GetArray("WindingNumber"));
 
-  // And back: the output is of another class again.
+  // The output is of the queries' class again when extraction is off.
   probe->ExtractInsideOff();
   probe->Update();
   EXPECT_NE(vtkImageData::SafeDownCast(probe->GetOutput()), nullptr);

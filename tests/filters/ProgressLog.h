@@ -8,7 +8,8 @@ class vtkAlgorithm;
 class ProgressLog
 {
 public:
-  /// abortFrom: the progress, of 0 to 1, from which on the filter is aborted; that of 1 is too late.
+  /// abortFrom: the progress, of 0 to 1, from which on the filter is aborted; a progress of 1 is
+  /// too late.
   explicit ProgressLog(
     vtkAlgorithm* filter, double abortFrom = std::numeric_limits<double>::infinity());
   ~ProgressLog();

@@ -18,7 +18,7 @@ template <class Reader> vtkSmartPointer<vtkPolyData> readWith(const std::string&
   return reader->GetOutput();
 }
 
-/// A mesh or a cloud of the shared folder, by the suffix of its name.
+/// A mesh or a cloud of the shared folder, by the reader for the suffix of its name.
 inline vtkSmartPointer<vtkPolyData> readMesh(const std::string& fileName)
 {
   const std::string suffix = fileName.substr(fileName.rfind('.'));

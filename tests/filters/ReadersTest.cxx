@@ -20,7 +20,7 @@
 namespace
 {
 
-/// A file of the test's own, gone with it.
+/// A temporary file with some contents, removed with the object.
 class TextFile
 {
 public:

@@ -84,7 +84,7 @@ TEST_F(Rows, EqualTheDirectSumForAnOpenSurface)
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
   {
     field->SetTolerance(tolerance);
-    // Measured: a tenth of it.
+    // Measured: a tenth of the tolerance.
     EXPECT_LT(largestDifference(this->output(vtkWindingNumberField::ROWS), direct), tolerance);
   }
 }
@@ -120,7 +120,7 @@ TEST_F(Rows, AreChosenForSurfacesWithSmallCaps)
 
 TEST_F(Rows, AreNotChosenWhereTheCapIsNoSmallerThanTheSurface)
 {
-  // One triangle: its cap is the same triangle turned round.
+  // The cap of a single triangle is the same triangle turned round.
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0, 0, 0);
   points->InsertNextPoint(1, 0, 0.2);
@@ -141,7 +141,7 @@ TEST_F(Rows, AreNotChosenWhereTheCapIsNoSmallerThanTheSurface)
 
 TEST_F(Rows, GiveTheSideOfFacesOnGridPlanesEverywhereAlike)
 {
-  // Voxels of 1/4, and samples in all six planes of the unit cube.
+  // Voxels have sides of 1/4, and samples lie in all six planes of the unit cube.
   vtkNew<vtkCubeSource> cube;
   field->SetInputConnection(cube->GetOutputPort());
   field->UseInputBoundsOff();

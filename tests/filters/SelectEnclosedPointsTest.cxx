@@ -22,8 +22,8 @@
 
 /**
  * @file
- * The probe in the place of vtkSelectEnclosedPoints: the same pipeline, with the edits that the probe's
- * header says.
+ * Tests of the probe in the place of vtkSelectEnclosedPoints: the same pipeline, with the edits
+ * that the probe's header says.
  */
 namespace
 {
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> randomPoints(vtkDataSet* around, int count, unsigne
   return queries;
 }
 
-/// What users do with the filter, whichever it is.
+/// The points that either filter selects, used as users do.
 template <class Select>
 std::vector<int> selected(vtkPolyData* points, vtkPolyData* surface, bool insideOut)
 {
@@ -79,7 +79,7 @@ std::vector<int> selected(vtkPolyData* points, vtkPolyData* surface, bool inside
   return found;
 }
 
-/// By the direct sum; −1 where w is too close to 0.5 to ask an approximation.
+/// The selection by the direct sum; −1 where w is too close to 0.5 to ask an approximation.
 std::vector<int> exactly(vtkPolyData* points, vtkPolyData* surface)
 {
   vtkNew<vtkWindingNumberProbe> probe;
@@ -108,7 +108,7 @@ int differences(const std::vector<int>& found, const std::vector<int>& expected)
   return differing;
 }
 
-/// Without every tenth triangle.
+/// A copy of a mesh without every tenth triangle.
 vtkSmartPointer<vtkPolyData> torn(vtkPolyData* mesh)
 {
   vtkNew<vtkCellArray> cells;
@@ -157,7 +157,7 @@ TEST_F(InsteadOfSelectEnclosedPoints, SameAnswersForClosedMeshes)
     const std::vector<int> ours = selected<vtkWindingNumberProbe>(points, surface, false);
     const std::vector<int> theirs = selected<vtkSelectEnclosedPoints>(points, surface, false);
     EXPECT_EQ(differences(ours, exactly(points, surface)), 0);
-    EXPECT_EQ(differences(theirs, ours), 0); // of 100 000 points they have one wrong in some meshes
+    EXPECT_EQ(differences(theirs, ours), 0); // VTK's has 1 of 100 000 points wrong in some meshes
     const std::vector<int> outside = selected<vtkWindingNumberProbe>(points, surface, true);
     EXPECT_EQ(differences(outside, selected<vtkSelectEnclosedPoints>(points, surface, true)), 0);
     EXPECT_EQ(differences(outside, ours), 2000) << "inside out";
@@ -211,7 +211,7 @@ TEST(SelectedPoints, AreTheActiveScalarsDownstream)
   EXPECT_GT(inside, 50);
   EXPECT_EQ(threshold->GetOutput()->GetNumberOfCells(), inside);
 
-  // No name is the default, and another array's is refused.
+  // Null stands for the default name, and the name of another array is refused.
   select->SetInsideArrayName(nullptr);
   select->Update();
   EXPECT_NE(select->GetOutput()->GetPointData()->GetArray("Inside"), nullptr);

@@ -61,7 +61,7 @@ std::map<std::string, bool> readManifest()
     {
       row[columns[i]] = fields[i];
     }
-    if (row["closed"] != "n/a") // as it is for clouds
+    if (row["closed"] != "n/a") // clouds are neither closed nor open
     {
       closed[row["name"]] = row["closed"] == "yes";
     }
@@ -80,7 +80,7 @@ int layersAlong(const int extent[6], std::size_t axis)
   return extent[2 * axis + 1] - extent[2 * axis] + 1;
 }
 
-/// A flat mesh has few layers along the others.
+/// The axis with the most layers: a flat mesh may have few layers along the others.
 std::size_t longestAxis(const int extent[6])
 {
   std::size_t longest = 0;
@@ -91,7 +91,7 @@ std::size_t longestAxis(const int extent[6])
   return longest;
 }
 
-/// Methods that share work between samples, on a mesh that was made elsewhere.
+/// Tests methods that share work between samples, on meshes that were made elsewhere.
 class SharedMeshes : public testing::TestWithParam<const char*>
 {
 protected:
@@ -116,8 +116,8 @@ protected:
   }
 
   /**
-   * The samples to evaluate: all, but only the middle layers of a grid that a large cap, summed
-   * directly, makes dear, seven at least. Knows caps after the first execution.
+   * The samples to evaluate: all of them or, where a large cap that is summed directly makes the
+   * grid dear, only its middle layers, seven at least. The cap is known after the first execution.
    */
   std::array<int, 6> chooseExtent()
   {
@@ -140,7 +140,7 @@ protected:
     return extent;
   }
 
-  /// Anywhere, and next to vertices.
+  /// Samples anywhere, and next to vertices.
   std::vector<vtkIdType> chooseSamples(vtkImageData* image, unsigned seed)
   {
     std::mt19937 random(seed);
@@ -158,7 +158,7 @@ protected:
     {
       const vtkIdType nearest =
         image->FindPoint(mesh_->GetPoint(below(mesh_->GetNumberOfPoints())));
-      if (nearest >= 0) // else the vertex is outside
+      if (nearest >= 0) // else the vertex is outside of the image
       {
         samples.push_back(nearest);
       }
@@ -206,7 +206,7 @@ protected:
     }
   }
 
-  /// Slabs along the longest axis.
+  /// Compares pieces of the whole, slabs along its longest axis, with the whole.
   void comparePieces(vtkImageData* whole)
   {
     const std::size_t axis = longestAxis(whole->GetExtent());
@@ -218,7 +218,7 @@ protected:
       whole->GetExtent(extent);
       extent[2 * axis] = first + layers * piece / 7;
       extent[2 * axis + 1] = first + layers * (piece + 1) / 7 - 1;
-      field_->Modified(); // or the output that holds the piece already is kept
+      field_->Modified(); // else the output that holds the piece already is kept
       field_->UpdateExtent(extent);
       vtkImageData* part = field_->GetOutput();
       ASSERT_TRUE(std::equal(extent, extent + 6, part->GetExtent()));

@@ -29,7 +29,7 @@
 #include <vector>
 
 /**
- * The array SignedDistance of the filters.
+ * Tests of the array SignedDistance that filters write.
  */
 namespace
 {
@@ -65,7 +65,7 @@ protected:
   vtkNew<vtkWindingNumberField> field;
 };
 
-/// Closed, open, badly damaged, and flat.
+/// Tests on meshes that are closed, open, badly damaged, and flat.
 class SignedDistanceOf : public testing::TestWithParam<const char*>
 {
 };
@@ -102,7 +102,7 @@ TEST_P(SignedDistanceOf, SharedMeshIsTheDistanceOfVTKWithTheSignOfInside)
     ASSERT_EQ(distance < 0, inside->GetTuple1(i) == 1) << i;
     if (i % 173 == 0)
     {
-      // Its cells' boxes and tolerances are of single precision.
+      // The boxes of cells and the tolerances of VTK's function are of single precision.
       const double other = std::abs(expected->EvaluateFunction(image->GetPoint(i)));
       worst = std::max(worst, std::abs(std::abs(distance) - other) / size);
     }
@@ -285,7 +285,7 @@ TEST_F(SignedDistance, ProgressRisesToOneAndAbortLeavesNothing)
     EXPECT_TRUE(log.isRising());
     EXPECT_EQ(log.last(), 1);
   }
-  // Values are a hundredth of all, so this is among the distances.
+  // Values are a hundredth of all work, so this progress lies among the distances.
   const ProgressLog log(field, 0.05);
   field->Modified();
   field->Update();

@@ -85,7 +85,7 @@ TEST_F(SourceKinds, QuadsTrianglesAndStripsAreOneSurface)
 
 TEST_F(SourceKinds, NonConvexPolygonsGiveTheChainThatTheyAre)
 {
-  // A prism over an L: its caps are hexagons whose fans overlap outside the L, and cancel there.
+  // The caps of a prism over an L are hexagons whose fans overlap outside the L, and cancel there.
   const double outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   for (int first = 0; first < 6; ++first)
   {
@@ -184,7 +184,7 @@ TEST_F(SourceKinds, ConstantAreaScalesTheCloudsField)
   const double w = this->windingNumber(cloud(), 0, 0, 0);
   probe->SetPointArea(2e-3);
   EXPECT_NEAR(this->windingNumber(cloud(), 0, 0, 0), 2 * w, 1e-15);
-  // All points at distance 1/2 with outward normals: w = n · area / (4π/4).
+  // All points are at distance 1/2 with outward normals, so w = n · area / (4π/4).
   const double n = static_cast<double>(cloud()->GetNumberOfPoints());
   EXPECT_NEAR(w, n * 1e-3 / 3.14159265358979, 1e-6);
 }
@@ -232,7 +232,8 @@ TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)
 
 TEST_F(SourceKinds, MissingNormalsAreRefusedWhenTheyAreNeeded)
 {
-  // Not with the information, which a user interface asks for before it can offer to estimate them.
+  // The information is not refused: a user interface asks for it before it can offer to estimate
+  // normals.
   vtkNew<vtkWindingNumberField> field;
   field->SetInputData(cloud(false));
   field->SetResolution(4);
@@ -254,7 +255,7 @@ TEST_F(SourceKinds, MeshAsPointsIsItsCloud)
   probe->SetSourceAsPoints(1);
   EXPECT_NEAR(this->windingNumber(sphere(), 0, 0, 0), 1, 0.1); // measured 1.051
   EXPECT_FALSE(probe->GetSourceIsSurface());
-  // Without normals of its own the mesh's triangles give them.
+  // The triangles of a mesh give the normals if it has none of its own.
   EXPECT_NEAR(
     this->windingNumber(sphere(0.5, false), 0, 0, 0), this->windingNumber(sphere(), 0, 0, 0), 1e-3);
 }
@@ -307,7 +308,7 @@ TEST_F(SourceKinds, GhostsAreLeftOut)
 
 TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)
 {
-  // Two clouds that differ in the array that is used second only.
+  // The two clouds differ only in the array that is used second.
   const auto withNormals = [](const char* name, double sign, vtkPolyData* points)
   {
     vtkNew<vtkDoubleArray> normals;
@@ -346,7 +347,7 @@ TEST_F(SourceKinds, KindIsKnownWithTheInformation)
     fresh->SetInputData(sphere());
     fresh->SetSourceData(source);
     fresh->SetSourceAsPoints(
-      kind == vtkWindingNumberProbe::MESH_SOURCE); // says nothing of the source
+      kind == vtkWindingNumberProbe::MESH_SOURCE); // the option says nothing of the source
     fresh->UpdateInformation();
     EXPECT_EQ(fresh->GetSourceKind(), kind) << source->GetClassName();
     for (const bool useBounds : {true, false})
@@ -397,7 +398,7 @@ TEST_F(SourceKinds, KindFollowsASourceThatIsUpdatedLater)
 
 TEST_F(SourceKinds, KindIsFoundForSourcesThatAreRefusedLater)
 {
-  // With the box given, information needs no usable source, and must not fail for the kind's sake.
+  // Information needs no usable source if the box is given, and must not fail for the kind's sake.
   vtkNew<vtkMultiBlockDataSet> mixed, images;
   mixed->SetBlock(0, cloud());
   mixed->SetBlock(1, sphere());

@@ -8,7 +8,7 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkWindingNumberSurface;
 
-/// @file What tests ask of a smooth surface.
+/// @file Measures of smooth surfaces, for tests.
 
 struct EdgeCounts
 {
@@ -17,7 +17,7 @@ struct EdgeCounts
 
 EdgeCounts countEdges(vtkPolyData* surface);
 
-/// More than 0 for a closed surface whose triangles face outward.
+/// The signed volume, more than 0 for a closed surface whose triangles face outward.
 double signedVolume(vtkPolyData* surface);
 
 vtkIdType countDuplicatePoints(vtkPolyData* surface);
@@ -25,10 +25,10 @@ vtkIdType countDuplicatePoints(vtkPolyData* surface);
 /// The longest side of a voxel.
 double voxelOf(vtkWindingNumberSurface* filter);
 
-/// How far the points of one are from the other, in voxels, ascending.
+/// The distances of the surface's points from the mesh, in voxels, ascending.
 std::vector<double> distances(vtkPolyData* surface, vtkPolyData* mesh, double voxel);
 
-/// Vertices, at most `most` of them, at which w is neither the level nor jumps over it within a
-/// thousandth of a voxel along an axis.
+/// Counts vertices at which w is neither the level nor jumps over it within a thousandth of a voxel
+/// along an axis; less than twice `most` vertices are looked at.
 int countOffLevel(
   vtkWindingNumberSurface* filter, vtkDataObject* source, vtkIdType most, double tolerance);

@@ -14,7 +14,7 @@
 namespace
 {
 
-/// On meshes and clouds that were made elsewhere.
+/// Tests surfaces of meshes and clouds that were made elsewhere.
 class SurfacesOfSharedData : public testing::TestWithParam<const char*>
 {
 protected:

@@ -29,7 +29,7 @@
 namespace
 {
 
-/// Closed, of triangles, with normals and a field-data array of its own.
+/// A closed sphere of triangles, with normals and a field-data array of its own.
 vtkSmartPointer<vtkPolyData> sphere(double radius = 0.5)
 {
   vtkNew<vtkSphereSource> source;
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> sphere(double radius = 0.5)
   return result;
 }
 
-/// Its points alone.
+/// The points of the sphere alone.
 vtkSmartPointer<vtkPolyData> cloud(bool withNormals = true)
 {
   auto points = sphere();
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> cloud(bool withNormals = true)
   return points;
 }
 
-/// The same as an unstructured grid: without cells.
+/// The points of the sphere as an unstructured grid without cells.
 vtkSmartPointer<vtkUnstructuredGrid> gridCloud()
 {
   auto points = cloud();
@@ -168,7 +168,8 @@ TEST_F(SurfaceReport, HasGettersForASurface)
   auto source = sphere();
   EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << "nothing before it has run";
   EXPECT_FALSE(filter->GetSourceIsSurface());
-  // One triangle less, one turned round, one twice, one that does not exist.
+  // The surface has one triangle less, one turned round, one twice, and one with a point that does
+  // not exist.
   vtkNew<vtkCellArray> polys;
   vtkIdType size;
   const vtkIdType* ids;

@@ -93,7 +93,7 @@ TEST_F(Surfaces, OfAClosedMeshLieOnIt)
 {
   vtkPolyData* surface = this->update();
   this->expectClosed(surface);
-  // Measured: 2e-6, the locator's own error among it.
+  // Measured: 2e-6, the locator's own error included.
   EXPECT_LT(distances(surface, sphere->GetOutput(), voxelOf(filter)).back(), 1e-3);
   EXPECT_NEAR(signedVolume(surface), signedVolume(sphere->GetOutput()), 0.03);
   EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_FLOAT);
@@ -113,7 +113,7 @@ TEST_F(Surfaces, OfAClosedMeshLieOnIt)
   EXPECT_EQ(this->update()->GetPointData()->GetNormals(), nullptr);
 }
 
-/// Samples are on the faces of the cube, rows in them.
+/// Samples lie on the faces of the cube, and whole rows of samples in them.
 TEST_F(Surfaces, OfFacesInPlanesOfTheGridAreClosedAndLieOnThem)
 {
   vtkNew<vtkCubeSource> cube;
@@ -156,7 +156,8 @@ TEST_F(Surfaces, HaveTheNormalsOfTheSourceWhereTheyLieOnIt)
     }
   }
 
-  // The ball's lower half, seen from whose rim's plane it fills half of all directions.
+  // The ball's lower half fills half of all directions when seen from the plane of its rim, so that
+  // the surface is closed there.
   filter->SetInputConnection(sphere->GetOutputPort());
   sphere->SetStartPhi(90);
   vtkPolyData* surface = this->update();
@@ -187,7 +188,7 @@ TEST_F(Surfaces, OfAnOpenMeshLieOnItOrAtTheLevel)
     this->expectClosed(surface);
     EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_DOUBLE);
     EXPECT_EQ(countOffLevel(filter, sphere->GetOutput(), 2000, 1e-3), 0);
-    const double exact = 2 * vtkMath::Pi() / 3 * (1 + 0.5 + 0.5 * 0.25); // of the part of a ball
+    const double exact = 2 * vtkMath::Pi() / 3 * (1 + 0.5 + 0.5 * 0.25); // volume of the part
     EXPECT_GT(signedVolume(surface), exact);
   }
 }
@@ -196,7 +197,7 @@ TEST_F(Surfaces, OfACloudLieAtTheLevel)
 {
   const vtkSmartPointer<vtkPolyData> cloud = sphereCloud(2000, 1);
   filter->SetInputData(cloud);
-  filter->SetRegularization(1); // without, w is steep beside points
+  filter->SetRegularization(1); // without it, w is steep beside points
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkPolyData* surface = this->update();
   EXPECT_FALSE(filter->GetSourceIsSurface());
@@ -319,7 +320,7 @@ TEST_F(Surfaces, AreTheSameInAnyUnitOfLength)
 
 TEST_F(Surfaces, HaveTheSameBitsOnAnyThreads)
 {
-  sphere->SetEndPhi(120); // where there is something to search for
+  sphere->SetEndPhi(120); // leaves an opening, in which the level is searched for
   const auto bits = [this]()
   {
     vtkPolyData* surface = this->update();

@@ -215,7 +215,7 @@ TEST(Voxels, UnknownArrayMeansTheActiveScalars)
 
 TEST(Voxels, DirectionsOfTheImageAreFollowed)
 {
-  // Turned by a quarter about z, and then also mirrored.
+  // The image is turned by a quarter about z, and then also mirrored.
   for (const double mirror : {1.0, -1.0})
   {
     auto turned = image(1, 1, 1, {1});
