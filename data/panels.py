@@ -258,8 +258,10 @@ def write_png(pixels, path):
 
 
 def write_picture(rows, path):
-    """Rows of panels, (caption, actors, bounds to look at) each, into a PNG, which takes its name when
-    it is complete."""
+    """Rows of panels, (caption, actors, bounds to look at) each, into a PNG.
+
+    The file takes its name when it is complete.
+    """
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)

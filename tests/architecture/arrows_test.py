@@ -1,4 +1,4 @@
-"""The includes of filters/core and of apps/winding respect the floors that docs/architecture.md states.
+"""The includes of filters/core and apps/winding respect the floors in docs/architecture.md.
 
 Usage: arrows_test.py <root of the repository>. Prints a table of all arrows between rooms, then one
 line for each fault, and fails if there is any.
@@ -125,7 +125,7 @@ def check_program(program, core):
                 program.add_arrow(path, room, included)
             elif core.has(included):
                 if room != ROOM_WITH_CORE:
-                    program.fault(f"{path.name} includes {included} of the core, from outside bench")
+                    program.fault(f"{path.name} includes {included} of the core: only bench may")
             elif VTK_HEADER.fullmatch(included):
                 continue
             elif bracket == '"' or (filters / included).is_file():

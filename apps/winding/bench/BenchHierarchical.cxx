@@ -27,7 +27,7 @@ using winding::FarFieldAccuracy;
 using winding::FarFieldWork;
 using winding::Grid;
 
-/// The filters' default.
+/// The tolerance that the filters have by default.
 constexpr double usualTolerance = 1e-3;
 
 /// How often each thing is done in an evaluation of the far field on a grid.
@@ -181,7 +181,7 @@ private:
   }
 
   int threads_;
-  std::map<int, FarFieldCosts> costs_; ///< by order
+  std::map<int, FarFieldCosts> costs_; ///< costs by order
   BenchTable times_, parts_, counts_;
 };
 

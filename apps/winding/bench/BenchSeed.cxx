@@ -31,7 +31,7 @@ enum class Kind
 };
 
 /// A line of a published table: its mesh and time there, and the file of the mesh that stands for
-/// it.
+/// it here.
 struct Published
 {
   Kind kind;
@@ -89,7 +89,7 @@ Json measureMesh(
   const Published& published, const winding::Surface& surface, const Triangles& triangles)
 {
   const winding::Grid grid = cubeOfVoxels(surface.bounds, published.resolution);
-  double sum = 0; // which keeps the compiler from leaving the work out
+  double sum = 0; // the compiler may not leave out what adds to it
   const auto evaluateNaively = [&](const Eigen::Vector3d& sample)
   {
     sum += published.kind == Kind::rayCasting ? naiveParity(surface, sample)
@@ -115,7 +115,7 @@ Json measureCloud(const Published& published, const winding::Surface& surface)
   ThreadExecutor threads;
   const std::vector<double> areas(
     cloud.positions.size(), winding::meanPointArea(cloud, threads, winding::defaultNeighbors));
-  double sum = 0; // which keeps the compiler from leaving the work out
+  double sum = 0; // the compiler may not leave out what adds to it
   const auto evaluateNaively = [&](const Eigen::Vector3d& sample)
   {
     sum += winding::referenceSum<double>(cloud, areas, sample);

@@ -60,7 +60,8 @@ void addRows(BenchTable& table, const Contest& contest, const Triangles& triangl
     const Stopwatch all;
     for (int run = 0; run < 5 && (run == 0 || all.seconds() < 2); ++run)
     {
-      const auto surface = polyDataOf(triangles); // VTK keeps nothing about a new surface yet
+      const auto surface =
+        polyDataOf(triangles); // a new surface has neither links nor locators yet
       const double once = secondsOf([&] { output = contestant.run(surface); }, 1);
       seconds = run == 0 ? once : std::min(seconds, once);
       interrupt::check();

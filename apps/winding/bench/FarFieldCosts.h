@@ -31,8 +31,8 @@ FarFieldCosts measureFarFieldCosts(int order);
 /// Costs of items that are summed exactly.
 struct ExactCosts
 {
-  double sample; ///< of a sample, whatever the number of items
-  double pair;   ///< of one item at one sample
+  double sample; ///< cost of a sample, whatever the number of items
+  double pair;   ///< cost of one item at one sample
 };
 
 /// watching says whether to sum as FarFieldSources::sum() does when it gets isSuspect.

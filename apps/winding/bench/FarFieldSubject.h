@@ -11,8 +11,8 @@
 
 #include <memory>
 
-/// Sources with a far field: the field that users have, and the same far field without what a field
-/// does around it.
+/// Sources with a far field, and two ways to evaluate them: by the field that users have, and by
+/// its far field alone.
 class FarFieldSubject
 {
 public:
@@ -32,12 +32,13 @@ public:
   virtual double secondsForRows(const winding::Grid&) const { return 0; }
 };
 
-/// A mesh as a soup. It keeps the references, as the other subjects do.
+/// A mesh as a soup. The subject keeps the references.
 std::unique_ptr<FarFieldSubject> soupOf(
   const Triangles& triangles, const winding::Surface& surface);
 
 /// The vertices of a mesh as oriented points, with the areas that the mesh gives them.
 std::unique_ptr<FarFieldSubject> cloudOf(const winding::Surface& surface);
 
-/// An open mesh by method rows, whose cap has a far field; null where there is none.
+/// An open mesh by method rows, whose cap has a far field; null where it has none. The subject
+/// keeps the references.
 std::unique_ptr<FarFieldSubject> capOf(const Triangles& triangles, const winding::Surface& surface);

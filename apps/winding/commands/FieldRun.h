@@ -53,19 +53,20 @@ private:
   unsigned long endObserver_ = 0;
   Stopwatch stopwatch_;
 
-  int status_ =
-    vtkWindingNumberAlgorithm::DONE; ///< status of the first execution that was not DONE
+  /// Status of the first execution that was not DONE.
+  int status_ = vtkWindingNumberAlgorithm::DONE;
   double readSeconds_ = 0;
   double writeSeconds_ = 0;
   Json surface_; ///< describes the surface that was written; null where there is none
   Stopwatch execution_;
-  // There is an execution for each piece, and the figures are sums, or maxima, over all of them.
+  // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
+  // errors are maxima, and expectations are of the whole.
   double prepareSeconds_ = 0;
   double expectedSeconds_ = 0;
   vtkIdType expectedMemory_ = 0;
   double evaluateSeconds_ = 0;
   double verifySeconds_ = 0;
-  double executionSeconds_ = 0; ///< all of these, and the little around them
+  double executionSeconds_ = 0; ///< times of whole executions
   double maxError_ = 0;
   double nearMaxError_ = 0;
   double sumOfSquares_ = 0;

@@ -28,5 +28,5 @@ long long peakMemory()
 {
   struct rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  return 1024LL * usage.ru_maxrss; // which Linux gives in KiB
+  return 1024LL * usage.ru_maxrss; // Linux gives KiB
 }

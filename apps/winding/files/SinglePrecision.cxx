@@ -21,7 +21,7 @@ SinglePrecision singlePrecisionOf(vtkPointSet* points)
     longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
   using Single = std::numeric_limits<float>;
-  constexpr double acceptable = 1e-4, fatal = 0.1; // of the longest side
+  constexpr double acceptable = 1e-4, fatal = 0.1; // shares of the longest side
   if (largest > Single::max() || (longest > 0 && acceptable * longest < Single::min()))
   {
     return SinglePrecision::isExceeded;

@@ -5,9 +5,9 @@ class vtkPointSet;
 /// Tells how well single precision holds the coordinates of points.
 enum class SinglePrecision
 {
-  holds,           ///< rounding moves points by less than what follows
-  movesPoints,     ///< by more than a ten-thousandth of the longest side of their bounds
-  collapsesPoints, ///< by more than a tenth of the longest side of their bounds
+  holds,           ///< rounding moves no point by more than 1/10000 of the longest side of all
+  movesPoints,     ///< rounding moves points by more than that
+  collapsesPoints, ///< rounding moves points by more than a tenth of the longest side
   isExceeded       ///< coordinates, or differences between them, are beyond its range
 };
 

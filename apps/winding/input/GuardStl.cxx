@@ -44,7 +44,7 @@ bool isBinary(const std::string& data)
   {
     return true;
   }
-  // Some programs begin the header of binary files with "solid", as that of text files.
+  // Some programs begin binary files with "solid", too, as text files begin.
   std::uint32_t triangles = 0;
   if (data.size() >= headerBytes)
   {

@@ -38,7 +38,7 @@
 namespace
 {
 
-/// A reader of a class for a file.
+/// Makes a reader of a class for a file.
 template <class Reader> vtkSmartPointer<vtkAlgorithm> plain(const std::string& fileName)
 {
   const auto reader = vtkSmartPointer<Reader>::New();
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkAlgorithm> stl(const std::string& fileName)
   guardStl(fileName);
   const auto reader = vtkSmartPointer<vtkSTLReader>::New();
   reader->SetFileName(fileName.c_str());
-  reader->MergingOff(); // the core welds, and counts what it welds
+  reader->MergingOff(); // the filters weld, and count what they weld
   return reader;
 }
 
@@ -131,7 +131,7 @@ MakeReader readerFor(const std::string& fileName)
   throw Failure(REFUSED, fileName, "has cells that contradict each other; it is damaged");
 }
 
-/// Throws Failure for offsets that lead out of their array, which nobody may follow.
+/// Throws Failure for offsets that lead out of their array, since filters would follow them.
 void checkOffsets(const std::string& fileName, vtkCellArray* cells)
 {
   if (cells && !cells->IsValid())

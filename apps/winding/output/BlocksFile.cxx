@@ -94,7 +94,7 @@ void BlocksFile::removeFolder() const
   if (isNew_)
   {
     std::error_code error;
-    std::filesystem::remove(folder_, error); // which leaves a folder that has files
+    std::filesystem::remove(folder_, error); // a folder that has files stays
   }
 }
 
