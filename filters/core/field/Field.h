@@ -21,7 +21,6 @@ namespace winding
 class DistanceTree;
 class Evaluator;
 class GradientEvaluator;
-class RowCrossings;
 struct PointCloud;
 struct Surface;
 

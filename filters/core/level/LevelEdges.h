@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "field/Field.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
