@@ -98,7 +98,7 @@ double undecidedDistance(const Field& field, const Grid& grid)
     return 0;
   }
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
-  const Eigen::Vector3d lastSample = grid.sample(last[0], last[1], last[2]);
+  const Eigen::Vector3d lastSample = grid.sample(last);
   double largest = 0;
   for (const Eigen::Vector3d& corner : {source.min(), source.max(), grid.firstSample, lastSample})
   {
@@ -146,8 +146,6 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   const std::vector<Eigen::Vector3i> near = drawNear(field, grid, samples, random);
   drawn.insert(drawn.end(), near.begin(), near.end());
 
-  const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
-  const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
   const double undecided = undecidedDistance(field, grid);
   std::vector<double> errors(drawn.size()), jumps(drawn.size());
   const bool complete = executor.run(drawn.size(),
@@ -156,11 +154,8 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
       const Eigen::Vector3i& index = drawn[i];
       if (contains(extent, index))
       {
-        const std::size_t x = static_cast<std::size_t>(index[0] - extent[0]);
-        const std::size_t y = static_cast<std::size_t>(index[1] - extent[2]);
-        const std::size_t z = static_cast<std::size_t>(index[2] - extent[4]);
-        const Eigen::Vector3d sample = grid.sample(index[0], index[1], index[2]);
-        errors[i] = valueOf((z * ny + y) * nx + x) - field.reference(sample);
+        const Eigen::Vector3d sample = grid.sample(index);
+        errors[i] = valueOf(sampleNumber(extent, index)) - field.reference(sample);
         jumps[i] = field.jumpWithin(sample, undecided);
       }
     });
