@@ -238,7 +238,8 @@ std::string FieldRun::summary(const Json& report) const
     {
       const bool isSurface = input["kind"] == "surface";
       text += std::to_string(onSurface_) + " of " +
-              std::to_string(verified_ + nearVerified_ + onSurface_) + " samples lie " +
+              std::to_string(verified_ + nearVerified_ + onSurface_) +
+              (onSurface_ == 1 ? " samples lies " : " samples lie ") +
               (isSurface ? "on the surface, where either side is right"
                          : "at a point, where w has no value") +
               ", and were not compared\n";
