@@ -91,9 +91,9 @@ public:
 
   ///@{
   /// The number of samples, of both kinds together, that the last execution's verification did not
-  /// compare. They lie on the surface as far as coordinates can tell, where the values of both sides
-  /// are right; or at a point of a cloud that is not regularized, where w has no value. A value that
-  /// no side explains counts as an error even there.
+  /// compare. They lie on the surface as far as coordinates can tell, where the values of both
+  /// sides are right; or at a point of a cloud that is not regularized, where w has no value. A
+  /// value that no side explains counts as an error even there.
   vtkGetMacro(NumberOfSamplesOnSurface, vtkIdType);
   ///@}
 

@@ -12,7 +12,7 @@ namespace winding
 namespace
 {
 
-/// Whether a triangle's box is near; most are not, and cost nothing else.
+/// Whether a triangle's box is near. Most boxes are not, and spare the triangle's distance.
 bool isBoxNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
   const Eigen::Vector3d& sample, double distance)
 {

@@ -86,9 +86,10 @@ std::vector<Eigen::Vector3i> drawNear(
 }
 
 /**
- * The distance up to which coordinates cannot tell a sample's side. In units of 2⁻⁵³ of the largest
- * coordinate, a sample is rounded by up to 3 along an axis, and a vertex in units of the grid by up to 4
- * (RowCrossings.h), which makes 12 in space; a distance is rounded by up to 32 (roundingOfOffset()).
+ * The distance up to which coordinates cannot tell a sample's side. The unit here is 2⁻⁵³ of the
+ * largest coordinate. Along an axis, a sample is rounded by up to 3 units, and a vertex by up to 4
+ * where rows move it into units of the grid (RowCrossings.h), which makes 12 in space. A distance
+ * is rounded by up to 32 (roundingOfOffset()). The distance returned has 64.
  */
 double undecidedDistance(const Field& field, const Grid& grid)
 {
@@ -107,7 +108,8 @@ double undecidedDistance(const Field& field, const Grid& grid)
   return 0x1p-47 * largest;
 }
 
-/// Whether an error is what a choice between the sides of the surface makes, and an approximation adds.
+/// Whether an error is what a choice between the sides of a surface makes. An approximation may add
+/// its own.
 bool isChoiceOfSide(double error, double jump)
 {
   constexpr double mostOfApproximations = 0.1;

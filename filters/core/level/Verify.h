@@ -31,11 +31,12 @@ struct Verification
  * seed and the whole grid only; those of its samples that lie in the extent are compared, so that
  * the pieces of a grid together compare what the whole does.
  *
- * A sample on the surface has two right values, one for each side, and the reference is one of them or
- * their mean. So samples that lie on it as far as coordinates can tell are counted apart: a triangle is
- * no farther than 2⁻⁴⁷ of the largest coordinate of source and grid, several times what the methods
- * round coordinates by. At a point of a cloud, as near, w has no value at all, unless it is
- * regularized. An error that the triangles there cannot make, of more than 1 for each, is compared.
+ * A sample on the surface has two right values, one for each side, and the reference is one of them
+ * or their mean. Samples that lie on it as far as coordinates can tell are therefore counted apart:
+ * a triangle is no farther from them than 2⁻⁴⁷ of the largest coordinate of source and grid, which
+ * is several times what the methods round coordinates by. Samples that near to a point of a cloud
+ * have no right value, unless the cloud is regularized, and are counted apart, too. A value that
+ * differs from the reference by more than 1 for each triangle there is an error all the same.
  *
  * When the executor is interrupted, no sample counts as compared.
  *

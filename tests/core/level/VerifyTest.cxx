@@ -191,7 +191,7 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh, winding::Method method)
   return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
 }
 
-/// 13³ samples at multiples of an eighth, from −0.25 to 1.25: the faces of the unit cube are among them.
+/// 13³ samples at multiples of an eighth, from −0.25 to 1.25; 386 lie on faces of the unit cube.
 Grid gridThroughTheCube()
 {
   Grid grid;
@@ -219,7 +219,6 @@ TEST(Verify, CountsSamplesOnTheSurfaceApart)
   const Grid grid = gridThroughTheCube();
   for (const winding::Method method : valueMethods)
   {
-    // Were all others wrong, only those on faces, edges and vertices would be left.
     const auto field = fieldOf(cube(), method);
     const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
     EXPECT_LT(found.everywhere.max, 1e-3) << winding::nameOf(method);
@@ -325,7 +324,7 @@ TEST(Verify, CountsSamplesAtPointsOfACloudApartUnlessTheyAreRegularized)
       position[(axis + 1) % 3] = 0.125 * (n % 9);
       position[(axis + 2) % 3] = 0.125 * (n / 9);
       normal[axis] = side ? 1 : -1;
-      // Rounded on one of the axes, so that what is beside the point by that is not told from it.
+      // Every other point is moved by less than coordinates can tell.
       cloud.positions.push_back(position + (n % 2) * Point::Constant(1e-16));
       cloud.normals.push_back(normal);
     }
