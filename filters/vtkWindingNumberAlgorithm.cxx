@@ -1,7 +1,9 @@
 #include "vtkWindingNumberAlgorithm.h"
 
 #include "base/Bounds.h"
+#include "base/Executor.h"
 #include "private/FreeMemory.h"
+#include "private/InsideOutAdvice.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceField.h"
@@ -142,6 +144,7 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
     throw winding::Refusal("the winding threshold is " + std::to_string(this->WindingThreshold) +
                            "; it must be a finite number");
   }
+  this->SourceIsInsideOut = false;
   this->LookAtSource(source);
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -273,10 +276,27 @@ bool vtkWindingNumberAlgorithm::Evaluate(
 {
   const Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  const bool complete = evaluation(executor);
+  bool complete = false;
+  try
+  {
+    complete = evaluation(executor);
+  }
+  catch (const winding::Interrupted&)
+  {
+    // It is not complete.
+  }
   this->EvaluateSeconds = secondsSince(start);
   this->Status = complete ? DONE : ABORTED;
   return complete;
+}
+
+void vtkWindingNumberAlgorithm::LookForInsideOut(const std::function<bool()>& isInsideOut)
+{
+  this->SourceIsInsideOut = this->InsideRule == SIGNED && isInsideOut();
+  if (this->SourceIsInsideOut)
+  {
+    vtkWarningMacro(<< winding::insideOutAdvice(this->GetSourceIsSurface() ? "faces" : "normals"));
+  }
 }
 
 const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const
@@ -358,6 +378,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SourceKind: " << this->SourceKind << "\n";
   os << indent << "Status: " << this->Status << "\n";
+  os << indent << "SourceIsInsideOut: " << this->SourceIsInsideOut << "\n";
   os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
   os << indent << "MeanPointArea: " << this->GetMeanPointArea() << "\n";

@@ -288,6 +288,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether nothing was inside in the last execution because the source is inside out: with rule
+  /// SIGNED, w reached -WindingThreshold at a sample and WindingThreshold at none. A warning has said
+  /// what to do. Filters look for it where their result tells inside from outside: the array
+  /// "Inside", the surface, the part that is extracted.
+  vtkGetMacro(SourceIsInsideOut, bool);
+  ///@}
+
+  ///@{
   /// Facts about a cloud: the mean area of a point, and whether normals were estimated. The clear
   /// share is known where they were: the share of the points with a field of about 1 behind and 0
   /// before them, which is 1 for a closed cloud that is sampled well.
@@ -369,6 +377,10 @@ protected:
   /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
+  /// Sets SourceIsInsideOut and warns, if InsideRule admits it and isInsideOut() says so. Filters
+  /// call it where nothing came out inside.
+  void LookForInsideOut(const std::function<bool()>& isInsideOut);
+
   /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
   bool Evaluate(const std::function<bool(winding::SmpExecutor&)>& evaluation);
 
@@ -392,6 +404,7 @@ protected:
   int NumberOfThreads = 0;
   int SourceKind = NO_SOURCE;
   int Status = DONE;
+  bool SourceIsInsideOut = false;
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;

@@ -1,6 +1,8 @@
 #include "vtkWindingNumberField.h"
 
+#include "base/Executor.h"
 #include "base/Refusal.h"
+#include "level/InsideOut.h"
 #include "private/FreeMemory.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
@@ -201,7 +203,23 @@ bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const in
       "the coverage of " + std::to_string(count) + " voxels",
       "choose larger voxels or write it in pieces");
   }
-  return voxels.run(field, grid, extent, executor);
+  if (!voxels.run(field, grid, extent, executor))
+  {
+    return false;
+  }
+  if (extent == grid.wholeExtent() && results.hasNothingInside())
+  {
+    executor.setShare(1, 1);
+    vtkDataArray* values = results.values();
+    this->LookForInsideOut(
+      [&]
+      {
+        return values ? winding::isInsideOut(
+                          field, values->GetRange()[0], this->WindingThreshold, executor)
+                      : winding::isInsideOut(field, grid, this->WindingThreshold, executor);
+      });
+  }
+  return true;
 }
 
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)

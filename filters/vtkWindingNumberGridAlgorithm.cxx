@@ -117,6 +117,7 @@ void vtkWindingNumberGridAlgorithm::Verify(
   this->NearMaxError = found.nearSurface.max;
   this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
   this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
+  this->NumberOfSamplesOnSurface = static_cast<vtkIdType>(found.onSurface);
 }
 
 void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -138,4 +139,5 @@ void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NearMaxError: " << this->NearMaxError << "\n";
   os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
   os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
+  os << indent << "NumberOfSamplesOnSurface: " << this->NumberOfSamplesOnSurface << "\n";
 }

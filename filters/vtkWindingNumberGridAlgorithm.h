@@ -80,13 +80,21 @@ public:
 
   ///@{
   /// The findings of the last execution's verification: the largest and the root-mean-square error
-  /// over the random samples, the largest over those near the source, and the numbers of samples.
-  /// When streaming, they are those of the extent that was executed last.
+  /// over the random samples, the largest over those near the source, and how many samples of each
+  /// kind were compared. When streaming, they are those of the extent that was executed last.
   vtkGetMacro(MaxError, double);
   vtkGetMacro(RMSError, double);
   vtkGetMacro(NearMaxError, double);
   vtkGetMacro(NumberOfVerifiedSamples, vtkIdType);
   vtkGetMacro(NumberOfNearVerifiedSamples, vtkIdType);
+  ///@}
+
+  ///@{
+  /// The number of samples, of both kinds together, that the last execution's verification did not
+  /// compare. They lie on the surface as far as coordinates can tell, where the values of both
+  /// sides are right; or at a point of a cloud that is not regularized, where w has no value. A
+  /// value that no side explains counts as an error even there.
+  vtkGetMacro(NumberOfSamplesOnSurface, vtkIdType);
   ///@}
 
   /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the
@@ -130,6 +138,7 @@ protected:
   double NearMaxError = 0;
   vtkIdType NumberOfVerifiedSamples = 0;
   vtkIdType NumberOfNearVerifiedSamples = 0;
+  vtkIdType NumberOfSamplesOnSurface = 0;
 
 private:
   std::unique_ptr<winding::Grid> Sampling;

@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "field/Field.h"
+#include "level/InsideOut.h"
 #include "private/InsidePart.h"
 #include "private/ProbeQueries.h"
 #include "private/ResultArrays.h"
@@ -175,9 +176,14 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
     this->PrepareField(vtkDataObject::GetData(inputs[1]), queries.size(),
       [&samples](const winding::Field& built, winding::Executor& executor)
       { return built.prepare(samples, executor); });
-  const auto evaluate = [&](winding::Executor& executor)
+  const auto evaluate = [&](winding::SmpExecutor& executor)
   {
-    return field->evaluate(samples, this->OutputTo(results), executor);
+    if (!field->evaluate(samples, this->OutputTo(results), executor))
+    {
+      return false;
+    }
+    this->LookAtInside(*field, samples, results, executor);
+    return true;
   };
   if (!field || !this->Evaluate(evaluate))
   {
@@ -190,6 +196,26 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
   }
   this->InsideFlags = results.inside();
   this->WriteOutput(input, queries, results, output);
+}
+
+/// Finds out whether an inside or a part that is asked for is empty because the source is inside out.
+void vtkWindingNumberProbe::LookAtInside(const winding::Field& field,
+  const winding::VectorsView& samples, const winding::ResultArrays& results,
+  winding::SmpExecutor& executor)
+{
+  vtkDataArray* values = results.values();
+  const bool isAskedFor = this->ExtractInside || (this->GenerateInside && values);
+  if (isAskedFor && !this->InsideOut && results.hasNothingInside())
+  {
+    executor.setShare(1, 1);
+    this->LookForInsideOut(
+      [&]
+      {
+        return values ? winding::isInsideOut(
+                          field, values->GetRange()[0], this->WindingThreshold, executor)
+                      : winding::isInsideOut(field, samples, this->WindingThreshold, executor);
+      });
+  }
 }
 
 vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(

@@ -52,6 +52,7 @@
 
 namespace winding
 {
+class VectorsView;
 class ProbeQueries;
 struct ProbeLeaf;
 } // namespace winding
@@ -147,6 +148,9 @@ protected:
   char* InsideArrayName = nullptr;
 
 private:
+  void LookAtInside(const winding::Field& field, const winding::VectorsView& samples,
+    const winding::ResultArrays& results, winding::SmpExecutor& executor);
+
   /// The output for one data set, with its part of the arrays of all data sets.
   vtkSmartPointer<vtkDataSet> AnswerTo(const winding::ProbeQueries& queries,
     const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll);

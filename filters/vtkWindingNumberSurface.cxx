@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "level/InsideOut.h"
 #include "level/LevelRoots.h"
 #include "private/FreeMemory.h"
 #include "private/GridContour.h"
@@ -126,6 +127,11 @@ try
     {
       return false;
     }
+  }
+  if (edges.size() == 0 && !edges.beginsInside(0, 0))
+  {
+    this->LookForInsideOut(
+      [&] { return winding::isInsideOut(field, grid, this->WindingThreshold, executor); });
   }
   const winding::GridContour contour(grid, edges, executor);
   winding::LevelRoots roots(

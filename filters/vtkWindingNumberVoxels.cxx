@@ -1,6 +1,7 @@
 #include "vtkWindingNumberVoxels.h"
 
 #include "base/InsideRule.h"
+#include "private/InsideOutAdvice.h"
 #include "private/SourceParts.h"
 #include "private/VtkVersions.h"
 
@@ -265,6 +266,12 @@ int vtkWindingNumberVoxels::RequestData(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
+  if (std::find(inside.begin(), inside.end(), 1) == inside.end() &&
+      rule == winding::InsideRule::signedThreshold && this->WindingThreshold > 0 &&
+      values->GetRange()[0] <= -this->WindingThreshold)
+  {
+    vtkWarningMacro(<< winding::insideOutAdvice("faces"));
+  }
   BlockSurface surface(inside, dimensions, image, firstIndex, points, quads);
   if (surface.build(this))
   {

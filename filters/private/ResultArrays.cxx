@@ -139,6 +139,17 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
   return output;
 }
 
+bool ResultArrays::hasNothingInside() const
+{
+  if (!inside_)
+  {
+    return false;
+  }
+  const unsigned char* first = inside_->GetPointer(0);
+  const unsigned char* last = first + inside_->GetNumberOfValues();
+  return std::find(first, last, 1) == last;
+}
+
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.

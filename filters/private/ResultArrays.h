@@ -46,6 +46,9 @@ public:
   vtkUnsignedCharArray* inside() const { return inside_; }
   vtkFloatArray* coverage() const { return coverage_; }
 
+  /// Whether there is an array of what is inside, and nothing is.
+  bool hasNothingInside() const;
+
   /// Adds them; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 

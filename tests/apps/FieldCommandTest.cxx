@@ -98,7 +98,7 @@ TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
   const nlohmann::json report =
     run("a.vti", {"--resolution", "16", "--verify", "100", "--threads", "1"}).json();
   for (const char* name : {"input", "method", "why", "tolerance", "grid", "expected", "seconds",
-         "peak_memory", "threads", "max_error", "rms_error", "near_max_error"})
+         "peak_memory", "threads", "max_error", "rms_error", "near_max_error", "on_surface"})
   {
     EXPECT_TRUE(report.contains(name)) << name;
   }
@@ -120,6 +120,7 @@ TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
   EXPECT_EQ(report["cap_triangles"], 0);
   const nlohmann::json plain = run("a.vti", {"--method", "direct"}).json();
   EXPECT_FALSE(plain.contains("max_error"));
+  EXPECT_FALSE(plain.contains("on_surface"));
   EXPECT_FALSE(plain["seconds"].contains("verify"));
   EXPECT_FALSE(plain.contains("cap_triangles"));
 }
@@ -237,6 +238,36 @@ TEST_F(FieldCommand, CapTrianglesOfOpenSurfaces)
   EXPECT_EQ(report["method"], "rows");
   EXPECT_EQ(report["cap_triangles"], 1);
   EXPECT_LT(report["near_max_error"], 2e-6);
+}
+
+/// Voxels of an eighth whose centres lie on all faces of the unit cube.
+const std::vector<std::string> throughTheCube = {"--dims", "13", "13", "13", "--bounds", "-0.3125",
+  "1.3125", "-0.3125", "1.3125", "-0.3125", "1.3125", "--verify", "500"};
+
+TEST_F(FieldCommand, SamplesOnTheSurfaceAreNoErrors)
+{
+  in =
+    folder.write("cube.off", "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                             "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  for (const char* method : {"rows", "hierarchical", "direct"})
+  {
+    std::vector<std::string> arguments = throughTheCube;
+    arguments.insert(arguments.end(), {"--method", method});
+    const nlohmann::json report = run("a.vti", arguments).json();
+    EXPECT_GT(report["on_surface"], 100) << method;
+    EXPECT_LT(report["max_error"], 1e-3) << method;
+    EXPECT_LT(report["near_max_error"], 1e-3) << method;
+    std::vector<std::string> inPieces = arguments;
+    inPieces.insert(inPieces.end(), {"--cells", "--pieces", "3"});
+    EXPECT_EQ(run("a.vti", inPieces).json()["on_surface"], report["on_surface"]) << method;
+    std::vector<std::string> words = {"field", in, "-o", folder.path("a.vti")};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const Outcome said = runProgram(words);
+    EXPECT_NE(said.out.find(report["on_surface"].dump() + " of 1000 samples lie on the surface"),
+      std::string::npos)
+      << said;
+  }
+  EXPECT_EQ(run("a.vti", {"--resolution", "16", "--verify", "100"}).json()["on_surface"], 0);
 }
 
 TEST_F(FieldCommand, PiecesAndThreadsDoNotChangeABit)

@@ -70,6 +70,27 @@ TEST_F(ProbeCommand, TableIsKeptAsItIs)
   }
 }
 
+TEST_F(ProbeCommand, FacesThatLookInwardAreToldWhereNothingIsInside)
+{
+  Mesh mesh = sphere(3);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  in = folder.write("inverted.off", asOff(mesh));
+  const std::string inside = folder.write("q.csv", "x,y,z\n0,0,0\n2,0,0\n");
+  const std::string outside = folder.write("o.csv", "x,y,z\n0,3,0\n2,0,0\n");
+  for (const char* out : {"out.csv", "out.vtp"})
+  {
+    const Outcome run = probe(inside, out, {"--extract"});
+    EXPECT_TRUE(
+      run.err.find("turn the faces (Fix Orientation, --fix-orientation)") != std::string::npos)
+      << run;
+    EXPECT_EQ(probe(inside, out, {"--extract", "--rule", "absolute"}).err, "");
+    EXPECT_EQ(probe(outside, out, {"--extract"}).err, "");
+  }
+}
+
 TEST_F(ProbeCommand, TabsStayTabs)
 {
   const std::string queries = folder.write("q.tsv", "x\ty\tz\n0\t0\t0");

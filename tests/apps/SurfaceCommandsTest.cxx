@@ -103,6 +103,45 @@ TEST_P(SurfaceCommands, EmptyResultsAreWarnedOf)
   EXPECT_NE(run.err.find("winding: warning: "), std::string::npos) << run;
 }
 
+TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
+{
+  Mesh mesh = sphere(3);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const auto messageOf = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {
+      GetParam(), in, "-o", folder.path("out.vtp"), "--resolution", "12"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    return run.err;
+  };
+  const std::string advice =
+    "turn the faces (Fix Orientation, --fix-orientation), or use the inside "
+    "rule absolute (--rule absolute): ";
+  const auto expectAdvice = [&](const std::vector<std::string>& more)
+  {
+    const std::string message = messageOf(more);
+    EXPECT_EQ(message.rfind("winding: warning: " + in + ": " + advice, 0), 0u) << message;
+    EXPECT_EQ(message.find("winding: warning: ", 1), std::string::npos) << message;
+  };
+  for (const int missing : {0, 100})
+  {
+    mesh.triangles.resize(mesh.triangles.size() - missing);
+    in = folder.write("inward.off", asOff(mesh));
+    expectAdvice({});
+    expectAdvice({"--double"});
+    expectAdvice({"--verify", "10"});
+    EXPECT_EQ(messageOf({"--rule", "absolute"}), "");
+    const std::string beside = messageOf({"--bounds", "2", "3", "-1", "1", "-1", "1"});
+    EXPECT_EQ(beside.find("look inward"), std::string::npos) << beside;
+    EXPECT_NE(beside.find("so the surface is empty"), std::string::npos) << beside;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, SurfaceCommands, testing::Values("surface", "voxels"),
   [](const auto& parameter) { return parameter.param; });
 

@@ -226,9 +226,31 @@ TEST_F(FieldGrid, VerificationFindsTheSumsToBeEqual)
   field->Update();
   EXPECT_EQ(field->GetNumberOfVerifiedSamples(), 100);
   EXPECT_EQ(field->GetNumberOfNearVerifiedSamples(), 100);
+  EXPECT_EQ(field->GetNumberOfSamplesOnSurface(), 0);
   EXPECT_LT(field->GetMaxError(), 1e-14); // measured 3e-16
   EXPECT_LT(field->GetNearMaxError(), 1e-14);
   EXPECT_LE(field->GetRMSError(), field->GetMaxError());
+}
+
+TEST_F(FieldGrid, VerificationCountsSamplesOnTheSurfaceApart)
+{
+  field->SetUseInputBounds(false);
+  const double bounds[6] = {-0.75, 0.75, -0.75, 0.75, -0.75, 0.75};
+  field->SetSamplingBounds(bounds);
+  field->SetSamplingDimensions(3, 3, 3); // at −0.5, 0 and 0.5, so that only the middle is not on it
+  field->SetVerifySamples(100);
+  for (const int method : {vtkWindingNumberField::ROWS, vtkWindingNumberField::HIERARCHICAL,
+         vtkWindingNumberField::DIRECT})
+  {
+    field->SetMethod(method);
+    field->Update();
+    EXPECT_GT(field->GetNumberOfSamplesOnSurface(), 150);
+    EXPECT_EQ(field->GetNumberOfSamplesOnSurface() + field->GetNumberOfVerifiedSamples() +
+                field->GetNumberOfNearVerifiedSamples(),
+      200);
+    EXPECT_LT(field->GetMaxError(), 1e-3);
+    EXPECT_LT(field->GetNearMaxError(), 1e-3);
+  }
 }
 
 TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)

@@ -103,7 +103,7 @@ REPORTED = {
     "WindingNumberVoxels": set(),
     "PointAreas": {"TotalArea"},
 }
-LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples"}
+LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface", "SourceIsInsideOut"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},

@@ -44,8 +44,7 @@ std::vector<unsigned char> nearVoxels(const Triangles& triangles, const winding:
     vtkNew<vtkGenericCell> cell;
     for (std::size_t n = slice * perSlice; n < (slice + 1) * perSlice; ++n)
     {
-      const Eigen::Vector3i index = winding::sampleIndex(extent, n);
-      Eigen::Vector3d sample = grid.sample(index[0], index[1], index[2]);
+      Eigen::Vector3d sample = grid.sample(n);
       double closest[3], squaredDistance;
       vtkIdType id;
       int part, inside;

@@ -141,8 +141,7 @@ winding::Verification verified(
     {
       return measured.values[n];
     }
-    const Eigen::Vector3i index = winding::sampleIndex(extent, n);
-    const Eigen::Vector3d sample = grid.sample(index[0], index[1], index[2]);
+    const Eigen::Vector3d sample = grid.sample(n);
     float value = 0;
     winding::FieldOutput output;
     output.values = &value;

@@ -204,8 +204,7 @@ Contest voxelContest(const winding::Bounds& bounds, int resolution)
   contest.count = winding::sampleCount(grid.wholeExtent());
   contest.sample = [grid](std::size_t number)
   {
-    const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), number);
-    return grid.sample(index[0], index[1], index[2]);
+    return grid.sample(number);
   };
   contest.isWrong = isWrongSide;
   contest.contestants.push_back({"vtkWindingNumberField",

@@ -125,6 +125,7 @@ void FieldRun::addExecution()
   sumOfSquares_ += std::pow(filter_->GetRMSError(), 2) * static_cast<double>(samples);
   verified_ += samples;
   nearVerified_ += filter_->GetNumberOfNearVerifiedSamples();
+  onSurface_ += filter_->GetNumberOfSamplesOnSurface();
 }
 
 Json FieldRun::describeGrid() const
@@ -166,6 +167,7 @@ void FieldRun::addErrors(Json& report) const
   report["rms_error"] = errorOf(
     verified_, std::sqrt(sumOfSquares_ / std::max<double>(1, static_cast<double>(verified_))));
   report["near_max_error"] = errorOf(nearVerified_, nearMaxError_);
+  report["on_surface"] = onSurface_;
 }
 
 Json FieldRun::report() const
@@ -232,6 +234,16 @@ std::string FieldRun::summary(const Json& report) const
   {
     text += "error max " + report["max_error"].dump() + ", rms " + report["rms_error"].dump() +
             ", max near the surface " + report["near_max_error"].dump() + "\n";
+    if (onSurface_ > 0)
+    {
+      const bool isSurface = input["kind"] == "surface";
+      text += std::to_string(onSurface_) + " of " +
+              std::to_string(verified_ + nearVerified_ + onSurface_) +
+              (onSurface_ == 1 ? " samples lies " : " samples lie ") +
+              (isSurface ? "on the surface, where either side is right"
+                         : "at a point, where w has no value") +
+              ", and were not compared\n";
+    }
   }
   text += "wrote " + options_.output;
   if (!surface_.is_null())

@@ -72,4 +72,5 @@ private:
   double sumOfSquares_ = 0;
   vtkIdType verified_ = 0;
   vtkIdType nearVerified_ = 0;
+  vtkIdType onSurface_ = 0; ///< samples that were not compared
 };

@@ -20,7 +20,7 @@ void runSurface(const Options& given, Messages& messages)
   FieldRun run(*filter, options, messages);
   run.update();
   vtkPolyData* surface = filter->GetOutput();
-  if (surface->GetNumberOfCells() == 0)
+  if (surface->GetNumberOfCells() == 0 && !filter->GetSourceIsInsideOut())
   {
     messages.warn(
       options.input + ": all samples are on one side of the threshold, so the surface is empty");

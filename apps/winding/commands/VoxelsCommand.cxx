@@ -17,9 +17,9 @@ void runVoxels(const Options& given, Messages& messages)
 {
   Options options = given;
   // The array "Inside" says all that is needed and takes a quarter of the memory of winding
-  // numbers; but it is made from floats, and only winding numbers can be verified.
+  // numbers; but alone it is made from floats, and only winding numbers can be verified.
+  options.inside = true;
   options.insideOnly = !options.asDouble && options.verify == 0;
-  const bool byInside = options.insideOnly || options.coverage != vtkWindingNumberField::CENTER;
   OutputFile output(options.output);
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);
@@ -30,10 +30,9 @@ void runVoxels(const Options& given, Messages& messages)
   voxels->SetInputArrayToProcess(0, 0, 0,
     options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
                   : vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    byInside ? "Inside" : options.array.c_str());
-  voxels->SetWindingThreshold(byInside ? 0.5 : options.threshold);
-  voxels->SetInsideRule(
-    byInside ? static_cast<int>(vtkWindingNumberAlgorithm::SIGNED) : options.rule);
+    "Inside");
+  voxels->SetWindingThreshold(0.5);
+  voxels->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED);
   {
     const Progress progress(voxels, "voxels", messages.isQuiet());
     voxels->Update();
@@ -41,7 +40,7 @@ void runVoxels(const Options& given, Messages& messages)
   interrupt::check();
   messages.throwIfError(options.input);
   vtkPolyData* surface = voxels->GetOutput();
-  if (surface->GetNumberOfCells() == 0)
+  if (surface->GetNumberOfCells() == 0 && !field->GetSourceIsInsideOut())
   {
     const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
     messages.warn(options.input + ": no voxel is inside, so the surface is empty" +

@@ -424,8 +424,8 @@ void GridDistances::Descent::evaluate(const Cell& cell, std::size_t firstNode)
       if (asked[0] <= index[0] && index[0] <= asked[1] && asked[2] <= index[1] &&
           index[1] <= asked[3] && asked[4] <= index[2] && index[2] <= asked[5])
       {
-        of_.output_.writeDistance(std::sqrt(squared[n]) / of_.tree_.scale(),
-          sampleNumber(asked, index[0], index[1], index[2]));
+        of_.output_.writeDistance(
+          std::sqrt(squared[n]) / of_.tree_.scale(), sampleNumber(asked, index));
       }
     }
   }

@@ -32,7 +32,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
 {
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
   SplitRule rule;
-  rule.region = Bounds(grid.firstSample, grid.sample(last[0], last[1], last[2]));
+  rule.region = Bounds(grid.firstSample, grid.sample(last));
   // The voxel's side is the geometric mean of the spacings, those of axes with one sample excepted.
   double logarithms = 0;
   int axes = 0;

@@ -5,6 +5,7 @@
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
 #include "distance/DistanceTree.h"
+#include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldCost.h"
 #include "source/Sanitize.h"
 #include "sums/DirectSumCost.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace winding
 {
@@ -213,6 +215,14 @@ std::unique_ptr<const DistanceTree> CloudField::makeDistanceTree(Executor& execu
 double CloudField::reference(const Eigen::Vector3d& sample) const
 {
   return referenceSum<double>(cloud_, cloud_.areas, sample);
+}
+
+double CloudField::jumpWithin(const Eigen::Vector3d& sample, double distance) const
+{
+  const bool isSmooth = !cloud_.regularizationLengths.empty();
+  return isSmooth || pointsNear(cloud_, sample, distance) == 0
+           ? 0
+           : std::numeric_limits<double>::infinity();
 }
 
 Field::PointOnSource CloudField::pointOnSource() const

@@ -115,13 +115,7 @@ bool Field::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   return this->evaluateBlocks(
-    sampleCount(extent),
-    [&](std::size_t n)
-    {
-      const Eigen::Vector3i index = sampleIndex(extent, n);
-      return grid.sample(index[0], index[1], index[2]);
-    },
-    output, executor);
+    sampleCount(extent), [&](std::size_t n) { return grid.sample(extent, n); }, output, executor);
 }
 
 bool Field::evaluateValues(

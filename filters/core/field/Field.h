@@ -187,6 +187,13 @@ public:
   /// The value by definition: an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
 
+  /**
+   * Bounds by how much w may change within a distance from a sample where w is right: each triangle
+   * that is so near adds 1, by which its two sides differ; a point that is so near and not
+   * regularized makes it infinite. It is 0 elsewhere. Slow, as reference() is.
+   */
+  virtual double jumpWithin(const Eigen::Vector3d& sample, double distance) const = 0;
+
   /// Gives points of the source that are evenly distributed if u, v, t are so over [0, 1).
   using PointOnSource = std::function<Eigen::Vector3d(double u, double v, double t)>;
 

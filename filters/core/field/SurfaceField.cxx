@@ -2,6 +2,7 @@
 
 #include "base/Refusal.h"
 #include "distance/DistanceTree.h"
+#include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldCost.h"
 #include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
@@ -226,6 +227,11 @@ std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& exe
 double SurfaceField::reference(const Eigen::Vector3d& sample) const
 {
   return referenceSum<double>(surface_, sample);
+}
+
+double SurfaceField::jumpWithin(const Eigen::Vector3d& sample, double distance) const
+{
+  return static_cast<double>(trianglesNear(surface_, sample, distance));
 }
 
 Field::PointOnSource SurfaceField::pointOnSource() const

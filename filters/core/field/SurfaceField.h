@@ -31,6 +31,7 @@ public:
   const RowCrossings* integerRows() const override;
   EvaluationCost expectedCost(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
+  double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
 
 protected:

@@ -1,5 +1,7 @@
 #include "level/Verify.h"
 
+#include "base/Bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,6 +85,37 @@ std::vector<Eigen::Vector3i> drawNear(
   return drawn;
 }
 
+/**
+ * The distance up to which coordinates cannot tell a sample's side. The unit here is 2⁻⁵³ of the
+ * largest coordinate. Along an axis, a sample is rounded by up to 3 units, and a vertex by up to 4
+ * where rows move it into units of the grid (RowCrossings.h), which makes 12 in space. A distance
+ * is rounded by up to 32 (roundingOfOffset()). The distance returned has 64.
+ */
+double undecidedDistance(const Field& field, const Grid& grid)
+{
+  const Bounds& source = field.info().bounds;
+  if (source.isEmpty())
+  {
+    return 0;
+  }
+  const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
+  const Eigen::Vector3d lastSample = grid.sample(last);
+  double largest = 0;
+  for (const Eigen::Vector3d& corner : {source.min(), source.max(), grid.firstSample, lastSample})
+  {
+    largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  }
+  return 0x1p-47 * largest;
+}
+
+/// Whether an error is what a choice between the sides of a surface makes. An approximation may add
+/// its own.
+bool isChoiceOfSide(double error, double jump)
+{
+  constexpr double mostOfApproximations = 0.1;
+  return jump > 0 && std::abs(error) <= jump + mostOfApproximations;
+}
+
 } // namespace
 
 void ErrorStatistics::add(double error)
@@ -115,20 +148,17 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   const std::vector<Eigen::Vector3i> near = drawNear(field, grid, samples, random);
   drawn.insert(drawn.end(), near.begin(), near.end());
 
-  const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
-  const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
-  std::vector<double> errors(drawn.size());
+  const double undecided = undecidedDistance(field, grid);
+  std::vector<double> errors(drawn.size()), jumps(drawn.size());
   const bool complete = executor.run(drawn.size(),
     [&](std::size_t i)
     {
       const Eigen::Vector3i& index = drawn[i];
       if (contains(extent, index))
       {
-        const std::size_t x = static_cast<std::size_t>(index[0] - extent[0]);
-        const std::size_t y = static_cast<std::size_t>(index[1] - extent[2]);
-        const std::size_t z = static_cast<std::size_t>(index[2] - extent[4]);
-        errors[i] = valueOf((z * ny + y) * nx + x) -
-                    field.reference(grid.sample(index[0], index[1], index[2]));
+        const Eigen::Vector3d sample = grid.sample(index);
+        errors[i] = valueOf(sampleNumber(extent, index)) - field.reference(sample);
+        jumps[i] = field.jumpWithin(sample, undecided);
       }
     });
 
@@ -139,7 +169,15 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   }
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
-    if (contains(extent, drawn[i]))
+    if (!contains(extent, drawn[i]))
+    {
+      continue;
+    }
+    if (isChoiceOfSide(errors[i], jumps[i]))
+    {
+      ++result.onSurface;
+    }
+    else
     {
       (i < samples ? result.everywhere : result.nearSurface).add(errors[i]);
     }

@@ -22,6 +22,7 @@ struct Verification
 {
   ErrorStatistics everywhere;  ///< samples drawn from the whole grid
   ErrorStatistics nearSurface; ///< samples within two voxels of the source
+  std::size_t onSurface = 0;   ///< drawn samples of both kinds that were not compared; see verify()
 };
 
 /**
@@ -29,6 +30,13 @@ struct Verification
  * voxels of the source (fewer where the grid does not reach the source). The draw depends on the
  * seed and the whole grid only; those of its samples that lie in the extent are compared, so that
  * the pieces of a grid together compare what the whole does.
+ *
+ * A sample on the surface has two right values, one for each side, and the reference is one of them
+ * or their mean. Samples that lie on it as far as coordinates can tell are therefore counted apart:
+ * a triangle is no farther from them than 2⁻⁴⁷ of the largest coordinate of source and grid, which
+ * is several times what the methods round coordinates by. Samples that near to a point of a cloud
+ * have no right value, unless the cloud is regularized, and are counted apart, too. A value that
+ * differs from the reference by more than 1 for each triangle there is an error all the same.
  *
  * When the executor is interrupted, no sample counts as compared.
  *

@@ -76,12 +76,27 @@ std::size_t sampleNumber(const Extent& extent, int i, int j, int k)
          static_cast<std::size_t>(i - extent[0]);
 }
 
+std::size_t sampleNumber(const Extent& extent, const Eigen::Vector3i& index)
+{
+  return sampleNumber(extent, index[0], index[1], index[2]);
+}
+
 Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n)
 {
   const std::size_t nx = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const std::size_t ny = static_cast<std::size_t>(extent[3] - extent[2] + 1);
   return {extent[0] + static_cast<int>(n % nx), extent[2] + static_cast<int>(n / nx % ny),
     extent[4] + static_cast<int>(n / nx / ny)};
+}
+
+Eigen::Vector3d Grid::sample(std::size_t n) const
+{
+  return this->sample(this->wholeExtent(), n);
+}
+
+Eigen::Vector3d Grid::sample(const Extent& extent, std::size_t n) const
+{
+  return this->sample(sampleIndex(extent, n));
 }
 
 Grid layOutGrid(const GridRequest& request)

@@ -32,6 +32,18 @@ struct Grid
     return firstSample + Eigen::Vector3d(i, j, k).cwiseProduct(spacing);
   }
 
+  Eigen::Vector3d sample(const Eigen::Vector3i& index) const
+  {
+    return this->sample(index[0], index[1], index[2]);
+  }
+
+  ///@{
+  /// The position of sample number n of the whole grid, or of an extent of it, as sampleIndex()
+  /// numbers them.
+  Eigen::Vector3d sample(std::size_t n) const;
+  Eigen::Vector3d sample(const Extent& extent, std::size_t n) const;
+  ///@}
+
   /// A position in units of sample indices: sample (i, j, k) has the coordinates i, j, k.
   Eigen::Vector3d inGridUnits(const Eigen::Vector3d& position) const
   {
@@ -64,8 +76,11 @@ inline IndexRange indicesBetween(double low, double high, int first, int last)
 /// The number of samples in an extent; 0 if any range is empty.
 std::size_t sampleCount(const Extent& extent);
 
+///@{
 /// The number of a sample in its extent: numbers begin at 0 and i runs fastest.
 std::size_t sampleNumber(const Extent& extent, int i, int j, int k);
+std::size_t sampleNumber(const Extent& extent, const Eigen::Vector3i& index);
+///@}
 
 /// The indices of sample number n of an extent: numbers begin at 0 and i runs fastest.
 Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);

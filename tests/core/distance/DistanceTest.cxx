@@ -1,4 +1,5 @@
 #include "distance/NearestKernels.h"
+#include "distance/PrimitivesNear.h"
 #include "field/Field.h"
 
 #include "base/Bounds.h"
@@ -91,12 +92,10 @@ Distances evaluate(const Field& field, const std::vector<Point>& samples, double
 
 std::vector<Point> samplesOf(const Grid& grid)
 {
-  std::vector<Point> samples;
-  const Extent whole = grid.wholeExtent();
-  for (std::size_t n = 0; n < sampleCount(whole); ++n)
+  std::vector<Point> samples(sampleCount(grid.wholeExtent()));
+  for (std::size_t n = 0; n < samples.size(); ++n)
   {
-    const Eigen::Vector3i index = sampleIndex(whole, n);
-    samples.push_back(grid.sample(index[0], index[1], index[2]));
+    samples[n] = grid.sample(n);
   }
   return samples;
 }
@@ -357,9 +356,8 @@ TEST(Distance, HasTheSameBitsInAnyExtentAndOnAnyThreads)
           const Distances found = evaluate(*field, grid, part, limit);
           for (std::size_t n = 0; n < sampleCount(part); ++n)
           {
-            const Eigen::Vector3i index = sampleIndex(part, n);
-            ASSERT_EQ(found.distances[n],
-              expected.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+            ASSERT_EQ(
+              found.distances[n], expected.distances[sampleNumber(whole, sampleIndex(part, n))]);
           }
         }
         EXPECT_TRUE(evaluate(*field, grid, {3, 2, 0, 1, 0, 1}, limit).distances.empty());
@@ -560,8 +558,7 @@ TEST(Distance, TasksAreSmallWhereEverythingIsAsNear)
   }
   for (std::size_t n = 0; n < some.distances.size(); ++n)
   {
-    const Eigen::Vector3i index = sampleIndex(part, n);
-    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, index[0], index[1], index[2])]);
+    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, sampleIndex(part, n))]);
   }
 }
 
@@ -585,4 +582,46 @@ TEST(Distance, TreeIsMadeOnceAndBeforeIfAskedFor)
   EXPECT_TRUE(field->prepareDistances(again));
   EXPECT_EQ(again.runs, 0);
   EXPECT_GT(field->expectedCostOfDistances(1000).bytes, 320 * sizeof(winding::NearTriangle));
+}
+
+TEST(PrimitivesNear, AreThoseThatTheDefinitionFinds)
+{
+  SCOPED_TRACE("seeds 816, 817");
+  const Mesh mesh = triangleSoup(200, 816);
+  const Cloud cloud = randomCloud(200, 816);
+  const winding::Surface surface = clean(mesh);
+  const winding::PointCloud points = clean(cloud);
+  std::size_t most = 0;
+  for (const Point& sample : randomPoints(300, -2, 2, 817))
+  {
+    for (const double distance : {0.0, 0.03, 0.4, 3.0})
+    {
+      std::size_t triangles = 0, ofCloud = 0;
+      for (const auto& t : mesh.triangles)
+      {
+        const auto corner = [&](std::size_t i)
+        {
+          return mesh.points[static_cast<std::size_t>(t[i])];
+        };
+        triangles += naiveDistance(sample, corner(0), corner(1), corner(2)) <= distance;
+      }
+      for (const Point& point : cloud.positions)
+      {
+        ofCloud += (sample - point).norm() <= distance;
+      }
+      ASSERT_EQ(winding::trianglesNear(surface, sample, distance), triangles);
+      ASSERT_EQ(winding::pointsNear(points, sample, distance), ofCloud);
+      most = std::max(most, triangles);
+    }
+  }
+  EXPECT_EQ(most, 200u);
+  // Vertices and points themselves are at no distance, however far from the origin and small.
+  for (const double size : {1e-100, 1.0, 1e100})
+  {
+    const Mesh scaled =
+      cube({1, 1, 1}, {2, 2, 2}).mapped([&](const Point& p) -> Point { return size * p; });
+    EXPECT_GE(winding::trianglesNear(clean(scaled), scaled.points[0], 0), 3u);
+    EXPECT_EQ(winding::trianglesNear(clean(scaled), 1.5 * scaled.points[0], 0.4 * size), 0u);
+    EXPECT_EQ(winding::trianglesNear(clean(scaled), 1.5 * scaled.points[0], 0.6 * size), 12u);
+  }
 }

@@ -61,7 +61,8 @@ TEST(FarFieldSamples, HaveTheSameBitsInAnyExtent)
         for (std::size_t n = 0; n < values.size(); ++n)
         {
           different +=
-            values[n] != expected[placeIn(grid.wholeExtent(), winding::sampleIndex(extent, n))];
+            values[n] !=
+            expected[winding::sampleNumber(grid.wholeExtent(), winding::sampleIndex(extent, n))];
         }
         EXPECT_EQ(different, 0u) << tolerance << ", " << extent[0] << " " << extent[1] << " "
                                  << extent[2] << " " << extent[3] << " " << extent[4] << " "

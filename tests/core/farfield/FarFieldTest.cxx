@@ -103,7 +103,7 @@ void compareOnGrids(const std::vector<Case>& cases, unsigned seed, std::size_t s
     std::vector<Point> positions;
     for (const Eigen::Vector3i& index : at)
     {
-      positions.push_back(one.grid.sample(index[0], index[1], index[2]));
+      positions.push_back(one.grid.sample(index));
     }
     for (const double tolerance : tolerances)
     {
@@ -111,7 +111,7 @@ void compareOnGrids(const std::vector<Case>& cases, unsigned seed, std::size_t s
       std::vector<float> values;
       for (const Eigen::Vector3i& index : at)
       {
-        values.push_back(all[placeIn(one.grid.wholeExtent(), index)]);
+        values.push_back(all[winding::sampleNumber(one.grid.wholeExtent(), index)]);
       }
       recordError(one, "", tolerance, largestError(*one.source, positions, values) / tolerance);
     }

@@ -33,7 +33,7 @@ public:
   {
     for (std::size_t n = 0; n < count; ++n)
     {
-      const std::size_t at = placeIn(extent_, {i + static_cast<int>(n), j, k});
+      const std::size_t at = winding::sampleNumber(extent_, i + static_cast<int>(n), j, k);
       ++counts[at];
       values[at] = from[n];
       suspects[at] = isSuspect && isSuspect[n];
@@ -114,7 +114,7 @@ TEST(GridCells, HaveEverySampleOnceAtEveryLevel)
         for (std::size_t n = 0; n < cell.samples; ++n)
         {
           ++counts[static_cast<std::size_t>(cell.level)]
-                  [placeIn(layout.extent, winding::sampleIndex(part, n))];
+                  [winding::sampleNumber(layout.extent, winding::sampleIndex(part, n))];
         }
       });
     for (const std::vector<int>& level : counts)
@@ -137,8 +137,7 @@ TEST(GridCells, AreWithinTheirRadiusAndSide)
         const Extent part = cells.samplesOf(cell);
         for (std::size_t n = 0; n < cell.samples; n += std::max<std::size_t>(1, cell.samples / 50))
         {
-          const Eigen::Vector3i at = winding::sampleIndex(part, n);
-          const Point offset = scale * layout.grid.sample(at[0], at[1], at[2]) - cell.center;
+          const Point offset = scale * layout.grid.sample(part, n) - cell.center;
           ASSERT_LE(offset.norm(), level.radius * (1 + 1e-9) + 1e-15);
           ASSERT_LE(offset.cwiseAbs().maxCoeff(), 0.5 * level.side);
         }
@@ -260,7 +259,7 @@ TEST(GridCells, DeliverEverySampleOfAnExtentOnce)
               // The value is the number of this very sample.
               const Point at =
                 (q / scale - layout.grid.firstSample).cwiseQuotient(layout.grid.spacing);
-              values[n] = static_cast<float>(placeIn(
+              values[n] = static_cast<float>(winding::sampleNumber(
                 layout.extent, (at + Point::Constant(0.5)).array().floor().cast<int>().matrix()));
               isSuspect[n] = static_cast<int>(values[n]) % 3 == 0;
             }
@@ -299,8 +298,7 @@ TEST(GridCells, EvaluatePolynomialsAtEverySample)
       const double side = cells.level(root.level).side;
       for (std::size_t n = 0; n < counter.values.size(); n += 37)
       {
-        const Eigen::Vector3i at = winding::sampleIndex(layout.extent, n);
-        const Point s = (0.5 * layout.grid.sample(at[0], at[1], at[2]) - root.center) / side;
+        const Point s = (0.5 * layout.grid.sample(layout.extent, n) - root.center) / side;
         double expected = 0;
         std::size_t place = 0;
         for (int a = order; a >= 0; --a)

@@ -43,8 +43,7 @@ double largestError(const Mesh& mesh, const Grid& grid)
   double largest = 0;
   for (std::size_t n = 0; n < values.size(); ++n)
   {
-    const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
-    const Point q = grid.sample(index[0], index[1], index[2]);
+    const Point q = grid.sample(n);
     winding::SampleBlock block;
     block.count = 1;
     block.x[0] = q[0];
@@ -180,7 +179,7 @@ TEST(CappedSurface, EqualsTheDirectSumAtSamplesOnTheCap)
       const bool isAcross = index[0] > 2 && index[0] < 10 && index[1] > 2 && index[1] < 10;
       if (index[2] == 8 && isAcross)
       {
-        const Point q = grid.sample(index[0], index[1], index[2]);
+        const Point q = grid.sample(index);
         const auto expected = static_cast<double>(winding::referenceSum<long double>(surface, q));
         largest = std::max(largest, std::abs(values[n] - expected));
       }
@@ -212,8 +211,7 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const std::vector<double> values = valuesOn(capped, grid, grid.wholeExtent());
     for (std::size_t n = 0; n < values.size(); ++n)
     {
-      const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
-      const Point q = grid.sample(index[0], index[1], index[2]);
+      const Point q = grid.sample(n);
       const auto expected = static_cast<double>(winding::referenceSum<long double>(surface, q));
       largest = std::max(largest, std::abs(values[n] - expected));
     }
@@ -296,7 +294,7 @@ TEST(CappedSurface, HasTheSameBitsInAnyPiecesAndOnAnyThreads)
     const std::vector<double> values = valuesOn(capped, grid, part);
     for (std::size_t n = 0; n < values.size(); ++n)
     {
-      ASSERT_EQ(values[n], expected[placeIn(whole, winding::sampleIndex(part, n))]);
+      ASSERT_EQ(values[n], expected[winding::sampleNumber(whole, winding::sampleIndex(part, n))]);
     }
   }
 }

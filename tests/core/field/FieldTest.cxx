@@ -86,15 +86,14 @@ TEST(Field, HasTheSameBitsInAnyPieces)
   for (const auto& field : someFields())
   {
     const std::vector<double> expected = valuesOn(*field, grid, whole, serial);
-    const std::size_t nx = grid.dimensions[0], ny = grid.dimensions[1];
     for (const Extent& piece : {Extent{0, 20, 0, 19, 7, 7}, Extent{3, 3, 0, 19, 0, 18},
            Extent{1, 17, 2, 11, 3, 13}, Extent{20, 20, 19, 19, 18, 18}})
     {
       const std::vector<double> values = valuesOn(*field, grid, piece, serial);
       for (std::size_t n = 0; n < values.size(); ++n)
       {
-        const Eigen::Vector3i i = winding::sampleIndex(piece, n);
-        ASSERT_EQ(values[n], expected[(i[2] * ny + i[1]) * nx + i[0]]);
+        ASSERT_EQ(
+          values[n], expected[winding::sampleNumber(whole, winding::sampleIndex(piece, n))]);
       }
     }
   }
@@ -123,8 +122,7 @@ TEST(Field, HasTheSameValuesAtScatteredSamples)
   std::vector<float> strided;
   for (std::size_t n = 0; n < winding::sampleCount(extent); ++n)
   {
-    const Eigen::Vector3i i = winding::sampleIndex(extent, n);
-    samples.push_back(grid.sample(i[0], i[1], i[2]));
+    samples.push_back(grid.sample(extent, n));
   }
   for (const auto& field : someFields())
   {

@@ -440,7 +440,7 @@ TEST(RegularizedFarField, EqualsTheDirectSumOnGrids)
     std::vector<Point> samples;
     for (const Eigen::Vector3i& index : at)
     {
-      samples.push_back(grid.sample(index[0], index[1], index[2]));
+      samples.push_back(grid.sample(index));
     }
     for (const double tolerance : tolerances)
     {
@@ -450,7 +450,7 @@ TEST(RegularizedFarField, EqualsTheDirectSumOnGrids)
       std::vector<float> values;
       for (const Eigen::Vector3i& index : at)
       {
-        values.push_back(all[placeIn(grid.wholeExtent(), index)]);
+        values.push_back(all[winding::sampleNumber(grid.wholeExtent(), index)]);
       }
       const double error = largestError(*one.source, samples, values) / tolerance;
       std::ostringstream name;

@@ -234,8 +234,7 @@ TEST(TouchedVoxels, HoldEveryPointOfTheSurfaceWhereverTheGridLies)
           (p - grid.corner()).cwiseQuotient(grid.spacing).array().floor().cast<int>();
         if ((voxel.array() >= 0).all() && (voxel.array() < grid.dimensions.array()).all())
         {
-          ASSERT_EQ(
-            marks[winding::sampleNumber(grid.wholeExtent(), voxel[0], voxel[1], voxel[2])], 1)
+          ASSERT_EQ(marks[winding::sampleNumber(grid.wholeExtent(), voxel)], 1)
             << scale << " " << offset << " " << p.transpose();
         }
       }
@@ -260,8 +259,7 @@ TEST(TouchedVoxels, PartsAndThreadsHaveTheBitsOfTheWhole)
     for (std::size_t i = 0; i < part.size(); ++i)
     {
       const Eigen::Vector3i voxel = winding::sampleIndex(extent, i);
-      ASSERT_EQ(
-        part[i], whole[winding::sampleNumber(grid.wholeExtent(), voxel[0], voxel[1], voxel[2])]);
+      ASSERT_EQ(part[i], whole[winding::sampleNumber(grid.wholeExtent(), voxel)]);
     }
   }
 }

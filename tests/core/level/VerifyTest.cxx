@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -97,7 +98,7 @@ TEST(Verify, LooksNearTheSurfaceOnItsOwn)
   const Grid grid = gridOver({-2, -2, -2}, {2, 2, 2}, 40);
   const auto distance = [&](const Eigen::Vector3i& i)
   {
-    return std::abs(grid.sample(i[0], i[1], i[2]).norm() - 1);
+    return std::abs(grid.sample(i).norm() - 1);
   };
   // Two voxels and the depth of the mesh below the sphere, 0.02.
   const double farthest = 2 * grid.spacing[0] + 0.02;
@@ -116,8 +117,7 @@ TEST(Verify, ComparesWithTheValueOfTheVerySample)
   // Were two axes exchanged or an extent's origin forgotten, these errors would not come out.
   const Extent extent = {2, 11, 1, 13, 4, 15};
   const Verification found = verifyWith(*field, grid, extent,
-    [&](const Eigen::Vector3i& i, double)
-    { return field->reference(grid.sample(i[0], i[1], i[2])); });
+    [&](const Eigen::Vector3i& i, double) { return field->reference(grid.sample(i)); });
   EXPECT_GT(found.everywhere.samples, 100u);
   EXPECT_EQ(found.everywhere.max, 0);
   EXPECT_EQ(found.nearSurface.max, 0);
@@ -175,6 +175,176 @@ TEST(Verify, CountsAValueThatIsNoNumberAsInfinitelyWrong)
     [](const Eigen::Vector3i& i, double value) { return i[0] == 3 ? notANumber : value; });
   EXPECT_EQ(found.everywhere.max, infinity);
   EXPECT_EQ(found.everywhere.rms(), infinity);
+}
+
+namespace
+{
+
+constexpr winding::Method valueMethods[] = {
+  winding::Method::rows, winding::Method::hierarchical, winding::Method::direct};
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh, winding::Method method)
+{
+  winding::FieldOptions options;
+  options.method = method;
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+}
+
+/// 13³ samples at multiples of an eighth, from −0.25 to 1.25; 386 lie on faces of the unit cube.
+Grid gridThroughTheCube()
+{
+  Grid grid;
+  grid.firstSample = Point::Constant(-0.25);
+  grid.spacing = Point::Constant(0.125);
+  grid.dimensions = Eigen::Vector3i::Constant(13);
+  return grid;
+}
+
+bool isOnTheCube(const Point& p)
+{
+  return p.minCoeff() >= 0 && p.maxCoeff() <= 1 && (p.minCoeff() == 0 || p.maxCoeff() == 1);
+}
+
+std::size_t samplesOf(const Verification& found)
+{
+  return found.everywhere.samples + found.nearSurface.samples + found.onSurface;
+}
+
+} // namespace
+
+TEST(Verify, CountsSamplesOnTheSurfaceApart)
+{
+  SCOPED_TRACE("seed 121");
+  const Grid grid = gridThroughTheCube();
+  for (const winding::Method method : valueMethods)
+  {
+    const auto field = fieldOf(cube(), method);
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
+    EXPECT_LT(found.everywhere.max, 1e-3) << winding::nameOf(method);
+    EXPECT_LT(found.nearSurface.max, 1e-3) << winding::nameOf(method);
+    EXPECT_EQ(samplesOf(found), 2 * drawn);
+    const Verification wrong = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w) { return isOnTheCube(grid.sample(i)) ? w : w + 1; });
+    EXPECT_EQ(wrong.onSurface, found.onSurface);
+    EXPECT_GT(wrong.onSurface, drawn / 4);
+    EXPECT_NEAR(wrong.everywhere.rms(), 1, 1e-3);
+    EXPECT_NEAR(wrong.nearSurface.rms(), 1, 1e-3);
+  }
+}
+
+TEST(Verify, CountsSamplesThatAreOnTheSurfaceUpToRoundingApart)
+{
+  SCOPED_TRACE("seed 121");
+  // An octahedron whose faces go through samples, at places that no double is.
+  Grid grid;
+  grid.firstSample = {0.3, -7.7, 1000.1};
+  grid.spacing = {0.1, 0.3, 0.7};
+  grid.dimensions = Eigen::Vector3i::Constant(17);
+  const Mesh lattice = {{{14, 8, 8}, {2, 8, 8}, {8, 14, 8}, {8, 2, 8}, {8, 8, 14}, {8, 8, 2}},
+    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  const Mesh mesh = lattice.mapped([&](const Point& p) { return grid.sample(p.cast<int>()); });
+  const auto distanceFromFaces = [](const Eigen::Vector3i& i)
+  {
+    return std::abs((i - Eigen::Vector3i::Constant(8)).cwiseAbs().sum() - 6);
+  };
+  for (const winding::Method method : valueMethods)
+  {
+    const auto field = fieldOf(mesh, method);
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
+    EXPECT_LT(found.everywhere.max, 1e-3) << winding::nameOf(method);
+    EXPECT_LT(found.nearSurface.max, 1e-3) << winding::nameOf(method);
+    EXPECT_EQ(samplesOf(found), 2 * drawn);
+    EXPECT_GT(found.onSurface, drawn / 20);
+    const Verification wrong = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w) { return distanceFromFaces(i) == 0 ? w : w + 1; });
+    EXPECT_EQ(wrong.onSurface, found.onSurface);
+    EXPECT_NEAR(wrong.nearSurface.rms(), 1, 1e-3);
+  }
+}
+
+TEST(Verify, FindsWrongValuesBesideTheSurface)
+{
+  SCOPED_TRACE("seed 121");
+  // Less than a billionth of a voxel beside it, where a value is as right or wrong as any.
+  const Mesh beside = cube(Point::Constant(1e-12), Point::Constant(1 + 1e-12));
+  const Grid grid = gridThroughTheCube();
+  for (const winding::Method method : valueMethods)
+  {
+    const auto field = fieldOf(beside, method);
+    EXPECT_LT(verifyWith(*field, grid, grid.wholeExtent(), unchanged).nearSurface.max, 1e-3);
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w) { return isOnTheCube(grid.sample(i)) ? 0.5 : w; });
+    EXPECT_EQ(found.onSurface, 0u);
+    EXPECT_NEAR(found.everywhere.max, 0.5, 1e-3);
+    EXPECT_NEAR(found.nearSurface.max, 0.5, 1e-3);
+  }
+}
+
+TEST(Verify, FindsWhatNoSideOfTheSurfaceExplains)
+{
+  SCOPED_TRACE("seed 121");
+  const Grid grid = gridThroughTheCube();
+  const auto field = fieldOf(cube(), winding::Method::rows);
+  for (const double wrong : {notANumber, infinity, 7.5, -7.5})
+  {
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w) { return isOnTheCube(grid.sample(i)) ? wrong : w; });
+    EXPECT_EQ(found.onSurface, 0u);
+    EXPECT_GE(found.nearSurface.max, 7);
+  }
+}
+
+TEST(Verify, CountsSamplesOnTheSurfaceInEachPiece)
+{
+  SCOPED_TRACE("seed 121");
+  const Grid grid = gridThroughTheCube();
+  const auto field = fieldOf(openCube(), winding::Method::automatic);
+  const Verification whole = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
+  std::size_t inPieces = 0;
+  for (int k = 0; k < 13; ++k)
+  {
+    inPieces += verifyWith(*field, grid, {0, 12, 0, 12, k, k}, unchanged).onSurface;
+  }
+  EXPECT_GT(whole.onSurface, 0u);
+  EXPECT_EQ(inPieces, whole.onSurface);
+}
+
+TEST(Verify, CountsSamplesAtPointsOfACloudApartUnlessTheyAreRegularized)
+{
+  SCOPED_TRACE("seed 121");
+  const Grid grid = gridThroughTheCube();
+  Cloud cloud;
+  for (const auto& [axis, side] : {std::pair(0, 0), {0, 1}, {1, 0}, {1, 1}, {2, 0}, {2, 1}})
+  {
+    for (int n = 0; n < 81; ++n)
+    {
+      Point position, normal = Point::Zero();
+      position[axis] = side;
+      position[(axis + 1) % 3] = 0.125 * (n % 9);
+      position[(axis + 2) % 3] = 0.125 * (n / 9);
+      normal[axis] = side ? 1 : -1;
+      // Every other point is moved by less than coordinates can tell.
+      cloud.positions.push_back(position + (n % 2) * Point::Constant(1e-16));
+      cloud.normals.push_back(normal);
+    }
+  }
+  for (const double regularization : {0.0, 1.0})
+  {
+    winding::FieldOptions options;
+    options.regularization = regularization;
+    winding::SerialExecutor serial;
+    const auto field =
+      Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
+    EXPECT_LT(found.everywhere.max, 1e-3);
+    EXPECT_LT(found.nearSurface.max, 1e-3);
+    EXPECT_EQ(samplesOf(found), 2 * drawn);
+    EXPECT_EQ(found.onSurface > 0, regularization == 0);
+    const Verification wrong = verifyWith(
+      *field, grid, grid.wholeExtent(), [](const Eigen::Vector3i&, double) { return notANumber; });
+    EXPECT_EQ(wrong.onSurface, 0u);
+  }
 }
 
 TEST(ErrorStatistics, HaveTheLargestAndTheRootMeanSquareError)

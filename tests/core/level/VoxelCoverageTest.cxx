@@ -135,8 +135,7 @@ TEST(VoxelOverlap, IsCentreOrCornerInsideOrSurfaceTouched)
       int undecided = 0, fromCorners = 0;
       for (std::size_t i = 0; i < inside.size(); ++i)
       {
-        const Eigen::Vector3i voxel = winding::sampleIndex(extent, i);
-        const Point center = grid.sample(voxel[0], voxel[1], voxel[2]);
+        const Point center = grid.sample(extent, i);
         const int atCenter = sideOf(source, center, rule);
         std::vector<int> sides = {touched[i], atCenter};
         for (int corner = 0; corner < 8; ++corner)
@@ -264,8 +263,7 @@ TEST(VoxelCoverage, PartsAndThreadsHaveTheBitsOfTheWhole)
       const std::vector<unsigned char> over = overlapOf(*source.field, grid, extent, rule, threads);
       for (std::size_t i = 0; i < some.size(); ++i)
       {
-        const Eigen::Vector3i v = winding::sampleIndex(extent, i);
-        const std::size_t n = winding::sampleNumber(whole, v[0], v[1], v[2]);
+        const std::size_t n = winding::sampleNumber(whole, winding::sampleIndex(extent, i));
         ASSERT_EQ(some[i], fractions[n]) << source.name;
         ASSERT_EQ(over[i], overlap[n]) << source.name;
       }

@@ -51,8 +51,7 @@ TEST(RowCrossings, AreExactOnLatticeSolidsWhateverTheRowsHit)
         const std::vector<int> values = valuesOn(mesh, grid);
         for (std::size_t n = 0; n < values.size(); ++n)
         {
-          const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
-          const Point q = grid.sample(index[0], index[1], index[2]);
+          const Point q = grid.sample(n);
           ASSERT_EQ(values[n], shapes::windingOf(cells, inverse * (q + symbolicStep)))
             << q.transpose();
         }
@@ -67,8 +66,7 @@ TEST(RowCrossings, GiveBoxesOnGridPlanesTheirLowerFacesAndNotTheUpper)
   const std::vector<int> values = valuesOn(cube({-1, -0.5, 0}, {2, 2.5, 3}), grid);
   for (std::size_t n = 0; n < values.size(); ++n)
   {
-    const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
-    const Point q = grid.sample(index[0], index[1], index[2]);
+    const Point q = grid.sample(n);
     const bool isIn = (q.array() >= Point(-1, -0.5, 0).array()).all() &&
                       (q.array() < Point(2, 2.5, 3).array()).all();
     ASSERT_EQ(values[n], isIn) << q.transpose();
@@ -115,8 +113,7 @@ TEST(RowCrossings, AgreeWithTheDirectSumOffTheSurface)
     std::vector<Point> samples;
     for (std::size_t n = 0; n < values.size(); ++n)
     {
-      const Eigen::Vector3i index = winding::sampleIndex(grid.wholeExtent(), n);
-      samples.push_back(grid.sample(index[0], index[1], index[2]));
+      samples.push_back(grid.sample(n));
     }
     const std::vector<double> expected = shapes::valuesOf(sum, samples);
     for (std::size_t n = 0; n < values.size(); ++n)
@@ -176,8 +173,7 @@ TEST(RowCrossings, DoNotDependOnExtentBandsOrThreads)
       const std::vector<int> values = rowValues(rows, chain.grid(), part, 40, serial);
       for (std::size_t n = 0; n < values.size(); ++n)
       {
-        const Eigen::Vector3i index = winding::sampleIndex(part, n);
-        ASSERT_EQ(values[n], expected[placeIn(whole, index)]);
+        ASSERT_EQ(values[n], expected[winding::sampleNumber(whole, winding::sampleIndex(part, n))]);
       }
     }
   }

@@ -202,6 +202,10 @@ TEST(SampleCount, IsTheProductOfTheRangesAndZeroForEmptyOnes)
 TEST(SampleIndex, RunsThroughAnExtentWithXFastest)
 {
   const winding::Extent extent = {-1, 2, 5, 6, 3, 5};
+  Grid grid;
+  grid.firstSample = {0.1, -7, 1e3};
+  grid.spacing = {0.3, 0.7, 1e-3};
+  grid.dimensions = {3, 7, 6};
   std::size_t n = 0;
   for (int k = 3; k <= 5; ++k)
   {
@@ -209,11 +213,16 @@ TEST(SampleIndex, RunsThroughAnExtentWithXFastest)
     {
       for (int i = -1; i <= 2; ++i)
       {
-        EXPECT_EQ(winding::sampleIndex(extent, n++), Eigen::Vector3i(i, j, k));
+        const Eigen::Vector3i index(i, j, k);
+        EXPECT_EQ(winding::sampleNumber(extent, index), n);
+        EXPECT_EQ(grid.sample(extent, n), grid.sample(i, j, k));
+        EXPECT_EQ(winding::sampleIndex(extent, n++), index);
       }
     }
   }
   EXPECT_EQ(n, winding::sampleCount(extent));
+  EXPECT_EQ(grid.sample(0), grid.sample(0, 0, 0));
+  EXPECT_EQ(grid.sample(3 * 7 * 4 + 3 * 5 + 2), grid.sample(2, 5, 4));
 }
 
 TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)

@@ -194,7 +194,7 @@ inline ChainComparison compareWithDirectSum(const LatticeChain& chain, double fi
   {
     const Eigen::Vector3i index = sampleIndex(whole, n);
     const Quarters q = chain.firstSample + index.cwiseProduct(chain.step);
-    const Point sample = chain.grid.sample(index[0], index[1], index[2]);
+    const Point sample = chain.grid.sample(index);
     double expected = values[n], tolerance = 0;
     if (!isOnSurface(chain, q))
     {

@@ -25,14 +25,6 @@ inline winding::Grid gridOf(
   return grid;
 }
 
-/// The inverse of winding::sampleIndex().
-inline std::size_t placeIn(const winding::Extent& extent, const Eigen::Vector3i& index)
-{
-  const int width = extent[1] - extent[0] + 1, height = extent[3] - extent[2] + 1;
-  return static_cast<std::size_t>(
-    ((index[2] - extent[4]) * height + index[1] - extent[2]) * width + index[0] - extent[0]);
-}
-
 /// The values of all samples. Checks that every row comes once and that its runs cover it in order.
 inline std::vector<int> rowValues(const winding::RowCrossings& rows, const winding::Grid& grid,
   const winding::Extent& extent, std::size_t samplesPerBlock, winding::Executor& executor)
@@ -51,7 +43,7 @@ inline std::vector<int> rowValues(const winding::RowCrossings& rows, const windi
         next = run.end;
         for (int i = run.begin; i < run.end; ++i)
         {
-          values[placeIn(extent, {i, j, k})] = run.value;
+          values[winding::sampleNumber(extent, i, j, k)] = run.value;
         }
       }
       badRuns += next != extent[1] + 1;
