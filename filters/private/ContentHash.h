@@ -2,6 +2,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,13 +26,28 @@ public:
     }
     this->addValue(array->GetDataType());
     this->addValue(array->GetNumberOfValues());
-    this->addBytes(array->GetVoidPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) *
-                                               static_cast<std::size_t>(array->GetDataTypeSize()));
+    if (array->HasStandardMemoryLayout())
+    {
+      this->addBytes(
+        array->GetVoidPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) *
+                                    static_cast<std::size_t>(array->GetDataTypeSize()));
+      return;
+    }
+    for (const double value : vtk::DataArrayValueRange(array))
+    {
+      this->addValue(value);
+    }
   }
 
   void addCells(vtkCellArray* cells)
   {
-    this->addArray(cells->GetOffsetsArray());
+    // Cells of one size need no offsets, and since VTK 9.6 these may be an array without memory.
+    const vtkIdType size = cells->IsHomogeneous();
+    this->addValue(size);
+    if (size < 0)
+    {
+      this->addArray(cells->GetOffsetsArray());
+    }
     this->addArray(cells->GetConnectivityArray());
   }
 

@@ -1,9 +1,9 @@
 #include "private/GridContour.h"
 
+#include "private/VtkVersions.h"
+
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-
-#include "vtkMarchingCubesTriangleCases.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTypeInt64Array.h"
@@ -81,7 +81,7 @@ void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endO
   // Whether the samples at i of the four rows are inside.
   int inside[4] = {edges.beginsInside(j, k), edges.beginsInside(j + 1, k),
     edges.beginsInside(j, k + 1), edges.beginsInside(j + 1, k + 1)};
-  const vtkMarchingCubesTriangleCases* cases = vtkMarchingCubesTriangleCases::GetCases();
+  const MarchingCubesTable table;
   for (int i = firstCell;; ++i)
   {
     int next = endOfCells;
@@ -110,7 +110,7 @@ void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endO
     {
       lines[line].pass(i);
     }
-    for (const int* edge = cases[index].edges; *edge >= 0; ++edge)
+    for (const int* edge = table[index]; *edge >= 0; ++edge)
     {
       corners.push_back(static_cast<std::uint32_t>(vertices[*edge]));
     }
@@ -209,7 +209,8 @@ void GridContour::addAreas(
   {
     return vector.template cast<double>() / unit;
   };
-  const vtkTypeInt64* ids = triangles_->GetConnectivityArray64()->GetPointer(0);
+  const auto* ids =
+    static_cast<const vtkTypeInt64*>(triangles_->GetConnectivityArray()->GetVoidPointer(0));
   const std::size_t layers = layerStarts_.size() - 1;
   // The triangles of a layer share vertices with those of the next one, but with no others.
   for (std::size_t parity = 0; parity < 2; ++parity)
@@ -241,11 +242,12 @@ std::vector<Eigen::Vector3d> GridContour::areasAround(vtkPoints* points, Executo
   std::vector<Eigen::Vector3d> sums(edges_.size(), Eigen::Vector3d::Zero());
   if (points->GetDataType() == VTK_DOUBLE)
   {
-    this->addAreas(static_cast<const double*>(points->GetVoidPointer(0)), sums, executor);
+    this->addAreas(
+      static_cast<const double*>(points->GetData()->GetVoidPointer(0)), sums, executor);
   }
   else
   {
-    this->addAreas(static_cast<const float*>(points->GetVoidPointer(0)), sums, executor);
+    this->addAreas(static_cast<const float*>(points->GetData()->GetVoidPointer(0)), sums, executor);
   }
   return sums;
 }

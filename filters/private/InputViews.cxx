@@ -169,17 +169,19 @@ ScalarsView InputViews::scalarsOf(vtkDataArray* array)
 
 TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
 {
-  if (polygons->IsHomogeneous() == 3)
+  // The array itself says what it is: the kinds of storage of vtkCellArray differ between versions.
+  vtkDataArray* ids = polygons->GetConnectivityArray();
+  if (polygons->IsHomogeneous() == 3 && ids->HasStandardMemoryLayout())
   {
     const auto count = static_cast<std::size_t>(polygons->GetNumberOfCells());
-    if (polygons->IsStorage64Bit())
+    if (ids->GetDataTypeSize() == sizeof(std::int64_t))
     {
-      // vtkTypeInt64 may be another 64 bit type than std::int64_t, with the same representation.
-      return {
-        reinterpret_cast<const std::int64_t*>(polygons->GetConnectivityArray64()->GetPointer(0)),
-        count};
+      return {static_cast<const std::int64_t*>(ids->GetVoidPointer(0)), count};
     }
-    return {polygons->GetConnectivityArray32()->GetPointer(0), count};
+    if (ids->GetDataTypeSize() == sizeof(std::int32_t))
+    {
+      return {static_cast<const std::int32_t*>(ids->GetVoidPointer(0)), count};
+    }
   }
   ids_.push_back(trianglesOfPolygons(polygons));
   return {ids_.back().data(), ids_.back().size() / 3};

@@ -82,7 +82,7 @@ void addOverlap(const Field& field, const Grid& grid, const Extent& extent, Insi
 EvaluationCost costOfOverlap(const Field& field, std::size_t samples)
 {
   constexpr double secondsPerPrimitive = 150e-9;
-  constexpr std::size_t bytesPerPrimitive = 32;
+  constexpr std::size_t bytesPerMark = 32;
   EvaluationCost cost;
   if (!changesAtTrianglesOnly(field.info()))
   {
@@ -90,7 +90,7 @@ EvaluationCost costOfOverlap(const Field& field, std::size_t samples)
     cost.bytes = samples;
   }
   const std::size_t primitives = field.info().primitives;
-  cost += {secondsPerPrimitive * static_cast<double>(primitives), bytesPerPrimitive * primitives};
+  cost += {secondsPerPrimitive * static_cast<double>(primitives), bytesPerMark * primitives};
   return cost;
 }
 
