@@ -3,6 +3,8 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
+#include "private/ErrorReports.h"
+#include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
 
@@ -18,7 +20,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <new>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkImplicitWindingNumber);
@@ -178,49 +180,46 @@ const winding::Field* vtkImplicitWindingNumber::GetField()
 /// Null, after an error, if there cannot be a field.
 const winding::Field* vtkImplicitWindingNumber::PrepareField()
 {
-  try
+  const winding::Field* field = nullptr;
+  winding::reportErrors(this, "there is not enough memory for this input",
+    [this, &field]() { field = &this->MakeField(); });
+  return field;
+}
+
+const winding::Field& vtkImplicitWindingNumber::MakeField()
+{
+  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  winding::checkChoice("InsideRule", this->InsideRule, {"SIGNED", "ABSOLUTE"});
+  winding::SourceOptions options = winding::sourceOptions(*this, true);
+  if (!this->Input)
   {
-    if (!this->Input)
-    {
-      throw winding::Refusal("there is no input; set a surface or a point cloud");
-    }
-    winding::SourceOptions options = winding::sourceOptions(*this, true);
-    if (options.field.method == winding::Method::automatic)
-    {
-      // A filter knows how many samples it has, and whether so few are worth a hierarchy. Here they
-      // come one by one, in unknown number.
-      options.field.method = winding::Method::hierarchical;
-    }
-    else if (options.field.method == winding::Method::rows)
-    {
-      throw winding::Refusal(
-        "rows needs all samples at once and an implicit function gets them one "
-        "by one; choose another method");
-    }
-    const auto executor = newExecutor();
-    const winding::Field* field = this->Internal->Source.prepare(this->Input, options, *executor);
-    const double anywhere[3] = {0, 0, 0};
-    field->prepare(winding::VectorsView(anywhere, 1), *executor);
-    const winding::FieldInfo& info = field->info();
-    if (!info.warning.empty())
-    {
-      vtkWarningMacro(<< info.warning);
-    }
-    if (info.primitives == 0)
-    {
-      vtkWarningMacro(<< "the input has no triangles and no points to sum over; its field is 0");
-    }
-    return field;
+    throw winding::Refusal("there is no input; set a surface or a point cloud");
   }
-  catch (const winding::Refusal& refusal)
+  if (options.field.method == winding::Method::automatic)
   {
-    vtkErrorMacro(<< refusal.what());
+    // A filter knows how many samples it has, and whether so few are worth a hierarchy. Here they
+    // come one by one, in unknown number.
+    options.field.method = winding::Method::hierarchical;
   }
-  catch (const std::bad_alloc&)
+  else if (options.field.method == winding::Method::rows)
   {
-    vtkErrorMacro(<< "there is not enough memory for this input");
+    throw winding::Refusal("rows needs all samples at once and an implicit function gets them one "
+                           "by one; choose another method");
   }
-  return nullptr;
+  const auto executor = newExecutor();
+  const winding::Field* field = this->Internal->Source.prepare(this->Input, options, *executor);
+  const double anywhere[3] = {0, 0, 0};
+  field->prepare(winding::VectorsView(anywhere, 1), *executor);
+  const winding::FieldInfo& info = field->info();
+  if (!info.warning.empty())
+  {
+    vtkWarningMacro(<< info.warning);
+  }
+  if (info.primitives == 0)
+  {
+    vtkWarningMacro(<< "the input has no triangles and no points to sum over; its field is 0");
+  }
+  return *field;
 }
 
 bool vtkImplicitWindingNumber::BuildField()
@@ -283,23 +282,17 @@ bool vtkImplicitWindingNumber::EvaluateAll(vtkDataArray* positions, std::vector<
                   << positions->GetNumberOfComponents());
     return false;
   }
-  try
+  const auto evaluate = [&]()
   {
     const auto view = inDouble(positions);
     winding::FieldOutput output;
     output.doubleValues = values.data();
-    return field->evaluate(
+    field->evaluate(
       winding::VectorsView(view->GetPointer(0), values.size()), output, *newExecutor());
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    vtkErrorMacro(<< refusal.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "there is not enough memory for " << values.size() << " points");
-  }
-  return false;
+  };
+  const std::string withoutMemory =
+    "there is not enough memory for " + std::to_string(values.size()) + " points";
+  return winding::reportErrors(this, withoutMemory, evaluate) == winding::Outcome::done;
 }
 
 void vtkImplicitWindingNumber::FunctionValue(vtkDataArray* input, vtkDataArray* output)

@@ -78,13 +78,12 @@ public:
   /// The rule for what is inside: vtkWindingNumberAlgorithm::SIGNED or ABSOLUTE, for which |w|
   /// takes the place of w. The rule ODD is no comparison with a threshold, so there is no implicit
   /// function for it. Default SIGNED.
-  vtkSetClampMacro(
-    InsideRule, int, vtkWindingNumberAlgorithm::SIGNED, vtkWindingNumberAlgorithm::ABSOLUTE);
+  vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
   ///@}
 
   ///@{
-  /// The value of w at which the function is 0. Default 0.5.
+  /// The value of w at which the function is 0; a finite number. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
@@ -94,7 +93,7 @@ public:
   /// same names of vtkWindingNumberAlgorithm, but ROWS is for grids and an error here.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
-  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   vtkSetMacro(SourceAsPoints, vtkTypeBool);
   vtkGetMacro(SourceAsPoints, vtkTypeBool);
@@ -106,7 +105,7 @@ public:
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
-  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
   vtkSetMacro(PointArea, double);
   vtkGetMacro(PointArea, double);
@@ -163,6 +162,7 @@ private:
   bool IsCurrent(const Built* built);
   const winding::Field* GetField();
   const winding::Field* PrepareField();
+  const winding::Field& MakeField();
   bool EvaluateAll(vtkDataArray* positions, std::vector<double>& windingNumbers);
   double ValueOf(double windingNumber) const;
 

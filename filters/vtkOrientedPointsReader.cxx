@@ -1,5 +1,6 @@
 #include "vtkOrientedPointsReader.h"
 
+#include "private/ErrorReports.h"
 #include "private/TextScanner.h"
 
 #include "vtkCellArray.h"
@@ -145,17 +146,16 @@ int vtkOrientedPointsReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  const auto read = [this, output]()
   {
-    TextScanner scanner(this->FileName);
+    TextScanner scanner(this->FileName, this->ErrorCode);
     readPoints(scanner, output);
-    return 1;
-  }
-  catch (const TextScanner::Fault& fault)
+  };
+  const std::string withoutMemory = std::string(this->FileName ? this->FileName : "") +
+                                    ": there is not enough memory for what it holds";
+  if (winding::reportErrors(this, withoutMemory, read) == winding::Outcome::done)
   {
-    this->SetErrorCode(fault.code);
-    vtkErrorMacro(<< fault.what());
+    return 1;
   }
   output->Initialize();
   return 0;

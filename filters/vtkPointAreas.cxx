@@ -1,11 +1,12 @@
 #include "vtkPointAreas.h"
 
 #include "base/Concatenation.h"
-#include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
+#include "private/ErrorReports.h"
 #include "private/InputViews.h"
+#include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
 #include "source/Sanitize.h"
@@ -23,7 +24,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <new>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -219,43 +219,33 @@ int vtkPointAreas::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   this->TotalArea = 0;
-  try
-  {
-    copyShallowly(vtkDataObject::GetData(inputs[0]), output);
-    this->AddAreas(output);
-    return 1;
-  }
-  catch (const winding::Interrupted&)
+  const winding::Outcome outcome =
+    winding::reportErrors(this, "there is not enough memory for the areas of so many points",
+      [&]()
+      {
+        copyShallowly(vtkDataObject::GetData(inputs[0]), output);
+        this->AddAreas(output);
+      });
+  if (outcome != winding::Outcome::done)
   {
     output->Initialize();
-    return 1;
   }
-  catch (const winding::Refusal& refusal)
-  {
-    vtkErrorMacro(<< refusal.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "there is not enough memory for the areas of so many points");
-  }
-  output->Initialize();
-  return 0;
+  return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
 }
 
 void vtkPointAreas::AddAreas(vtkDataObject* data)
 {
-  if (this->PointAreaMethod < VORONOI || this->PointAreaMethod > CONSTANT)
-  {
-    throw winding::Refusal("the point area method is " + std::to_string(this->PointAreaMethod) +
-                           "; it must be VORONOI (0), MESH (1) or CONSTANT (2)");
-  }
+  winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
+  winding::checkCloudProperties(*this);
+  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
   const NumberedPoints points(pointSets);
   winding::InputOptions options;
   options.asPoints = true;
   options.normalsArray = winding::textOf(this->NormalsArray);
   options.estimateNormals = this->EstimateNormals != 0;
-  options.areas = winding::areaSource(this->PointAreaMethod);
+  options.areas =
+    this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
   winding::InputViews input(data, options);
   const std::vector<winding::OrientedPointsView> views = input.orientedPoints();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -291,10 +281,6 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
 void vtkPointAreas::ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const
 {
   const bool isConstant = this->PointAreaMethod == CONSTANT;
-  if (isConstant)
-  {
-    winding::checkPointArea(this->PointArea);
-  }
   if (this->PointAreaMethod == MESH)
   {
     return; // as they came in
@@ -304,8 +290,10 @@ void vtkPointAreas::ChooseAreas(winding::PointCloud& cloud, winding::Executor& e
   {
     cloud.normals = winding::estimateNormals(cloud.positions, this->NumberOfNeighbors, executor);
   }
-  cloud.areas = winding::pointAreas(cloud, winding::corePointAreaMethod(this->PointAreaMethod),
-    this->PointArea, this->NumberOfNeighbors, executor);
+  const winding::PointAreaMethod method =
+    isConstant ? winding::PointAreaMethod::constant : winding::PointAreaMethod::voronoi;
+  cloud.areas =
+    winding::pointAreas(cloud, method, this->PointArea, this->NumberOfNeighbors, executor);
 }
 
 void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)

@@ -68,7 +68,7 @@ public:
   ///@{
   /// The number of neighbours that tell the area of a point, and its normal where that is
   /// estimated. 3 to 1000, default 20.
-  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
@@ -104,7 +104,7 @@ public:
   ///@{
   /// The largest number of threads to use; 0 leaves it to vtkSMPTools. The number does not change
   /// the result. Default 0.
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 

@@ -1,7 +1,6 @@
 #include "vtkSurfaceReport.h"
 
-#include "base/Executor.h"
-#include "base/Refusal.h"
+#include "private/ErrorReports.h"
 #include "private/InputViews.h"
 #include "private/PolygonOrientation.h"
 #include "private/SmpExecutor.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -92,23 +90,12 @@ int vtkSurfaceReport::RequestData(
     return 1;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  try
+  const winding::Outcome outcome = winding::reportErrors(this,
+    "there is not enough memory to look at this source; look at a part of it",
+    [&]() { this->MakeReport(vtkDataObject::GetData(inputs[0]), output); });
+  if (outcome != winding::Outcome::done)
   {
-    this->MakeReport(vtkDataObject::GetData(inputs[0]), output);
-  }
-  catch (const winding::Interrupted&)
-  {
-    return 1;
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    vtkErrorMacro(<< refusal.what());
-    return 0;
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "there is not enough memory to look at this source; look at a part of it");
-    return 0;
+    return outcome == winding::Outcome::interrupted;
   }
   for (int i = 0; i < this->Report->GetNumberOfArrays(); ++i)
   {

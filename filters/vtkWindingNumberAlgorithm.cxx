@@ -1,14 +1,15 @@
 #include "vtkWindingNumberAlgorithm.h"
 
 #include "base/Bounds.h"
-#include "base/Executor.h"
-#include "private/FreeMemory.h"
+#include "private/ErrorReports.h"
 #include "private/InsideOutAdvice.h"
+#include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceField.h"
 #include "private/SourceParts.h"
 #include "private/SourceProperties.h"
+#include "source/Grid.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -23,7 +24,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <string>
 
 namespace
@@ -49,6 +49,41 @@ int kindOf(vtkDataObject* source)
   }
 }
 
+int statusOf(winding::Outcome outcome)
+{
+  switch (outcome)
+  {
+  case winding::Outcome::interrupted:
+    return vtkWindingNumberAlgorithm::ABORTED;
+  case winding::Outcome::refused:
+    return vtkWindingNumberAlgorithm::REFUSED;
+  case winding::Outcome::outOfMemory:
+    return vtkWindingNumberAlgorithm::OUT_OF_MEMORY;
+  default:
+    return vtkWindingNumberAlgorithm::DONE;
+  }
+}
+
+template <class Private> constexpr bool isNumber(Private choice, int number)
+{
+  return static_cast<int>(choice) == number;
+}
+
+// The choices of properties become choices of helpers and of the core by their numbers.
+using Filter = vtkWindingNumberAlgorithm;
+static_assert(isNumber(winding::Method::automatic, Filter::AUTOMATIC));
+static_assert(isNumber(winding::Method::rows, Filter::ROWS));
+static_assert(isNumber(winding::Method::hierarchical, Filter::HIERARCHICAL));
+static_assert(isNumber(winding::Method::direct, Filter::DIRECT));
+static_assert(isNumber(winding::Method::parity, Filter::PARITY));
+static_assert(isNumber(winding::InsideRule::signedThreshold, Filter::SIGNED));
+static_assert(isNumber(winding::InsideRule::absoluteThreshold, Filter::ABSOLUTE));
+static_assert(isNumber(winding::InsideRule::odd, Filter::ODD));
+static_assert(isNumber(winding::PointAreasFrom::voronoi, Filter::VORONOI));
+static_assert(isNumber(winding::PointAreasFrom::mesh, Filter::MESH));
+static_assert(isNumber(winding::PointAreasFrom::constant, Filter::CONSTANT));
+static_assert(isNumber(winding::PointAreasFrom::array, Filter::ARRAY));
+
 } // namespace
 
 vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
@@ -68,61 +103,68 @@ vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  void (vtkWindingNumberAlgorithm::*answer)(vtkInformationVector**, vtkInformationVector*) =
-    nullptr;
+  int (vtkWindingNumberAlgorithm::*answer)(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) = nullptr;
+  const bool wantsData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    answer = &vtkWindingNumberAlgorithm::GiveDataObject;
+    answer = &vtkWindingNumberAlgorithm::RequestDataObject;
   }
   else if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    answer = &vtkWindingNumberAlgorithm::GiveInformation;
+    answer = &vtkWindingNumberAlgorithm::RequestInformation;
   }
   else if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    answer = &vtkWindingNumberAlgorithm::AskForUpdate;
+    answer = &vtkWindingNumberAlgorithm::RequestUpdateExtent;
   }
-  else if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  else if (wantsData)
   {
-    answer = &vtkWindingNumberAlgorithm::GiveData;
+    answer = &vtkWindingNumberAlgorithm::RequestData;
   }
   else
   {
     return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
 
-  this->Status = DONE;
-  try
+  int isAnswered = 0;
+  const winding::Outcome outcome = winding::reportErrors(this,
+    "there is not enough memory for this source and grid; choose larger voxels or write the "
+    "result in pieces",
+    [&]() { isAnswered = (this->*answer)(request, inputs, outputs); });
+  this->Status = statusOf(outcome);
+  if (wantsData && outcome != winding::Outcome::done)
   {
-    (this->*answer)(inputs, outputs);
+    vtkDataObject::GetData(outputs)->Initialize();
+  }
+  if (outcome == winding::Outcome::interrupted)
+  {
     return 1;
   }
-  catch (const winding::OutOfMemory& refusal)
+  if (!isAnswered)
   {
-    this->Status = OUT_OF_MEMORY;
-    vtkErrorMacro(<< refusal.what());
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    this->Status = REFUSED;
-    vtkErrorMacro(<< refusal.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Status = OUT_OF_MEMORY;
-    vtkErrorMacro(<< "there is not enough memory for this source and grid; choose larger voxels or "
-                     "write the result in pieces");
-  }
-  // The pipeline would add an extent that failed to the next one that is asked for.
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    outputs->GetInformationObject(port)->Remove(
+    // The pipeline would add an extent that failed to the next one that is asked for.
+    outputs->GetInformationObject(0)->Remove(
       vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
-  return 0;
+  return isAnswered;
 }
 
-void vtkWindingNumberAlgorithm::GiveDataObject(vtkInformationVector**, vtkInformationVector*) {}
+int vtkWindingNumberAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1;
+}
+
+void vtkWindingNumberAlgorithm::CheckProperties()
+{
+  winding::checkSourceProperties(*this);
+  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  winding::coreInsideRule(this->InsideRule);
+  winding::checkChoice(
+    "OutputScalarType", this->OutputScalarType, {"VTK_FLOAT", "VTK_DOUBLE"}, VTK_FLOAT);
+  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+}
 
 void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 {
@@ -135,15 +177,22 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
   return winding::sourceOptions(*this, !this->EvaluatesGrid());
 }
 
-const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* source,
-  vtkIdType samples,
-  const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples)
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const winding::Grid& grid)
 {
-  if (!std::isfinite(this->WindingThreshold))
-  {
-    throw winding::Refusal("the winding threshold is " + std::to_string(this->WindingThreshold) +
-                           "; it must be a finite number");
-  }
+  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()));
+}
+
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const winding::VectorsView& samples)
+{
+  return this->PrepareField(source, samples, samples.size());
+}
+
+template <class Samples>
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const Samples& samples, std::size_t count)
+{
   this->SourceIsInsideOut = false;
   this->LookAtSource(source);
   Clock::time_point start = Clock::now();
@@ -151,22 +200,21 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  const bool isPrepared = field && prepareSamples(*field, executor) &&
+  const bool isPrepared = field && field->prepare(samples, executor) &&
                           (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
   if (!isPrepared)
   {
-    this->Status = ABORTED;
-    return nullptr;
+    throw winding::Interrupted();
   }
-  winding::EvaluationCost cost = field->expectedCost(static_cast<std::size_t>(samples));
+  winding::EvaluationCost cost = field->expectedCost(count);
   if (this->WantsDistances())
   {
-    cost += field->expectedCostOfDistances(static_cast<std::size_t>(samples));
+    cost += field->expectedCostOfDistances(count);
   }
   this->ExpectedSeconds = cost.seconds / executor.threads();
-  this->ExpectedMemory =
-    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
+  this->ExpectedMemory = static_cast<vtkIdType>(
+    static_cast<double>(cost.bytes) + this->GetResultBytes(static_cast<vtkIdType>(count)));
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -176,7 +224,7 @@ const winding::Field* vtkWindingNumberAlgorithm::PrepareField(vtkDataObject* sou
   {
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
-  return field;
+  return *field;
 }
 
 bool vtkWindingNumberAlgorithm::WantsDistances() const
@@ -233,15 +281,7 @@ winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) 
 
 winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const
 {
-  switch (this->InsideRule)
-  {
-  case ABSOLUTE:
-    return winding::InsideRule::absoluteThreshold;
-  case ODD:
-    return winding::InsideRule::odd;
-  default:
-    return winding::InsideRule::signedThreshold;
-  }
+  return winding::coreInsideRule(this->InsideRule);
 }
 
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
@@ -271,28 +311,9 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
   note("WindingNumberMethodReason", this->GetMethodReason());
 }
 
-bool vtkWindingNumberAlgorithm::Evaluate(
-  const std::function<bool(winding::SmpExecutor&)>& evaluation)
+void vtkWindingNumberAlgorithm::TellInsideOut(bool isInsideOut)
 {
-  const Clock::time_point start = Clock::now();
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
-  bool complete = false;
-  try
-  {
-    complete = evaluation(executor);
-  }
-  catch (const winding::Interrupted&)
-  {
-    // It is not complete.
-  }
-  this->EvaluateSeconds = secondsSince(start);
-  this->Status = complete ? DONE : ABORTED;
-  return complete;
-}
-
-void vtkWindingNumberAlgorithm::LookForInsideOut(const std::function<bool()>& isInsideOut)
-{
-  this->SourceIsInsideOut = this->InsideRule == SIGNED && isInsideOut();
+  this->SourceIsInsideOut = isInsideOut;
   if (this->SourceIsInsideOut)
   {
     vtkWarningMacro(<< winding::insideOutAdvice(this->GetSourceIsSurface() ? "faces" : "normals"));

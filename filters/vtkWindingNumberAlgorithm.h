@@ -29,6 +29,11 @@
  * was built so (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or
  * NumberOfThreads 1 keep it serial. Results have the same bits for any backend and number of
  * threads.
+ *
+ * **Properties out of range are refused**, by every class of this module and whether they have an
+ * effect or not. Setters take any value; the next execution reports one line through vtkErrorMacro
+ * with the name of the property, its value and its range, and gives no output. Numbers that are NaN
+ * or infinite are in no range.
  */
 #ifndef vtkWindingNumberAlgorithm_h
 #define vtkWindingNumberAlgorithm_h
@@ -36,19 +41,19 @@
 #include "vtkAlgorithm.h"
 #include "vtkFiltersWindingModule.h" // for export macro
 
-#include <functional> // for work handed to the threads
-#include <memory>     // for the field of the source, which is kept
+#include <memory> // for the field of the source, which is kept
 
 namespace winding
 {
 enum class InsideRule;
-class Executor;
 class Field;
 class ResultArrays;
 class SmpExecutor;
 class SourceField;
+class VectorsView;
 struct FieldInfo;
 struct FieldOutput;
+struct Grid;
 struct ResultOptions;
 struct SourceOptions;
 } // namespace winding
@@ -121,7 +126,7 @@ public:
   /// HIERARCHICAL, and ROWS for the values of a cap over holes. There are presets for 1e-2, 1e-3,
   /// 1e-4, 1e-5 and 1e-6; a tolerance between two of them takes the finer one. Below 1e-6, 0
   /// included, nothing is approximated. 0 or more, default 0.001.
-  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -159,7 +164,7 @@ public:
   ///@{
   /// The number of neighbours that tell the area of a cloud's point, and its normal where that is
   /// estimated. 3 to 1000, default 20.
-  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
@@ -196,7 +201,7 @@ public:
 
   ///@{
   /// The rule by which a sample counts as inside. Default SIGNED.
-  vtkSetClampMacro(InsideRule, int, SIGNED, ODD);
+  vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
   ///@}
 
@@ -246,7 +251,7 @@ public:
   ///@{
   /// The largest number of threads to use, as far as the machine has them; 0 leaves it to
   /// vtkSMPTools. The number does not change the result. Default 0.
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -322,23 +327,34 @@ protected:
   void operator=(const vtkWindingNumberAlgorithm&) = delete;
 
   ///@{
-  /// The filter's answers to the pipeline's requests. They may throw the core's exceptions: these
-  /// are reported as errors, set Status and fail the request.
-  virtual void GiveDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  virtual void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
-  virtual void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
-  virtual void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  /// The filter's answers to the pipeline's requests. They may throw the core's exceptions:
+  /// ProcessRequest() reports these as errors, sets Status and empties the output. An interruption
+  /// is no error.
+  virtual int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  virtual int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
+  virtual int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
   ///@}
+
+  /// Throws a refusal if properties are out of range. RequestData() calls it first. Filters with
+  /// properties of their own add these to it.
+  virtual void CheckProperties();
 
   /// Whether the filter evaluates a grid, whose rows can share work, or scattered samples.
   virtual bool EvaluatesGrid() const = 0;
 
   static void FillSourcePortInformation(vtkInformation* info);
 
-  /// The field of a source, built or kept, and prepared for samples; warns about faults of the
-  /// source. Null, with Status set, if aborted.
-  const winding::Field* PrepareField(vtkDataObject* source, vtkIdType samples,
-    const std::function<bool(const winding::Field&, winding::Executor&)>& prepareSamples);
+  ///@{
+  /// The field of a source, built or kept, and prepared for the samples of a grid or for scattered
+  /// ones; warns about faults of the source. Throws an interruption if aborted.
+  const winding::Field& PrepareField(vtkDataObject* source, const winding::Grid& grid);
+  const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
+  ///@}
 
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
   void LookAtSource(vtkDataObject* source);
@@ -377,12 +393,9 @@ protected:
   /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
-  /// Sets SourceIsInsideOut and warns, if InsideRule admits it and isInsideOut() says so. Filters
-  /// call it where nothing came out inside.
-  void LookForInsideOut(const std::function<bool()>& isInsideOut);
-
-  /// Runs and times an evaluation on this filter's threads. False, with Status set, if aborted.
-  bool Evaluate(const std::function<bool(winding::SmpExecutor&)>& evaluation);
+  /// Sets SourceIsInsideOut, and warns if it is. Filters call it where nothing came out inside by the
+  /// rule SIGNED, which alone tells inside from inside out.
+  void TellInsideOut(bool isInsideOut);
 
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
@@ -411,6 +424,9 @@ protected:
   vtkIdType ExpectedMemory = 0;
 
 private:
+  template <class Samples>
+  const winding::Field& PrepareField(
+    vtkDataObject* source, const Samples& samples, std::size_t count);
   winding::SourceOptions GetSourceOptions();
   const winding::FieldInfo& GetSourceInfo() const;
 

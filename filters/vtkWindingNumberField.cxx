@@ -4,9 +4,11 @@
 #include "base/Refusal.h"
 #include "level/InsideOut.h"
 #include "private/FreeMemory.h"
+#include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceParts.h"
+#include "private/Stopwatch.h"
 #include "private/VoxelEvaluation.h"
 #include "source/Grid.h"
 
@@ -21,13 +23,16 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <string>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkWindingNumberField);
+
+// The property becomes the helper's choice by its number.
+static_assert(static_cast<int>(winding::Coverage::center) == vtkWindingNumberField::CENTER);
+static_assert(static_cast<int>(winding::Coverage::any) == vtkWindingNumberField::ANY);
+static_assert(static_cast<int>(winding::Coverage::fraction) == vtkWindingNumberField::FRACTION);
 
 vtkImageData* vtkWindingNumberField::GetOutput()
 {
@@ -69,8 +74,8 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   }
 }
 
-void vtkWindingNumberField::GiveInformation(
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkWindingNumberField::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // What was said of the last grid must not be taken for this one's, should there be none.
@@ -82,6 +87,7 @@ void vtkWindingNumberField::GiveInformation(
   }
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LookAtSource(source);
+  this->CheckProperties();
   this->LayOutGrid(source);
 
   const winding::Grid& grid = this->GetSampling();
@@ -100,17 +106,16 @@ void vtkWindingNumberField::GiveInformation(
     vtkDataObject::SetPointDataActiveScalarInfo(
       outInfo, scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType, 1);
   }
+  return 1;
 }
 
-void vtkWindingNumberField::CheckDistanceBand() const
+void vtkWindingNumberField::CheckProperties()
 {
-  if (!(this->DistanceBand >= 0) || !std::isfinite(this->DistanceBand))
-  {
-    std::ostringstream text;
-    text << "the distance band is " << this->DistanceBand
-         << " voxels; it must be 0 (all distances) or more";
-    throw winding::Refusal(text.str());
-  }
+  this->Superclass::CheckProperties();
+  winding::checkChoice("OutputAssociation", this->OutputAssociation, {"POINTS", "CELLS"});
+  winding::checkChoice("Coverage", this->Coverage, {"CENTER", "ANY", "FRACTION"});
+  winding::checkRange("CoverageSamples", this->CoverageSamples, 1, 10);
+  winding::checkRange("DistanceBand", this->DistanceBand, 0);
 }
 
 double vtkWindingNumberField::GetDistanceLimit() const
@@ -119,12 +124,14 @@ double vtkWindingNumberField::GetDistanceLimit() const
                                 : this->Superclass::GetDistanceLimit();
 }
 
-void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkWindingNumberField::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   // The pipeline keeps an image's old arrays to be used again, which these are not.
   output->Initialize();
+  this->CheckProperties();
   if (!outInfo->Has(vtkDataObject::ORIGIN()) || !outInfo->Has(Pipeline::UPDATE_EXTENT()))
   {
     // Some pipelines, ParaView's among them, ask for data even where the information failed. Trying
@@ -135,7 +142,6 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   this->CheckVerification(this->GenerateWindingNumber != 0);
-  this->CheckDistanceBand();
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -147,15 +153,9 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
 
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
-  const winding::Field* field = this->PrepareGridField(vtkDataObject::GetData(inputs[0]));
-  const auto evaluate = [&](winding::SmpExecutor& executor)
-  {
-    return this->EvaluateVoxels(*field, samples.data(), results, executor);
-  };
-  if (!field || !this->Evaluate(evaluate))
-  {
-    return;
-  }
+  const winding::Field& field =
+    this->PrepareField(vtkDataObject::GetData(inputs[0]), this->GetSampling());
+  this->EvaluateVoxels(field, samples.data(), results);
   output->SetExtent(extent);
   output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
   output->SetSpacing(outInfo->Get(vtkDataObject::SPACING()));
@@ -165,7 +165,8 @@ void vtkWindingNumberField::GiveData(vtkInformationVector** inputs, vtkInformati
     attributes = output->GetCellData();
   }
   this->AddResults(results, output, attributes);
-  this->Verify(*field, samples.data(), results.values());
+  this->Verify(field, samples.data(), results.values());
+  return 1;
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
@@ -176,10 +177,11 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
   return options;
 }
 
-/// False when the executor was interrupted.
-bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const int samples[6],
-  const winding::ResultArrays& results, winding::SmpExecutor& executor)
+void vtkWindingNumberField::EvaluateVoxels(
+  const winding::Field& field, const int samples[6], const winding::ResultArrays& results)
 {
+  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::VoxelEvaluation voxels;
   voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
   voxels.samplesPerAxis = this->CoverageSamples;
@@ -203,23 +205,16 @@ bool vtkWindingNumberField::EvaluateVoxels(const winding::Field& field, const in
       "the coverage of " + std::to_string(count) + " voxels",
       "choose larger voxels or write it in pieces");
   }
-  if (!voxels.run(field, grid, extent, executor))
-  {
-    return false;
-  }
-  if (extent == grid.wholeExtent() && results.hasNothingInside())
+  voxels.run(field, grid, extent, executor);
+  if (extent == grid.wholeExtent() && results.hasNothingInside() && this->InsideRule == SIGNED)
   {
     executor.setShare(1, 1);
+    const double threshold = this->WindingThreshold;
     vtkDataArray* values = results.values();
-    this->LookForInsideOut(
-      [&]
-      {
-        return values ? winding::isInsideOut(
-                          field, values->GetRange()[0], this->WindingThreshold, executor)
-                      : winding::isInsideOut(field, grid, this->WindingThreshold, executor);
-      });
+    this->TellInsideOut(values
+                          ? winding::isInsideOut(field, values->GetRange()[0], threshold, executor)
+                          : winding::isInsideOut(field, grid, threshold, executor));
   }
-  return true;
 }
 
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)

@@ -62,7 +62,7 @@ public:
 
   ///@{
   /// Whether samples are points or cells of the image; their values are the same. Default POINTS.
-  vtkSetClampMacro(OutputAssociation, int, POINTS, CELLS);
+  vtkSetMacro(OutputAssociation, int);
   vtkGetMacro(OutputAssociation, int);
   void SetOutputAssociationToPoints() { this->SetOutputAssociation(POINTS); }
   void SetOutputAssociationToCells() { this->SetOutputAssociation(CELLS); }
@@ -94,7 +94,7 @@ public:
 
   ///@{
   /// The rule by which a voxel is inside. Default CENTER.
-  vtkSetClampMacro(Coverage, int, CENTER, FRACTION);
+  vtkSetMacro(Coverage, int);
   vtkGetMacro(Coverage, int);
   void SetCoverageToCenter() { this->SetCoverage(CENTER); }
   void SetCoverageToAny() { this->SetCoverage(ANY); }
@@ -104,7 +104,7 @@ public:
   ///@{
   /// The number of samples along each axis of a voxel, for FRACTION. 1 to 10, default 4, with which
   /// shares are multiples of 1/64.
-  vtkSetClampMacro(CoverageSamples, int, 1, 10);
+  vtkSetMacro(CoverageSamples, int);
   vtkGetMacro(CoverageSamples, int);
   ///@}
 
@@ -128,8 +128,11 @@ protected:
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
-  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
 
   double GetDistanceLimit() const override;
   winding::ResultOptions GetResultOptions() const override;
@@ -140,10 +143,9 @@ protected:
   double DistanceBand = 0;
 
 private:
-  bool EvaluateVoxels(const winding::Field& field, const int samples[6],
-    const winding::ResultArrays& results, winding::SmpExecutor& executor);
+  void EvaluateVoxels(
+    const winding::Field& field, const int samples[6], const winding::ResultArrays& results);
   void UpdateSource(vtkInformation* outInfo);
-  void CheckDistanceBand() const;
 };
 
 #endif

@@ -1,9 +1,9 @@
 #include "vtkWindingNumberGridAlgorithm.h"
 
 #include "base/Bounds.h"
-#include "base/Executor.h"
 #include "base/Refusal.h"
 #include "level/Verify.h"
+#include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceParts.h"
 #include "source/Grid.h"
@@ -39,10 +39,27 @@ int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation*
   return 1;
 }
 
-void vtkWindingNumberGridAlgorithm::AskForUpdate(
-  vtkInformationVector** inputs, vtkInformationVector*)
+int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   winding::askForAll(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+void vtkWindingNumberGridAlgorithm::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkRange("Resolution", this->Resolution, 1);
+  winding::checkRange("VoxelSize", this->VoxelSize, 0);
+  const int* dimensions = this->SamplingDimensions;
+  if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
+  {
+    winding::checkRange("SamplingDimensions[0]", dimensions[0], 1);
+    winding::checkRange("SamplingDimensions[1]", dimensions[1], 1);
+    winding::checkRange("SamplingDimensions[2]", dimensions[2], 1);
+  }
+  winding::checkRange("Padding", this->Padding, 0);
+  winding::checkRange("VerifySamples", this->VerifySamples, 0);
 }
 
 void vtkWindingNumberGridAlgorithm::GetGrid(
@@ -74,14 +91,6 @@ void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
   request.voxelSize = this->VoxelSize;
   request.resolution = this->Resolution;
   *this->Sampling = winding::layOutGrid(request);
-}
-
-const winding::Field* vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObject* source)
-{
-  return this->PrepareField(source,
-    static_cast<vtkIdType>(winding::sampleCount(this->Sampling->wholeExtent())),
-    [this](const winding::Field& built, winding::Executor& executor)
-    { return built.prepare(*this->Sampling, executor); });
 }
 
 void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const

@@ -7,7 +7,8 @@
  * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
  * says how many there are along each axis, and they fill the box exactly.
  *
- * Properties or bounds that give no grid are refused in one line through vtkErrorMacro.
+ * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are checked
+ * only where they are used, for a user interface may fill them from an input that is empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberSurface
  */
@@ -36,14 +37,15 @@ public:
   ///@}
 
   ///@{
-  /// The side of the cubic voxels, in the unit of the input; 0 leaves it to Resolution. Default 0.
+  /// The side of the cubic voxels, in the unit of the input; 0 leaves it to Resolution. 0 or more,
+  /// default 0.
   vtkSetMacro(VoxelSize, double);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /// The number of voxels along each axis, which need not be cubic then; 0 0 0 leaves it to
-  /// VoxelSize and Resolution. Default 0 0 0.
+  /// The number of voxels along each axis, 1 or more, which need not be cubic then; 0 0 0 leaves it
+  /// to VoxelSize and Resolution. Default 0 0 0.
   vtkSetVector3Macro(SamplingDimensions, int);
   vtkGetVector3Macro(SamplingDimensions, int);
   ///@}
@@ -72,9 +74,9 @@ public:
 
   ///@{
   /// The number of random samples, and of samples within two voxels of the source, to compare with
-  /// the direct sum, done one primitive after the other in double precision; not for parity.
-  /// Default 0.
-  vtkSetClampMacro(VerifySamples, int, 0, VTK_INT_MAX);
+  /// the direct sum, done one primitive after the other in double precision; not for parity. 0 or
+  /// more, default 0.
+  vtkSetMacro(VerifySamples, int);
   vtkGetMacro(VerifySamples, int);
   ///@}
 
@@ -110,14 +112,13 @@ protected:
 
   bool EvaluatesGrid() const override { return true; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
 
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
-
-  /// The field of a source, prepared for the whole grid. Null, with Status set, if aborted.
-  const winding::Field* PrepareGridField(vtkDataObject* source);
 
   /// Throws a refusal if samples are to be verified and cannot be; hasValues tells whether there
   /// will be an array of w.

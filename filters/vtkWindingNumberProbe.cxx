@@ -7,10 +7,12 @@
 #include "level/InsideOut.h"
 #include "private/InsidePart.h"
 #include "private/ProbeQueries.h"
+#include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceParts.h"
 #include "private/SourceProperties.h"
+#include "private/Stopwatch.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -104,14 +106,14 @@ int vtkWindingNumberProbe::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 /// The output is of the very class of the queries, unless it is a part of a data set.
-void vtkWindingNumberProbe::GiveDataObject(
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkWindingNumberProbe::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* queries = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   if (!queries)
   {
-    return;
+    return 1;
   }
   vtkSmartPointer<vtkDataObject> fresh;
   if (this->ExtractInside && vtkPolyData::SafeDownCast(queries))
@@ -130,10 +132,11 @@ void vtkWindingNumberProbe::GiveDataObject(
   {
     outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
   }
+  return 1;
 }
 
-void vtkWindingNumberProbe::GiveInformation(
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkWindingNumberProbe::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->LookAtSource(vtkDataObject::GetData(inputs[1]));
@@ -146,22 +149,33 @@ void vtkWindingNumberProbe::GiveInformation(
     {
       outInfo->CopyEntry(info, Pipeline::TIME_STEPS());
       outInfo->CopyEntry(info, Pipeline::TIME_RANGE());
-      return;
+      break;
     }
   }
+  return 1;
 }
 
-void vtkWindingNumberProbe::AskForUpdate(vtkInformationVector** inputs, vtkInformationVector*)
+int vtkWindingNumberProbe::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   winding::askForAll(inputs[1]->GetInformationObject(0));
+  return 1;
 }
 
-void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkWindingNumberProbe::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkChoice("ProbeAssociation", this->ProbeAssociation, {"POINTS", "CELLS"});
+}
+
+int vtkWindingNumberProbe::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   const bool atCells = this->ProbeAssociation == CELLS;
   this->InsideFlags = nullptr;
+  this->CheckProperties();
 
   winding::ResultOptions options = this->GetResultOptions();
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
@@ -172,30 +186,27 @@ void vtkWindingNumberProbe::GiveData(vtkInformationVector** inputs, vtkInformati
   const winding::ProbeQueries queries(input, atCells);
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);
-  const winding::Field* field =
-    this->PrepareField(vtkDataObject::GetData(inputs[1]), queries.size(),
-      [&samples](const winding::Field& built, winding::Executor& executor)
-      { return built.prepare(samples, executor); });
-  const auto evaluate = [&](winding::SmpExecutor& executor)
-  {
-    if (!field->evaluate(samples, this->OutputTo(results), executor))
-    {
-      return false;
-    }
-    this->LookAtInside(*field, samples, results, executor);
-    return true;
-  };
-  if (!field || !this->Evaluate(evaluate))
-  {
-    output->Initialize();
-    return;
-  }
+  const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[1]), samples);
+  this->EvaluateSamples(field, samples, results);
   if (this->InsideOut)
   {
     turnInsideOut(samples, results.inside()->GetPointer(0));
   }
   this->InsideFlags = results.inside();
   this->WriteOutput(input, queries, results, output);
+  return 1;
+}
+
+void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
+  const winding::VectorsView& samples, const winding::ResultArrays& results)
+{
+  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  if (!field.evaluate(samples, this->OutputTo(results), executor))
+  {
+    throw winding::Interrupted();
+  }
+  this->LookAtInside(field, samples, results, executor);
 }
 
 /// Finds out whether an inside or a part that is asked for is empty because the source is inside out.
@@ -205,16 +216,13 @@ void vtkWindingNumberProbe::LookAtInside(const winding::Field& field,
 {
   vtkDataArray* values = results.values();
   const bool isAskedFor = this->ExtractInside || (this->GenerateInside && values);
-  if (isAskedFor && !this->InsideOut && results.hasNothingInside())
+  if (isAskedFor && !this->InsideOut && results.hasNothingInside() && this->InsideRule == SIGNED)
   {
     executor.setShare(1, 1);
-    this->LookForInsideOut(
-      [&]
-      {
-        return values ? winding::isInsideOut(
-                          field, values->GetRange()[0], this->WindingThreshold, executor)
-                      : winding::isInsideOut(field, samples, this->WindingThreshold, executor);
-      });
+    const double threshold = this->WindingThreshold;
+    this->TellInsideOut(values
+                          ? winding::isInsideOut(field, values->GetRange()[0], threshold, executor)
+                          : winding::isInsideOut(field, samples, threshold, executor));
   }
 }
 

@@ -87,7 +87,7 @@ public:
 
   ///@{
   /// Whether points or the centres of cells are evaluated. Default POINTS.
-  vtkSetClampMacro(ProbeAssociation, int, POINTS, CELLS);
+  vtkSetMacro(ProbeAssociation, int);
   vtkGetMacro(ProbeAssociation, int);
   void SetProbeAssociationToPoints() { this->SetProbeAssociation(POINTS); }
   void SetProbeAssociationToCells() { this->SetProbeAssociation(CELLS); }
@@ -137,10 +137,15 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
-  void GiveDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  void AskForUpdate(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
 
   int ProbeAssociation = POINTS;
   vtkTypeBool InsideOut = 0;
@@ -148,6 +153,8 @@ protected:
   char* InsideArrayName = nullptr;
 
 private:
+  void EvaluateSamples(const winding::Field& field, const winding::VectorsView& samples,
+    const winding::ResultArrays& results);
   void LookAtInside(const winding::Field& field, const winding::VectorsView& samples,
     const winding::ResultArrays& results, winding::SmpExecutor& executor);
 

@@ -6,8 +6,10 @@
 #include "level/LevelRoots.h"
 #include "private/FreeMemory.h"
 #include "private/GridContour.h"
+#include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
+#include "private/Stopwatch.h"
 
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -34,9 +36,18 @@ int vtkWindingNumberSurface::FillOutputPortInformation(int, vtkInformation* info
   return 1;
 }
 
-void vtkWindingNumberSurface::GiveInformation(vtkInformationVector** inputs, vtkInformationVector*)
+int vtkWindingNumberSurface::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   this->LookAtSource(vtkDataObject::GetData(inputs[0]));
+  return 1;
+}
+
+void vtkWindingNumberSurface::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
+    {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
 }
 
 double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
@@ -79,42 +90,32 @@ bool vtkWindingNumberSurface::NeedsDoublePoints() const
          finest < 0.5 * Single::epsilon() * largest;
 }
 
-void vtkWindingNumberSurface::GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkWindingNumberSurface::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
   if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
-    return;
+    return 1;
   }
+  this->CheckProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
   this->CheckGrid();
   this->CheckVerification(true);
-  const winding::Field* field = this->PrepareGridField(source);
-  if (!field)
-  {
-    return;
-  }
+  const winding::Field& field = this->PrepareField(source, this->GetSampling());
   winding::refuseBeyondFreeMemory(this->GetResultBytes(0), "the surface", "choose larger voxels");
-  const auto makeSurface = [&](winding::SmpExecutor& executor)
-  {
-    return this->MakeSurface(*field, output, executor);
-  };
-  if (!this->Evaluate(makeSurface))
-  {
-    output->Initialize();
-    return;
-  }
+  this->MakeSurface(field, output);
   this->DescribeMethod(output);
-  this->VerifyWholeGrid(*field);
+  this->VerifyWholeGrid(field);
+  return 1;
 }
 
-/// False when the executor was interrupted.
-bool vtkWindingNumberSurface::MakeSurface(
-  const winding::Field& field, vtkPolyData* output, winding::SmpExecutor& executor)
-try
+void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
 {
+  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
   const winding::Grid& grid = this->GetSampling();
@@ -125,13 +126,12 @@ try
     executor.setShare(progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
     if (!edges.advance(executor))
     {
-      return false;
+      throw winding::Interrupted();
     }
   }
-  if (edges.size() == 0 && !edges.beginsInside(0, 0))
+  if (edges.size() == 0 && !edges.beginsInside(0, 0) && this->InsideRule == SIGNED)
   {
-    this->LookForInsideOut(
-      [&] { return winding::isInsideOut(field, grid, this->WindingThreshold, executor); });
+    this->TellInsideOut(winding::isInsideOut(field, grid, this->WindingThreshold, executor));
   }
   const winding::GridContour contour(grid, edges, executor);
   winding::LevelRoots roots(
@@ -143,7 +143,7 @@ try
     progress = next;
     if (!roots.advance(executor))
     {
-      return false;
+      throw winding::Interrupted();
     }
   }
   const vtkSmartPointer<vtkPoints> points =
@@ -155,11 +155,6 @@ try
     output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
   }
   this->UpdateProgress(1);
-  return true;
-}
-catch (const winding::Interrupted&)
-{
-  return false;
 }
 
 /// Nothing else needs all of its values.

@@ -75,7 +75,7 @@ public:
   /// DEFAULT_PRECISION, which takes double only where single could not tell places apart to a
   /// ten-thousandth of a voxel: far from the origin, on very fine grids, and beyond the range of
   /// single precision. Default DEFAULT_PRECISION.
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
@@ -91,8 +91,11 @@ protected:
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
-  void GiveInformation(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  void GiveData(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
   bool WantsDistances() const override { return false; }
   double GetResultBytes(vtkIdType samples) const override;
 
@@ -103,8 +106,7 @@ protected:
 private:
   void CheckGrid() const;
   bool NeedsDoublePoints() const;
-  bool MakeSurface(
-    const winding::Field& field, vtkPolyData* output, winding::SmpExecutor& executor);
+  void MakeSurface(const winding::Field& field, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 };
 

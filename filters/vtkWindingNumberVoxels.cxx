@@ -1,8 +1,12 @@
 #include "vtkWindingNumberVoxels.h"
 
+#include "base/Executor.h"
 #include "base/InsideRule.h"
+#include "base/Refusal.h"
+#include "private/ErrorReports.h"
 #include "private/InsideOutAdvice.h"
 #include "private/SourceParts.h"
+#include "private/SourceProperties.h"
 #include "private/VtkVersions.h"
 
 #include "vtkArrayDispatch.h"
@@ -25,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace
@@ -75,15 +80,15 @@ public:
   /// The voxels that the quads are faces of.
   vtkIdList* voxels() const { return voxels_; }
 
-  /// False if the filter was aborted.
-  bool build(vtkAlgorithm* filter)
+  /// Throws Interrupted if the filter is aborted.
+  void build(vtkAlgorithm* filter)
   {
     for (int k = 0; k <= n_[2]; ++k)
     {
       filter->UpdateProgress(static_cast<double>(k) / (n_[2] + 1));
       if (winding::isAborted(filter))
       {
-        return false;
+        throw winding::Interrupted();
       }
       // Layer k: the faces across z at its bottom, and the upright faces of its voxels.
       for (int j = 0; j <= n_[1]; ++j)
@@ -96,7 +101,6 @@ public:
       lower_.swap(upper_);
       upper_.assign(upper_.size(), -1);
     }
-    return true;
   }
 
 private:
@@ -205,15 +209,20 @@ int vtkWindingNumberVoxels::RequestUpdateExtent(
 int vtkWindingNumberVoxels::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkInformation* outInfo = outputs->GetInformationObject(0);
-  vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0 ||
-      image->GetNumberOfPoints() == 0)
+  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1;
   }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const winding::Outcome outcome = winding::reportErrors(this,
+    "there is not enough memory for the surface of so many voxels",
+    [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
+  return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
+}
+
+vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& association)
+{
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* values = this->GetInputArrayToProcess(0, image, association);
   if (!values)
   {
@@ -228,12 +237,23 @@ int vtkWindingNumberVoxels::RequestData(
   }
   if (!values || values->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(
-      << "the image has no scalar array to tell inside from outside by; compute one with "
-         "vtkWindingNumberField or choose it by SetInputArrayToProcess");
-    return 0;
+    throw winding::Refusal(
+      "the image has no scalar array to tell inside from outside by; compute one with "
+      "vtkWindingNumberField or choose it by SetInputArrayToProcess");
   }
+  return values;
+}
 
+void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* output)
+{
+  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  int association;
+  vtkDataArray* values = this->FindValues(image, association);
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   int extent[6];
   image->GetExtent(extent);
@@ -250,14 +270,13 @@ int vtkWindingNumberVoxels::RequestData(
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
-    vtkErrorMacro(<< "the array '" << (values->GetName() ? values->GetName() : "") << "' has "
-                  << values->GetNumberOfTuples() << " values for " << voxelCount
-                  << " voxels; choose an array of the points or the cells");
-    return 0;
+    throw winding::Refusal("the array '" + winding::textOf(values->GetName()) + "' has " +
+                           std::to_string(values->GetNumberOfTuples()) + " values for " +
+                           std::to_string(voxelCount) +
+                           " voxels; choose an array of the points or the cells");
   }
 
   std::vector<unsigned char> inside;
-  const auto rule = static_cast<winding::InsideRule>(this->InsideRule);
   if (!vtkArrayDispatch::Dispatch::Execute(
         values, Classify{}, rule, this->WindingThreshold, inside))
   {
@@ -273,27 +292,24 @@ int vtkWindingNumberVoxels::RequestData(
     vtkWarningMacro(<< winding::insideOutAdvice("faces"));
   }
   BlockSurface surface(inside, dimensions, image, firstIndex, points, quads);
-  if (surface.build(this))
+  surface.build(this);
+  output->SetPoints(points);
+  output->SetPolys(quads);
+  vtkDataSetAttributes* attributes = image->GetPointData();
+  if (asCells)
   {
-    output->SetPoints(points);
-    output->SetPolys(quads);
-    vtkDataSetAttributes* attributes = image->GetPointData();
-    if (asCells)
-    {
-      attributes = image->GetCellData();
-    }
-    vtkDataArray* coverage = attributes->GetArray("Coverage");
-    if (coverage && coverage->GetNumberOfTuples() == voxelCount)
-    {
-      const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
-      shares->SetName(coverage->GetName());
-      shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
-      shares->SetNumberOfTuples(surface.voxels()->GetNumberOfIds());
-      coverage->GetTuples(surface.voxels(), shares);
-      output->GetCellData()->SetScalars(shares);
-    }
+    attributes = image->GetCellData();
   }
-  return 1;
+  vtkDataArray* coverage = attributes->GetArray("Coverage");
+  if (coverage && coverage->GetNumberOfTuples() == voxelCount)
+  {
+    const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
+    shares->SetName(coverage->GetName());
+    shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
+    shares->SetNumberOfTuples(surface.voxels()->GetNumberOfIds());
+    coverage->GetTuples(surface.voxels(), shares);
+    output->GetCellData()->SetScalars(shares);
+  }
 }
 
 void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)

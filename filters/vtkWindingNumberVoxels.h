@@ -25,6 +25,9 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+class vtkDataArray;
+class vtkImageData;
+
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberVoxels : public vtkPolyDataAlgorithm
 {
 public:
@@ -33,7 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The value that InsideRule compares w with. Default 0.5.
+  /// The value that InsideRule compares w with; a finite number. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
   ///@}
@@ -41,7 +44,7 @@ public:
   ///@{
   /// The rule by which a voxel is inside, one of vtkWindingNumberAlgorithm::InsideRuleType. Default
   /// SIGNED.
-  vtkSetClampMacro(InsideRule, int, 0, 2);
+  vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
   ///@}
 
@@ -60,6 +63,12 @@ protected:
 
   double WindingThreshold = 0.5;
   int InsideRule = 0;
+
+private:
+  /// The array that tells inside from outside; sets whether it is of the points or of the cells.
+  /// Throws a refusal if there is none.
+  vtkDataArray* FindValues(vtkImageData* image, int& association);
+  void MakeSurface(vtkImageData* image, vtkPolyData* output);
 };
 
 #endif

@@ -91,11 +91,6 @@ vtkIdType bytesPerSample(const ResultOptions& options)
 
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
-  if (options.scalarType != VTK_FLOAT && options.scalarType != VTK_DOUBLE)
-  {
-    throw Refusal("the output scalar type is " + std::to_string(options.scalarType) +
-                  "; it must be VTK_FLOAT or VTK_DOUBLE");
-  }
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
     throw Refusal(

@@ -1,51 +1,39 @@
 #include "private/SourceProperties.h"
 
-#include "base/Refusal.h"
-
-#include "vtkWindingNumberAlgorithm.h"
-
 namespace winding
 {
 
-using Filter = vtkWindingNumberAlgorithm;
-
 Method coreMethod(int method)
 {
-  switch (method)
-  {
-  case Filter::AUTOMATIC:
-    return Method::automatic;
-  case Filter::ROWS:
-    return Method::rows;
-  case Filter::HIERARCHICAL:
-    return Method::hierarchical;
-  case Filter::DIRECT:
-    return Method::direct;
-  case Filter::PARITY:
-    return Method::parity;
-  }
-  throw Refusal("the method is " + std::to_string(method) +
-                "; it must be AUTOMATIC (0), ROWS (1), HIERARCHICAL (2), DIRECT (3) or PARITY (4)");
+  checkChoice("Method", method, {"AUTOMATIC", "ROWS", "HIERARCHICAL", "DIRECT", "PARITY"});
+  return static_cast<Method>(method);
 }
 
-PointAreaMethod corePointAreaMethod(int method)
+InsideRule coreInsideRule(int rule)
 {
-  if (method < Filter::VORONOI || method > Filter::ARRAY)
-  {
-    throw Refusal("the point area method is " + std::to_string(method) +
-                  "; it must be VORONOI (0), MESH (1), CONSTANT (2) or ARRAY (3)");
-  }
+  checkChoice("InsideRule", rule, {"SIGNED", "ABSOLUTE", "ODD"});
+  return static_cast<InsideRule>(rule);
+}
+
+PointAreasFrom pointAreasFrom(int pointAreaMethod)
+{
+  checkChoice("PointAreaMethod", pointAreaMethod, {"VORONOI", "MESH", "CONSTANT", "ARRAY"});
+  return static_cast<PointAreasFrom>(pointAreaMethod);
+}
+
+PointAreaMethod corePointAreaMethod(PointAreasFrom areas)
+{
   // With areas of its own the input leaves nothing to find.
-  return method == Filter::CONSTANT ? PointAreaMethod::constant : PointAreaMethod::voronoi;
+  return areas == PointAreasFrom::constant ? PointAreaMethod::constant : PointAreaMethod::voronoi;
 }
 
-AreaSource areaSource(int pointAreaMethod)
+AreaSource areaSource(PointAreasFrom areas)
 {
-  switch (pointAreaMethod)
+  switch (areas)
   {
-  case Filter::MESH:
+  case PointAreasFrom::mesh:
     return AreaSource::mesh;
-  case Filter::ARRAY:
+  case PointAreasFrom::array:
     return AreaSource::array;
   default:
     return AreaSource::none;

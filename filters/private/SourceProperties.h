@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/InsideRule.h"
+#include "private/PropertyChecks.h"
 #include "private/SourceField.h"
 
 #include "vtkIndent.h"
@@ -10,39 +12,75 @@
 /**
  * @file
  * The properties by which VTK's objects say how the field of a source is made, of which
- * vtkWindingNumberAlgorithm.h has the list and the meaning. Objects of any class that has them will do.
+ * vtkWindingNumberAlgorithm.h has the list, the meaning and the ranges. Objects of any class that
+ * has them will do. Properties out of range throw Refusal (PropertyChecks.h).
  */
 namespace winding
 {
 
-/// Throws Refusal unless it is a vtkWindingNumberAlgorithm::MethodType.
+/// The ways to the areas of a cloud's points. The core knows what it has to find itself (voronoi,
+/// constant), and InputViews knows what the input has.
+enum class PointAreasFrom
+{
+  voronoi,
+  mesh,
+  constant,
+  array
+};
+
+///@{
+/// The choice that has this number as a property. vtkWindingNumberAlgorithm.cxx asserts that the
+/// numbers of its choices are these.
 Method coreMethod(int method);
+InsideRule coreInsideRule(int rule);
+PointAreasFrom pointAreasFrom(int pointAreaMethod);
+///@}
 
-/// Throws Refusal unless it is a vtkWindingNumberAlgorithm::PointAreaMethodType.
-PointAreaMethod corePointAreaMethod(int method);
+/// The method by which the core finds the areas that do not come with the input.
+PointAreaMethod corePointAreaMethod(PointAreasFrom areas);
 
-/// Where the input says which areas its points have, if that is the method.
-AreaSource areaSource(int pointAreaMethod);
+/// The place in the input that the areas come from.
+AreaSource areaSource(PointAreasFrom areas);
 
-/// Of a property that may be null.
+/// The text of a property that may be null.
 inline std::string textOf(const char* text)
 {
   return text ? text : "";
 }
 
-/// scattered: see FieldOptions. Throws Refusal. The object is not changed; VTK's getters are not const.
+/// Throws unless the properties about the points of clouds are in range.
+template <class Object> void checkCloudProperties(Object& object)
+{
+  checkRange("NumberOfNeighbors", object.GetNumberOfNeighbors(), 3, 1000);
+  checkRange("PointArea", object.GetPointArea(), 0);
+}
+
+/// Throws unless all properties that sourceOptions() takes are in range.
+template <class Object> void checkSourceProperties(Object& object)
+{
+  coreMethod(object.GetMethod());
+  checkRange("Tolerance", object.GetTolerance(), 0);
+  pointAreasFrom(object.GetPointAreaMethod());
+  checkCloudProperties(object);
+  checkRange("Regularization", object.GetRegularization(), 0, mostRegularization);
+}
+
+/// The options that an object's properties are. FieldOptions tells what `scattered` is. The object
+/// is not changed, but VTK's getters are not const.
 template <class Object> SourceOptions sourceOptions(Object& object, bool scattered)
 {
+  checkSourceProperties(object);
+  const PointAreasFrom areas = pointAreasFrom(object.GetPointAreaMethod());
   SourceOptions options;
   options.input.asPoints = object.GetSourceAsPoints() != 0;
   options.input.normalsArray = textOf(object.GetNormalsArray());
   options.input.estimateNormals = object.GetEstimateNormals() != 0;
-  options.input.areas = areaSource(object.GetPointAreaMethod());
+  options.input.areas = areaSource(areas);
   options.input.areaArray = textOf(object.GetAreaArray());
   options.field.method = coreMethod(object.GetMethod());
   options.field.tolerance = object.GetTolerance();
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
-  options.field.pointAreaMethod = corePointAreaMethod(object.GetPointAreaMethod());
+  options.field.pointAreaMethod = corePointAreaMethod(areas);
   options.field.pointArea = object.GetPointArea();
   options.field.neighbors = object.GetNumberOfNeighbors();
   options.field.regularization = object.GetRegularization();
@@ -50,7 +88,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   return options;
 }
 
-/// For PrintSelf().
+/// Prints the properties, for PrintSelf().
 template <class Object>
 void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
 {

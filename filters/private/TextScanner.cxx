@@ -1,5 +1,7 @@
 #include "private/TextScanner.h"
 
+#include "base/Refusal.h"
+
 #include "vtkErrorCode.h"
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
@@ -77,44 +79,43 @@ std::string shown(std::string_view word)
   return "\"" + text + (word.size() > 20 ? "...\"" : "\"");
 }
 
-std::string contentsOf(const std::string& fileName)
+} // namespace
+
+TextScanner::TextScanner(const char* fileName, unsigned long& errorCode)
+  : errorCode_(errorCode)
 {
-  if (vtksys::SystemTools::FileIsDirectory(fileName))
+  errorCode_ = vtkErrorCode::NoError;
+  if (!fileName || !*fileName)
   {
-    throw TextScanner::Fault(
-      vtkErrorCode::CannotOpenFileError, fileName + ": is a directory, not a file");
+    this->refuse(vtkErrorCode::NoFileNameError, "no file name is set; call SetFileName");
   }
-  vtksys::ifstream file(fileName.c_str(), std::ios::binary);
+  fileName_ = fileName;
+  this->readFile();
+}
+
+void TextScanner::readFile()
+{
+  if (vtksys::SystemTools::FileIsDirectory(fileName_))
+  {
+    this->refuse(vtkErrorCode::CannotOpenFileError, fileName_ + ": is a directory, not a file");
+  }
+  vtksys::ifstream file(fileName_.c_str(), std::ios::binary);
   if (!file)
   {
-    const bool there = vtksys::SystemTools::FileExists(fileName);
-    throw TextScanner::Fault(
-      there ? vtkErrorCode::CannotOpenFileError : vtkErrorCode::FileNotFoundError,
-      fileName + (there ? ": cannot be opened; check its permissions" : ": no such file"));
+    const bool there = vtksys::SystemTools::FileExists(fileName_);
+    this->refuse(there ? vtkErrorCode::CannotOpenFileError : vtkErrorCode::FileNotFoundError,
+      fileName_ + (there ? ": cannot be opened; check its permissions" : ": no such file"));
   }
   file.seekg(0, std::ios::end);
   const std::streamoff size = file.tellg();
   file.seekg(0);
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (text.empty() || !file)
+  text_.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  file.read(text_.data(), static_cast<std::streamsize>(text_.size()));
+  if (text_.empty() || !file)
   {
-    throw TextScanner::Fault(vtkErrorCode::PrematureEndOfFileError,
-      fileName + (text.empty() ? ": is empty" : ": cannot be read to its end"));
+    this->refuse(vtkErrorCode::PrematureEndOfFileError,
+      fileName_ + (text_.empty() ? ": is empty" : ": cannot be read to its end"));
   }
-  return text;
-}
-
-} // namespace
-
-TextScanner::TextScanner(const char* fileName)
-{
-  if (!fileName || !*fileName)
-  {
-    throw Fault(vtkErrorCode::NoFileNameError, "no file name is set; call SetFileName");
-  }
-  fileName_ = fileName;
-  text_ = contentsOf(fileName_);
 }
 
 std::string_view TextScanner::lineAt(std::size_t& start) const
@@ -214,14 +215,20 @@ double TextScanner::fractionRead() const
   return static_cast<double>(std::min(next_, text_.size())) / static_cast<double>(text_.size());
 }
 
+void TextScanner::refuse(unsigned long errorCode, const std::string& message) const
+{
+  errorCode_ = errorCode;
+  throw winding::Refusal(message);
+}
+
 void TextScanner::refuse(const std::string& message) const
 {
-  throw Fault(vtkErrorCode::FileFormatError,
+  this->refuse(vtkErrorCode::FileFormatError,
     fileName_ + ": line " + std::to_string(lineNumber_) + ": " + message);
 }
 
 void TextScanner::refuseEnd(const std::string& message) const
 {
-  throw Fault(vtkErrorCode::PrematureEndOfFileError,
+  this->refuse(vtkErrorCode::PrematureEndOfFileError,
     fileName_ + ": ends at line " + std::to_string(lineNumber_) + ": " + message);
 }

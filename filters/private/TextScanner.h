@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -15,20 +14,9 @@
 class TextScanner
 {
 public:
-  /// What is wrong with the file: one line that names file and line, and a vtkErrorCode.
-  class Fault : public std::runtime_error
-  {
-  public:
-    Fault(unsigned long errorCode, const std::string& message)
-      : std::runtime_error(message)
-      , code(errorCode)
-    {
-    }
-    unsigned long code;
-  };
-
-  /// Reads the file; throws Fault when it cannot, or when the file is empty.
-  explicit TextScanner(const char* fileName);
+  /// Reads the file; refuses it when it cannot, or when the file is empty. `errorCode` is a
+  /// vtkErrorCode: that of what the scanner refuses, then and later, and NoError before.
+  TextScanner(const char* fileName, unsigned long& errorCode);
 
   /// Goes to the next line that has anything on it; false at the end of the file.
   bool nextLine();
@@ -39,7 +27,7 @@ public:
   /// How many words are left on the line.
   std::size_t wordsLeft() const;
 
-  /// The next word of the line as a number. Throws Fault, naming `what`, if it is none.
+  /// The next word of the line as a number. Throws Refusal, naming `what`, if it is none.
   double number(const char* what);
   std::int64_t integer(const char* what);
 
@@ -52,14 +40,18 @@ public:
   /// From 0, for progress, to 1.
   double fractionRead() const;
 
-  /// Throw a Fault about the present line, or about the file's end.
+  /// Throw a Refusal about the present line, or about the file's end.
   [[noreturn]] void refuse(const std::string& message) const;
   [[noreturn]] void refuseEnd(const std::string& message) const;
 
 private:
+  void readFile();
+  [[noreturn]] void refuse(unsigned long errorCode, const std::string& message) const;
+
   /// The line that starts at `start` without its comment; moves `start` behind it.
   std::string_view lineAt(std::size_t& start) const;
 
+  unsigned long& errorCode_;
   std::string fileName_;
   std::string text_;
   std::size_t next_ = 0; ///< where the next line starts

@@ -23,9 +23,8 @@ EvaluationCost VoxelEvaluation::additionalCost(const Field& field, std::size_t v
   }
 }
 
-bool VoxelEvaluation::run(
+void VoxelEvaluation::run(
   const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const
-try
 {
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
@@ -39,7 +38,7 @@ try
   executor.setShare(0, end);
   if (hasCenters && !field.evaluate(grid, extent, atCenters, executor))
   {
-    return false;
+    throw Interrupted();
   }
   if (coverage == Coverage::any)
   {
@@ -50,11 +49,6 @@ try
   {
     this->evaluateFractions(field, grid, extent, end, executor);
   }
-  return true;
-}
-catch (const Interrupted&)
-{
-  return false;
 }
 
 void VoxelEvaluation::evaluateFractions(const Field& field, const Grid& grid, const Extent& extent,

@@ -26,8 +26,8 @@ struct VoxelEvaluation
   /// What is expected in addition to the field of so many voxels.
   EvaluationCost additionalCost(const Field& field, std::size_t voxels) const;
 
-  /// False when the executor was interrupted. Takes its progress from 0 to 1.
-  bool run(const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const;
+  /// Takes the executor's progress from 0 to 1. Throws Interrupted.
+  void run(const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const;
 
 private:
   void evaluateFractions(const Field& field, const Grid& grid, const Extent& extent,

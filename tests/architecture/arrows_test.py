@@ -1,4 +1,5 @@
-"""The includes of filters/core and apps/winding respect the floors in docs/architecture.md.
+"""Includes respect what docs/architecture.md states: the floors of filters/core and of apps/winding,
+and who may know whom in filters.
 
 Usage: arrows_test.py <root of the repository>. Prints a table of all arrows between rooms, then one
 line for each fault, and fails if there is any.
@@ -15,6 +16,8 @@ VTK_HEADER = re.compile(r"vtk\w*\.h")
 
 CORE = "filters/core"
 PROGRAM = "apps/winding"
+CLASSES = "filters"
+HELPERS = "filters/private"
 ROOM_WITH_CORE = "bench"  # the only room of the program that may include the core
 
 
@@ -133,11 +136,39 @@ def check_program(program, core):
     return program.check()
 
 
+def check_helpers(root, core):
+    """Helpers know the core, VTK and each other; headers of classes know no helper and no core."""
+    classes, faults, needs = root / CLASSES, [], {}
+
+    def is_helper(included):
+        return (classes / included).is_file() and included.startswith("private/")
+
+    helpers = [path for path in sorted((root / HELPERS).iterdir()) if path.suffix in (".h", ".cxx")]
+    if not helpers:
+        faults.append(f"{HELPERS}: there are no sources")
+    for path in helpers:
+        unit = f"private/{path.stem}"
+        for bracket, included in includes_of(path):
+            if is_helper(included):
+                needed = str(pathlib.PurePath(included).with_suffix(""))
+                if needed != unit:
+                    needs.setdefault(unit, set()).add(needed)
+            elif (classes / included).is_file():
+                faults.append(f"{HELPERS}: {path.name} includes the public class header {included}")
+    for circle in circles(needs):
+        faults.append(f"{HELPERS}: {circle}: these need each other")
+    for path in sorted(classes.glob("*.h")):
+        for bracket, included in includes_of(path):
+            if is_helper(included) or core.has(included):
+                faults.append(f"{CLASSES}: {path.name} is public and includes {included}, which is not")
+    return faults
+
+
 def main(root):
     floors = floors_of_rooms(root / "docs" / "architecture.md")
     core = Rooms(root, CORE, floors.get(CORE, {}))
     program = Rooms(root, PROGRAM, floors.get(PROGRAM, {}), at_the_top=("main.cxx",))
-    faults = check_core(core) + check_program(program, core)
+    faults = check_core(core) + check_helpers(root, core) + check_program(program, core)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

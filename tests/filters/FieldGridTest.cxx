@@ -256,18 +256,18 @@ TEST_F(FieldGrid, VerificationCountsSamplesOnTheSurfaceApart)
 TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)
 {
   field->SetResolution(0);
-  expectRefused("the resolution is 0");
+  expectRefused("Resolution is 0");
   field->SetResolution(-5);
-  expectRefused("the resolution is -5");
+  expectRefused("Resolution is -5");
   field->SetResolution(8);
   field->SetVoxelSize(-1);
-  expectRefused("the voxel size is -1");
+  expectRefused("VoxelSize is -1");
   field->SetVoxelSize(0);
   field->SetPadding(-0.1);
-  expectRefused("the padding is -0.1");
+  expectRefused("Padding is -0.1");
   field->SetPadding(0);
   field->SetSamplingDimensions(4, 0, 4);
-  expectRefused("the dimensions are 4 0 4");
+  expectRefused("SamplingDimensions[1] is 0");
   field->SetSamplingDimensions(0, 0, 0);
   field->UseInputBoundsOff();
   field->SetSamplingBounds(1, 0, 0, 1, 0, 1);
@@ -276,10 +276,10 @@ TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)
   expectRefused("inverted or not finite");
   field->SetSamplingBounds(0, 1, 0, 1, 0, 1);
   field->SetMethod(17);
-  expectRefused("the method is 17");
+  expectRefused("Method is 17");
   field->SetMethod(vtkWindingNumberField::AUTOMATIC);
   field->SetOutputScalarType(VTK_INT);
-  expectRefused("the output scalar type");
+  expectRefused("OutputScalarType is 6");
 }
 
 TEST_F(FieldGrid, ParityIsNotVerified)

@@ -321,7 +321,7 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
     EXPECT_EQ(fresh->ProcessRequest(
                 request, executive->GetInputInformation(), executive->GetOutputInformation()),
       0);
-    EXPECT_NE(log.errors().find("the resolution is 0"), std::string::npos) << log.errors();
+    EXPECT_NE(log.errors().find("Resolution is 0"), std::string::npos) << log.errors();
   }
 }
 

@@ -212,8 +212,6 @@ TEST_F(ImplicitWindingNumber, TakesTheAbsoluteValueOnRequest)
   function->SetInsideRule(Algorithm::ABSOLUTE);
   EXPECT_LT(function->FunctionValue(0, 0, 0.2), -0.3);
   EXPECT_LT(differenceOfGradients(function, offTheSphere(positions())), 1e-5);
-  function->SetInsideRule(Algorithm::ODD);
-  EXPECT_EQ(function->GetInsideRule(), Algorithm::ABSOLUTE);
 }
 
 TEST_F(ImplicitWindingNumber, TakesArraysOfAnyType)

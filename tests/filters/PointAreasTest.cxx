@@ -230,15 +230,16 @@ TEST_F(PointAreas, WhatCannotBeIsRefused)
   for (const int method : {-1, 3})
   {
     filter->SetPointAreaMethod(method);
-    this->expectRefused(cloud(), "the point area method is " + std::to_string(method));
+    this->expectRefused(cloud(), "PointAreaMethod is " + std::to_string(method));
   }
   filter->SetPointAreaMethod(vtkPointAreas::CONSTANT);
   for (const double area : {-1.0, nan})
   {
     filter->SetPointArea(area);
-    this->expectRefused(cloud(), "the point area is");
+    this->expectRefused(cloud(), "PointArea is");
   }
   filter->SetPointAreaMethod(vtkPointAreas::VORONOI);
+  filter->SetPointArea(0);
   auto flat = cloud();
   flat->GetPointData()->GetNormals()->Fill(0);
   this->expectRefused(flat, "all 3482 points are unusable");

@@ -303,11 +303,11 @@ TEST_F(SignedDistance, BadOptionsAreRefusedInOneLine)
     EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   };
   field->SetDistanceBand(-1);
-  expectRefused("the distance band is -1 voxels");
+  expectRefused("DistanceBand is -1;");
   field->SetDistanceBand(std::numeric_limits<double>::quiet_NaN());
-  expectRefused("the distance band is nan voxels");
+  expectRefused("DistanceBand is nan;");
   field->SetDistanceBand(std::numeric_limits<double>::infinity());
-  expectRefused("the distance band is inf voxels");
+  expectRefused("DistanceBand is inf;");
   field->SetDistanceBand(0);
   field->SetResultArrayName("SignedDistance");
   expectRefused("two arrays of the result have the name 'SignedDistance'");

@@ -404,19 +404,19 @@ TEST_F(Surfaces, ProgressRisesToOneAndAbortLeavesAnEmptyOutput)
 TEST_F(Surfaces, BadInputIsRefusedAndTheFilterGoesOnWorking)
 {
   filter->SetResolution(0);
-  this->expectRefused("the resolution is 0");
+  this->expectRefused("Resolution is 0");
   filter->SetResolution(8);
   filter->SetPadding(-1);
-  this->expectRefused("the padding is -1");
+  this->expectRefused("Padding is -1");
   filter->SetPadding(0.05);
   filter->SetMethod(17);
-  this->expectRefused("the method is 17");
+  this->expectRefused("Method is 17");
   filter->SetMethod(vtkWindingNumberSurface::PARITY);
   filter->SetVerifySamples(10);
   this->expectRefused("parity is no winding number");
   filter->SetMethod(vtkWindingNumberSurface::AUTOMATIC);
   filter->SetWindingThreshold(std::nan(""));
-  this->expectRefused("the winding threshold is nan");
+  this->expectRefused("WindingThreshold is nan");
   filter->SetWindingThreshold(0.5);
   vtkNew<vtkPolyData> cloud;
   sphere->Update();

@@ -131,6 +131,24 @@ ENUMERATIONS = {
     "ProbeAssociation": {"Points": 0, "Cell Centres": 1},
 }
 
+# The values that a user interface offers. Those of the threshold and the padding are the usual ones,
+# of which the classes take more.
+RANGES = {
+    "Tolerance": (0, None),
+    "PointArea": (0, None),
+    "NumberOfNeighbors": (3, 1000),
+    "Regularization": (0, 4),
+    "WindingThreshold": (0, 1),
+    "NumberOfThreads": (0, None),
+    "Resolution": (1, None),
+    "VoxelSize": (0, None),
+    "SamplingDimensions": (0, None),
+    "Padding": (0, 1),
+    "VerifySamples": (0, None),
+    "CoverageSamples": (1, 10),
+    "DistanceBand": (0, None),
+}
+
 
 def new_proxy(group, name):
     """A proxy just as its XML makes it, without the values that ParaView derives from an input."""
@@ -225,6 +243,20 @@ class TestProxies(unittest.TestCase):
                     expected = ENUMERATIONS.get(f"{name}.{member}", ENUMERATIONS.get(member))
                     self.assertEqual(entries, expected)
 
+    def test_ranges_are_those_of_the_classes(self):
+        for name, settable in SETTABLE.items():
+            proxy = new_proxy("filters", name)
+            for member in settable:
+                domain = proxy.GetProperty(member).FindDomain("vtkSMDoubleRangeDomain")
+                domain = domain or proxy.GetProperty(member).FindDomain("vtkSMIntRangeDomain")
+                ends = None
+                if domain and not domain.IsA("vtkSMBoundsDomain"):
+                    low = domain.GetMinimum(0) if domain.GetMinimumExists(0) else None
+                    high = domain.GetMaximum(0) if domain.GetMaximumExists(0) else None
+                    ends = (low, high)
+                with self.subTest(f"{name}.{member}"):
+                    self.assertEqual(ends, RANGES.get(member))
+
     # Of ranges with a maximum ParaView 5.11 says that nothing below it is inside.
     def test_values_below_the_range_are_known(self):
         refused = {
@@ -234,14 +266,12 @@ class TestProxies(unittest.TestCase):
                 "SamplingDimensions": (1, 1, -1),
                 "Tolerance": -1e-3,
                 "PointArea": -1,
-                "NumberOfNeighbors": 2,
-                "Regularization": -1,
                 "NumberOfThreads": -1,
                 "VerifySamples": -1,
                 "DistanceBand": -1,
             },
             "WindingNumberProbe": {"Tolerance": -1e-3, "PointArea": -1, "NumberOfThreads": -1},
-            "PointAreas": {"PointArea": -1, "NumberOfNeighbors": 2, "NumberOfThreads": -1},
+            "PointAreas": {"PointArea": -1, "NumberOfThreads": -1},
         }
         for name, values in refused.items():
             for member, value in values.items():

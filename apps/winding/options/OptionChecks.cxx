@@ -48,8 +48,8 @@ void checkGrid(const Options& options, const WasGiven& wasGiven)
 
 void checkMethod(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(
-    options.tolerance >= 0, "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  requireUsage(options.tolerance >= 0 && std::isfinite(options.tolerance),
+    "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
   requireUsage(options.area >= 0 && std::isfinite(options.area),
     "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
   requireUsage(options.areas == Filter::CONSTANT || !wasGiven("--area"),

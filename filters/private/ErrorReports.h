@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+class vtkObject;
+
+namespace winding
+{
+
+/// How work that may throw ended.
+enum class Outcome
+{
+  done,
+  interrupted,
+  refused,    ///< a Refusal was reported
+  outOfMemory ///< OutOfMemory or a failed allocation was reported
+};
+
+/**
+ * Does work for a VTK object, and reports what it throws as an error of this object, in one line.
+ * An interruption is no error. `withoutMemory` is the line that tells of a failed allocation.
+ */
+Outcome reportErrors(
+  vtkObject* object, const std::string& withoutMemory, const std::function<void()>& work);
+
+} // namespace winding
