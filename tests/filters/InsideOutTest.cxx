@@ -53,7 +53,7 @@ protected:
     filter->RemoveAllObservers();
   }
 
-  /// What all filters on grids have in common.
+  /// Expects of a filter on grids what all of them have in common: advice where faces look inward.
   void expectAdviceOnGrids(vtkWindingNumberGridAlgorithm* filter)
   {
     filter->SetInputConnection(inward->GetOutputPort());
