@@ -22,7 +22,6 @@
 #include "vtkStringArray.h"
 
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -279,14 +278,10 @@ winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) 
   return {samples, this->GetResultOptions()};
 }
 
-winding::InsideRule vtkWindingNumberAlgorithm::GetCoreInsideRule() const
-{
-  return winding::coreInsideRule(this->InsideRule);
-}
-
 winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
 {
-  winding::FieldOutput output = results.output(this->GetCoreInsideRule(), this->WindingThreshold);
+  winding::FieldOutput output =
+    results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
   output.distanceLimit = this->GetDistanceLimit();
   return output;
 }

@@ -45,10 +45,8 @@
 
 namespace winding
 {
-enum class InsideRule;
 class Field;
 class ResultArrays;
-class SmpExecutor;
 class SourceField;
 class VectorsView;
 struct FieldInfo;
@@ -361,9 +359,6 @@ protected:
 
   /// The bounds of a source's usable primitives; false if it has none.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
-
-  /// The property InsideRule as the core's type.
-  winding::InsideRule GetCoreInsideRule() const;
 
   /// The result arrays that the properties want.
   virtual winding::ResultOptions GetResultOptions() const;

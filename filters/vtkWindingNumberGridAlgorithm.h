@@ -17,10 +17,6 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
-namespace winding
-{
-struct Grid;
-}
 class vtkDataArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberGridAlgorithm : public vtkWindingNumberAlgorithm

@@ -9,6 +9,7 @@
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
+#include "private/SourceProperties.h"
 #include "private/Stopwatch.h"
 
 #include "vtkFloatArray.h"
@@ -119,7 +120,7 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
   const winding::Grid& grid = this->GetSampling();
-  const winding::InsideRule rule = this->GetCoreInsideRule();
+  const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
   winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
   while (!edges.isDone())
   {
