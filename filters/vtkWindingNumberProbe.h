@@ -54,6 +54,7 @@ namespace winding
 {
 class VectorsView;
 class ProbeQueries;
+class SmpExecutor;
 struct ProbeLeaf;
 } // namespace winding
 class vtkDataSet;
