@@ -52,8 +52,8 @@ std::vector<vtkDataObject*> partsOf(vtkDataObject* object)
   return parts;
 }
 
-/// All threads, or this one where it may be one of them: vtkSMPTools may have it do other work while
-/// it waits for the blocks that it gave away, and that work may wait for what is built here.
+/// All threads, or this one where it may be one of them: vtkSMPTools may have it do other work
+/// while it waits for the blocks that it gave away, and that work may wait for what is built here.
 std::unique_ptr<winding::Executor> newExecutor()
 {
   if (vtkSMPTools::IsParallelScope())
@@ -86,7 +86,8 @@ vtkSmartPointer<vtkDoubleArray> inDouble(vtkDataArray* array)
 
 } // namespace
 
-/// What was built, for which state of the function and its input. Never changed.
+/// The field that was built, and the state of the function and its input that it was built for. It
+/// is never changed.
 struct vtkImplicitWindingNumber::Built
 {
   const winding::Field* Field;       ///< null if there cannot be one
@@ -100,8 +101,8 @@ struct vtkImplicitWindingNumber::Internals
 
   std::mutex Mutex; ///< for whoever builds
   std::atomic<const Built*> Current{nullptr};
-  /// A thread may still be finding out that the one before is not current any longer. It has found out
-  /// by the next modification, since nothing may be modified while values are asked for.
+  /// A thread may still be finding out that the one before is not current any longer. It has found
+  /// out by the next modification, since nothing may be modified while values are asked for.
   std::unique_ptr<const Built> Last, BeforeLast;
 };
 
@@ -144,7 +145,7 @@ vtkMTimeType vtkImplicitWindingNumber::GetMTime()
 /// Asks in an order in which each part that is asked is still there: who lets one go is modified.
 bool vtkImplicitWindingNumber::IsCurrent(const Built* built)
 {
-  // Not GetMTime(): another transform does not change the field.
+  // GetMTime() would count the transform, which does not change the field.
   return built && this->vtkObject::GetMTime() <= built->Time &&
          std::all_of(built->Parts.begin(), built->Parts.end(),
            [built](vtkDataObject* part) { return part->GetMTime() <= built->Time; });

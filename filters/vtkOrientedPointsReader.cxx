@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkOrientedPointsReader);
 namespace
 {
 
-/// How the points stand in the file.
+/// The arrangement of the points in the file.
 struct Layout
 {
   vtkIdType points = 0;

@@ -30,7 +30,8 @@ vtkStandardNewMacro(vtkSurfaceReport);
 namespace
 {
 
-/// What has been turned, and what could not be: a line for the user, or nothing.
+/// One line for the user about the triangles that were turned and the parts that could not be;
+/// empty if there is nothing to say.
 std::string notice(const winding::OrientedPolygons& fix, vtkIdType oneSided)
 {
   std::string text;

@@ -261,8 +261,8 @@ void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
 bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
 {
   winding::InputOptions options = this->GetSourceOptions().input;
-  // Bounds need no normals. What a user interface asks for before anything is executed must not fail,
-  // or nobody could be asked there whether to estimate them.
+  // Bounds need no normals. What a user interface asks for before anything is executed must not
+  // fail, or nobody could be asked there whether to estimate them.
   options.estimateNormals = true;
   const winding::Bounds& found = this->Source->bounds(source, options);
   for (int axis = 0; axis < 3; ++axis)

@@ -292,8 +292,8 @@ public:
 
   ///@{
   /// Whether nothing was inside in the last execution because the source is inside out: with rule
-  /// SIGNED, w reached -WindingThreshold at a sample and WindingThreshold at none. A warning has said
-  /// what to do. Filters look for it where their result tells inside from outside: the array
+  /// SIGNED, w reached -WindingThreshold at a sample and WindingThreshold at none. A warning has
+  /// said what to do. Filters look for it where their result tells inside from outside: the array
   /// "Inside", the surface, the part that is extracted.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
@@ -388,8 +388,8 @@ protected:
   /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
-  /// Sets SourceIsInsideOut, and warns if it is. Filters call it where nothing came out inside by the
-  /// rule SIGNED, which alone tells inside from inside out.
+  /// Sets SourceIsInsideOut, and warns if it is. Filters call it where nothing came out inside by
+  /// the rule SIGNED, which alone tells inside from inside out.
   void TellInsideOut(bool isInsideOut);
 
   int Method = AUTOMATIC;

@@ -78,7 +78,7 @@ int vtkWindingNumberField::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
-  // What was said of the last grid must not be taken for this one's, should there be none.
+  // The information about the last grid must not stay, for there may be no grid this time.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
   if (this->UseInputBounds)

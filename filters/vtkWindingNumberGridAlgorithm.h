@@ -7,8 +7,8 @@
  * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
  * says how many there are along each axis, and they fill the box exactly.
  *
- * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are checked
- * only where they are used, for a user interface may fill them from an input that is empty.
+ * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are
+ * checked only where they are used, for a user interface may fill them from an input that is empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberSurface
  */

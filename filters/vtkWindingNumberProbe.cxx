@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataObject> newInstance(vtkDataObject* data)
   return vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
 }
 
-/// What is nowhere stays not selected.
+/// Samples that are NaN or infinite are nowhere, and stay outside.
 void turnInsideOut(const winding::VectorsView& samples, unsigned char* inside)
 {
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -209,7 +209,8 @@ void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
   this->LookAtInside(field, samples, results, executor);
 }
 
-/// Finds out whether an inside or a part that is asked for is empty because the source is inside out.
+/// Finds out whether an inside or a part that is asked for is empty because the source is inside
+/// out.
 void vtkWindingNumberProbe::LookAtInside(const winding::Field& field,
   const winding::VectorsView& samples, const winding::ResultArrays& results,
   winding::SmpExecutor& executor)

@@ -1,4 +1,4 @@
-// From points, with normals or without, to a field of winding numbers and of what is inside.
+// Points, with normals or without, become a field of winding numbers and of what is inside.
 //
 //   cloud_to_field cloud.xyz field.vti [resolution]
 

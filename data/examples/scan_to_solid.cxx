@@ -1,4 +1,4 @@
-// From a scan, holes and all, to a solid that can be printed.
+// A scan, holes and all, becomes a solid that can be printed.
 //
 //   scan_to_solid scan.obj solid.stl [resolution]
 

@@ -8,7 +8,7 @@ class vtkObject;
 namespace winding
 {
 
-/// How work that may throw ended.
+/// The ways in which work that may throw ends.
 enum class Outcome
 {
   done,
@@ -18,7 +18,7 @@ enum class Outcome
 };
 
 /**
- * Does work for a VTK object, and reports what it throws as an error of this object, in one line.
+ * Does work for a VTK object, and reports an exception as an error of this object, in one line.
  * An interruption is no error. `withoutMemory` is the line that tells of a failed allocation.
  */
 Outcome reportErrors(

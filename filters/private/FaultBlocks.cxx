@@ -184,7 +184,8 @@ vtkSmartPointer<vtkPolyData> inconsistentBlock(
   return maker.make(true);
 }
 
-/// Whether every edge has two triangles that agree about it, so that there is no boundary to look for.
+/// Whether every edge has two triangles that agree about it, so that there is no boundary to look
+/// for.
 bool allPairUp(const SurfaceEdges& edges)
 {
   return edges.rims.empty() && edges.crowds.empty() &&

@@ -12,13 +12,15 @@ namespace winding
 {
 
 /**
- * What is wrong with a surface, as polydata to look at; in this order, and those that are empty too:
- * | block             | cells | cell data |
- * |-------------------|-------|-----------|
- * | Boundary          | closed polylines: the loops of the net boundary (Boundary.h), which are run along once for each time that an edge does not cancel | Loop: its number; Edges; Multiplicity: the largest of its edges' |
- * | Caps              | triangles that close the loops (Cap.h), as the field takes them | Loop |
- * | NonManifoldEdges  | lines: edges that more than two triangles use | Triangles: how many |
- * | InconsistentEdges | lines: edges that two triangles use in the same direction | |
+ * The faults of a surface, as polydata to look at. The blocks have this order; a block without a
+ * fault is there, but empty:
+ * - Boundary: the loops of the net boundary (Boundary.h) as closed polylines, which run along an
+ *   edge once for each time that it does not cancel. Cell data: Loop, the loop's number; Edges, the
+ *   number of its edges; Multiplicity, the largest of its edges' multiplicities.
+ * - Caps: the triangles that close the loops (Cap.h), as the field takes them. Cell data: Loop.
+ * - NonManifoldEdges: the edges that more than two triangles use, as lines. Cell data: Triangles,
+ *   the number of triangles that use the edge.
+ * - InconsistentEdges: the edges that two triangles use in the same direction, as lines.
  *
  * The points of a block are the vertices that it uses, in their order; pointType is their VTK type.
  * Throws Interrupted.
@@ -26,7 +28,7 @@ namespace winding
 vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
   const Surface& surface, const SurfaceEdges& edges, int pointType, Executor& executor);
 
-/// The same blocks, all empty.
+/// The blocks of a surface without faults: all are empty.
 vtkSmartPointer<vtkMultiBlockDataSet> noFaults();
 
 } // namespace winding

@@ -8,11 +8,12 @@ class vtkCellArray;
 namespace winding
 {
 
-/// Point ids of triangles, three each. A polygon becomes the fan from its first vertex: for planar
-/// polygons the right chain, convex or not. Cells of less than three points give none.
+/// The point ids of the polygons' triangles, three each. A polygon becomes the fan from its first
+/// vertex, which is the right chain for planar polygons, convex or not. A cell of less than three
+/// points gives no triangle.
 std::vector<std::int64_t> trianglesOfPolygons(vtkCellArray* polygons);
 
-/// The same of triangle strips.
+/// The point ids of the strips' triangles, three each, all oriented as the strip is.
 std::vector<std::int64_t> trianglesOfStrips(vtkCellArray* strips);
 
 } // namespace winding

@@ -12,8 +12,8 @@ public:
   using Refusal::Refusal;
 };
 
-/// Throws OutOfMemory, with the numbers, if that many bytes are not free. `what` needs them; `advice`
-/// says what to do about it.
+/// Throws OutOfMemory, with the numbers, if that many bytes are not free. `what` needs them;
+/// `advice` says what to do about it.
 void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice);
 
 } // namespace winding

@@ -22,8 +22,8 @@ namespace
 
 constexpr std::size_t verticesPerBlock = 8192;
 
-/// How close vertices may come to the ends of their edges. Far less than what is seen, but more than
-/// what single precision rounds.
+/// Vertices stay so far away from the ends of their edges: far less than anybody sees, but more
+/// than what single precision rounds.
 constexpr double margin = 1.0 / (1 << 12);
 
 /// The vertices on the edges along an axis that begin in a row, as one walks along it.
@@ -197,8 +197,8 @@ vtkSmartPointer<vtkPoints> GridContour::place(
   return points;
 }
 
-/// Adds twice the vector area of every triangle to its corners, in units of a voxel, so that no unit of
-/// length leaves the range of numbers.
+/// Adds twice the vector area of every triangle to its corners, in units of a voxel, so that no
+/// unit of length leaves the range of numbers.
 template <class Real>
 void GridContour::addAreas(
   const Real* coordinates, std::vector<Eigen::Vector3d>& sums, Executor& executor) const

@@ -271,7 +271,8 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
     const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
                                      ? &this->verticesOf(leaf)
                                      : nullptr;
-    // Those of a part are left out where another has none: all are to be oriented together.
+    // The normals of a part are left out where another part has none, for all points are to be
+    // oriented together.
     if (!withoutNormals)
     {
       view.normals = ownNormals ? this->vectorsOf(ownNormals)

@@ -20,22 +20,22 @@ class vtkPolyData;
 namespace winding
 {
 
-/// Where a source says which areas its points have.
+/// The places in a source that tell the areas of its points.
 enum class AreaSource
 {
   none,
-  mesh, ///< in its triangles (MeshVertices.h)
+  mesh, ///< its triangles (MeshVertices.h)
   array
 };
 
-/// Which arrays of a source to use, and as what.
+/// The choices that decide how a source is seen: as a mesh or as points, and with which arrays.
 struct InputOptions
 {
-  bool asPoints = false;               ///< a mesh as the cloud of its points
-  bool estimateNormals = false;        ///< points need none: it is not for the views to find them
-  std::string normalsArray;            ///< empty: the active normals
-  AreaSource areas = AreaSource::none; ///< of clouds
-  std::string areaArray;               ///< for areas from an array
+  bool asPoints = false;               ///< whether a mesh is seen as the cloud of its points
+  bool estimateNormals = false;        ///< whether points may lack normals; views do not find any
+  std::string normalsArray;            ///< name; empty for the active normals
+  AreaSource areas = AreaSource::none; ///< for clouds only
+  std::string areaArray;               ///< name, for AreaSource::array
 
   bool operator==(const InputOptions& other) const
   {
@@ -54,7 +54,7 @@ struct InputOptions
 class InputViews
 {
 public:
-  /// Which data sets a source is made of and when they were last modified.
+  /// The data sets that a source is made of, and the times of their last modification.
   using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
 
   InputViews(vtkDataObject* source, const InputOptions& options);
@@ -63,15 +63,16 @@ public:
   bool isSurface() const { return isSurface_; }
   const Identity& identity() const { return identity_; }
 
-  /// A hash of all that a field is built from. Two sources with different identities may still be
-  /// the same: what a reader gives for every time step, say, when only attributes change.
+  /// A hash of all that a field is built from. Two sources with different identities may still have
+  /// the same content: a reader, for example, gives new objects for every time step, though only
+  /// attributes change.
   std::uint64_t fingerprint() const;
 
   std::vector<TrianglesView> triangles();
   std::vector<OrientedPointsView> orientedPoints();
 
-  /// The data sets whose points the last orientedPoints() gave, one for each view, with the point data
-  /// of the source: its leaves, or what they have been reduced to (outer surfaces; without ghosts).
+  /// The data sets whose points the last orientedPoints() gave, one for each view, with the point
+  /// data of the source. They are its leaves, or the outer surfaces of these, without ghosts.
   const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
 
   /// All points of the source, those without triangles too.
@@ -97,7 +98,7 @@ private:
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;
 
-  // What views point into where VTK's own memory would not do.
+  // Views point into these where VTK's own memory would not do.
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
   std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
   std::vector<std::vector<std::int64_t>> ids_;

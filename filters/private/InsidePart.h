@@ -9,13 +9,14 @@ namespace winding
 {
 
 /**
- * The part of a data set that is inside, with all of its arrays: of polydata as vtkPolyData, of any
- * other as vtkUnstructuredGrid. Cells keep their order, and points that no kept cell uses are left out.
+ * The part of a data set that is inside, with all of its arrays. The part of polydata is
+ * vtkPolyData, that of any other data set vtkUnstructuredGrid. Cells keep their order, and points
+ * that no kept cell uses are left out.
  *
- * inside has an entry per point, or per cell if atCells. By points, cells are kept all of whose points
- * are inside; a data set without cells, or whose cells are poly-vertices only, is taken as points with
- * a vertex each, and what the poly-vertices carry is left out. Null if it has ids of points that do not
- * exist.
+ * `inside` has an entry for each point, or for each cell if atCells. With points, a cell is kept if
+ * all of its points are inside; a data set without cells, or with poly-vertices only, counts as
+ * points with a vertex each, and the cell data of the poly-vertices is left out. Null if the data
+ * set has ids of points that do not exist.
  */
 vtkSmartPointer<vtkDataSet> insidePart(vtkDataSet* data, const unsigned char* inside, bool atCells);
 

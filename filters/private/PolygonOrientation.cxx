@@ -124,7 +124,7 @@ vtkSmartPointer<vtkPolyData> withTurned(vtkPolyData* leaf, const std::vector<vtk
     leaf->GetPolys()->GetCellAtId(i, size, ids);
     if (next != turned.end() && *next == i)
     {
-      // From the same first point on, so that the fan has the same triangles.
+      // The polygon keeps its first point, so that the fan has the same triangles.
       reversed.assign(ids, ids + size);
       std::reverse(reversed.begin() + 1, reversed.end());
       ids = reversed.data();

@@ -21,23 +21,24 @@ struct ProbeLeaf
 };
 
 /**
- * The points or the cells of a data set, or of all data sets in a composite one, as one list of samples:
- * so that it costs nothing to have them in many small data sets.
+ * The points or the cells of a data set, or of all data sets in a composite one, as one list of
+ * samples, so that many small data sets cost no more than one large one.
  */
 class ProbeQueries
 {
 public:
-  /// Cells have their samples at their parametric centres; those of empty cells are NaN. Keeps the data.
+  /// Cells have their samples at their parametric centres; the sample of an empty cell is NaN. The
+  /// object keeps the data.
   ProbeQueries(vtkDataObject* queries, bool atCells);
 
   vtkIdType size() const { return size_; }
   const std::vector<ProbeLeaf>& leaves() const { return leaves_; }
 
-  /// Valid as long as this, and as the data stays as it is.
+  /// The samples. They are valid as long as this object lives and the data stays as it is.
   VectorsView samples() const { return samples_; }
 
-  /// Gives a leaf's part of arrays that have an entry for every sample, and their active scalars, to
-  /// attributes.
+  /// Gives a leaf's part of arrays that have an entry for every sample, and their active scalars,
+  /// to attributes.
   void addPart(
     const ProbeLeaf& leaf, vtkDataSetAttributes* ofAll, vtkDataSetAttributes* attributes) const;
 
@@ -47,7 +48,7 @@ private:
 
   vtkIdType size_ = 0;
   std::vector<ProbeLeaf> leaves_;
-  std::vector<double> positions_; ///< none if samples_ are the data's own
+  std::vector<double> positions_; ///< empty if samples_ are the data's own
   VectorsView samples_;
 };
 

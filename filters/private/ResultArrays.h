@@ -17,39 +17,41 @@ namespace winding
 struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
-  bool withInside = false;    ///< the array of what is inside
+  bool withInside = false;    ///< an array of 1 inside and 0 outside
   bool withDistances = false; ///< the array "SignedDistance"
   bool withCoverage = false;  ///< the array "Coverage", of floats
-  int scalarType = VTK_FLOAT; ///< of w and of distances: VTK_FLOAT or VTK_DOUBLE
-  std::string name;           ///< of the array of w; empty: "WindingNumber"
+  int scalarType = VTK_FLOAT; ///< type of w and of distances: VTK_FLOAT or VTK_DOUBLE
+  std::string name;           ///< name of the array of w; empty for "WindingNumber"
   std::string insideName = "Inside";
 };
 
-/// What the arrays take for each sample, and, meanwhile, what evaluates them.
+/// The memory for each sample: that of the arrays, and that of the evaluation meanwhile.
 vtkIdType bytesPerSample(const ResultOptions& options);
 
 /// The arrays that a filter adds to its output.
 class ResultArrays
 {
 public:
-  /// Throws Refusal for options that make no array or two of one name; OutOfMemory, with the numbers, for
-  /// too many samples.
+  /// Throws Refusal for options that make no array or two of one name, and OutOfMemory, with the
+  /// numbers, for too many samples.
   ResultArrays(vtkIdType samples, const ResultOptions& options);
 
   /// Pointers into the arrays.
   FieldOutput output(InsideRule rule, double threshold) const;
 
-  /// Null if there is no array of w.
+  /// The array of w; null if there is none.
   vtkDataArray* values() const { return values_; }
 
-  /// Null if it was not asked for.
+  ///@{
+  /// The array of this name; null if it was not asked for.
   vtkUnsignedCharArray* inside() const { return inside_; }
   vtkFloatArray* coverage() const { return coverage_; }
+  ///@}
 
-  /// Whether there is an array of what is inside, and nothing is.
+  /// Whether there is an array of what is inside, and it has no 1.
   bool hasNothingInside() const;
 
-  /// Adds them; the first of them becomes the active scalars.
+  /// Adds the arrays; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 
 private:

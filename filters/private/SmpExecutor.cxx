@@ -129,7 +129,7 @@ void SmpExecutor::runOnBackend(const std::function<void()>& work)
   }
   const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), work);
-  // With TBB the scope's limit outlives the scope (VTK 9.1).
+  // The limit of a scope outlives the scope with TBB (VTK 9.1).
   if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
   {
     vtkSMPTools::Initialize(before);

@@ -12,13 +12,14 @@ namespace winding
 /**
  * Runs the core's blocks on vtkSMPTools for a filter. The blocks go out in batches of about a tenth
  * of a second; between batches, on the calling thread, the filter's progress is updated, and before
- * each its abort flag is asked. Which blocks make a batch depends on the clock, what they compute
- * does not. For no filter (null) there is no progress, and nothing interrupts.
+ * each its abort flag is asked. The clock decides which blocks make a batch, but not what they
+ * compute. Without a filter (null) there is no progress, and nothing interrupts.
  */
 class SmpExecutor final : public Executor
 {
 public:
-  /// threads: the most to use, 0 for as many as vtkSMPTools would; never more than there are cores.
+  /// `threads` is the largest number to use; 0 leaves it to vtkSMPTools. There are never more
+  /// threads than cores.
   SmpExecutor(vtkAlgorithm* filter, int threads);
 
   /// Work that comes after this takes progress from `first` to `last`, where it is shown; at first
@@ -33,7 +34,7 @@ public:
   /// set the abort flag.
   bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
-  /// About how many threads it uses.
+  /// The approximate number of threads that it uses.
   int threads() const;
 
   /// Whether there was anything to do yet.

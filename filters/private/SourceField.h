@@ -28,10 +28,11 @@ public:
   /// none to keep either, and the next call builds. Throws Refusal.
   const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor);
 
-  /// Bounds of the source's usable primitives, without building; kept likewise. Throws Refusal.
+  /// The bounds of the source's usable primitives, found without building a field, and kept for as
+  /// long as the source stays the same. Throws Refusal.
   const Bounds& bounds(vtkDataObject* source, const InputOptions& options);
 
-  /// Information on the last field; that of an empty one before the first.
+  /// Information on the last field; before the first, that of an empty one.
   const FieldInfo& info() const;
 
   /// Whether the last prepare() had to build.
@@ -46,7 +47,7 @@ private:
 
   private:
     InputViews::Identity identity_;
-    InputOptions options_; ///< the fingerprint is of what these pick
+    InputOptions options_; ///< choices that the fingerprint depends on
     std::uint64_t fingerprint_ = 0;
   };
 

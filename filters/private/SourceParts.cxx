@@ -41,8 +41,8 @@ bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
   return false;
 }
 
-/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts the
-/// ids of cells, and crashes on such.
+/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts
+/// the ids of cells, and crashes on such.
 void checkCellIds(vtkPointSet* leaf)
 {
   vtkNew<vtkIdList> ids;

@@ -23,25 +23,25 @@ enum class SourceKind
   cloud
 };
 
-/// What a source is, whatever it is to be taken as: a mesh if any of its leaves has faces. Looks at no
-/// array, and never throws: what is no source is nothing.
+/// The kind of a source, even if it is to be taken as another: a mesh if any of its leaves has
+/// faces. Data that is no source is `nothing`. The function looks at no array, and never throws.
 SourceKind kindOf(vtkDataObject* source);
 
-/// The outer surface of a mesh of any cells. Throws Refusal if a cell refers to a point that does not
-/// exist.
+/// The outer surface of a mesh of any cells. Throws Refusal if a cell refers to a point that does
+/// not exist.
 vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf);
 
 /**
- * What a data set has in its own right: cells and points that another piece of the data has too, or
- * that are hidden, would be counted twice or against the user's will. The data set itself if there
- * are none.
+ * A data set without its ghosts, which are cells and points that another piece of the data has too,
+ * or that are hidden: they would be counted twice, or against the user's will. The data set itself
+ * if there are none.
  */
 vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh);
 
 /**
  * The leaves of a source, of the kinds that InputViews takes, as polydata: polydata as it is, other
- * meshes as their outer surface, other clouds as points with a vertex cell each. A source that is no
- * composite is its own leaf. Throws Refusal as outerSurfaceOf() does.
+ * meshes as their outer surface, other clouds as points with a vertex cell each. A source that is
+ * no composite is its own leaf. Throws Refusal as outerSurfaceOf() does.
  */
 std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source);
 

@@ -23,7 +23,7 @@ PointAreasFrom pointAreasFrom(int pointAreaMethod)
 
 PointAreaMethod corePointAreaMethod(PointAreasFrom areas)
 {
-  // With areas of its own the input leaves nothing to find.
+  // An input with areas of its own leaves nothing to find.
   return areas == PointAreasFrom::constant ? PointAreaMethod::constant : PointAreaMethod::voronoi;
 }
 

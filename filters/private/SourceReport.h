@@ -14,15 +14,16 @@ struct OrientedPolygons;
 
 struct SourceReport
 {
-  /// The arrays of vtkSurfaceReport, in the order in which people read them: counts as vtkIdType, yes
-  /// or no as unsigned char, measures as double, words as strings.
+  /// The arrays of vtkSurfaceReport, in the order in which people read them: counts are vtkIdType,
+  /// yes or no is unsigned char, measures are double, words are strings.
   vtkSmartPointer<vtkFieldData> arrays;
-  /// What is wrong with a surface, to look at (FaultBlocks.h); for a cloud the same blocks, empty.
+  /// The faults of a surface, to look at (FaultBlocks.h); the blocks of a cloud are empty.
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// pointType: the VTK type of the faults' points. fix: what has been done to the polygons of the source
-/// before, or null if that was not asked for. Throws what the core throws.
+/// Makes the report. pointType is the VTK type of the faults' points; fix tells how the polygons of
+/// the source have been turned before, and is null if that was not asked for. The core's exceptions
+/// pass through.
 SourceReport reportOn(
   InputViews& source, int pointType, const OrientedPolygons* fix, Executor& executor);
 

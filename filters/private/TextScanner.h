@@ -24,7 +24,7 @@ public:
   /// The next word of the line; empty at its end.
   std::string_view word();
 
-  /// How many words are left on the line.
+  /// The number of words that are left on the line.
   std::size_t wordsLeft() const;
 
   /// The next word of the line as a number. Throws Refusal, naming `what`, if it is none.
@@ -34,10 +34,10 @@ public:
   /// An integer from 0 to what could stand in the rest of the file at `bytesPerItem` or more each.
   std::int64_t count(const char* what, std::size_t bytesPerItem);
 
-  /// How many lines with anything on them follow the present one. O(rest of the file).
+  /// The number of lines with anything on them that follow the present one. O(rest of the file).
   std::size_t linesLeft() const;
 
-  /// From 0, for progress, to 1.
+  /// The part of the file that has been read, from 0 to 1, for progress.
   double fractionRead() const;
 
   /// Throw a Refusal about the present line, or about the file's end.
@@ -54,7 +54,7 @@ private:
   unsigned long& errorCode_;
   std::string fileName_;
   std::string text_;
-  std::size_t next_ = 0; ///< where the next line starts
+  std::size_t next_ = 0; ///< start of the next line
   std::size_t lineNumber_ = 0;
-  std::string_view line_; ///< what is left of the present line
+  std::string_view line_; ///< the unread rest of the present line
 };

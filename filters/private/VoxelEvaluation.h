@@ -7,7 +7,7 @@ namespace winding
 
 class SmpExecutor;
 
-/// What makes a voxel inside; see vtkWindingNumberField::CoverageType.
+/// The rules by which a voxel is inside; see vtkWindingNumberField::CoverageType.
 enum class Coverage
 {
   center,
@@ -20,10 +20,10 @@ struct VoxelEvaluation
 {
   Coverage coverage = Coverage::center;
   int samplesPerAxis = 4;     ///< for fractions; see CoverageFractions.h
-  FieldOutput output;         ///< w, of the centres, and inside, of the voxels
-  float* fractions = nullptr; ///< set for fractions
+  FieldOutput output;         ///< values at the centres, and inside for whole voxels
+  float* fractions = nullptr; ///< shares of the voxels; set for fractions only
 
-  /// What is expected in addition to the field of so many voxels.
+  /// The cost that is expected in addition to that of the field of so many voxels.
   EvaluationCost additionalCost(const Field& field, std::size_t voxels) const;
 
   /// Takes the executor's progress from 0 to 1. Throws Interrupted.

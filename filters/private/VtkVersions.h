@@ -10,8 +10,8 @@
 
 /**
  * @file
- * What differs between the VTK versions that this project builds with (9.1 and newer), in one
- * place.
+ * The differences between the VTK versions that this project builds with (9.1 and newer) have their
+ * place here.
  */
 namespace winding
 {
@@ -37,8 +37,8 @@ template <class Algorithm> bool isAborted(Algorithm* filter)
 class MarchingCubesTable
 {
 public:
-  /// The edges on which the corners of triangles lie, three for each triangle, and −1 after the last.
-  /// Bit i of the index says whether corner i of the cube is inside.
+  /// The edges on which the corners of triangles lie, three for each triangle, and −1 after the
+  /// last. Bit i of the index says whether corner i of the cube is inside.
   const int* operator[](int cornersInside) const
   {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)

@@ -193,7 +193,8 @@ vtkSmartPointer<vtkPoints> pointsOfTorus(Kind kind)
   return points;
 }
 
-/// The cells between (ring, place) and the next ring and place, counter-clockwise seen from outside.
+/// The cells between (ring, place) and the next ring and place, counter-clockwise seen from
+/// outside.
 std::vector<vtkIdType> cornersAt(Kind kind, int ring, int place)
 {
   const vtkIdType a = idAt(ring, place), b = idAt(ring + 1, place);
@@ -342,7 +343,8 @@ protected:
     EXPECT_EQ(listener->said, "");
   }
 
-  /// What `result` makes of the torus has the same bits for all storages; there is something to compare.
+  /// The results that `result` makes of the torus have the same bits for all storages; there is
+  /// something to compare.
   template <class Result> void expectTheSame(const Result& result)
   {
     const Numbers expected = result(torus(GetParam(), storages.front().first));

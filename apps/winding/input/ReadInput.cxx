@@ -99,7 +99,8 @@ vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
 
 using MakeReader = vtkSmartPointer<vtkAlgorithm> (*)(const std::string& fileName);
 
-/// What makes a reader for a file, by its suffix. Throws Failure where there is none for it.
+/// The function that makes a reader for a file, by its suffix. Throws Failure for a suffix without
+/// one.
 MakeReader readerFor(const std::string& fileName)
 {
   const std::pair<const char*, MakeReader> readers[] = {

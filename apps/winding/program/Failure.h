@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What the program returns to its caller.
+/// The statuses that the program returns to its caller.
 enum ExitStatus
 {
   DONE = 0,

@@ -6,8 +6,8 @@
  * @file
  * The measure in which each method tells what it is expected to take (costOfDirectSum(),
  * costOfRows(), costOfFarField(), …). The automatic choice is made by it, and users are told it.
- * The figures are those of one core of a processor with AVX-512 of 2025; others take up to three times
- * as long, but much the same in proportion.
+ * The figures are those of one core of a processor with AVX-512 of 2025; others take up to three
+ * times as long, but much the same in proportion.
  */
 namespace winding
 {
