@@ -209,7 +209,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   winding::EvaluationCost cost = field->expectedCost(count);
   if (this->WantsDistances())
   {
-    cost += field->expectedCostOfDistances(count);
+    cost += field->expectedCostOfDistances(count, this->GetDistanceLimit());
   }
   this->ExpectedSeconds = cost.seconds / executor.threads();
   this->ExpectedMemory = static_cast<vtkIdType>(

@@ -5,11 +5,29 @@
 namespace winding
 {
 
-EvaluationCost costOfDistances(Primitive kind, std::size_t primitives, std::size_t samples)
+EvaluationCost costOfDistances(const SampledSource& source, double band)
 {
-  const bool areTriangles = kind == Primitive::triangle;
-  return {0.3e-6 * static_cast<double>(primitives) + 0.3e-6 * static_cast<double>(samples),
-    DistanceTree::bytesFor(areTriangles, primitives)};
+  const bool areTriangles = source.kind == Primitive::triangle;
+  const auto primitives = static_cast<double>(source.primitives);
+  const auto samples = static_cast<double>(source.samples);
+  EvaluationCost cost;
+  cost.bytes = DistanceTree::bytesFor(areTriangles, source.primitives);
+  if (!source.isGrid)
+  {
+    // The nodes that a sample has to look at, more of them the farther it is.
+    const double perSample = (areTriangles ? 30e-9 : 20e-9) * std::pow(primitives, 0.44);
+    cost.seconds = 0.3e-6 * primitives + perSample * samples;
+    return cost;
+  }
+  // Every primitive is nearest, or may be, to some of the samples beside it and to some far away;
+  // only the former are within a band.
+  const double beside = (areTriangles ? 1.8e-6 : 0.4e-6) * primitives + 35e-9 * samples;
+  const double within = samples > 0 ? std::min(1.0, 2 * band * source.area / samples) : 0;
+  const double away = (areTriangles ? 0.6e-6 : 0.2e-6) * primitives +
+                      (areTriangles ? 0.7e-6 : 0.9e-6) * std::sqrt(primitives * samples);
+  const bool hasBand = band < std::numeric_limits<double>::infinity();
+  cost.seconds = beside + (hasBand ? std::min(1.0, 2 * within) : 1) * away;
+  return cost;
 }
 
 } // namespace winding

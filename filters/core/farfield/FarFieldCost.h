@@ -6,13 +6,17 @@ namespace winding
 {
 
 /// The expected cost of a tree and its moments, and of expansions for the samples.
-EvaluationCost costOfFarField(
-  Primitive kind, std::size_t primitives, std::size_t samples, int order);
+EvaluationCost costOfFarField(const SampledSource& source, int order);
 
-/// Whether the direct sum is expected to be faster than a far field on grids of usual sizes.
+///@{
+/**
+ * Whether the direct sum is taken to be faster than a far field of an order, on grids of usual
+ * sizes, or for so many scattered samples, which have to pay for the tree. The rule has figures of
+ * its own, measured on one processor: values differ within the tolerance with the method taken, so
+ * that better estimates of seconds must not move the choice.
+ */
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order);
-
-/// The same for so many scattered samples, which have to pay for the tree.
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t samples, int order);
+///@}
 
 } // namespace winding

@@ -3,6 +3,7 @@
 #include "farfield/FarFieldCost.h"
 #include "farfield/GridCells.h"
 #include "farfield/TriangleFarField.h"
+#include "source/SourceArea.h"
 #include "surface/Cap.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ CappedSurface::CappedSurface(
   {
     const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
     cap_ = capOf(loops);
+    capArea_ = areaOf(surface.vertices, cap_);
     fanVertices_ = surface.vertices;
     fan_ = fanOf(loops, fanVertices_);
   }

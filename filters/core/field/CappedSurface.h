@@ -51,6 +51,9 @@ public:
   /// The number of the cap's triangles: 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
+  /// The area of the cap, in squares of the unit of length.
+  double capArea() const { return capArea_; }
+
   /// The crossings of the surface and its cap, which give χ.
   const RowCrossings& rows() const { return rows_; }
 
@@ -74,6 +77,7 @@ private:
   double resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const;
 
   std::vector<Triangle> cap_;
+  double capArea_ = 0;
   std::vector<Eigen::Vector3d> fanVertices_;
   std::vector<Triangle> fan_; ///< another cap, which decides where samples lie on the first
   RowCrossings rows_;         ///< crossings of M + C

@@ -1,6 +1,7 @@
 #include "field/CloudField.h"
 
 #include "base/Refusal.h"
+#include "cloud/CloudCost.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
@@ -22,6 +23,7 @@ namespace winding
 CloudField::CloudField(
   const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
   : cloud_(sanitize(views, executor))
+  , neighbors_(options.neighbors)
 {
   if (options.method == Method::parity || options.method == Method::rows)
   {
@@ -34,6 +36,7 @@ CloudField::CloudField(
   info_.dropped = cloud_.dropped();
   info_.weldedVertices = cloud_.positions.size();
   info_.bounds = cloud_.bounds;
+  info_.isScattered = options.scattered;
   if (cloud_.dropped() > 0)
   {
     this->warn(std::to_string(cloud_.dropped()) + " of " + std::to_string(cloud_.inputPoints) +
@@ -104,6 +107,8 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
   checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
+  hasVoronoiAreas_ = !areAreasGiven && (options.pointAreaMethod == PointAreaMethod::voronoi ||
+                                         options.pointArea == 0);
   if (!areAreasGiven)
   {
     cloud_.areas =
@@ -195,16 +200,27 @@ bool CloudField::usesFarField(std::size_t samples) const
                                         samples, farField_->order()));
 }
 
-EvaluationCost CloudField::expectedCost(std::size_t samples) const
+EvaluationCost CloudField::expectedCostOfValues(std::size_t samples) const
 {
+  const SampledSource source = this->sampledSource(samples);
   if (!this->usesFarField(samples))
   {
-    return costOfDirectSum(Primitive::point, info_.primitives, samples);
+    return costOfDirectSum(source);
   }
-  EvaluationCost cost =
-    costOfFarField(Primitive::point, info_.primitives, samples, farField_->order());
+  EvaluationCost cost = costOfFarField(source, farField_->order());
   cost.seconds *= slowdown_;
   return cost;
+}
+
+double CloudField::expectedSecondsOfBuilding() const
+{
+  return secondsToPrepareCloud(
+    info_.inputPrimitives, neighbors_, hasVoronoiAreas_, info_.normalsAreEstimated);
+}
+
+double CloudField::area() const
+{
+  return info_.pointArea * static_cast<double>(info_.primitives);
 }
 
 std::unique_ptr<const DistanceTree> CloudField::makeDistanceTree(Executor& executor) const

@@ -24,7 +24,7 @@ public:
   bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   const PointCloud* cloud() const override { return &cloud_; }
-  EvaluationCost expectedCost(std::size_t samples) const override;
+  EvaluationCost expectedCostOfValues(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
@@ -34,6 +34,8 @@ protected:
     Executor& executor) const override;
   bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  double expectedSecondsOfBuilding() const override;
+  double area() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *sum_; }
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
@@ -48,6 +50,8 @@ private:
   bool usesFarField(std::size_t samples) const;
 
   PointCloud cloud_;
+  int neighbors_;                ///< that tell the area and the normal of a point
+  bool hasVoronoiAreas_ = false; ///< whether areas were neither given nor set
   FieldInfo info_;
   double slowdown_ = 1;                      ///< factor by which regularization slows the far field
   bool isAskedFor_ = false;                  ///< whether the user chose the method

@@ -5,6 +5,7 @@
 #include "distance/DistanceCost.h"
 #include "distance/GridDistances.h"
 #include "distance/SampleDistances.h"
+#include "source/SourceArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,11 +147,31 @@ bool Field::prepareDistances(Executor& executor) const
   return this->distanceTree(executor) != nullptr;
 }
 
-EvaluationCost Field::expectedCostOfDistances(std::size_t samples) const
+SampledSource Field::sampledSource(std::size_t samples) const
 {
   const FieldInfo& info = this->info();
-  return costOfDistances(
-    info.isSurface ? Primitive::triangle : Primitive::point, info.primitives, samples);
+  SampledSource source;
+  source.kind = info.isSurface ? Primitive::triangle : Primitive::point;
+  source.primitives = info.primitives;
+  source.samples = samples;
+  source.isGrid = !info.isScattered;
+  const double step = distanceBetweenSamples(info.bounds, samples);
+  source.area = step > 0 ? this->area() / step / step : 0;
+  return source;
+}
+
+EvaluationCost Field::expectedCost(std::size_t samples) const
+{
+  EvaluationCost cost = this->expectedCostOfValues(samples);
+  cost.seconds += this->expectedSecondsOfBuilding();
+  return cost;
+}
+
+EvaluationCost Field::expectedCostOfDistances(std::size_t samples, double limit) const
+{
+  const double step = distanceBetweenSamples(this->info().bounds, samples);
+  return costOfDistances(this->sampledSource(samples),
+    step > 0 ? limit / step : std::numeric_limits<double>::infinity());
 }
 
 /// Evaluates values first, then distances, whose signs come from the values or sides.
@@ -169,8 +190,9 @@ bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
     inside.resize(samples);
     signedOutput.inside = inside.data();
   }
-  const double ofValues = this->expectedCost(samples).seconds;
-  const double share = ofValues / (ofValues + this->expectedCostOfDistances(samples).seconds);
+  const double ofValues = this->expectedCostOfValues(samples).seconds;
+  const double ofDistances = this->expectedCostOfDistances(samples, output.distanceLimit).seconds;
+  const double share = ofValues > 0 ? ofValues / (ofValues + ofDistances) : 0;
   DividedShare divided(executor);
   divided.set(0, share);
   const bool hasValues = evaluateValues(signedOutput);

@@ -11,6 +11,7 @@
 #include "source/Grid.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -89,9 +90,10 @@ struct FieldInfo
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   CloudOrientation orientation;     ///< orientation of estimated normals, once turned outward
   Bounds bounds;                    ///< box of the vertices or points
-  Method method = Method::direct;   ///< method that was chosen, never automatic
-  std::string why;                  ///< reason for the choice of the method, for the user
-  std::string warning;              ///< note on the input that the user should read; may be empty
+  bool isScattered = false;       ///< whether scattered samples were announced, not those of grids
+  Method method = Method::direct; ///< method that was chosen, never automatic
+  std::string why;                ///< reason for the choice of the method, for the user
+  std::string warning;            ///< note on the input that the user should read; may be empty
 };
 
 /**
@@ -178,11 +180,18 @@ public:
   /// them; null for any other field.
   virtual const RowCrossings* integerRows() const { return nullptr; }
 
-  /// An estimate of what the values of so many samples take, from the input on.
-  virtual EvaluationCost expectedCost(std::size_t samples) const = 0;
+  /// An estimate of what the values of so many samples take, from the input on: samples of a grid,
+  /// or scattered ones if those were announced (FieldOptions::scattered), spread over the source's
+  /// bounds and a little beyond.
+  EvaluationCost expectedCost(std::size_t samples) const;
 
-  /// An estimate of what the distances of so many samples take, beside expectedCost().
-  EvaluationCost expectedCostOfDistances(std::size_t samples) const;
+  /// The part of expectedCost() that begins when the field is built.
+  virtual EvaluationCost expectedCostOfValues(std::size_t samples) const = 0;
+
+  /// An estimate of what the distances of so many samples take, beside expectedCost(); limit: how
+  /// far they are wanted (FieldOutput::distanceLimit).
+  EvaluationCost expectedCostOfDistances(
+    std::size_t samples, double limit = std::numeric_limits<double>::infinity()) const;
 
   /// The value by definition: an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
@@ -209,6 +218,15 @@ protected:
   virtual bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   ///@}
+
+  /// An estimate of the seconds that build() takes on one thread.
+  virtual double expectedSecondsOfBuilding() const = 0;
+
+  /// The area of the source, in squares of its unit of length.
+  virtual double area() const = 0;
+
+  /// The measures that costs depend on, for so many samples.
+  SampledSource sampledSource(std::size_t samples) const;
 
   /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;

@@ -7,9 +7,11 @@
 #include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
 #include "source/Sanitize.h"
+#include "source/SourceArea.h"
 #include "sums/DirectSum.h"
 #include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
+#include "surface/SurfaceCost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +24,16 @@ SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
 {
+  for (const TrianglesView& view : views)
+  {
+    inputPoints_ += view.points.size();
+  }
   info_.inputPrimitives = surface_.inputTriangles;
   info_.primitives = surface_.triangles.size();
   info_.dropped = surface_.dropped();
   info_.weldedVertices = surface_.vertices.size();
   info_.bounds = surface_.bounds;
+  info_.isScattered = options.scattered;
   if (surface_.dropped() > 0)
   {
     info_.warning =
@@ -159,22 +166,38 @@ const RowCrossings* SurfaceField::integerRows() const
   return capped_ && capped_->capTriangles() == 0 ? &capped_->rows() : nullptr;
 }
 
-EvaluationCost SurfaceField::expectedCost(std::size_t samples) const
+EvaluationCost SurfaceField::expectedCostOfValues(std::size_t samples) const
 {
-  const auto triangle = Primitive::triangle;
   if (info_.method == Method::rows && !capped_)
   {
     return crossings_->expectedCost(samples);
   }
+  const SampledSource source = this->sampledSource(samples);
   if (info_.method == Method::rows)
   {
-    EvaluationCost cost = costOfRows(info_.primitives + info_.capTriangles, samples);
-    cost += capped_->usesFarField() ? costOfFarField(triangle, info_.capTriangles, samples, order_)
-                                    : costOfDirectSum(triangle, info_.capTriangles, samples);
+    SampledSource closed = source, cap = source;
+    closed.primitives += info_.capTriangles;
+    cap.primitives = info_.capTriangles;
+    cap.area = this->area() > 0 ? source.area / this->area() * capped_->capArea() : 0;
+    EvaluationCost cost = costOfRows(closed);
+    if (cap.primitives > 0)
+    {
+      cost += capped_->usesFarField() ? costOfFarField(cap, order_) : costOfDirectSum(cap);
+    }
     return cost;
   }
-  return this->usesFarField(samples) ? costOfFarField(triangle, info_.primitives, samples, order_)
-                                     : costOfDirectSum(triangle, info_.primitives, samples);
+  return this->usesFarField(samples) ? costOfFarField(source, order_) : costOfDirectSum(source);
+}
+
+double SurfaceField::expectedSecondsOfBuilding() const
+{
+  return secondsToPrepareSurface(info_.inputPrimitives, inputPoints_);
+}
+
+double SurfaceField::area() const
+{
+  std::call_once(isAreaKnown_, [this] { area_ = areaOf(surface_.vertices, surface_.triangles); });
+  return area_;
 }
 
 bool SurfaceField::prepare(const Grid& grid, Executor& executor) const

@@ -29,7 +29,7 @@ public:
 
   const Surface* surface() const override { return &surface_; }
   const RowCrossings* integerRows() const override;
-  EvaluationCost expectedCost(std::size_t samples) const override;
+  EvaluationCost expectedCostOfValues(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
@@ -39,6 +39,8 @@ protected:
     Executor& executor) const override;
   bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  double expectedSecondsOfBuilding() const override;
+  double area() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
@@ -50,8 +52,11 @@ private:
 
   bool usesFarField(std::size_t samples) const;
 
+  std::size_t inputPoints_ = 0;
   Surface surface_;
   FieldInfo info_;
+  mutable std::once_flag isAreaKnown_;
+  mutable double area_ = 0; ///< the area of the surface, if it is known
   bool isAskedFor_ = false; ///< whether the user chose the method
   int order_ = 0;           ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;

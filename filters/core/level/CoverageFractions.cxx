@@ -143,12 +143,12 @@ EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int sampl
     constexpr double secondsPerRow = 100e-9;
     const double rows =
       samplesPerAxis * samplesPerAxis * std::pow(static_cast<double>(voxels), 2.0 / 3);
-    EvaluationCost cost = field.expectedCost(voxels);
+    EvaluationCost cost = field.expectedCostOfValues(voxels);
     cost.seconds += secondsPerRow * rows;
     cost.bytes = 0; // no memory is taken beyond what the field took before
     return cost;
   }
-  EvaluationCost cost = field.expectedCost(samples);
+  EvaluationCost cost = field.expectedCostOfValues(samples);
   cost.bytes = std::min(samples, mostBytes);
   return cost;
 }

@@ -86,7 +86,7 @@ EvaluationCost costOfOverlap(const Field& field, std::size_t samples)
   EvaluationCost cost;
   if (!changesAtTrianglesOnly(field.info()))
   {
-    cost = field.expectedCost(samples);
+    cost = field.expectedCostOfValues(samples);
     cost.bytes = samples;
   }
   const std::size_t primitives = field.info().primitives;

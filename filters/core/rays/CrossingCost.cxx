@@ -1,15 +1,17 @@
 #include "rays/CrossingCost.h"
 
-#include <cmath>
-
 namespace winding
 {
 
-EvaluationCost costOfRows(std::size_t triangles, std::size_t samples)
+EvaluationCost costOfRows(const SampledSource& source)
 {
-  const auto count = static_cast<double>(triangles);
-  return {150e-9 * count + secondsPerValue * static_cast<double>(samples),
-    (bytesPerPrimitive + 20) * triangles};
+  const auto triangles = static_cast<double>(source.primitives);
+  const auto samples = static_cast<double>(source.samples);
+  // There are as many rows as samples across them; triangles are crossed by rows in proportion to
+  // their area.
+  return {45e-9 * slowdownByCacheMisses(source.primitives) * triangles +
+            30e-9 * std::pow(samples, 2.0 / 3) + 15e-9 * source.area + secondsPerValue * samples,
+    (bytesPerPrimitive + 20) * source.primitives};
 }
 
 EvaluationCost costOfCrossings(
@@ -18,9 +20,10 @@ EvaluationCost costOfCrossings(
   // A triangle is tested by the samples within it, and by those in the columns along it: as many as
   // are on a line across all of them, by its width.
   const auto count = static_cast<double>(samples);
-  const double perSample = 60e-9 + 15e-9 * rays.layers;
-  return {150e-9 * static_cast<double>(triangles) + perSample * count +
-            80e-9 * rays.widths * std::sqrt(count),
+  const double slowdown = slowdownByCacheMisses(triangles);
+  const double perSample = 50e-9 + 12.5e-9 * rays.layers;
+  return {40e-9 * slowdown * static_cast<double>(triangles) + perSample * count +
+            65e-9 * slowdown * rays.widths * std::sqrt(count),
     (bytesPerPrimitive + 140) * triangles + 42 * samples};
 }
 

@@ -3,12 +3,13 @@
 namespace winding
 {
 
-EvaluationCost costOfDirectSum(Primitive kind, std::size_t primitives, std::size_t samples)
+EvaluationCost costOfDirectSum(const SampledSource& source)
 {
-  const double secondsPerPair = kind == Primitive::triangle ? 0.9e-9 : 0.36e-9;
-  const auto count = static_cast<double>(primitives);
-  const double perSample = secondsPerPair * count + secondsPerValue;
-  return {80e-9 * count + perSample * static_cast<double>(samples), bytesPerPrimitive * primitives};
+  // Measured: 2.65 and 1.5 ns on the processor of 2023, 0.9 and 0.36 on that of 2025.
+  const double secondsPerPair = source.kind == Primitive::triangle ? 1.6e-9 : 0.8e-9;
+  const double perSample =
+    secondsPerPair * static_cast<double>(source.primitives) + secondsPerValue;
+  return {perSample * static_cast<double>(source.samples), bytesPerPrimitive * source.primitives};
 }
 
 } // namespace winding

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "source/Surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace winding
+{
+
+/// The sum of the areas of triangles, in squares of their coordinates' unit.
+double areaOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+
+/// The distance between samples, if so many are spread evenly over a box that is larger than the
+/// bounds by a twentieth of the longest side on each side, as grids usually are. 0 if there is
+/// none.
+double distanceBetweenSamples(const Bounds& bounds, std::size_t samples);
+
+} // namespace winding
