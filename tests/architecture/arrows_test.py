@@ -110,11 +110,9 @@ def check_core(core):
         for bracket, included in includes_of(path):
             if VTK_HEADER.match(included):
                 core.fault(f"{path.name} includes {included}: the core knows no VTK")
-            if bracket == "<":
-                continue
             if core.has(included):
                 core.add_arrow(path, room, included)
-            else:
+            elif bracket == '"':
                 core.fault(f'{path.name} includes "{included}", which is no file of the core')
     return core.check()
 

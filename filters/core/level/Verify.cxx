@@ -108,12 +108,30 @@ double undecidedDistance(const Field& field, const Grid& grid)
   return 0x1p-47 * largest;
 }
 
-/// Whether an error is what a choice between the sides of a surface makes. An approximation may add
-/// its own.
+/// Sums add up to this to a choice between sides: an approximation errs by up to 1e-2, and samples
+/// that lie in the plane of a triangle up to rounding, near one of its sides, were seen to err by
+/// 0.03.
+constexpr double mostBesideTheChoice = 0.1;
+
+/**
+ * Whether an error is what a sample's place on the surface explains; jump is that of
+ * Field::jumpWithin(). On one triangle, values are those of its sides or their mean, so errors are
+ * 0, ½ or 1. On an edge or a vertex, rounding also decides about the solid angle of each triangle
+ * there, which is any part of a half turn: errors are up to 1, and ½ more for each triangle.
+ */
 bool isChoiceOfSide(double error, double jump)
 {
-  constexpr double mostOfApproximations = 0.1;
-  return jump > 0 && std::abs(error) <= jump + mostOfApproximations;
+  const double size = std::abs(error);
+  if (jump == 0 || !std::isfinite(size))
+  {
+    return false;
+  }
+  if (jump == 1)
+  {
+    return size <= 1 + mostBesideTheChoice &&
+           std::abs(2 * size - std::round(2 * size)) <= 2 * mostBesideTheChoice;
+  }
+  return size <= 1 + jump / 2 + mostBesideTheChoice;
 }
 
 } // namespace
@@ -149,7 +167,8 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   drawn.insert(drawn.end(), near.begin(), near.end());
 
   const double undecided = undecidedDistance(field, grid);
-  std::vector<double> errors(drawn.size()), jumps(drawn.size());
+  std::vector<double> errors(drawn.size());
+  std::vector<unsigned char> isOnSurface(drawn.size(), 0);
   const bool complete = executor.run(drawn.size(),
     [&](std::size_t i)
     {
@@ -158,7 +177,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
       {
         const Eigen::Vector3d sample = grid.sample(index);
         errors[i] = valueOf(sampleNumber(extent, index)) - field.reference(sample);
-        jumps[i] = field.jumpWithin(sample, undecided);
+        isOnSurface[i] = isChoiceOfSide(errors[i], field.jumpWithin(sample, undecided));
       }
     });
 
@@ -173,7 +192,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
     {
       continue;
     }
-    if (isChoiceOfSide(errors[i], jumps[i]))
+    if (isOnSurface[i])
     {
       ++result.onSurface;
     }

@@ -35,8 +35,10 @@ struct Verification
  * or their mean. Samples that lie on it as far as coordinates can tell are therefore counted apart:
  * a triangle is no farther from them than 2⁻⁴⁷ of the largest coordinate of source and grid, which
  * is several times what the methods round coordinates by. Samples that near to a point of a cloud
- * have no right value, unless the cloud is regularized, and are counted apart, too. A value that
- * differs from the reference by more than 1 for each triangle there is an error all the same.
+ * have no right value, unless the cloud is regularized, and are counted apart, too. A value that is
+ * not finite, or that the sample's place does not explain, is an error all the same: on one
+ * triangle it must differ from the reference by 0, ½ or 1, give or take 0.1; on an edge or a vertex
+ * by at most 1, and ½ more for each triangle there.
  *
  * When the executor is interrupted, no sample counts as compared.
  *

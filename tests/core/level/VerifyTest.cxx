@@ -295,6 +295,38 @@ TEST(Verify, FindsWhatNoSideOfTheSurfaceExplains)
   }
 }
 
+TEST(Verify, FindsErrorsOnFacesAndEdgesThatNoChoiceOfASideMakes)
+{
+  SCOPED_TRACE("seed 121");
+  const Grid grid = gridThroughTheCube();
+  const auto sidesOf = [&](const Eigen::Vector3i& i)
+  {
+    const Point p = grid.sample(i);
+    return (p.array() == 0).count() + (p.array() == 1).count();
+  };
+  // Samples on the diagonals of the faces belong to two triangles, so they may err by any number up
+  // to 2.
+  const auto isOnDiagonal = [&](const Eigen::Vector3i& i)
+  {
+    const Point p = grid.sample(i);
+    return p[0] == p[1] || p[1] == p[2] || p[0] == p[2] || p[0] + p[1] == 1 || p[1] + p[2] == 1 ||
+           p[0] + p[2] == 1;
+  };
+  for (const winding::Method method : valueMethods)
+  {
+    const auto field = fieldOf(cube(), method);
+    const Verification onFaces = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w)
+      { return isOnTheCube(grid.sample(i)) && sidesOf(i) == 1 && !isOnDiagonal(i) ? w + 0.3 : w; });
+    EXPECT_GT(onFaces.nearSurface.max, 0.19) << winding::nameOf(method);
+    // The edges of the cube have two to six triangles at a sample.
+    const Verification onEdges = verifyWith(*field, grid, grid.wholeExtent(),
+      [&](const Eigen::Vector3i& i, double w)
+      { return isOnTheCube(grid.sample(i)) && sidesOf(i) > 1 ? w + 5.2 : w; });
+    EXPECT_GT(onEdges.nearSurface.max, 4.1) << winding::nameOf(method);
+  }
+}
+
 TEST(Verify, CountsSamplesOnTheSurfaceInEachPiece)
 {
   SCOPED_TRACE("seed 121");
