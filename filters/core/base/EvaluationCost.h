@@ -13,7 +13,7 @@
  * The figures were fitted to runs on one thread of a processor of 2023 with AVX-512: meshes and
  * clouds with 20 to 22 million primitives, on grids and scattered. The direct sum and the far field
  * take twice to three times as long there as on a processor of 2025, and their figures lie between
- * the two. Nearly all estimates lie within a factor of 2 of what either takes, all within 3.
+ * the two. Most estimates lie within a factor of 2 of the measured times, nearly all within 3.
  */
 namespace winding
 {
