@@ -145,6 +145,33 @@ TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
   }
 }
 
+TEST(SurfaceCommand, EmptySurfacesAreToldWithTheRemedyFirst)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(3)));
+  const auto messageOf = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {
+      "surface", in, "-o", folder.path("out.vtp"), "--resolution", "8"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    return run.err;
+  };
+  const std::string start = "winding: warning: " + in + ": ";
+  std::vector<std::string> within = {"--bounds", "-0.1", "0.1", "-0.1", "0.1", "-0.1", "0.1"};
+  EXPECT_EQ(messageOf(within),
+    start +
+      "use a larger grid (Padding, Sampling Bounds; --padding, --bounds), or close the border "
+      "(Close Border; --close-border): all samples are inside, so the surface is empty\n");
+  within.emplace_back("--close-border");
+  EXPECT_EQ(messageOf(within), "");
+  EXPECT_EQ(messageOf({"--threshold", "5"}),
+    start + "use smaller voxels (Resolution, Voxel Size; --resolution, --voxel-size) or a grid "
+            "around the source, or look whether the source is closed (filter Surface Report; "
+            "winding check): no sample is inside, so the surface is empty\n");
+}
+
 /// The command is read from the warning, and its outcome is then evaluated in place of the input.
 TEST_P(SurfaceCommands, TheCommandThatAWarningNamesMendsFacesThatLookInward)
 {
