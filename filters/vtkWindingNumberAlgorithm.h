@@ -294,7 +294,10 @@ public:
   /// Whether nothing was inside in the last execution because the source is inside out: with rule
   /// SIGNED, w reached -WindingThreshold at a sample and WindingThreshold at none. A warning has
   /// said what to do. Filters look for it where their result tells inside from outside: the array
-  /// "Inside", the surface, the part that is extracted.
+  /// "Inside", the surface, the part that is extracted. It is known only where all samples are
+  /// evaluated in one execution, and false after a piece of a grid that is streamed. Clouds whose
+  /// normals point inward are rarely found out: beside single points w grows without bounds, of
+  /// either sign, so that some sample there is mostly inside. Regularization makes that rarer.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
 

@@ -130,9 +130,9 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
       throw winding::Interrupted();
     }
   }
-  if (edges.size() == 0 && !edges.beginsInside(0, 0) && this->InsideRule == SIGNED)
+  if (edges.size() == 0)
   {
-    this->TellInsideOut(winding::isInsideOut(field, grid, this->WindingThreshold, executor));
+    this->TellEmpty(field, edges.beginsInside(0, 0), executor);
   }
   const winding::GridContour contour(grid, edges, executor);
   winding::LevelRoots roots(
@@ -156,6 +156,31 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
     output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
   }
   this->UpdateProgress(1);
+}
+
+/// Tells why the surface is empty, where all samples are inside or all are outside, and what to do.
+/// A source without primitives has been warned of before.
+void vtkWindingNumberSurface::TellEmpty(
+  const winding::Field& field, bool isAllInside, winding::SmpExecutor& executor)
+{
+  if (isAllInside)
+  {
+    vtkWarningMacro("use a larger grid (Padding, Sampling Bounds; --padding, --bounds), or close "
+                    "the border (Close Border; --close-border): all samples are inside, so the "
+                    "surface is empty");
+    return;
+  }
+  if (this->InsideRule == SIGNED)
+  {
+    this->TellInsideOut(
+      winding::isInsideOut(field, this->GetSampling(), this->WindingThreshold, executor));
+  }
+  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
+  {
+    vtkWarningMacro("use smaller voxels (Resolution, Voxel Size; --resolution, --voxel-size) or a "
+                    "grid around the source, or look whether the source is closed (filter Surface "
+                    "Report; winding check): no sample is inside, so the surface is empty");
+  }
 }
 
 /// Nothing else needs all of its values.

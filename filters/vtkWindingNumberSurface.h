@@ -20,7 +20,8 @@
  *
  * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
  * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
- * finer than a voxel may be lost, and edges of the source are cut off inside of voxels.
+ * finer than a voxel may be lost, and edges of the source are cut off inside of voxels. Where all
+ * samples are inside, or none is, the surface is empty, and a warning says what to do.
  *
  * The inherited properties about result arrays (GenerateWindingNumber, GenerateInside,
  * GenerateSignedDistance, ResultArrayName, OutputScalarType) have no effect.
@@ -43,6 +44,11 @@
 #include "vtkWindingNumberGridAlgorithm.h"
 
 class vtkPolyData;
+
+namespace winding
+{
+class SmpExecutor;
+}
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberGridAlgorithm
 {
@@ -107,6 +113,7 @@ private:
   void CheckGrid() const;
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
+  void TellEmpty(const winding::Field& field, bool isAllInside, winding::SmpExecutor& executor);
   void VerifyWholeGrid(const winding::Field& field);
 };
 

@@ -289,7 +289,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
       rule == winding::InsideRule::signedThreshold && this->WindingThreshold > 0 &&
       values->GetRange()[0] <= -this->WindingThreshold)
   {
-    vtkWarningMacro(<< winding::insideOutAdvice("faces"));
+    vtkWarningMacro(<< winding::insideOutAdvice("faces or normals"));
   }
   BlockSurface surface(inside, dimensions, image, firstIndex, points, quads);
   surface.build(this);

@@ -229,6 +229,25 @@ TEST_F(FieldCommand, DistancesAreSignedAndMayHaveABand)
   EXPECT_FALSE(run("a.vti", {"--resolution", "5"}).json().contains("distance_band"));
 }
 
+TEST_F(FieldCommand, TellsInWordsWhereNothingCouldBeCompared)
+{
+  const auto summaryOf = [&](const std::vector<std::string>& bounds)
+  {
+    std::vector<std::string> arguments = {
+      "field", in, "-o", folder.path("a.vti"), "--dims", "1", "1", "1", "--verify", "5"};
+    arguments.insert(arguments.end(), bounds.begin(), bounds.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.out.find("null"), std::string::npos) << run;
+    return run.out;
+  };
+  const std::string beside = summaryOf({"--bounds", "2", "3", "2", "3", "2", "3"});
+  EXPECT_NE(beside.find(", no sample near the surface could be compared\n"), std::string::npos)
+    << beside;
+  const std::string atAVertex = summaryOf({"--bounds", "0.5", "1.5", "-0.5", "0.5", "-0.5", "0.5"});
+  EXPECT_NE(atAVertex.find("\nno sample could be compared\n"), std::string::npos) << atAVertex;
+}
+
 TEST_F(FieldCommand, CapTrianglesOfOpenSurfaces)
 {
   Mesh mesh = sphere(3);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace
 {
 
@@ -120,8 +122,9 @@ TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
     return run.err;
   };
   const std::string advice =
-    "turn the faces (Fix Orientation, --fix-orientation), or use the inside "
-    "rule absolute (--rule absolute): ";
+    "turn the faces (filter Surface Report with Fix Orientation; winding check INPUT "
+    "--fix-orientation -o FIXED.vtp), or use the inside rule absolute (Inside Rule; --rule "
+    "absolute): ";
   const auto expectAdvice = [&](const std::vector<std::string>& more)
   {
     const std::string message = messageOf(more);
@@ -140,6 +143,68 @@ TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
     EXPECT_EQ(beside.find("look inward"), std::string::npos) << beside;
     EXPECT_NE(beside.find("so the surface is empty"), std::string::npos) << beside;
   }
+}
+
+TEST(SurfaceCommand, EmptySurfacesAreToldWithTheRemedyFirst)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(3)));
+  const auto messageOf = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {
+      "surface", in, "-o", folder.path("out.vtp"), "--resolution", "8"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    return run.err;
+  };
+  const std::string start = "winding: warning: " + in + ": ";
+  std::vector<std::string> within = {"--bounds", "-0.1", "0.1", "-0.1", "0.1", "-0.1", "0.1"};
+  EXPECT_EQ(messageOf(within),
+    start +
+      "use a larger grid (Padding, Sampling Bounds; --padding, --bounds), or close the border "
+      "(Close Border; --close-border): all samples are inside, so the surface is empty\n");
+  within.emplace_back("--close-border");
+  EXPECT_EQ(messageOf(within), "");
+  EXPECT_EQ(messageOf({"--threshold", "5"}),
+    start + "use smaller voxels (Resolution, Voxel Size; --resolution, --voxel-size) or a grid "
+            "around the source, or look whether the source is closed (filter Surface Report; "
+            "winding check): no sample is inside, so the surface is empty\n");
+}
+
+/// The command is read from the warning, and its outcome is then evaluated in place of the input.
+TEST_P(SurfaceCommands, TheCommandThatAWarningNamesMendsFacesThatLookInward)
+{
+  Mesh mesh = sphere(3);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  in = folder.write("inward.off", asOff(mesh));
+  const std::string out = folder.path("out.vtp");
+  const std::string warning = runProgram({GetParam(), in, "-o", out, "--resolution", "12"}).err;
+  const std::string program = "winding check ";
+  const std::size_t begin = warning.find(program);
+  ASSERT_NE(begin, std::string::npos) << warning;
+  std::istringstream words(warning.substr(begin, warning.find(')', begin) - begin));
+  std::string word;
+  words >> word;
+  std::vector<std::string> command;
+  std::string fixed;
+  while (words >> word)
+  {
+    if (word.rfind("FIXED", 0) == 0)
+    {
+      fixed = folder.path(word);
+    }
+    command.push_back(word == "INPUT" ? in : word.rfind("FIXED", 0) == 0 ? fixed : word);
+  }
+  const Outcome check = runProgram(command);
+  ASSERT_EQ(check.status, 0) << check;
+  const Outcome run = runProgram({GetParam(), fixed, "-o", out, "--resolution", "12", "--json"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err, "");
+  EXPECT_GT(run.json()["output"]["cells"], 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, SurfaceCommands, testing::Values("surface", "voxels"),

@@ -267,7 +267,26 @@ TEST_F(Surfaces, EndAtTheBorderOfTheGridOrAreClosedThere)
   this->expectClosed(surface);
   EXPECT_NEAR(signedVolume(surface), 0.008, 0.0008) << "all is inside";
   filter->CloseBorderOff();
+  ErrorLog log(filter);
   EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
+  EXPECT_NE(log.warnings().find("use a larger grid"), std::string::npos) << log.warnings();
+  EXPECT_EQ(log.warnings().find("no sample is inside"), std::string::npos) << log.warnings();
+}
+
+TEST_F(Surfaces, WithNoSampleInsideAreEmptyWithAWarning)
+{
+  filter->UseInputBoundsOff();
+  filter->SetSamplingBounds(2, 3, 2, 3, 2, 3);
+  for (const int rule : {vtkWindingNumberSurface::SIGNED, vtkWindingNumberSurface::ABSOLUTE,
+         vtkWindingNumberSurface::ODD})
+  {
+    filter->SetInsideRule(rule);
+    ErrorLog log(filter);
+    EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
+    EXPECT_NE(log.warnings().find("use smaller voxels"), std::string::npos) << log.warnings();
+    EXPECT_EQ(log.warnings().find("all samples are inside"), std::string::npos) << log.warnings();
+    filter->RemoveAllObservers();
+  }
 }
 
 TEST_F(Surfaces, GridsOfOneLayerNeedABorder)
@@ -446,6 +465,7 @@ TEST_F(Surfaces, OfNothingAreEmptyWithAWarning)
   EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
   EXPECT_EQ(log.errors(), "");
   EXPECT_NE(log.warnings().find("no triangles"), std::string::npos) << log.warnings();
+  EXPECT_EQ(log.warnings().find("use smaller voxels"), std::string::npos) << log.warnings();
 }
 
 } // namespace

@@ -206,6 +206,20 @@ Json FieldRun::report() const
   return report;
 }
 
+std::string FieldRun::errorsInWords(const Json& report) const
+{
+  if (verified_ + nearVerified_ == 0)
+  {
+    return "no sample could be compared";
+  }
+  const std::string everywhere = verified_ > 0 ? "error max " + report["max_error"].dump() +
+                                                   ", rms " + report["rms_error"].dump()
+                                               : "no random sample could be compared";
+  return everywhere + (nearVerified_ > 0
+                          ? ", max near the surface " + report["near_max_error"].dump()
+                          : ", no sample near the surface could be compared");
+}
+
 std::string FieldRun::summary(const Json& report) const
 {
   const Json& input = report["input"];
@@ -232,8 +246,7 @@ std::string FieldRun::summary(const Json& report) const
           shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
   if (options_.verify > 0)
   {
-    text += "error max " + report["max_error"].dump() + ", rms " + report["rms_error"].dump() +
-            ", max near the surface " + report["near_max_error"].dump() + "\n";
+    text += this->errorsInWords(report) + "\n";
     if (onSurface_ > 0)
     {
       const bool isSurface = input["kind"] == "surface";

@@ -44,6 +44,7 @@ private:
   Json describeGrid() const;
   double distanceBand() const;
   void addErrors(Json& report) const;
+  std::string errorsInWords(const Json& report) const;
   std::string summary(const Json& report) const;
 
   const Options& options_;

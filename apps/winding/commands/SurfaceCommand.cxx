@@ -19,12 +19,6 @@ void runSurface(const Options& given, Messages& messages)
   filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);
   run.update();
-  vtkPolyData* surface = filter->GetOutput();
-  if (surface->GetNumberOfCells() == 0 && !filter->GetSourceIsInsideOut())
-  {
-    messages.warn(
-      options.input + ": all samples are on one side of the threshold, so the surface is empty");
-  }
-  run.write(surface, output);
+  run.write(filter->GetOutput(), output);
   run.print();
 }

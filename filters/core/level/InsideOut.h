@@ -17,8 +17,8 @@ namespace winding
  *
  * The values are those of a grid, those of scattered samples, or known: `least` is the smallest.
  * Where they are not known they are made once more, in the time of the field, and less where the
- * answer is yes. Memory: a byte for each sample, but 64 MB at most for those of a grid. Throws
- * Interrupted.
+ * answer is yes. Memory: a byte for each sample; a grid is looked at in slabs of at least one layer
+ * along z, and of 64 MB at most where one layer is not larger. Throws Interrupted.
  */
 bool isInsideOut(const Field& field, const Grid& grid, double threshold, Executor& executor);
 bool isInsideOut(
