@@ -210,9 +210,8 @@ void vtkWindingNumberField::EvaluateVoxels(
   {
     executor.setShare(1, 1);
     const double threshold = this->WindingThreshold;
-    vtkDataArray* values = results.values();
-    this->TellInsideOut(values
-                          ? winding::isInsideOut(field, values->GetRange()[0], threshold, executor)
+    this->TellInsideOut(results.values()
+                          ? winding::isInsideOut(field, results.least(), threshold, executor)
                           : winding::isInsideOut(field, grid, threshold, executor));
   }
 }

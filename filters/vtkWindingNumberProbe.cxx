@@ -215,14 +215,13 @@ void vtkWindingNumberProbe::LookAtInside(const winding::Field& field,
   const winding::VectorsView& samples, const winding::ResultArrays& results,
   winding::SmpExecutor& executor)
 {
-  vtkDataArray* values = results.values();
-  const bool isAskedFor = this->ExtractInside || (this->GenerateInside && values);
+  const bool isAskedFor = this->ExtractInside || (this->GenerateInside && results.values());
   if (isAskedFor && !this->InsideOut && results.hasNothingInside() && this->InsideRule == SIGNED)
   {
     executor.setShare(1, 1);
     const double threshold = this->WindingThreshold;
-    this->TellInsideOut(values
-                          ? winding::isInsideOut(field, values->GetRange()[0], threshold, executor)
+    this->TellInsideOut(results.values()
+                          ? winding::isInsideOut(field, results.least(), threshold, executor)
                           : winding::isInsideOut(field, samples, threshold, executor));
   }
 }

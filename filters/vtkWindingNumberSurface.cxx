@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "level/InsideOut.h"
+#include "level/LevelCost.h"
 #include "level/LevelRoots.h"
 #include "private/FreeMemory.h"
 #include "private/GridContour.h"
@@ -120,6 +121,9 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
   const winding::Grid& grid = this->GetSampling();
+  this->ExpectedSeconds +=
+    winding::secondsOfLevelSurface(field, winding::sampleCount(grid.wholeExtent())) /
+    executor.threads();
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
   winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
   while (!edges.isDone())

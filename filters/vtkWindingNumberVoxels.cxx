@@ -50,6 +50,23 @@ struct Classify
   }
 };
 
+/// 1 for each value that is inside, and 0 for any other.
+std::vector<unsigned char> classify(
+  vtkDataArray* values, winding::InsideRule rule, double threshold)
+{
+  std::vector<unsigned char> inside;
+  if (!vtkArrayDispatch::Dispatch::Execute(values, Classify{}, rule, threshold, inside))
+  {
+    Classify{}(values, rule, threshold, inside);
+  }
+  return inside;
+}
+
+bool isAny(const std::vector<unsigned char>& inside)
+{
+  return std::find(inside.begin(), inside.end(), 1) != inside.end();
+}
+
 /**
  * Walks the corners of the voxels layer by layer, from low z to high z, and makes a quad for every
  * face between inside and outside. Corner ids are needed for two layers of corners at a time only.
@@ -276,18 +293,13 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
                            " voxels; choose an array of the points or the cells");
   }
 
-  std::vector<unsigned char> inside;
-  if (!vtkArrayDispatch::Dispatch::Execute(
-        values, Classify{}, rule, this->WindingThreshold, inside))
-  {
-    Classify{}(values, rule, this->WindingThreshold, inside);
-  }
+  const std::vector<unsigned char> inside = classify(values, rule, this->WindingThreshold);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
-  if (std::find(inside.begin(), inside.end(), 1) == inside.end() &&
-      rule == winding::InsideRule::signedThreshold && this->WindingThreshold > 0 &&
-      values->GetRange()[0] <= -this->WindingThreshold)
+  if (!isAny(inside) && rule == winding::InsideRule::signedThreshold &&
+      this->WindingThreshold > 0 &&
+      isAny(classify(values, winding::InsideRule::absoluteThreshold, this->WindingThreshold)))
   {
     vtkWarningMacro(<< winding::insideOutAdvice("faces or normals"));
   }

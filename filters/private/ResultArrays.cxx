@@ -5,7 +5,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -143,6 +145,19 @@ bool ResultArrays::hasNothingInside() const
   const unsigned char* first = inside_->GetPointer(0);
   const unsigned char* last = first + inside_->GetNumberOfValues();
   return std::find(first, last, 1) == last;
+}
+
+double ResultArrays::least() const
+{
+  const FieldOutput pointers = this->output(InsideRule::signedThreshold, 0);
+  const vtkIdType count = values_ ? values_->GetNumberOfValues() : 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = pointers.values ? pointers.values[i] : pointers.doubleValues[i];
+    least = value < least ? value : least;
+  }
+  return least;
 }
 
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const

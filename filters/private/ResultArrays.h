@@ -51,6 +51,10 @@ public:
   /// Whether there is an array of what is inside, and it has no 1.
   bool hasNothingInside() const;
 
+  /// The smallest number in the array of w, NaN left out; infinity if there is none. The array's
+  /// own GetRange() would leave a mark in files that it is written to.
+  double least() const;
+
   /// Adds the arrays; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 

@@ -185,6 +185,9 @@ public:
   /// bounds and a little beyond.
   EvaluationCost expectedCost(std::size_t samples) const;
 
+  /// The measures of the source and of so many samples that expected costs depend on.
+  SampledSource sampledSource(std::size_t samples) const;
+
   /// The part of expectedCost() that begins when the field is built.
   virtual EvaluationCost expectedCostOfValues(std::size_t samples) const = 0;
 
@@ -224,9 +227,6 @@ protected:
 
   /// The area of the source, in squares of its unit of length.
   virtual double area() const = 0;
-
-  /// The measures that costs depend on, for so many samples.
-  SampledSource sampledSource(std::size_t samples) const;
 
   /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;
