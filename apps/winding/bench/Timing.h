@@ -50,7 +50,7 @@ template <class Work> double secondsOfOne(const Work& work)
   {
     if (best < worthTiming)
     {
-      // The clock of a busy machine ticks coarsely: a short run may have shown somebody else's tick.
+      // A busy machine has a clock that ticks coarsely, and a short run may show a stray tick.
       calls *= 2;
       best = secondsOfMany(calls);
       run = 0;
