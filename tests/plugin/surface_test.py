@@ -4,7 +4,8 @@ import unittest
 
 from paraview import simple
 
-from support import information, result, run_tests, shown, unit_sphere, volume_of
+from support import (
+    information, result, run_tests, shown, unit_sphere, volume_of, warnings_of)
 
 
 class TestSurface(unittest.TestCase):
@@ -20,7 +21,10 @@ class TestSurface(unittest.TestCase):
     def test_closes_the_border_on_request(self):
         box = {"UseInputBounds": 0, "SamplingBounds": [-0.1, 0.1] * 3}
         surface = simple.WindingNumberSurface(Input=unit_sphere(), Resolution=8, **box)
+        warnings = warnings_of(surface)
         self.assertEqual(result(surface).GetNumberOfCells(), 0)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("use a larger grid", warnings[0])
         surface.CloseBorder = 1
         self.assertAlmostEqual(volume_of(result(surface)), 0.008, delta=0.001)
 
