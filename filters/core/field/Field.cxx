@@ -156,7 +156,9 @@ SampledSource Field::sampledSource(std::size_t samples) const
   source.samples = samples;
   source.isGrid = !info.isScattered;
   const double step = distanceBetweenSamples(info.bounds, samples);
-  source.area = step > 0 ? this->area() / step / step : 0;
+  // Areas beyond the range of doubles come to a finite number of samples, too.
+  constexpr double most = 1e15;
+  source.area = step > 0 ? std::min(this->area() / step / step, most) : 0;
   return source;
 }
 
