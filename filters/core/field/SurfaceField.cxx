@@ -160,8 +160,7 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  if (options.method == Method::automatic &&
-      isCheaperDirectly(Primitive::triangle, info_.distinct, order_))
+  if (!isFarFieldAskedFor_ && isCheaperDirectly(Primitive::triangle, info_.distinct, order_))
   {
     info_.why += "; so few are summed directly";
     return;
