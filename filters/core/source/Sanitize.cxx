@@ -177,9 +177,9 @@ void checkSize(const Bounds& bounds)
   const double longest = longestSide(bounds);
   if (longest > 0 && longest < smallestSize)
   {
-    refuse("the source reaches from ", bounds.min().transpose(), " to ", bounds.max().transpose(),
-      ", which is ", longest, " along its longest side; that must be ", smallestSize,
-      " at least: scale the source up");
+    const Eigen::Vector3d& corner = bounds.min();
+    refuse("the source at ", corner[0], " ", corner[1], " ", corner[2], " has a length of ",
+      longest, " along its longest side; that must be ", smallestSize, " at least: scale it up");
   }
 }
 

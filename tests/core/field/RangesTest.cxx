@@ -108,7 +108,7 @@ const std::vector<Case>& someCases()
   static const Sources sources = []()
   {
     Sources made;
-    for (const double size : {5e-101, 1.0, 9e99})
+    for (const double size : {6e-101, 1.0, 9e99})
     {
       made.addMeshes("closed", icosphere(2), size);
       made.addMeshes("open", icosphere(2).part(0, 250), size);

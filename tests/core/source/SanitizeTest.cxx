@@ -313,7 +313,8 @@ TEST(SanitizeSurface, RefusesCoordinatesOutOfRangeWithTheValueAndTheNumberOfTheP
     EXPECT_EQ(sanitized(mesh).triangles.size(), 12u);
     mesh.points[3][1] = bad;
     std::ostringstream place;
-    place << "point 3 lies at " << mesh.points[3][0] << " " << bad << " 0;";
+    place << "point 3 lies at " << mesh.points[3][0] << " " << bad << " " << mesh.points[3][2]
+          << ";";
     const std::vector<TrianglesView> one{mesh.view()};
     expectRefused(one, place.str());
     EXPECT_THROW(winding::boundsOf(one), winding::Refusal);
@@ -350,12 +351,12 @@ TEST(SanitizeSurface, RefusesWhatIsTooSmallUnlessItIsOnePlace)
     return cube({0, 0, 0}, {size, size / 2, size / 4});
   };
   const Mesh small = ofSize(9.9e-101);
-  expectRefused(std::vector<TrianglesView>{small.view()}, "which is 9.9e-101 along");
+  expectRefused(std::vector<TrianglesView>{small.view()}, "a length of 9.9e-101 along");
   EXPECT_THROW(winding::boundsOf(std::vector<TrianglesView>{small.view()}), winding::Refusal);
   EXPECT_EQ(sanitized(ofSize(1e-100)).triangles.size(), 12u);
   EXPECT_EQ(sanitized(ofSize(0)).triangles.size(), 0u);
   const Cloud two{{{0, 0, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
-  expectRefused(std::vector<OrientedPointsView>{two.view()}, "which is 1e-150 along");
+  expectRefused(std::vector<OrientedPointsView>{two.view()}, "a length of 1e-150 along");
   const Cloud one{{{0, 1e-150, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
   EXPECT_EQ(clean(one).positions.size(), 2u);
 }
