@@ -378,7 +378,7 @@ TEST_F(SourceKinds, EveryPartOfASourceMakesItAnother)
   EXPECT_NEAR(inside, 1, 1e-6);
   auto reversed = copyOf(mesh);
   reversed->ReverseCell(0);
-  EXPECT_LT(this->windingNumber(reversed, 0, 0, 0), inside - 1e-4);
+  EXPECT_LT(this->windingNumber(reversed, 0, 0, 0), inside - 1e-5);
 }
 
 TEST_F(SourceKinds, RefusedSourcesAreRefusedAgainWhenOnlyInformationIsAskedFor)

@@ -9,18 +9,12 @@ namespace winding
 namespace
 {
 
-/// A value as the array of floats stores it: what float cannot hold becomes its largest number.
-template <class Real> float stored(Real value)
+/// A value as an array of the type stores it: what it cannot hold becomes its largest number.
+template <class To, class Real> To stored(Real value)
 {
-  if constexpr (sizeof(Real) > sizeof(float))
-  {
-    constexpr Real largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(value, -largest, largest)); // NaN stays
-  }
-  else
-  {
-    return value;
-  }
+  constexpr To largest = std::numeric_limits<To>::max();
+  const auto most = static_cast<Real>(std::min<double>(largest, std::numeric_limits<Real>::max()));
+  return static_cast<To>(std::clamp(value, -most, most)); // NaN stays
 }
 
 /// A distance with its sign, in a type with perhaps a smaller range than double: only 0 becomes 0,
@@ -41,18 +35,19 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
   if (this->values)
   {
     std::transform(
-      from, from + count, this->values + first, [](Real value) { return stored(value); });
+      from, from + count, this->values + first, [](Real value) { return stored<float>(value); });
   }
   if (this->doubleValues)
   {
-    std::copy_n(from, count, this->doubleValues + first);
+    std::transform(from, from + count, this->doubleValues + first,
+      [](Real value) { return stored<double>(value); });
   }
   if (this->inside)
   {
     std::transform(from, from + count, this->inside + first,
       [this](Real value)
       {
-        const double kept = this->doubleValues ? value : stored(value);
+        const double kept = this->doubleValues ? value : stored<float>(value);
         return static_cast<unsigned char>(isInside(kept, this->rule, this->threshold));
       });
   }
@@ -65,7 +60,7 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
 {
   if (this->values)
   {
-    std::fill_n(this->values + first, count, stored(value));
+    std::fill_n(this->values + first, count, stored<float>(value));
   }
   if (this->doubleValues)
   {
@@ -73,7 +68,7 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
   }
   if (this->inside)
   {
-    const double kept = this->doubleValues ? value : stored(value);
+    const double kept = this->doubleValues ? value : stored<float>(value);
     std::fill_n(this->inside + first, count,
       static_cast<unsigned char>(isInside(kept, this->rule, this->threshold)));
   }

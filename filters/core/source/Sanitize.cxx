@@ -253,7 +253,7 @@ std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
 
 double largestArea(const Bounds& bounds)
 {
-  constexpr double largest = 1e210, largestShare = 1e60;
+  constexpr double largest = 1e210, largestShare = 1e30;
   const double longest = longestSide(bounds);
   return longest > 0 ? std::min(largestShare * longest * longest, largest) : largest;
 }

@@ -26,9 +26,10 @@ constexpr double largestCoordinate = 1e100;
 constexpr double smallestSize = 1e-100;
 
 /**
- * The largest area that a point of a cloud of such bounds may have: 1e60 times the square of their
+ * The largest area that a point of a cloud of such bounds may have: 1e30 times the square of their
  * longest side, but 1e210 at most and for a cloud that is one place. Areas of meshes of the largest
- * coordinates stay below 1e210, and a factor of 1e60 keeps w in the range of double.
+ * coordinates stay below 1e210, and a factor of 1e30 keeps w in the range of float but beside
+ * points.
  */
 double largestArea(const Bounds& bounds);
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -54,7 +55,7 @@ public:
     }
   }
 
-  /// Adds clouds whose points have areas of so many squares of the size.
+  /// Adds clouds whose points have areas of so many squares of the size, as far as they may.
   void addClouds(const std::string& name, const Cloud& cloud, double size, double area)
   {
     Cloud scaled = cloud;
@@ -62,7 +63,7 @@ public:
     {
       position *= size;
     }
-    const std::vector<double> areas(cloud.positions.size(), area * size * size);
+    const std::vector<double> areas(cloud.positions.size(), std::min(area * size * size, 1e210));
     winding::OrientedPointsView view = scaled.view();
     view.areas = {areas.data(), areas.size()};
     for (const Method method : {Method::automatic, Method::hierarchical, Method::direct})
@@ -114,10 +115,10 @@ const std::vector<Case>& someCases()
       made.addMeshes("open", icosphere(2).part(0, 250), size);
       made.addMeshes(
         "soup", triangleSoup(300, 23).mapped([](const Point& p) -> Point { return p / 2; }), size);
-      for (const double area : {0.0, 1e-300, 1e-100, 0.01, 1e10, 1e59})
+      for (const double area : {0.0, 1e-300, 1e-100, 0.01, 1e10, 1e29})
       {
-        made.addClouds("cloud of areas " + std::to_string(std::log10(area)), sphereCloud(600), size,
-          area * std::min(1.0, 1e10 / size / size + 1e-30));
+        made.addClouds(
+          "cloud of areas " + std::to_string(std::log10(area)), sphereCloud(600), size, area);
       }
       made.addClouds("one place", Cloud{{{1, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 0}}}, size, 0.5);
     }
@@ -192,14 +193,18 @@ TEST(Ranges, ScatteredSamplesGetFiniteNumbersAndFarOnesNothing)
     ASSERT_TRUE(one.field->evaluate(view, results.output(), serial));
     std::vector<Point> gradients(samples.size());
     ASSERT_TRUE(one.field->gradient(view, gradients[0].data(), serial));
+    std::size_t bad = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      ASSERT_TRUE(results.isFinite(i) && gradients[i].allFinite()) << samples[i].transpose();
+      const bool isGood = results.isFinite(i) && gradients[i].allFinite();
+      EXPECT_TRUE(isGood || bad++ > 0) << samples[i].transpose() << ": " << results.doubleValues[i]
+                                       << ", " << gradients[i].transpose();
       if (samples[i].cwiseAbs().maxCoeff() > 1e50 * one.size)
       {
-        ASSERT_NEAR(results.doubleValues[i], 0, 1e-30) << samples[i].transpose();
+        EXPECT_NEAR(results.doubleValues[i], 0, 1e-30) << samples[i].transpose();
       }
     }
+    EXPECT_EQ(bad, 0u);
   }
 }
 
@@ -222,10 +227,13 @@ TEST(Ranges, GridsGetFiniteNumbers)
     {
       Results results(winding::sampleCount(grid.wholeExtent()));
       ASSERT_TRUE(one.field->evaluate(grid, grid.wholeExtent(), results.output(), serial));
+      std::size_t bad = 0;
       for (std::size_t i = 0; i < results.values.size(); ++i)
       {
-        ASSERT_TRUE(results.isFinite(i)) << grid.sample(i).transpose();
+        EXPECT_TRUE(results.isFinite(i) || bad++ > 0)
+          << grid.sample(i).transpose() << ": " << results.doubleValues[i];
       }
+      EXPECT_EQ(bad, 0u) << grid.spacing.transpose();
     }
   }
 }

@@ -385,8 +385,8 @@ TEST(SanitizeCloud, RefusesAreasOutOfRangeWithTheValueAndTheNumberOfThePoint)
       {{positions[0].data(), 3}, {up[0].data(), 3}, {areas.data(), 3}}};
   };
   const std::vector<Point> wide = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, place(3, Point(1, 2, 3));
-  EXPECT_EQ(sanitize(viewOf(wide, {1, 4e60, 0})).areas[1], 4e60);
-  expectRefused(viewOf(wide, {1, 4.1e60, 0}), "point 1 has the area 4.1e+60; areas");
+  EXPECT_EQ(sanitize(viewOf(wide, {1, 4e30, 0})).areas[1], 4e30);
+  expectRefused(viewOf(wide, {1, 4.1e30, 0}), "point 1 has the area 4.1e+30; areas");
   expectRefused(viewOf(wide, {1, 1, 1.7e308}), "point 2 has the area 1.7e+308; areas");
   EXPECT_EQ(sanitize(viewOf(place, {1, 1e210, 0})).areas[1], 1e210);
   expectRefused(viewOf(place, {1.1e210, 1, 0}), "point 0 has the area 1.1e+210; areas");
