@@ -1,6 +1,7 @@
 #include "private/InputViews.h"
 
 #include "base/Refusal.h"
+#include "private/CellChecks.h"
 #include "private/ContentHash.h"
 #include "private/FlatTriangles.h"
 #include "private/SourceParts.h"
@@ -53,9 +54,11 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     return;
   }
+  // Polygons with ids of points that do not exist are left out and counted (Sanitize.h).
+  (vtkPolyData::SafeDownCast(points) ? checkStructure : checkCells)(points, name);
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
-  const auto own = withoutGhosts(points, isMesh);
+  const auto own = withoutGhosts(points, isMesh, name);
   if (own->GetNumberOfPoints() == 0)
   {
     return;
