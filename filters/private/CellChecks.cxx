@@ -29,10 +29,10 @@ namespace
 
 [[noreturn]] void refuseCell(const std::string& name, vtkIdType cell, const std::string& fault)
 {
-  refuse(name + ": cell " + std::to_string(cell), fault);
+  refuse("cell " + std::to_string(cell) + " of " + name, fault);
 }
 
-void checkArrays(
+void checkLengths(
   vtkDataSetAttributes* arrays, vtkIdType count, const std::string& of, const std::string& name)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
@@ -195,8 +195,6 @@ void checkStructure(vtkDataSet* data, const std::string& name)
   {
     checkDimensions(structured, name);
   }
-  checkArrays(data->GetPointData(), data->GetNumberOfPoints(), "points", name);
-  checkArrays(data->GetCellData(), data->GetNumberOfCells(), "cells", name);
 }
 
 void checkCells(vtkDataSet* data, const std::string& name)
@@ -222,6 +220,12 @@ void checkCells(vtkDataSet* data, const std::string& name)
       checkGridCell(grid, cell, ids, name);
     }
   }
+}
+
+void checkArrays(vtkDataSet* data, const std::string& name)
+{
+  checkLengths(data->GetPointData(), data->GetNumberOfPoints(), "points", name);
+  checkLengths(data->GetCellData(), data->GetNumberOfCells(), "cells", name);
 }
 
 } // namespace winding

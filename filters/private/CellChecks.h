@@ -10,14 +10,13 @@ namespace winding
 /**
  * @file
  * Data sets may contradict themselves, and VTK's classes follow what they say, into memory that is
- * not theirs. These functions throw Refusal, one line that begins with the name of the data, for
- * such data sets.
+ * not theirs. These functions throw Refusal, one line with the given name of the data, for such
+ * data sets.
  */
 
 /**
- * Refuses arrays with fewer values than there are points or cells, offsets of cells that lead out
- * of their list of ids, cells without a type, and structured grids whose dimensions are not those
- * of their points. It does not look at ids.
+ * Refuses offsets of cells that lead out of their list of ids, cells without a type, and structured
+ * grids with fewer points than their dimensions ask for. It does not look at ids.
  */
 void checkStructure(vtkDataSet* data, const std::string& name);
 
@@ -27,5 +26,8 @@ void checkStructure(vtkDataSet* data, const std::string& name);
  * that are not there or have other points than the polyhedron.
  */
 void checkCells(vtkDataSet* data, const std::string& name);
+
+/// Refuses arrays with fewer values than there are points or cells.
+void checkArrays(vtkDataSet* data, const std::string& name);
 
 } // namespace winding

@@ -54,8 +54,15 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     return;
   }
-  // Polygons with ids of points that do not exist are left out and counted (Sanitize.h).
-  (vtkPolyData::SafeDownCast(points) ? checkStructure : checkCells)(points, name);
+  if (vtkPolyData::SafeDownCast(points))
+  {
+    checkStructure(points, name); // polygons with bad ids are left out and counted (Sanitize.h)
+  }
+  else
+  {
+    checkCells(points, name);
+    checkArrays(points, name);
+  }
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
   const auto own = withoutGhosts(points, isMesh, name);
@@ -109,6 +116,12 @@ vtkDataArray* InputViews::findArray(
     throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
                   "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
                   std::to_string(components) + "; choose another array");
+  }
+  if (array && array->GetNumberOfTuples() < leaf->GetNumberOfPoints())
+  {
+    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
+                  "' has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+                  std::to_string(leaf->GetNumberOfPoints()) + " points; choose another array");
   }
   if (!array && !name.empty())
   {

@@ -104,6 +104,7 @@ ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells)
   for (vtkDataSet* data : dataSetsOf(queries))
   {
     checkCells(data, "the data set to be probed");
+    checkArrays(data, "the data set to be probed");
     const vtkIdType count = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
     leaves_.push_back({data, size_, count});
     size_ += count;

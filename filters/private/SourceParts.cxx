@@ -131,6 +131,7 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const
     return leaf;
   }
   checkCells(leaf, name);
+  checkArrays(leaf, name);
   vtkNew<vtkIdList> own;
   auto clean = vtkSmartPointer<vtkPolyData>::New();
   if (isMesh)
