@@ -184,7 +184,7 @@ TEST(PlyText, NeedsNoEndOfTheLastLine)
   }
 }
 
-/// What is no regular file is refused, and nobody waits for a writer.
+/// A pipe, a device or a socket is refused, and nobody waits for a writer.
 TEST(NoRegularFile, IsRefusedAtOnce)
 {
   const TemporaryFolder folder;

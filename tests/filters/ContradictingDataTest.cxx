@@ -1,5 +1,5 @@
-/// Data sets that contradict themselves come to every filter by its pipeline, and are refused in one
-/// line. VTK's classes would follow what they say, out of their memory.
+/// Data sets that contradict themselves come to every filter by its pipeline, and are refused in
+/// one line. VTK's classes would follow what they say, out of their memory.
 
 #include "filters/ErrorLog.h"
 
