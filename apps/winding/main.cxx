@@ -10,6 +10,9 @@
 #include <map>
 #include <new>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace
 {
 
@@ -36,10 +39,23 @@ void run(const Options& options)
   }
 }
 
+/// Takes the places of standard streams that are closed, lest a file or a pipe gets into one and
+/// what is meant for the stream goes there. Writing to such a place is an error.
+void fillStandardStreams()
+{
+  int file = STDIN_FILENO;
+  while (file >= 0 && file <= STDERR_FILENO)
+  {
+    file = open("/dev/null", O_RDONLY);
+  }
+  close(file);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  fillStandardStreams();
   interrupt::install();
   // A limit on the size of files is to be an error of writing, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
