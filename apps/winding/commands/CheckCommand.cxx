@@ -180,6 +180,10 @@ void runCheck(const Options& options, Messages& messages)
     faults->write(filter->GetFaults(), messages);
     report["blocks"] = describe(filter->GetFaults(), options.faults);
   }
+  if (output)
+  {
+    output->commit();
+  }
   if (options.json)
   {
     print(report);
