@@ -102,6 +102,14 @@ void dropTemporaryFile(const char* keptName)
   }
 }
 
+void forgetTemporaryFiles()
+{
+  for (std::atomic<const char*>& file : temporaryFiles)
+  {
+    file = nullptr;
+  }
+}
+
 void removeTemporaryFiles()
 {
   for (const std::atomic<const char*>& file : temporaryFiles)

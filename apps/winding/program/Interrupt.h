@@ -32,6 +32,9 @@ void addTemporaryFile(const char* keptName);
 void dropTemporaryFile(const char* keptName);
 ///@}
 
+/// Leaves these files to another process: this one, a child, is not to remove them.
+void forgetTemporaryFiles();
+
 /// Removes these files, for whoever leaves without unwinding. Signal handlers may call it.
 void removeTemporaryFiles();
 
