@@ -25,14 +25,15 @@ import writers
 KINDS = {
     "interrupted": (interrupted, lambda runs: runs),
     "writers": (writers, lambda runs: max(2, runs // 20)),
-    "disks": (disks, lambda runs: max(4, min(40, runs // 10))),
+    "disks": (disks, lambda runs: max(3, min(40, runs // 10))),
     "vanishing": (vanishing, lambda runs: runs),
     "allocations": (allocations, lambda runs: 5 * runs if runs < 1000 else sys.maxsize),
 }
 
 
 def main():
-    parser = argparse.ArgumentParser(usage=__doc__.split("\n\n")[1].removeprefix("Usage: "))
+    parser = argparse.ArgumentParser(description=__doc__, usage=argparse.SUPPRESS,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=lambda name: str(pathlib.Path(name).resolve()))
     parser.add_argument("libraries", type=pathlib.Path)
     parser.add_argument("kinds", nargs="*")
