@@ -3,12 +3,16 @@
 #include "options/CommandLine.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
+#include "program/LastResort.h"
 #include "program/Messages.h"
 #include "program/Threads.h"
 
 #include <csignal>
 #include <map>
 #include <new>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace
 {
@@ -36,13 +40,29 @@ void run(const Options& options)
   }
 }
 
+/// Takes the places of standard streams that are closed, lest a file or a pipe gets into one and
+/// what is meant for the stream goes there. Writing to such a place is an error.
+void fillStandardStreams()
+{
+  int file = STDIN_FILENO;
+  while (file >= 0 && file <= STDERR_FILENO)
+  {
+    file = open("/dev/null", O_RDONLY);
+  }
+  close(file);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  fillStandardStreams();
   interrupt::install();
-  // A limit on the size of files is to be an error of writing, not the end of the program.
+  installLastResort();
+  // A limit on the size of files, or a reader of messages that has gone away, is to be an error of
+  // writing, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   try
   {
     if (const auto options = parseCommandLine(argc, argv))
@@ -54,6 +74,10 @@ int main(int argc, char** argv)
   catch (const Failure& failure)
   {
     return fail(failure.status, failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    leaveWithoutMemory();
   }
   catch (const std::exception& error)
   {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
@@ -7,6 +11,9 @@
 #else
 #include "vtkMarchingCubesTriangleCases.h"
 #endif
+
+#include <algorithm>
+#include <array>
 
 /**
  * @file
@@ -31,6 +38,80 @@ template <class Algorithm> bool isAborted(Algorithm* filter, long)
 template <class Algorithm> bool isAborted(Algorithm* filter)
 {
   return isAborted(filter, 0) || filter->GetAbortExecute() != 0;
+}
+
+/// The types of a grid's cells, one for each; null where there are none.
+inline vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
+}
+
+/// The lists of the faces of polyhedra that are cell arrays, as they are from VTK 9.4 on; null
+/// before, and where there are none.
+inline std::array<vtkCellArray*, 2> faceListsOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  return {grid->GetPolyhedronFaceLocations(), grid->GetPolyhedronFaces()};
+#else
+  static_cast<void>(grid);
+  return {};
+#endif
+}
+
+/// Whether a cell has faces as its type asks for: a polyhedron has them in the grid's lists, whose
+/// offsets are valid, and any other cell has none. The ids of the faces' points may be any.
+inline bool hasFacesOfItsType(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  const bool isPolyhedron = grid->GetCellType(cell) == VTK_POLYHEDRON;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  const auto [locations, faces] = faceListsOf(grid);
+  if (!locations || !faces || locations->GetNumberOfCells() == 0)
+  {
+    return !isPolyhedron;
+  }
+  if (cell >= locations->GetNumberOfCells())
+  {
+    return false;
+  }
+  vtkIdType count;
+  const vtkIdType* numbers;
+  locations->GetCellAtId(cell, count, numbers);
+  return isPolyhedron == (count > 0) && std::all_of(numbers, numbers + count,
+                                          [faces = faces](vtkIdType face) {
+                                            return face >= 0 && face < faces->GetNumberOfCells();
+                                          });
+#else
+  vtkIdTypeArray* const locations = grid->GetFaceLocations();
+  vtkIdTypeArray* const faces = grid->GetFaces();
+  if (!locations || !faces)
+  {
+    return !isPolyhedron;
+  }
+  if (cell >= locations->GetNumberOfValues())
+  {
+    return false;
+  }
+  vtkIdType at = locations->GetValue(cell);
+  const vtkIdType end = faces->GetNumberOfValues();
+  if (!isPolyhedron || at < 0 || at >= end)
+  {
+    return !isPolyhedron && at == -1;
+  }
+  // The list has the number of faces, then of each face its size and its ids.
+  for (vtkIdType left = faces->GetValue(at++); left > 0; --left)
+  {
+    if (at >= end || faces->GetValue(at) < 0 || faces->GetValue(at) > end - at - 1)
+    {
+      return false;
+    }
+    at += 1 + faces->GetValue(at);
+  }
+  return true;
+#endif
 }
 
 /// The triangles of marching cubes. Corners and edges are numbered as those of vtkHexahedron.

@@ -45,6 +45,25 @@ TEST(ReadInput, EveryFormat)
   }
 }
 
+/// Files and pipes must not get into the places of closed streams.
+TEST(ReadInput, WithoutStandardStreams)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.vtp", asFile(sphere(1), "vtp"));
+  const std::string out = folder.path("out.vti"), alone = folder.path("alone.vti");
+  const std::vector<std::string> arguments = {"field", in, "--resolution", "4", "--quiet", "-o"};
+  const auto with = [&arguments](const std::string& name)
+  {
+    std::vector<std::string> all = arguments;
+    all.push_back(name);
+    return all;
+  };
+  ASSERT_EQ(runProgram(with(out)).status, 0);
+  const Outcome run = runProgram(with(alone), "sh -c 'exec \"$@\" <&- >&- 2>&-' sh ");
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(contentsOf(alone), contentsOf(out));
+}
+
 TEST(ReadInput, TextVariantsOfBinaryFormats)
 {
   const TemporaryFolder folder;

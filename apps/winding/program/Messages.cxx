@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <iostream>
 
 vtkStandardNewMacro(Messages);
@@ -36,8 +37,7 @@ std::string undecorated(const std::string& text)
     const bool isSpace = text[i] == ' ' || text[i] == '\n' || text[i] == '\t' || text[i] == '\r';
     if (!isSpace)
     {
-      // Messages may quote a broken file, whose bytes are not to control the terminal.
-      line += static_cast<unsigned char>(text[i]) < ' ' || text[i] == 127 ? '?' : text[i];
+      line += text[i];
     }
     else if (!line.empty() && line.back() != ' ')
     {
@@ -124,7 +124,11 @@ void Messages::DisplayGenericWarningText(const char* text)
 void printLine(const std::string& line)
 {
   Progress::clear();
-  std::cerr << line << std::endl;
+  std::string shown = line;
+  // Names and contents of files may hold any characters, which are not to control the terminal.
+  std::replace_if(
+    shown.begin(), shown.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  std::cerr << shown << std::endl;
 }
 
 std::string outOfMemoryAdvice()
