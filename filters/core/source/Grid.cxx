@@ -30,16 +30,20 @@ void checkBounds(const Bounds& bounds)
   }
 }
 
+/// An axis has at most so many voxels: one less than the largest int, so that the corners of voxels
+/// can be counted, too.
+constexpr int mostVoxels = std::numeric_limits<int>::max() - 1;
+
 /// The number of voxels of the given size that cover a length, at least one.
 int countVoxels(double length, double voxelSize)
 {
   // A length that is a multiple of the size up to rounding must not gain a voxel by that rounding.
   const double exact = length / voxelSize;
   const double count = std::max(1.0, std::ceil(exact * (1 - 1e-12)));
-  if (!(count < std::numeric_limits<int>::max()))
+  if (!(count <= mostVoxels))
   {
-    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize,
-      ", more than 2147483646; choose larger voxels");
+    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
+      mostVoxels, "; choose larger voxels");
   }
   return static_cast<int>(count);
 }
@@ -138,10 +142,10 @@ Grid layOutGrid(const GridRequest& request)
   Grid grid;
   if (request.dimensions != Eigen::Vector3i::Zero())
   {
-    if ((request.dimensions.array() < 1).any())
+    if ((request.dimensions.array() < 1).any() || (request.dimensions.array() > mostVoxels).any())
     {
       refuse("the dimensions are ", request.dimensions[0], " ", request.dimensions[1], " ",
-        request.dimensions[2], "; each must be at least 1");
+        request.dimensions[2], "; each must be at least 1 and at most ", mostVoxels);
     }
     if (!(sides.minCoeff() > 0))
     {

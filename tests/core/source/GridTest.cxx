@@ -175,6 +175,7 @@ TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
   refuse("padding is nan", [](GridRequest& r) { r.padding = notANumber; });
   refuse("padding is inf", [](GridRequest& r) { r.padding = infinity; });
   refuse("4 0 4", [](GridRequest& r) { r.dimensions = {4, 0, 4}; });
+  refuse("at most 2147483646", [](GridRequest& r) { r.dimensions = {1, 1, 2147483647}; });
   refuse("4 -1 4", [](GridRequest& r) { r.dimensions = {4, -1, 4}; });
   refuse("1e-300", [](GridRequest& r) { r.voxelSize = 1e-300; });
   refuse("2147483646", [](GridRequest& r) { r.voxelSize = 1e-9; });
