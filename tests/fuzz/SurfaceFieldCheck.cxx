@@ -14,8 +14,8 @@
 
 /**
  * @file
- * The direct sum is compared with the definition in long double, and every other method with the
- * direct sum. Samples that lie on a triangle as far as coordinates can tell must be finite only.
+ * Every method is compared with the definition in long double. Samples that lie on a triangle as far
+ * as coordinates can tell must be finite only.
  */
 namespace fuzz
 {
@@ -45,7 +45,7 @@ struct Samples
   std::vector<Point> positions;
   double size = 0; ///< largest coordinate of the samples and the surface
   std::vector<Place> places;
-  FieldValues direct;
+  std::vector<double> exact; ///< values by definition
 };
 
 std::shared_ptr<const Field> build(
@@ -109,42 +109,29 @@ void measure(const Surface& surface, Samples& samples)
       addTriangle(corners, sample, samples.size, place);
     }
     samples.places.push_back(place);
+    samples.exact.push_back(static_cast<double>(referenceSum<long double>(surface, sample)));
   }
 }
 
-std::string compareWithDefinition(const Surface& surface, const Samples& samples)
-{
-  std::vector<double> expected;
-  for (const Point& sample : samples.positions)
-  {
-    expected.push_back(static_cast<double>(referenceSum<long double>(surface, sample)));
-  }
-  return compare("direct", samples.positions, samples.direct.values, expected,
-    [&](std::size_t i)
-    {
-      // On the surface the mean of both sides is right, and so is each of the sides.
-      const auto triangles = static_cast<double>(surface.triangles.size());
-      return samples.places[i].isOff ? 1e-12 + samples.places[i].rounding : triangles + 1;
-    });
-}
-
-std::string compareDistances(const Samples& samples)
+std::string compareDistances(const Samples& samples, const std::vector<double>& distances)
 {
   std::vector<double> expected;
   for (const Place& place : samples.places)
   {
     expected.push_back(place.distance);
   }
-  return compare("distance", samples.positions, samples.direct.distances, expected,
+  return compare("distance", samples.positions, distances, expected,
     [&](std::size_t) { return 0x1p-46 * samples.size; });
 }
 
-/// Compares values of a method with those of the direct sum.
-std::string compareWithDirect(const Field& field, const Surface& surface, const Samples& samples,
-  const std::vector<double>& values, double tolerance, const std::string& where)
+/// Compares values of a method with the definition.
+std::string compareWithDefinition(const Field& field, const Surface& surface,
+  const Samples& samples, const std::vector<double>& values, double tolerance,
+  const std::string& where)
 {
-  std::vector<double> expected = samples.direct.values;
+  std::vector<double> expected = samples.exact;
   const bool isParity = field.info().method == Method::parity;
+  const bool isDirect = field.info().method == Method::direct;
   const bool isClosed = field.info().netBoundaryEdges == 0;
   for (double& value : expected)
   {
@@ -160,7 +147,8 @@ std::string compareWithDirect(const Field& field, const Surface& surface, const 
         return triangles + 1;
       }
       // The far field is in single precision beyond the nearest triangles.
-      return isParity ? 0 : 2 * place.rounding + tolerance + 2e-7 * place.strength;
+      const double approximation = isDirect ? 0 : tolerance + 2e-7 * place.strength;
+      return isParity ? 0 : 1e-12 + place.rounding + approximation;
     });
 }
 
@@ -171,17 +159,18 @@ std::string checkIntegers(const std::vector<double>& values)
   return areIntegers ? std::string() : "rows of a closed surface give values that are no integers";
 }
 
-/// Compares a method's field with the direct sum, on a grid and at scattered samples.
+/// Compares a method's field with the definition, on a grid and at scattered samples.
 std::string checkMethod(Choices& choices, const Field& field, const Grid& grid,
   const Samples& onGrid, const Samples& scattered, double tolerance)
 {
   const Surface& surface = *field.surface();
   SerialExecutor serial;
-  const FieldValues grids = valuesOf(field, grid, grid.wholeExtent(), false, serial);
-  const FieldValues others = valuesOf(field, scattered.positions, false, serial);
+  const FieldValues grids = valuesOf(field, grid, grid.wholeExtent(), true, serial);
+  const FieldValues others = valuesOf(field, scattered.positions, true, serial);
   for (const std::string& failure : {grids.failure, others.failure,
-         compareWithDirect(field, surface, onGrid, grids.values, tolerance, " on the grid"),
-         compareWithDirect(field, surface, scattered, others.values, tolerance, " at samples"),
+         compareDistances(onGrid, grids.distances), compareDistances(scattered, others.distances),
+         compareWithDefinition(field, surface, onGrid, grids.values, tolerance, " on the grid"),
+         compareWithDefinition(field, surface, scattered, others.values, tolerance, " at samples"),
          checkBits(choices, field, grid, grids, scattered.positions, others),
          checkGradients(field, scattered.positions), checkNonFinite(field)})
   {
@@ -210,7 +199,7 @@ std::string checkScattered(
       }
       SerialExecutor serial;
       const FieldValues found = valuesOf(*field, scattered.positions, false, serial);
-      const std::string failure = compareWithDirect(
+      const std::string failure = compareWithDefinition(
         *field, *field->surface(), scattered, found.values, tolerance, " for scattered samples");
       if (!failure.empty())
       {
@@ -233,10 +222,13 @@ std::string checkScattered(
 std::string checkSurfaceField(Choices& choices)
 {
   const Mesh mesh = randomMesh(choices, choices.oneIn(50) ? 300 : 24);
-  std::shared_ptr<const Field> direct;
+  const double tolerance = randomTolerance(choices);
+  const Method methods[] = {
+    Method::direct, Method::rows, Method::hierarchical, Method::automatic, Method::parity};
+  std::shared_ptr<const Field> field;
   try
   {
-    direct = build(mesh, Method::direct, 1e-3);
+    field = build(mesh, choices.oneOf(methods), tolerance);
   }
   catch (const Refusal& refusal)
   {
@@ -249,36 +241,19 @@ std::string checkSurfaceField(Choices& choices)
     }
     return {};
   }
-  const Surface& surface = *direct->surface();
+  const Surface& surface = *field->surface();
   if (surface.triangles.empty())
   {
     return {};
   }
-  SerialExecutor serial;
   const Grid grid = randomGrid(choices, surface.bounds);
   Samples onGrid, scattered;
   onGrid.positions = samplesOf(grid);
   scattered.positions = randomSamples(choices, surface.vertices, 1 + choices.below(24));
-  onGrid.direct = valuesOf(*direct, grid, grid.wholeExtent(), true, serial);
-  scattered.direct = valuesOf(*direct, scattered.positions, true, serial);
-  for (Samples* samples : {&onGrid, &scattered})
-  {
-    measure(surface, *samples);
-    for (const std::string& failure : {samples->direct.failure,
-           compareWithDefinition(surface, *samples), compareDistances(*samples)})
-    {
-      if (!failure.empty())
-      {
-        return failure;
-      }
-    }
-  }
-  const double tolerance = randomTolerance(choices);
-  const Method methods[] = {
-    Method::direct, Method::rows, Method::hierarchical, Method::automatic, Method::parity};
-  const bool isClosed = direct->info().netBoundaryEdges == 0;
-  const auto field = build(mesh, choices.oneOf(methods), tolerance);
+  measure(surface, onGrid);
+  measure(surface, scattered);
   const std::string failure = checkMethod(choices, *field, grid, onGrid, scattered, tolerance);
+  const bool isClosed = field->info().netBoundaryEdges == 0;
   return failure.empty() && choices.oneIn(3) ? checkScattered(mesh, scattered, isClosed, tolerance)
                                              : failure;
 }
