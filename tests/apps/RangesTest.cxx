@@ -40,7 +40,7 @@ protected:
         continue; // check takes no areas
       }
       const Outcome run = runProgram(command);
-      EXPECT_EQ(run.status, 1) << command[0] << "\n" << run;
+      EXPECT_EQ(run.status, 2) << command[0] << "\n" << run;
       EXPECT_TRUE(run.saysInOneLine({in, mention})) << command[0] << "\n" << run;
       EXPECT_EQ(folder.names().size(), files) << command[0];
     }
