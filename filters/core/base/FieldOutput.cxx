@@ -9,6 +9,20 @@ namespace winding
 namespace
 {
 
+/// A value as the array of floats stores it: what float cannot hold becomes its largest number.
+template <class Real> float stored(Real value)
+{
+  if constexpr (sizeof(Real) > sizeof(float))
+  {
+    constexpr Real largest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(value, -largest, largest)); // NaN stays
+  }
+  else
+  {
+    return value;
+  }
+}
+
 /// A distance with its sign, in a type with perhaps a smaller range than double: only 0 becomes 0,
 /// and nothing becomes infinite.
 template <class Real> Real signedDistance(double distance, bool isInside)
@@ -26,8 +40,8 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
 {
   if (this->values)
   {
-    std::transform(from, from + count, this->values + first,
-      [](Real value) { return static_cast<float>(value); });
+    std::transform(
+      from, from + count, this->values + first, [](Real value) { return stored(value); });
   }
   if (this->doubleValues)
   {
@@ -38,8 +52,8 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
     std::transform(from, from + count, this->inside + first,
       [this](Real value)
       {
-        const double stored = this->doubleValues ? value : static_cast<float>(value);
-        return static_cast<unsigned char>(isInside(stored, this->rule, this->threshold));
+        const double kept = this->doubleValues ? value : stored(value);
+        return static_cast<unsigned char>(isInside(kept, this->rule, this->threshold));
       });
   }
 }
@@ -51,7 +65,7 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
 {
   if (this->values)
   {
-    std::fill_n(this->values + first, count, static_cast<float>(value));
+    std::fill_n(this->values + first, count, stored(value));
   }
   if (this->doubleValues)
   {
@@ -59,9 +73,9 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
   }
   if (this->inside)
   {
-    const double stored = this->doubleValues ? value : static_cast<float>(value);
+    const double kept = this->doubleValues ? value : stored(value);
     std::fill_n(this->inside + first, count,
-      static_cast<unsigned char>(isInside(stored, this->rule, this->threshold)));
+      static_cast<unsigned char>(isInside(kept, this->rule, this->threshold)));
   }
 }
 
@@ -71,8 +85,8 @@ bool FieldOutput::isInsideAt(std::size_t sample) const
   {
     return this->inside[sample] != 0;
   }
-  const double stored = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
-  return isInside(stored, this->rule, this->threshold);
+  const double kept = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
+  return isInside(kept, this->rule, this->threshold);
 }
 
 void FieldOutput::writeDistance(double distance, std::size_t sample) const

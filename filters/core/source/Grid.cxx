@@ -54,6 +54,29 @@ void checkSampleCount(const Grid& grid)
   }
 }
 
+/// Checks that products of three lengths stay in the range of double.
+void checkRange(const Grid& grid)
+{
+  constexpr double smallestVoxel = 1e-110, farthest = 1e102;
+  const Eigen::Vector3d sides = grid.dimensions.cast<double>().cwiseProduct(grid.spacing);
+  const Eigen::Vector3d low = grid.firstSample - 0.5 * grid.spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(grid.spacing[axis] >= smallestVoxel))
+    {
+      refuse("the voxels have a side of ", grid.spacing[axis], "; it must be ", smallestVoxel,
+        " at least");
+    }
+    for (const double face : {low[axis], low[axis] + sides[axis]})
+    {
+      if (!(std::abs(face) <= farthest))
+      {
+        refuse("the grid reaches to ", face, "; it may reach to ", farthest, " at most");
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::size_t sampleCount(const Extent& extent)
@@ -157,6 +180,7 @@ Grid layOutGrid(const GridRequest& request)
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())
       : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
   grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;
+  checkRange(grid);
   const Eigen::Vector3d steps = (grid.dimensions - Eigen::Vector3i::Ones()).cast<double>();
   const Eigen::Vector3d last = grid.firstSample + steps.cwiseProduct(grid.spacing);
   for (int axis = 0; axis < 3; ++axis)

@@ -231,3 +231,24 @@ TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)
   grid.dimensions = {4, 5, 6};
   EXPECT_EQ(grid.wholeExtent(), (winding::Extent{0, 3, 0, 4, 0, 5}));
 }
+
+TEST(LayOutGrid, RefusesGridsWhoseLengthsLeaveTheRange)
+{
+  GridRequest request = over({-1e101, -1, -1}, {1e101, 1, 1});
+  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 1, 1));
+  request = over({-1.01e102, -1, -1}, {0, 1, 1});
+  expectRefused(request, "reaches to -1.01e+102");
+  request = over({0, -1, -1}, {1.7e308, 1, 1});
+  expectRefused(request, "reaches to 1.7e+308");
+  request = over({0, 0, 0}, {1, 1, 1});
+  request.voxelSize = 1e103;
+  expectRefused(request, "reaches to -5e+102");
+  request.voxelSize = 0;
+  request.padding = 1e200;
+  expectRefused(request, "reaches to -1e+200");
+  request = over({0, 0, 0}, {1e-100, 1e-100, 1e-100});
+  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
+  request = over({0, 0, 0}, {1, 1, 1e-110});
+  request.dimensions = {2, 2, 2};
+  expectRefused(request, "a side of 5e-111");
+}
