@@ -1,7 +1,6 @@
 #include "vtkWindingNumberProbe.h"
 
 #include "base/Executor.h"
-#include "base/Refusal.h"
 #include "base/Views.h"
 #include "field/Field.h"
 #include "level/InsideOut.h"
@@ -139,6 +138,7 @@ int vtkWindingNumberProbe::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->QueriesRefused = false;
   this->LookAtSource(vtkDataObject::GetData(inputs[1]));
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // Without time steps in its information the pipeline would ask a moving source once only.
@@ -183,7 +183,9 @@ int vtkWindingNumberProbe::RequestData(
   options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;
   options.withInside =
     options.withInside || options.withValues || options.withDistances || this->ExtractInside;
+  this->QueriesRefused = true; // unless the next line comes to its end
   const winding::ProbeQueries queries(input, atCells);
+  this->QueriesRefused = false;
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);
   const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[1]), samples);
@@ -241,11 +243,6 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(
   if (this->ExtractInside)
   {
     answer = winding::insidePart(answer, this->InsideFlags->GetPointer(0) + leaf.first, atCells);
-    if (!answer)
-    {
-      throw winding::Refusal(
-        "the data set to extract from has cells with ids of points that do not exist");
-    }
   }
   this->DescribeMethod(answer);
   return answer;

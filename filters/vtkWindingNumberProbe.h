@@ -124,6 +124,10 @@ public:
   /// the next.
   int IsInside(vtkIdType queryId);
 
+  /// Whether Status is REFUSED because of port 0: the data set contradicts itself, for example by
+  /// cells with ids of points that do not exist.
+  bool GetQueriesWereRefused() const { return this->Status == REFUSED && this->QueriesRefused; }
+
   /// The output, if it is a data set. Null for composite data, which GetOutputDataObject(0) has.
   vtkDataSet* GetOutput();
 
@@ -151,6 +155,7 @@ protected:
   int ProbeAssociation = POINTS;
   vtkTypeBool InsideOut = 0;
   vtkTypeBool ExtractInside = 0;
+  bool QueriesRefused = false;
   char* InsideArrayName = nullptr;
 
 private:

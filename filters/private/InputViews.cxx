@@ -1,6 +1,7 @@
 #include "private/InputViews.h"
 
 #include "base/Refusal.h"
+#include "private/CellChecks.h"
 #include "private/ContentHash.h"
 #include "private/FlatTriangles.h"
 #include "private/SourceParts.h"
@@ -53,9 +54,18 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     return;
   }
+  if (vtkPolyData::SafeDownCast(points))
+  {
+    checkStructure(points, name); // polygons with bad ids are left out and counted (Sanitize.h)
+  }
+  else
+  {
+    checkCells(points, name);
+    checkArrays(points, name);
+  }
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
-  const auto own = withoutGhosts(points, isMesh);
+  const auto own = withoutGhosts(points, isMesh, name);
   if (own->GetNumberOfPoints() == 0)
   {
     return;
@@ -106,6 +116,12 @@ vtkDataArray* InputViews::findArray(
     throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
                   "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
                   std::to_string(components) + "; choose another array");
+  }
+  if (array && array->GetNumberOfTuples() < leaf->GetNumberOfPoints())
+  {
+    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
+                  "' has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+                  std::to_string(leaf->GetNumberOfPoints()) + " points; choose another array");
   }
   if (!array && !name.empty())
   {

@@ -46,10 +46,13 @@ struct InputOptions
 };
 
 /**
- * A VTK source as the core's views. Finding out what a source is costs nothing; views are made on
- * request, over VTK's own memory wherever its layout allows that, and live as long as this object.
+ * A VTK source as the core's views. Finding out what a source is takes a look at its cells; views
+ * are made on request, over VTK's own memory wherever its layout allows that, and live as long as
+ * this object.
  *
- * Throws Refusal, with a line for the user, for data that is no source.
+ * Throws Refusal, with a line for the user, for data that is no source, and for data that
+ * contradicts itself (CellChecks.h). Only polygons with ids of points that do not exist are no
+ * reason to refuse polydata: the core leaves them out.
  */
 class InputViews
 {

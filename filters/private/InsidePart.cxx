@@ -12,6 +12,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace winding
 {
 
@@ -57,29 +59,20 @@ vtkSmartPointer<vtkDataSet> verticesOf(vtkPointSet* data)
   return vertices;
 }
 
-/// Cells whose points are all inside. False if there are ids of points that do not exist.
-bool findCells(vtkDataSet* data, const unsigned char* inside, vtkIdList* found)
+/// Cells whose points are all inside.
+void findCells(vtkDataSet* data, const unsigned char* inside, vtkIdList* found)
 {
-  const vtkIdType points = data->GetNumberOfPoints();
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     data->GetCellPoints(cell, ids);
-    bool isInside = ids->GetNumberOfIds() > 0;
-    for (const vtkIdType id : *ids)
-    {
-      if (id < 0 || id >= points)
-      {
-        return false;
-      }
-      isInside = isInside && inside[id];
-    }
-    if (isInside)
+    const bool isInside =
+      std::all_of(ids->begin(), ids->end(), [inside](vtkIdType id) { return inside[id] != 0; });
+    if (isInside && ids->GetNumberOfIds() > 0)
     {
       found->InsertNextId(cell);
     }
   }
-  return true;
 }
 
 vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* cells)
@@ -140,10 +133,7 @@ vtkSmartPointer<vtkDataSet> insidePart(vtkDataSet* data, const unsigned char* in
   vtkNew<vtkIdList> cells;
   if (!atCells)
   {
-    if (!findCells(whole, inside, cells))
-    {
-      return nullptr;
-    }
+    findCells(whole, inside, cells);
   }
   else
   {

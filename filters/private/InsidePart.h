@@ -15,8 +15,8 @@ namespace winding
  *
  * `inside` has an entry for each point, or for each cell if atCells. With points, a cell is kept if
  * all of its points are inside; a data set without cells, or with poly-vertices only, counts as
- * points with a vertex each, and the cell data of the poly-vertices is left out. Null if the data
- * set has ids of points that do not exist.
+ * points with a vertex each, and the cell data of the poly-vertices is left out. The cells of the
+ * data set were checked (CellChecks.h).
  */
 vtkSmartPointer<vtkDataSet> insidePart(vtkDataSet* data, const unsigned char* inside, bool atCells);
 

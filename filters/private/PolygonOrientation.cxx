@@ -1,6 +1,7 @@
 #include "private/PolygonOrientation.h"
 
 #include "base/Views.h"
+#include "private/CellChecks.h"
 #include "private/FlatTriangles.h"
 #include "private/InputViews.h"
 #include "private/SourceParts.h"
@@ -48,6 +49,7 @@ vtkSmartPointer<vtkPolyData> withStripsAsTriangles(vtkPolyData* leaf)
   {
     return leaf;
   }
+  checkArrays(leaf, "the source");
   vtkNew<vtkCellArray> polygons;
   polygons->DeepCopy(leaf->GetPolys());
   const vtkIdType before = leaf->GetNumberOfCells() - leaf->GetNumberOfStrips();

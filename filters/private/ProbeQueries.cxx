@@ -1,5 +1,7 @@
 #include "private/ProbeQueries.h"
 
+#include "private/CellChecks.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -101,6 +103,8 @@ ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells)
 {
   for (vtkDataSet* data : dataSetsOf(queries))
   {
+    checkCells(data, "the data set to be probed");
+    checkArrays(data, "the data set to be probed");
     const vtkIdType count = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
     leaves_.push_back({data, size_, count});
     size_ += count;

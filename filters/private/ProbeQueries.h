@@ -28,7 +28,7 @@ class ProbeQueries
 {
 public:
   /// Cells have their samples at their parametric centres; the sample of an empty cell is NaN. The
-  /// object keeps the data.
+  /// object keeps the data. Throws Refusal for data sets that contradict themselves (CellChecks.h).
   ProbeQueries(vtkDataObject* queries, bool atCells);
 
   vtkIdType size() const { return size_; }

@@ -1,6 +1,8 @@
 #include "private/SourceParts.h"
 
-#include "base/Refusal.h"
+#include "private/CellChecks.h"
+#include "private/CellTypes.h"
+#include "private/VtkVersions.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -9,7 +11,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtractCells.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -19,8 +20,9 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <string>
+#include <algorithm>
 
 namespace winding
 {
@@ -39,26 +41,6 @@ bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
     }
   }
   return false;
-}
-
-/// Throws Refusal if a cell refers to a point that does not exist: vtkDataSetSurfaceFilter trusts
-/// the ids of cells, and crashes on such.
-void checkCellIds(vtkPointSet* leaf)
-{
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
-  {
-    leaf->GetCellPoints(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= leaf->GetNumberOfPoints())
-      {
-        throw Refusal("cell " + std::to_string(cell) + " of the source refers to point " +
-                      std::to_string(ids->GetId(i)) + " of " +
-                      std::to_string(leaf->GetNumberOfPoints()) + "; mend the data set");
-      }
-    }
-  }
 }
 
 vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
@@ -92,12 +74,14 @@ bool hasFaces(vtkPointSet* leaf)
   {
     return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
   }
-  // Cell by cell: ParaView's VTK warns of GetCellTypes(), and most meshes have a face first.
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf);
+  vtkDataArray* types = grid ? cellTypesOf(grid) : nullptr;
+  const vtkIdType cells = leaf->GetNumberOfCells();
+  // Nobody has looked yet whether every cell has a type. Most meshes have a face first.
+  const vtkIdType known = !grid ? cells : types ? std::min(cells, types->GetNumberOfTuples()) : 0;
+  for (vtkIdType i = 0; i < known; ++i)
   {
-    cell->SetCellType(leaf->GetCellType(i)); // does nothing for the type that it has
-    if (cell->GetCellDimension() >= 2)
+    if (dimensionOf(leaf->GetCellType(i)) >= 2)
     {
       return true;
     }
@@ -129,14 +113,13 @@ SourceKind kindOf(vtkDataObject* source)
 
 vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf)
 {
-  checkCellIds(leaf);
   vtkNew<vtkDataSetSurfaceFilter> filter;
   filter->SetInputData(leaf);
   filter->Update();
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const std::string& name)
 {
   constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   constexpr int ghostPoint =
@@ -147,6 +130,8 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh)
   {
     return leaf;
   }
+  checkCells(leaf, name);
+  checkArrays(leaf, name);
   vtkNew<vtkIdList> own;
   auto clean = vtkSmartPointer<vtkPolyData>::New();
   if (isMesh)

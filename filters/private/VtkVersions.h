@@ -1,5 +1,9 @@
 #pragma once
 
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
@@ -7,6 +11,9 @@
 #else
 #include "vtkMarchingCubesTriangleCases.h"
 #endif
+
+#include <algorithm>
+#include <array>
 
 /**
  * @file
@@ -31,6 +38,69 @@ template <class Algorithm> bool isAborted(Algorithm* filter, long)
 template <class Algorithm> bool isAborted(Algorithm* filter)
 {
   return isAborted(filter, 0) || filter->GetAbortExecute() != 0;
+}
+
+/// The types of a grid's cells, one for each; null where there are none.
+inline vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
+}
+
+/// The lists of the faces of polyhedra that are cell arrays, as they are from VTK 9.4 on; null
+/// before, and where there are none.
+inline std::array<vtkCellArray*, 2> faceListsOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  return {grid->GetPolyhedronFaceLocations(), grid->GetPolyhedronFaces()};
+#else
+  static_cast<void>(grid);
+  return {};
+#endif
+}
+
+/// Whether GetFaceStream() of a polyhedron stays within the grid's lists of faces, whose offsets
+/// are valid. The ids of the faces' points may be any.
+inline bool canFollowFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  vtkCellArray* const locations = grid->GetPolyhedronFaceLocations();
+  vtkCellArray* const faces = grid->GetPolyhedronFaces();
+  if (!locations || !faces || cell >= locations->GetNumberOfCells())
+  {
+    return false;
+  }
+  vtkIdType count;
+  const vtkIdType* numbers;
+  locations->GetCellAtId(cell, count, numbers);
+  return std::all_of(numbers, numbers + count,
+    [faces](vtkIdType face) { return face >= 0 && face < faces->GetNumberOfCells(); });
+#else
+  vtkIdTypeArray* const locations = grid->GetFaceLocations();
+  vtkIdTypeArray* const faces = grid->GetFaces();
+  if (!locations || !faces || cell >= locations->GetNumberOfValues())
+  {
+    return false;
+  }
+  const vtkIdType end = faces->GetNumberOfValues();
+  vtkIdType at = locations->GetValue(cell);
+  if (at < 0 || at >= end)
+  {
+    return false;
+  }
+  for (vtkIdType left = faces->GetValue(at++); left > 0; --left)
+  {
+    if (at >= end || faces->GetValue(at) < 0 || faces->GetValue(at) > end - at - 1)
+    {
+      return false;
+    }
+    at += 1 + faces->GetValue(at);
+  }
+  return true;
+#endif
 }
 
 /// The triangles of marching cubes. Corners and edges are numbered as those of vtkHexahedron.

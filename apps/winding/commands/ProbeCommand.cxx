@@ -233,7 +233,8 @@ void runProbe(const Options& options, Messages& messages)
     const Progress progress(probe, "probe", messages.isQuiet());
     probe->Update();
   }
-  checkFilter(probe->GetStatus(), options.input, messages);
+  checkFilter(
+    probe->GetStatus(), probe->GetQueriesWereRefused() ? options.queries : options.input, messages);
   warnOfIdleOptions(options, *probe, messages);
   if (isTable(options.output))
   {

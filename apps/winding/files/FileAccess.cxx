@@ -23,6 +23,11 @@ std::string read(const std::string& fileName, std::size_t most)
   {
     throw Failure(REFUSED, fileName, "is a folder; give a file");
   }
+  if (!std::filesystem::is_regular_file(fileName, error))
+  {
+    // Opening a pipe would wait until somebody writes into it.
+    throw Failure(REFUSED, fileName, "is a pipe, a device or a socket; give a regular file");
+  }
   std::ifstream file(fileName, std::ios::binary);
   if (!file)
   {
@@ -30,11 +35,7 @@ std::string read(const std::string& fileName, std::size_t most)
       std::string("cannot be opened: ") + std::strerror(errno) + "; check its permissions");
   }
   const std::uintmax_t size = std::filesystem::file_size(fileName, error);
-  if (error)
-  {
-    throw Failure(REFUSED, fileName, "is not a regular file; give one");
-  }
-  std::string text(std::min<std::uintmax_t>(size, most), '\0');
+  std::string text(error ? 0 : std::min<std::uintmax_t>(size, most), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (text.empty() || !file)
   {

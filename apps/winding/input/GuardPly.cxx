@@ -319,6 +319,13 @@ void checkHeader(const Header& header)
   {
     throw Fault{"the header has no vertices with x, y and z"};
   }
+  for (const Element& element : header.elements)
+  {
+    if (element.properties.empty() && element.count > 0)
+    {
+      throw Fault{"the header has an element " + element.name + " without properties"};
+    }
+  }
   const Element* face = header.find("face");
   if (face && (!cornersOf(*face) || !cornersOf(*face)->countType))
   {

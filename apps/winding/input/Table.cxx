@@ -3,6 +3,7 @@
 #include "files/FileAccess.h"
 #include "files/Suffix.h"
 #include "files/TextScanning.h"
+#include "input/TableText.h"
 #include "program/Failure.h"
 
 #include "vtkCellArray.h"
@@ -19,43 +20,18 @@
 namespace
 {
 
-/// A column's name in small letters, without quotes; x, y and so on for the names that ParaView
-/// has.
+/// A column's name in small letters; x, y and so on for the names that ParaView has.
 std::string plainName(const std::string& column)
 {
   std::string name;
   for (const char letter : column)
   {
-    if (letter != '"')
-    {
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
+    name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   }
   static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
     {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
   const auto other = others.find(name);
   return other == others.end() ? name : other->second;
-}
-
-std::string_view trimmed(std::string_view field)
-{
-  const auto isSpace = [](char c)
-  {
-    return c == ' ' || c == '\t' || c == '\r';
-  };
-  while (!field.empty() && isSpace(field.front()))
-  {
-    field.remove_prefix(1);
-  }
-  while (!field.empty() && isSpace(field.back()))
-  {
-    field.remove_suffix(1);
-  }
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-  {
-    field = field.substr(1, field.size() - 2);
-  }
-  return field;
 }
 
 /// Columns as the components of one array.
@@ -105,8 +81,16 @@ Table::Table(const std::string& fileName)
   std::size_t start = text_.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
   while (start < text_.size())
   {
-    const std::string_view row = takeLine(text_, start);
     ++line;
+    std::string_view row;
+    if (!takeRow(text_, separator_, start, row))
+    {
+      throw Failure(REFUSED, fileName_,
+        "line " + std::to_string(line) +
+          ": a quotation mark is not closed, or not at the end of its field");
+    }
+    const std::size_t first = line;
+    line += static_cast<std::size_t>(std::count(row.begin(), row.end(), '\n'));
     if (trimmed(row).empty())
     {
       continue;
@@ -114,40 +98,22 @@ Table::Table(const std::string& fileName)
     if (names_.empty())
     {
       header_ = row;
-      for (const std::string_view field : this->fieldsOf(row))
+      for (const std::string_view field : splitRow(row, separator_))
       {
-        names_.emplace_back(field);
+        names_.push_back(unquoted(field));
       }
       continue;
     }
-    const std::size_t fields = this->fieldsOf(row).size();
+    const std::size_t fields = splitRow(row, separator_).size();
     if (fields != names_.size())
     {
       throw Failure(REFUSED, fileName_,
-        "line " + std::to_string(line) + ": has " + std::to_string(fields) +
+        "line " + std::to_string(first) + ": has " + std::to_string(fields) +
           " fields, but the header names " + std::to_string(names_.size()) +
           "; it is truncated or damaged");
     }
-    rows_.push_back({row, line});
+    rows_.push_back({row, first});
   }
-}
-
-std::vector<std::string_view> Table::fieldsOf(std::string_view row) const
-{
-  std::vector<std::string_view> fields;
-  bool quoted = false;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < row.size(); ++i)
-  {
-    quoted = quoted != (row[i] == '"');
-    if (row[i] == separator_ && !quoted)
-    {
-      fields.push_back(trimmed(row.substr(first, i - first)));
-      first = i + 1;
-    }
-  }
-  fields.push_back(trimmed(row.substr(first)));
-  return fields;
 }
 
 std::optional<std::size_t> Table::find(const std::string& name) const
@@ -176,7 +142,7 @@ std::vector<double> Table::numbers(std::size_t column) const
   std::vector<double> values(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i)
   {
-    const std::string_view field = this->fieldsOf(rows_[i].text)[column];
+    const std::string_view field = trimmed(splitRow(rows_[i].text, separator_)[column]);
     if (!parseNumber(field, values[i]))
     {
       throw Failure(REFUSED, fileName_,
@@ -193,7 +159,7 @@ std::vector<std::string> Table::texts(std::size_t column) const
   texts.reserve(rows_.size());
   for (const Row& row : rows_)
   {
-    texts.emplace_back(this->fieldsOf(row.text)[column]);
+    texts.push_back(unquoted(splitRow(row.text, separator_)[column]));
   }
   return texts;
 }
@@ -204,7 +170,7 @@ bool Table::isNumeric(std::size_t column) const
     [&](const Row& row)
     {
       double value;
-      return parseNumber(this->fieldsOf(row.text)[column], value);
+      return parseNumber(trimmed(splitRow(row.text, separator_)[column]), value);
     });
 }
 

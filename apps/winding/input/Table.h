@@ -11,14 +11,15 @@
 class vtkPolyData;
 
 /**
- * A text table with a header line: .csv with commas, .tsv with tabs. The text of its rows stays
- * unchanged, so that columns that are not understood can be handed on.
+ * A text table with a header row: .csv with commas, .tsv with tabs. The text of its rows stays
+ * unchanged, so that columns that are not understood can be handed on. Quoted fields may have
+ * separators and ends of lines in them (TableText.h).
  */
 class Table
 {
 public:
-  /// Throws Failure for files that cannot be read, and rows with more or fewer fields than the
-  /// header.
+  /// Throws Failure for files that cannot be read, quotation marks that are not closed, and rows
+  /// with more or fewer fields than the header.
   explicit Table(const std::string& fileName);
 
   std::size_t rows() const { return rows_.size(); }
@@ -36,7 +37,7 @@ public:
   /// A column as numbers. Throws Failure, naming the line, where a field is no number.
   std::vector<double> numbers(std::size_t column) const;
 
-  /// The fields of a column as they stand, without quotes around them.
+  /// The fields of a column as they say, without quotation marks around them.
   std::vector<std::string> texts(std::size_t column) const;
 
   /// Whether all fields of a column are numbers.
@@ -49,7 +50,7 @@ public:
   char separator() const { return separator_; }
   std::string_view header() const { return header_; }
 
-  /// The text of a row, without the end of its line.
+  /// The text of a row, without the end of its last line.
   std::string_view row(std::size_t index) const { return rows_[index].text; }
 
   /// The end of the file's lines.
@@ -59,12 +60,11 @@ private:
   struct Row
   {
     std::string_view text;
-    std::size_t line; ///< its number in the file, from 1
+    std::size_t line; ///< the number of its first line in the file, from 1
   };
 
   std::optional<std::size_t> findIf(
     const std::function<bool(const std::string& column)>& isWanted) const;
-  std::vector<std::string_view> fieldsOf(std::string_view row) const;
 
   std::string fileName_;
   std::string text_;

@@ -1,0 +1,309 @@
+#include "input/DataStream.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+#include <array>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace
+{
+
+/// The number of bytes that the values of an array take in memory.
+std::size_t bytesOf(vtkAbstractArray* array)
+{
+  const auto values = static_cast<std::size_t>(array->GetNumberOfValues());
+  return vtkBitArray::SafeDownCast(array)
+           ? (values + 7) / 8
+           : values * static_cast<std::size_t>(array->GetDataTypeSize());
+}
+
+/// Whether an array is of numbers or of strings. Variants, for example, do not travel.
+bool canTravel(vtkAbstractArray* array)
+{
+  return array && (vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array));
+}
+
+void sendArray(vtkAbstractArray* array, ByteSink& sink)
+{
+  sink.put(canTravel(array));
+  if (!canTravel(array))
+  {
+    return;
+  }
+  sink.put(array->GetDataType());
+  sink.put(array->GetNumberOfComponents());
+  sink.put(array->GetNumberOfTuples());
+  sink.put(array->GetName() != nullptr);
+  sink.put(std::string(array->GetName() ? array->GetName() : ""));
+  sink.put(array->HasAComponentName());
+  for (int i = 0; array->HasAComponentName() && i < array->GetNumberOfComponents(); ++i)
+  {
+    const char* name = array->GetComponentName(i);
+    sink.put(std::string(name ? name : ""));
+  }
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      sink.put(std::string(strings->GetValue(i)));
+    }
+  }
+  else if (array->GetNumberOfValues() > 0)
+  {
+    sink.put(array->GetVoidPointer(0), bytesOf(array));
+  }
+}
+
+/// Null if none was sent.
+vtkSmartPointer<vtkAbstractArray> receiveArray(ByteSource& source)
+{
+  if (!source.take<bool>())
+  {
+    return nullptr;
+  }
+  const auto type = source.take<int>();
+  vtkSmartPointer<vtkAbstractArray> array;
+  array.TakeReference(vtkAbstractArray::CreateArray(type));
+  array->SetNumberOfComponents(source.take<int>());
+  const auto tuples = source.take<vtkIdType>();
+  if (tuples > 0 && !array->Resize(tuples))
+  {
+    throw std::bad_alloc();
+  }
+  array->SetNumberOfTuples(tuples);
+  const auto hasName = source.take<bool>();
+  const std::string name = source.takeText();
+  array->SetName(hasName ? name.c_str() : nullptr);
+  const auto hasComponentNames = source.take<bool>();
+  for (int i = 0; hasComponentNames && i < array->GetNumberOfComponents(); ++i)
+  {
+    array->SetComponentName(i, source.takeText().c_str());
+  }
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      strings->SetValue(i, source.takeText());
+    }
+  }
+  else if (array->GetNumberOfValues() > 0)
+  {
+    source.take(array->GetVoidPointer(0), bytesOf(array));
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> receiveNumbers(ByteSource& source)
+{
+  return vtkDataArray::SafeDownCast(receiveArray(source));
+}
+
+void sendFields(vtkFieldData* fields, ByteSink& sink)
+{
+  sink.put(fields->GetNumberOfArrays());
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    sendArray(fields->GetAbstractArray(i), sink);
+  }
+}
+
+void receiveFields(ByteSource& source, vtkFieldData* fields)
+{
+  const auto count = source.take<int>();
+  for (int i = 0; i < count; ++i)
+  {
+    if (const auto array = receiveArray(source))
+    {
+      fields->AddArray(array);
+    }
+  }
+}
+
+void sendAttributes(vtkDataSetAttributes* attributes, ByteSink& sink)
+{
+  sendFields(attributes, sink);
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    vtkAbstractArray* active = attributes->GetAbstractAttribute(type);
+    sink.put(std::string(active && active->GetName() ? active->GetName() : ""));
+  }
+}
+
+void receiveAttributes(ByteSource& source, vtkDataSetAttributes* attributes)
+{
+  receiveFields(source, attributes);
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    const std::string active = source.takeText();
+    if (!active.empty())
+    {
+      attributes->SetActiveAttribute(active.c_str(), type);
+    }
+  }
+}
+
+void sendCells(vtkCellArray* cells, ByteSink& sink)
+{
+  const bool isThere = cells && cells->GetOffsetsArray() && cells->GetConnectivityArray();
+  sink.put(isThere);
+  if (isThere)
+  {
+    sendArray(cells->GetOffsetsArray(), sink);
+    sendArray(cells->GetConnectivityArray(), sink);
+  }
+}
+
+/// Null if none were sent.
+vtkSmartPointer<vtkCellArray> receiveCells(ByteSource& source)
+{
+  if (!source.take<bool>())
+  {
+    return nullptr;
+  }
+  const auto offsets = receiveNumbers(source);
+  const auto connectivity = receiveNumbers(source);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+void sendGrid(vtkUnstructuredGrid* grid, ByteSink& sink)
+{
+  sendCells(grid->GetCells(), sink);
+  sendArray(grid->GetCellTypesArray(), sink);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  sendCells(grid->GetPolyhedronFaceLocations(), sink);
+  sendCells(grid->GetPolyhedronFaces(), sink);
+#else
+  sendArray(grid->GetFaceLocations(), sink);
+  sendArray(grid->GetFaces(), sink);
+#endif
+}
+
+vtkSmartPointer<vtkPointSet> receiveGrid(ByteSource& source)
+{
+  const auto cells = receiveCells(source);
+  const auto types = receiveNumbers(source);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  const auto locations = receiveCells(source);
+  const auto faces = receiveCells(source);
+#else
+  const auto locationNumbers = receiveNumbers(source), faceNumbers = receiveNumbers(source);
+  auto* locations = vtkIdTypeArray::SafeDownCast(locationNumbers);
+  auto* faces = vtkIdTypeArray::SafeDownCast(faceNumbers);
+#endif
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (cells && types)
+  {
+    auto* typeBytes = vtkUnsignedCharArray::SafeDownCast(types);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+    grid->SetPolyhedralCells(typeBytes, cells, locations, faces);
+#else
+    grid->SetCells(typeBytes, cells, locations, faces);
+#endif
+  }
+  return grid;
+}
+
+void sendPolyData(vtkPolyData* polyData, ByteSink& sink)
+{
+  for (vtkCellArray* cells :
+    {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
+  {
+    sendCells(cells, sink);
+  }
+}
+
+vtkSmartPointer<vtkPointSet> receivePolyData(ByteSource& source)
+{
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  polyData->SetVerts(receiveCells(source));
+  polyData->SetLines(receiveCells(source));
+  polyData->SetPolys(receiveCells(source));
+  polyData->SetStrips(receiveCells(source));
+  return polyData;
+}
+
+void sendStructure(vtkStructuredGrid* grid, ByteSink& sink)
+{
+  std::array<int, 6> extent;
+  grid->GetExtent(extent.data());
+  sink.put(extent);
+}
+
+vtkSmartPointer<vtkPointSet> receiveStructure(ByteSource& source)
+{
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetExtent(source.take<std::array<int, 6>>().data());
+  return grid;
+}
+
+} // namespace
+
+void ByteSink::put(const std::string& text)
+{
+  this->put(text.size());
+  this->put(text.data(), text.size());
+}
+
+std::string ByteSource::takeText()
+{
+  std::string text(this->take<std::size_t>(), '\0');
+  this->take(text.data(), text.size());
+  return text;
+}
+
+void sendData(vtkPointSet* data, ByteSink& sink)
+{
+  sink.put(data->GetDataObjectType());
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    sendPolyData(polyData, sink);
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    sendGrid(grid, sink);
+  }
+  else
+  {
+    sendStructure(vtkStructuredGrid::SafeDownCast(data), sink);
+  }
+  sendArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr, sink);
+  sendAttributes(data->GetPointData(), sink);
+  sendAttributes(data->GetCellData(), sink);
+  sendFields(data->GetFieldData(), sink);
+}
+
+vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source)
+{
+  const auto type = source.take<int>();
+  const vtkSmartPointer<vtkPointSet> data = type == VTK_POLY_DATA ? receivePolyData(source)
+                                            : type == VTK_UNSTRUCTURED_GRID
+                                              ? receiveGrid(source)
+                                              : receiveStructure(source);
+  if (const auto coordinates = receiveNumbers(source))
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    data->SetPoints(points);
+  }
+  receiveAttributes(source, data->GetPointData());
+  receiveAttributes(source, data->GetCellData());
+  receiveFields(source, data->GetFieldData());
+  return data;
+}

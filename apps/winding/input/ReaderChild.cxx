@@ -1,0 +1,205 @@
+#include "input/ReaderChild.h"
+
+#include "input/DataStream.h"
+#include "input/ReaderLimits.h"
+#include "input/VtkReaders.h"
+#include "program/Failure.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPointSet.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <iterator>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace
+{
+
+class PipeSink : public ByteSink
+{
+public:
+  explicit PipeSink(int pipe)
+    : pipe_(pipe)
+  {
+  }
+  using ByteSink::put;
+
+  void put(const void* bytes, std::size_t count) override
+  {
+    const char* next = static_cast<const char*>(bytes);
+    while (count > 0)
+    {
+      const ssize_t written = write(pipe_, next, count);
+      if (written < 0)
+      {
+        _exit(REFUSED); // nobody listens
+      }
+      next += written;
+      count -= static_cast<std::size_t>(written);
+    }
+  }
+
+private:
+  int pipe_;
+};
+
+/// Whether a warning of VTK's readers is about something that the data does not need.
+bool isHarmless(std::string_view warning)
+{
+  const char* const harmless[] = {"Could not locate key", "tagged as an IdType",
+    "with older reader version", "is higher than", "No topology read",
+    "Number of texture coordinates", "attempting binary"};
+  return std::any_of(std::begin(harmless), std::end(harmless),
+    [warning](const char* part) { return warning.find(part) != std::string_view::npos; });
+}
+
+/// Sends what VTK reports. VTK reports some errors as warnings. The first error ends the process:
+/// all that follows is its consequence, and may be a crash or an endless loop.
+class ReportWindow : public vtkOutputWindow
+{
+public:
+  static ReportWindow* New();
+  vtkTypeMacro(ReportWindow, vtkOutputWindow);
+
+  void setSink(ByteSink& sink) { sink_ = &sink; }
+
+  void DisplayText(const char* text) override { this->DisplayWarningText(text); }
+  void DisplayErrorText(const char* text) override
+  {
+    sink_->put(ReaderMessage::error);
+    sink_->put(std::string(text));
+    _exit(REFUSED);
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    if (!isHarmless(text))
+    {
+      this->DisplayErrorText(text);
+    }
+    sink_->put(ReaderMessage::warning);
+    sink_->put(std::string(text));
+  }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+  void DisplayDebugText(const char*) override {}
+
+protected:
+  ReportWindow() = default;
+  ~ReportWindow() override = default;
+
+private:
+  ByteSink* sink_ = nullptr;
+};
+
+vtkStandardNewMacro(ReportWindow);
+
+struct ProgressSender
+{
+  ByteSink& sink;
+
+  void send(vtkObject* reader, unsigned long, void*)
+  {
+    sink.put(ReaderMessage::progress);
+    sink.put(vtkAlgorithm::SafeDownCast(reader)->GetProgress());
+  }
+};
+
+vtkSmartPointer<vtkPointSet> read(
+  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = format.makeReader(fileName);
+  ProgressSender progress{sink};
+  reader->AddObserver(vtkCommand::ProgressEvent, &progress, &ProgressSender::send);
+  reader->Update();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw Failure(REFUSED, fileName,
+      std::string("cannot be read: ") +
+        vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
+  }
+  vtkDataObject* output = reader->GetOutputDataObject(0);
+  vtkSmartPointer<vtkPointSet> data = vtkPointSet::SafeDownCast(output);
+  if (!data)
+  {
+    throw Failure(REFUSED, fileName,
+      std::string("holds ") + (output ? output->GetClassName() : "nothing") +
+        "; a surface, an unstructured grid or points are needed");
+  }
+  if (format.check)
+  {
+    format.check(fileName, data);
+  }
+  return data;
+}
+
+/// The failure for a file that asks for more memory than there is.
+Failure outOfMemory(const std::string& fileName, std::uintmax_t fileSize)
+{
+  // A small file that asks for all memory is not to be believed.
+  const bool isSmall = fileSize < (std::uintmax_t(1) << 28);
+  return isSmall ? Failure(REFUSED, fileName,
+                     "its counts ask for more memory than there is; it is damaged")
+                 : Failure(NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
+}
+
+/// Reads with all exceptions as Failure.
+vtkSmartPointer<vtkPointSet> readOrFail(
+  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+{
+  std::error_code error;
+  const std::uintmax_t found = std::filesystem::file_size(fileName, error);
+  const std::uintmax_t size = error ? 0 : found;
+  try
+  {
+    limitToReading(size);
+    return read(fileName, format, sink);
+  }
+  catch (const std::length_error&)
+  {
+    throw Failure(REFUSED, fileName, "its counts ask for more than there can be; it is damaged");
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw outOfMemory(fileName, size);
+  }
+}
+
+} // namespace
+
+void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
+{
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  // The threads of the program are none of this process, and would be waited for.
+  vtkSMPTools::SetBackend("Sequential");
+  PipeSink sink(pipe);
+  vtkNew<ReportWindow> window;
+  window->setSink(sink);
+  vtkOutputWindow::SetInstance(window);
+  try
+  {
+    const auto data = readOrFail(fileName, format, sink);
+    sink.put(ReaderMessage::data);
+    sendData(data, sink);
+  }
+  catch (const Failure& failure)
+  {
+    sink.put(ReaderMessage::failure);
+    sink.put(static_cast<int>(failure.status));
+    sink.put(std::string(failure.what()));
+  }
+  _exit(DONE); // without the ends of libraries, which belong to the program
+}

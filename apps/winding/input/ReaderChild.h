@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+struct VtkFormat;
+
+/// The messages of a process that reads. Each is followed by what is said here, and all but
+/// progress and warnings are the last one.
+enum class ReaderMessage : char
+{
+  progress, ///< a double
+  warning,  ///< VTK's text
+  error,    ///< VTK's text
+  failure,  ///< an int, the status, and the text of a Failure
+  data      ///< the data (DataStream.h)
+};
+
+/// Does the work of a process that was made to read a file: reads within limits, sends messages
+/// into a pipe, and ends the process. The process's standard output and error are closed, for VTK
+/// and the C library print there, too.
+[[noreturn]] void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe);

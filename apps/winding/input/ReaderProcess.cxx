@@ -1,0 +1,230 @@
+#include "input/ReaderProcess.h"
+
+#include "input/DataStream.h"
+#include "input/ReaderChild.h"
+#include "input/VtkReaders.h"
+#include "program/Failure.h"
+#include "program/Interrupt.h"
+#include "program/Messages.h"
+#include "program/Progress.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace
+{
+
+/// Thrown where the process that reads has ended without a last message.
+struct ReaderEnded
+{
+};
+
+/// Asks that a child does not outlive its parent, and leaves signals from the terminal to it.
+void dependOn(pid_t parent)
+{
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  if (getppid() != parent)
+  {
+    _exit(INTERRUPTED);
+  }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    std::signal(signal, SIG_IGN);
+  }
+}
+
+/// A process that reads a file, and the messages from it. It ends with this object at the latest.
+class ReaderProcess : public ByteSource
+{
+public:
+  ReaderProcess(const std::string& fileName, const VtkFormat& format)
+  {
+    int ends[2];
+    if (pipe(ends) != 0)
+    {
+      refuse(fileName);
+    }
+    const pid_t parent = getpid();
+    // A signal in between would be handled by the child as if it were the program.
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before);
+    child_ = fork();
+    if (child_ == 0)
+    {
+      dependOn(parent);
+      sigprocmask(SIG_SETMASK, &before, nullptr);
+      close(ends[0]);
+      readAndSend(fileName, format, ends[1]);
+    }
+    const int error = errno;
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    close(ends[1]);
+    pipe_ = ends[0];
+    if (child_ < 0)
+    {
+      close(pipe_);
+      errno = error;
+      refuse(fileName);
+    }
+#ifdef F_SETPIPE_SZ
+    fcntl(pipe_, F_SETPIPE_SZ, 1 << 20); // the processes then wait for each other less often
+#endif
+  }
+
+  ~ReaderProcess() override
+  {
+    if (child_ > 0)
+    {
+      kill(child_, SIGKILL);
+      this->waitForEnd();
+    }
+    close(pipe_);
+  }
+
+  ReaderProcess(const ReaderProcess&) = delete;
+  void operator=(const ReaderProcess&) = delete;
+
+  using ByteSource::take;
+
+  /// Throws ReaderEnded where there are not as many bytes, and Failure when the program is
+  /// interrupted.
+  void take(void* bytes, std::size_t count) override
+  {
+    char* next = static_cast<char*>(bytes);
+    while (count > 0)
+    {
+      this->waitForBytes();
+      const ssize_t taken = read(pipe_, next, count);
+      if (taken <= 0)
+      {
+        throw ReaderEnded();
+      }
+      next += taken;
+      count -= static_cast<std::size_t>(taken);
+    }
+  }
+
+  /// Waits until the process has ended, and gives the status that waitpid() tells.
+  int waitForEnd()
+  {
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    child_ = 0;
+    return status;
+  }
+
+private:
+  [[noreturn]] static void refuse(const std::string& fileName)
+  {
+    throw Failure(NO_MEMORY, fileName,
+      std::string("no process can be started to read it: ") + std::strerror(errno) +
+        "; end other programs");
+  }
+
+  void waitForBytes() const
+  {
+    constexpr int milliseconds = 100; // a signal may come right before the wait
+    struct pollfd end = {pipe_, POLLIN, 0};
+    do
+    {
+      interrupt::check();
+    } while (poll(&end, 1, milliseconds) <= 0);
+  }
+
+  pid_t child_ = 0;
+  int pipe_ = -1;
+};
+
+/// Tells in words how a process ended that has sent no last message.
+std::string endInWords(int status)
+{
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const std::string reader = "VTK's reader ";
+  if (signal == SIGPROF)
+  {
+    return reader + "comes to no end with it; it is damaged";
+  }
+  if (signal == SIGKILL)
+  {
+    return reader + "was killed over it; there may be too little memory";
+  }
+  return reader + (signal == 0 ? "gives it up" : "crashes on it") + "; it is damaged";
+}
+
+/// Takes messages up to the last one.
+vtkSmartPointer<vtkPointSet> receive(
+  ReaderProcess& process, const std::string& fileName, Messages& messages)
+{
+  vtkNew<vtkAlgorithm> follower; // has the progress of the reader
+  const Progress progress(follower, "read", messages.isQuiet());
+  std::vector<std::string> warnings; // shown only if the data comes, for a failure is one line
+  for (;;)
+  {
+    switch (process.take<ReaderMessage>())
+    {
+    case ReaderMessage::progress:
+      follower->UpdateProgress(process.take<double>());
+      break;
+    case ReaderMessage::warning:
+      warnings.push_back(process.takeText());
+      break;
+    case ReaderMessage::error:
+      messages.DisplayErrorText(process.takeText().c_str());
+      messages.throwIfError(fileName);
+      break;
+    case ReaderMessage::failure:
+    {
+      const auto status = static_cast<ExitStatus>(process.take<int>());
+      throw Failure(status, process.takeText());
+    }
+    case ReaderMessage::data:
+      const auto data = receiveData(process);
+      for (const std::string& warning : warnings)
+      {
+        messages.DisplayWarningText(warning.c_str());
+      }
+      return data;
+    }
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPointSet> readInProcess(
+  const std::string& fileName, const VtkFormat& format, Messages& messages)
+{
+  ReaderProcess process(fileName, format);
+  try
+  {
+    return receive(process, fileName, messages);
+  }
+  catch (const ReaderEnded&)
+  {
+    throw Failure(REFUSED, fileName, endInWords(process.waitForEnd()));
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
+  }
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class Messages;
+class vtkPointSet;
+struct VtkFormat;
+
+/**
+ * Reads a file with a reader of VTK in a process of its own, and gets the data from there. Broken
+ * files make VTK's readers crash, end the program, never end, take all memory, or write over what
+ * is not theirs; so they do it where nothing else lives, with limits on memory and processor time
+ * that follow from the size of the file.
+ *
+ * Throws Failure, in one line about the file, for each of these ends, and for whatever VTK reports
+ * while it reads, save warnings that leave the data whole; these are printed.
+ */
+vtkSmartPointer<vtkPointSet> readInProcess(
+  const std::string& fileName, const VtkFormat& format, Messages& messages);

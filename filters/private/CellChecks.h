@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+class vtkDataSet;
+
+namespace winding
+{
+
+/**
+ * @file
+ * Data sets may contradict themselves, and VTK's classes follow what they say, into memory that is
+ * not theirs. These functions throw Refusal, one line with the given name of the data, for such
+ * data sets.
+ */
+
+/**
+ * Refuses offsets of cells that lead out of their list of ids, cells without a type, and structured
+ * grids with fewer points than their dimensions ask for. It does not look at ids.
+ */
+void checkStructure(vtkDataSet* data, const std::string& name);
+
+/**
+ * Refuses all that checkStructure() does, ids of points that do not exist, cells of types that VTK
+ * does not know or with a number of points that their type does not have, and polyhedra with faces
+ * that are not there or have other points than the polyhedron.
+ */
+void checkCells(vtkDataSet* data, const std::string& name);
+
+/// Refuses arrays with fewer values than there are points or cells.
+void checkArrays(vtkDataSet* data, const std::string& name);
+
+} // namespace winding
