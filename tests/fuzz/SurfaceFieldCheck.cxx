@@ -92,7 +92,7 @@ void addTriangle(const Point (&corners)[3], const Point& sample, double size, Pl
   const long double denominator = 1 + a.dot(b) + b.dot(c) + c.dot(a);
   const auto modulus = static_cast<double>(std::hypot(numerator, denominator));
   place.strength += std::abs(static_cast<double>(std::atan2(numerator, denominator))) / (2 * pi);
-  place.rounding += std::min(1.0, 0x1p-50 / modulus) + 0x1p-49 * size / distance;
+  place.rounding += std::min(1.0, 0x1p-49 / modulus) + 0x1p-48 * size / distance;
 }
 
 void measure(const Surface& surface, Samples& samples)
