@@ -14,8 +14,8 @@
 
 /**
  * @file
- * Every method is compared with the definition in long double. Samples that lie on a triangle as far
- * as coordinates can tell must be finite only.
+ * Every method is compared with the definition in long double. Samples that lie on a triangle as
+ * far as coordinates can tell must be finite only.
  */
 namespace fuzz
 {
@@ -70,10 +70,10 @@ double largestCoordinate(const std::vector<Point>& points)
 }
 
 /**
- * Adds what a triangle with corners a, b, c, seen from a sample, may do to it. Coordinates are right
- * to some 2⁻⁵² of `size`: a triangle that moves by as much changes w by that over its distance. The
- * solid angle is the argument of a complex number (SolidAngle.h), whose own rounding counts where its
- * terms cancel: beside an edge, as long as that is, and in the plane.
+ * Adds what a triangle may do to a sample. Coordinates are right to some 2⁻⁵² of `size`: a triangle
+ * that moves by as much changes w by that over its distance. The solid angle is the argument of a
+ * complex number (SolidAngle.h), whose own rounding counts where its terms cancel, as they do
+ * beside edges.
  */
 void addTriangle(const Point (&corners)[3], const Point& sample, double size, Place& place)
 {
