@@ -14,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -95,29 +96,32 @@ void checkIds(const vtkIdType* first, const vtkIdType* last, vtkIdType cell, vtk
   }
 }
 
-void checkPolyDataIds(vtkPolyData* polyData, const std::string& name)
+/// vtkPolyData gives no cell at all where one of them has too few points for its kind.
+void checkPolyDataCells(vtkPolyData* polyData, const std::string& name)
 {
+  const std::pair<vtkCellArray*, vtkIdType> kinds[] = {{polyData->GetVerts(), 1},
+    {polyData->GetLines(), 2}, {polyData->GetPolys(), 3}, {polyData->GetStrips(), 3}};
   vtkIdType cell = 0; // counted through all kinds, as vtkPolyData does
-  for (vtkCellArray* cells :
-    {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
+  for (const auto& [cells, fewest] : kinds)
   {
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
     {
       vtkIdType size;
       const vtkIdType* ids;
       cells->GetCellAtId(i, size, ids);
+      if (size < fewest)
+      {
+        refuseCell(name, cell,
+          "has " + std::to_string(size) + " points and needs " + std::to_string(fewest));
+      }
       checkIds(ids, ids + size, cell, polyData->GetNumberOfPoints(), name);
     }
   }
 }
 
-/// The faces of a polyhedron are followed, and have no other points than it has itself.
+/// Checks that the faces of a polyhedron have no other points than it has itself.
 void checkFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
 {
-  if (!canFollowFaces(grid, cell))
-  {
-    refuseCell(name, cell, "is a polyhedron whose faces are not there");
-  }
   std::vector<vtkIdType> own(ids->begin(), ids->end());
   std::sort(own.begin(), own.end());
   vtkNew<vtkIdList> stream; // of the number of faces, then of each face its size and its ids
@@ -157,6 +161,10 @@ void checkGridCell(
   if (dimensionOf(type) < 0)
   {
     refuseCell(name, cell, "has type " + std::to_string(type) + ", which VTK does not know");
+  }
+  if (!hasFacesOfItsType(grid, cell))
+  {
+    refuseCell(name, cell, "has faces that are not there, or none where it needs some");
   }
   double degrees[3];
   if (type == VTK_POLYHEDRON)
@@ -206,7 +214,7 @@ void checkCells(vtkDataSet* data, const std::string& name)
   }
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    checkPolyDataIds(polyData, name);
+    checkPolyDataCells(polyData, name);
     return;
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);

@@ -62,35 +62,46 @@ inline std::array<vtkCellArray*, 2> faceListsOf(vtkUnstructuredGrid* grid)
 #endif
 }
 
-/// Whether GetFaceStream() of a polyhedron stays within the grid's lists of faces, whose offsets
-/// are valid. The ids of the faces' points may be any.
-inline bool canFollowFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+/// Whether a cell has faces as its type asks for: a polyhedron has them in the grid's lists, whose
+/// offsets are valid, and any other cell has none. The ids of the faces' points may be any.
+inline bool hasFacesOfItsType(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
+  const bool isPolyhedron = grid->GetCellType(cell) == VTK_POLYHEDRON;
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
-  vtkCellArray* const locations = grid->GetPolyhedronFaceLocations();
-  vtkCellArray* const faces = grid->GetPolyhedronFaces();
-  if (!locations || !faces || cell >= locations->GetNumberOfCells())
+  const auto [locations, faces] = faceListsOf(grid);
+  if (!locations || !faces || locations->GetNumberOfCells() == 0)
+  {
+    return !isPolyhedron;
+  }
+  if (cell >= locations->GetNumberOfCells())
   {
     return false;
   }
   vtkIdType count;
   const vtkIdType* numbers;
   locations->GetCellAtId(cell, count, numbers);
-  return std::all_of(numbers, numbers + count,
-    [faces](vtkIdType face) { return face >= 0 && face < faces->GetNumberOfCells(); });
+  return isPolyhedron == (count > 0) && std::all_of(numbers, numbers + count,
+                                          [faces = faces](vtkIdType face) {
+                                            return face >= 0 && face < faces->GetNumberOfCells();
+                                          });
 #else
   vtkIdTypeArray* const locations = grid->GetFaceLocations();
   vtkIdTypeArray* const faces = grid->GetFaces();
-  if (!locations || !faces || cell >= locations->GetNumberOfValues())
+  if (!locations || !faces)
+  {
+    return !isPolyhedron;
+  }
+  if (cell >= locations->GetNumberOfValues())
   {
     return false;
   }
-  const vtkIdType end = faces->GetNumberOfValues();
   vtkIdType at = locations->GetValue(cell);
-  if (at < 0 || at >= end)
+  const vtkIdType end = faces->GetNumberOfValues();
+  if (!isPolyhedron || at < 0 || at >= end)
   {
-    return false;
+    return !isPolyhedron && at == -1;
   }
+  // The list has the number of faces, then of each face its size and its ids.
   for (vtkIdType left = faces->GetValue(at++); left > 0; --left)
   {
     if (at >= end || faces->GetValue(at) < 0 || faces->GetValue(at) > end - at - 1)

@@ -130,7 +130,7 @@ std::string checkCloud(const PointCloud& cloud)
 
 std::string checkCloudField(Choices& choices)
 {
-  RandomCloud random = randomCloud(choices, choices.oneIn(20) ? 400 : 40);
+  RandomCloud random = randomCloud(choices, choices.oneIn(50) ? 400 : 24);
   Bounds bounds;
   for (const Point& position : random.cloud.positions)
   {

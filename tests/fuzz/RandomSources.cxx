@@ -150,7 +150,9 @@ void transform(Choices& choices, std::vector<Point>& points)
   const double scale = randomScale(choices);
   const double shifts[] = {0, 0, 0, -0.7, 1e5, 1.0 / 3};
   const double shift = choices.oneOf(shifts) * scale;
-  const bool turns = choices.oneIn(4), flattens = choices.oneIn(12), rounds = choices.oneIn(4);
+  const bool turns = choices.oneIn(4), flattens = choices.oneIn(12);
+  // Beyond that, float has no finite numbers.
+  const bool rounds = choices.oneIn(4) && scale < 1e31;
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   for (int i = 0; turns && i < 9; ++i)
   {
@@ -325,7 +327,7 @@ winding::Grid randomGrid(Choices& choices, const winding::Bounds& bounds)
     grid.spacing[axis] = extent / steps * (isAligned ? 1 : choices.between(0.5, 1.5));
     grid.firstSample[axis] =
       bounds.min()[axis] - (isAligned ? 1 : choices.between(-0.5, 1.5)) * grid.spacing[axis];
-    grid.dimensions[axis] = choices.oneIn(8) ? 1 : 1 + steps + choices.below(4);
+    grid.dimensions[axis] = choices.oneIn(8) ? 1 : 1 + steps + choices.below(3);
   }
   return grid;
 }
@@ -378,7 +380,7 @@ std::vector<Point> randomSamples(Choices& choices, const std::vector<Point>& ver
 
 double randomTolerance(Choices& choices)
 {
-  const double tolerances[] = {1e-2, 1e-2, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-5, 1e-6};
+  const double tolerances[] = {1e-2, 1e-2, 1e-2, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-5, 1e-6};
   return choices.oneOf(tolerances);
 }
 

@@ -34,7 +34,7 @@ struct RandomCloud
 /// A cloud of 1 to `mostPoints` points.
 RandomCloud randomCloud(Choices& choices, int mostPoints);
 
-/// A grid of at most 7 samples along each axis, about the bounds of a source, which must not be
+/// A grid of at most 6 samples along each axis, about the bounds of a source, which must not be
 /// empty. Often its planes go through vertices.
 winding::Grid randomGrid(Choices& choices, const winding::Bounds& bounds);
 

@@ -221,7 +221,7 @@ std::string checkScattered(
 
 std::string checkSurfaceField(Choices& choices)
 {
-  const Mesh mesh = randomMesh(choices, choices.oneIn(50) ? 300 : 24);
+  const Mesh mesh = randomMesh(choices, choices.oneIn(50) ? 300 : choices.oneIn(4) ? 24 : 12);
   const double tolerance = randomTolerance(choices);
   const Method methods[] = {
     Method::direct, Method::rows, Method::hierarchical, Method::automatic, Method::parity};

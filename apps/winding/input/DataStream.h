@@ -48,5 +48,6 @@ public:
  */
 void sendData(vtkPointSet* data, ByteSink& sink);
 
-/// Makes the data that sendData() has sent. Throws std::bad_alloc where it does not fit into memory.
+/// Makes the data that sendData() has sent. Throws std::bad_alloc where it does not fit into
+/// memory.
 vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source);

@@ -27,48 +27,111 @@ bool endsWith(std::string_view word, std::string_view keyword)
            [](char small, unsigned char c) { return small == std::tolower(c); });
 }
 
-/// Whether a keyword stands somewhere in a file with these numbers behind it.
-bool announces(
-  std::string_view text, std::string_view keyword, std::initializer_list<vtkIdType> numbers)
+/// A legacy file as text, with what it announces.
+class Announcements
 {
-  for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+public:
+  explicit Announcements(const std::string& fileName)
+    : fileName_(fileName)
+    , text_(contentsOf(fileName))
   {
-    std::string_view rest = text;
-    long long value = 0;
-    if (endsWith(word, keyword) &&
-        std::all_of(numbers.begin(), numbers.end(),
-          [&](vtkIdType number) { return parseInteger(takeWord(rest), value) && value == number; }))
+    std::size_t start = 0;
+    takeLine(text_, start); // the version
+    takeLine(text_, start); // the title, which may be any
+    start = std::min(start, text_.size());
+    body_ = std::string_view(text_).substr(start);
+    isText_ = endsWith(takeWord(body_), "ascii");
+  }
+
+  /// Throws Failure where the file does not announce so many cells with so many ids, or does not
+  /// hold them.
+  void requireCells(std::string_view keyword, vtkIdType cells, vtkIdType ids) const
+  {
+    // Before version 5 the second number counts the sizes of the cells, too; since then the first
+    // one counts the offsets, of which there is one more.
+    const bool isFound = cells == 0 ? !this->announcesAny(keyword)
+                                    : this->announces(keyword, {cells, cells + ids}, cells + ids) ||
+                                        this->announces(keyword, {cells + 1, ids}, 0);
+    if (!isFound)
     {
-      return true;
+      throw Failure(REFUSED, fileName_,
+        "does not hold the " + std::string(keyword) +
+          " that it announces; it is truncated or damaged");
     }
   }
-  return false;
-}
 
-/// Throws Failure where a file does not announce so many cells with so many ids.
-void requireAnnouncement(const std::string& fileName, std::string_view text,
-  std::string_view keyword, vtkIdType cells, vtkIdType ids)
-{
-  // Before version 5 the second number counts the sizes of the cells, too; since then the first one
-  // counts the offsets, of which there is one more.
-  if (cells > 0 && !announces(text, keyword, {cells, cells + ids}) &&
-      !announces(text, keyword, {cells + 1, ids}))
+  void requireTypes(vtkIdType cells) const
   {
-    throw Failure(REFUSED, fileName,
-      "does not hold the " + std::string(keyword) +
-        " that it announces; it is truncated or damaged");
+    if (cells > 0 && !this->announces("cell_types", {cells}, cells))
+    {
+      throw Failure(REFUSED, fileName_,
+        "does not have a type for each of its cells; it is truncated or damaged");
+    }
   }
-}
 
-void checkPolyData(const std::string& fileName, std::string_view text, vtkPolyData* polyData)
+private:
+  /// Whether a keyword stands somewhere with these numbers behind it, and in files of text with so
+  /// many integers behind these.
+  bool announces(std::string_view keyword, std::initializer_list<vtkIdType> numbers,
+    vtkIdType integersBehind) const
+  {
+    std::string_view text = body_;
+    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+    {
+      std::string_view rest = text;
+      long long value = 0;
+      const auto isNext = [&](vtkIdType number)
+      {
+        return parseInteger(takeWord(rest), value) && value == number;
+      };
+      if (endsWith(word, keyword) && std::all_of(numbers.begin(), numbers.end(), isNext))
+      {
+        for (vtkIdType i = 0; isText_ && i < integersBehind; ++i)
+        {
+          if (!parseInteger(takeWord(rest), value))
+          {
+            return false;
+          }
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether a keyword stands somewhere with two numbers behind it on its line, the first of which
+  /// is not 0. Arrays of the same name have their type on that line, too.
+  bool announcesAny(std::string_view keyword) const
+  {
+    std::string_view text = body_;
+    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+    {
+      std::size_t start = 0;
+      std::string_view line = endsWith(word, keyword) ? takeLine(text, start) : std::string_view();
+      long long first = 0, second = 0;
+      if (parseInteger(takeWord(line), first) && parseInteger(takeWord(line), second) &&
+          first != 0 && takeWord(line).empty())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::string fileName_;
+  std::string text_;
+  std::string_view body_; ///< the text behind its first three lines
+  bool isText_ = false;   ///< whether the numbers are text
+};
+
+void checkPolyData(const Announcements& file, vtkPolyData* polyData)
 {
   const std::pair<const char*, vtkCellArray*> kinds[] = {{"vertices", polyData->GetVerts()},
     {"lines", polyData->GetLines()}, {"polygons", polyData->GetPolys()},
     {"triangle_strips", polyData->GetStrips()}};
   for (const auto& [keyword, cells] : kinds)
   {
-    requireAnnouncement(
-      fileName, text, keyword, cells->GetNumberOfCells(), cells->GetNumberOfConnectivityIds());
+    file.requireCells(keyword, cells->GetNumberOfCells(), cells->GetNumberOfConnectivityIds());
   }
 }
 
@@ -92,31 +155,18 @@ vtkIdType idsOf(vtkUnstructuredGrid* grid)
   return ids;
 }
 
-void checkGrid(const std::string& fileName, std::string_view text, vtkUnstructuredGrid* grid)
-{
-  const vtkIdType cells = grid->GetNumberOfCells();
-  if (cells > 0)
-  {
-    requireAnnouncement(fileName, text, "cells", cells, idsOf(grid));
-  }
-  if (cells > 0 && !announces(text, "cell_types", {cells}))
-  {
-    throw Failure(
-      REFUSED, fileName, "does not have a type for each of its cells; it is truncated or damaged");
-  }
-}
-
 } // namespace
 
 void checkLegacyVtkCounts(const std::string& fileName, vtkPointSet* data)
 {
-  const std::string text = contentsOf(fileName);
+  const Announcements file(fileName);
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    checkPolyData(fileName, text, polyData);
+    checkPolyData(file, polyData);
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    checkGrid(fileName, text, grid);
+    file.requireCells("cells", grid->GetNumberOfCells(), idsOf(grid));
+    file.requireTypes(grid->GetNumberOfCells());
   }
 }

@@ -23,5 +23,5 @@ std::vector<std::string_view> splitRow(std::string_view row, char separator);
 /// A field without spaces and quotation marks around it. Two marks within are still two.
 std::string_view trimmed(std::string_view field);
 
-/// What a field says.
+/// The text that a field stands for.
 std::string unquoted(std::string_view field);

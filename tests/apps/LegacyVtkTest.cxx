@@ -1,0 +1,106 @@
+/// Legacy .vtk files that are whole, in the many ways in which they can be written.
+
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+std::string head(const std::string& version, const std::string& dataset)
+{
+  return "# vtk DataFile Version " + version + "\ntitle\nASCII\nDATASET " + dataset + "\n";
+}
+
+const std::string points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n";
+
+struct WholeFile
+{
+  std::string name, contents;
+  int triangles;
+};
+
+const WholeFile wholeFiles[] = {
+  {"SmallLetters",
+    head("3.0", "polydata") + "points 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n" +
+      "polygons 4 16\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+    4},
+  {"FieldsBeforeCells",
+    head("4.2", "POLYDATA") +
+      "FIELD FieldData 2\nwords 1 2 string\na%20b\nPOLYGONS\nnumbers 2 1 int\n1 2\n" + points +
+      "METADATA\nCOMPONENT_NAMES\nx\ny\nz\n\nVERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\n" +
+      "POLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+    4},
+  {"Strips", head("4.2", "POLYDATA") + points + "TRIANGLE_STRIPS 1 7\n6 0 1 2 3 0 1\n", 4},
+  {"NewCells",
+    head("5.1", "POLYDATA") + points +
+      "POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n"
+      "0 2 1 0 1 3 0 3 2 1 2 3\n",
+    4},
+  {"Grid", head("4.2", "UNSTRUCTURED_GRID") + points + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
+    4},
+  {"TypesFirst",
+    head("4.2", "UNSTRUCTURED_GRID") + points + "CELL_TYPES 1\n10\nCELLS 1 5\n4 0 1 2 3\n", 4},
+  {"NewGrid",
+    head("5.1", "UNSTRUCTURED_GRID") + points +
+      "CELLS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\nCELL_TYPES "
+      "1\n10\n",
+    4},
+  {"Polyhedron",
+    head("4.2", "UNSTRUCTURED_GRID") + points +
+      "CELLS 1 18\n17 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3\nCELL_TYPES 1\n42\n",
+    4},
+  {"UnknownKey",
+    head("4.2", "POLYDATA") + points +
+      "METADATA\nINFORMATION 1\nNAME UNKNOWN LOCATION vtkNobody\nDATA 2 0 1\n\n" +
+      "POLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+    4},
+  {"StructuredGrid",
+    head("3.0", "STRUCTURED_GRID") + "DIMENSIONS 2 2 1\n" +
+      "POINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n",
+    2},
+};
+
+class LegacyVtk : public testing::TestWithParam<WholeFile>
+{
+};
+
+TEST_P(LegacyVtk, IsRead)
+{
+  const TemporaryFolder folder;
+  const Outcome run =
+    runProgram({"check", folder.write("a.vtk", this->GetParam().contents), "--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["triangles"], this->GetParam().triangles) << run;
+}
+
+INSTANTIATE_TEST_SUITE_P(Whole, LegacyVtk, testing::ValuesIn(wholeFiles),
+  [](const testing::TestParamInfo<WholeFile>& file) { return file.param.name; });
+
+/// Binary files may have a keyword right behind their numbers.
+TEST(LegacyVtkBytes, NeedNoEndOfTheLine)
+{
+  const auto bigEndian = [](std::initializer_list<std::int32_t> numbers)
+  {
+    std::string bytes;
+    for (const std::int32_t number : numbers)
+    {
+      for (int shift = 24; shift >= 0; shift -= 8)
+      {
+        bytes += static_cast<char>(number >> shift);
+      }
+    }
+    return bytes;
+  };
+  const std::int32_t one = 0x3f800000; // the bits of 1 in single precision
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.vtk",
+    "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n" +
+      bigEndian({0, 0, 0, one, 0, 0, 0, one, 0}) + "POLYGONS 1 4\n" + bigEndian({3, 0, 1, 2}));
+  const Outcome run = runProgram({"check", file, "--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.json()["triangles"], 1) << run;
+}
+
+} // namespace
