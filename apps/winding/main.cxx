@@ -3,6 +3,7 @@
 #include "options/CommandLine.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
+#include "program/LastResort.h"
 #include "program/Messages.h"
 #include "program/Threads.h"
 
@@ -41,8 +42,11 @@ void run(const Options& options)
 int main(int argc, char** argv)
 {
   interrupt::install();
-  // A limit on the size of files is to be an error of writing, not the end of the program.
+  installLastResort();
+  // A limit on the size of files, or a reader of messages that has gone away, is to be an error of
+  // writing, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   try
   {
     if (const auto options = parseCommandLine(argc, argv))
@@ -54,6 +58,11 @@ int main(int argc, char** argv)
   catch (const Failure& failure)
   {
     return fail(failure.status, failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    tellOutOfMemory();
+    return NO_MEMORY;
   }
   catch (const std::exception& error)
   {

@@ -2,6 +2,7 @@
 
 #include <vtksys/SystemInformation.hxx>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace winding
@@ -19,17 +20,25 @@ std::string inGiB(double bytes)
 
 } // namespace
 
-void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice)
+HostMemory hostMemory()
+{
+  vtksys::SystemInformation system;
+  system.RunMemoryCheck();
+  constexpr double unit = 1024;
+  return {unit * static_cast<double>(system.GetHostMemoryTotal()),
+    unit * static_cast<double>(system.GetHostMemoryUsed())};
+}
+
+void refuseBeyondFreeMemory(
+  double bytes, const std::string& what, const std::string& advice, HostMemory (*memory)())
 {
   constexpr double smallest = 64.0 * 1024 * 1024; // not worth asking the system for
   if (bytes < smallest)
   {
     return;
   }
-  vtksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const double freeBytes = 1024.0 * (static_cast<double>(system.GetHostMemoryTotal()) -
-                                      static_cast<double>(system.GetHostMemoryUsed()));
+  const HostMemory found = memory();
+  const double freeBytes = std::max(0.0, found.total - found.used);
   if (bytes > freeBytes)
   {
     throw OutOfMemory(what + " needs " + inGiB(bytes) + " of memory and " + inGiB(freeBytes) +

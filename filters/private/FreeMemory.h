@@ -12,8 +12,20 @@ public:
   using Refusal::Refusal;
 };
 
+/// The memory of the machine, in bytes.
+struct HostMemory
+{
+  double total = 0;
+  double used = 0; ///< by all programs; what the system can give back at once is not counted
+};
+
+/// Asks the system.
+HostMemory hostMemory();
+
 /// Throws OutOfMemory, with the numbers, if that many bytes are not free. `what` needs them;
-/// `advice` says what to do about it.
-void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice);
+/// `advice` says what to do about it. `memory` tells what there is; less than 64 MiB is taken to be
+/// free without asking it.
+void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice,
+  HostMemory (*memory)() = hostMemory);
 
 } // namespace winding

@@ -40,6 +40,85 @@ void interruptRun(int signal, const std::vector<std::string>& more)
   EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
 }
 
+/// A run that hangs where it makes its temporary file, and looks for no signal any more.
+class Hanging : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+#ifdef WINDING_SANITIZED
+    GTEST_SKIP() << "sanitizers want to be loaded before all other libraries";
+#endif
+    setenv("LD_PRELOAD", WINDING_FILE_FAULTS, 1);
+    setenv("FAULT_FILE", ".part.vti", 1);
+    setenv("FAULT_OPENING", "2", 1); // the file has been made when the writer opens it
+    setenv("FAULT_ACTION", "hang", 1);
+    process = startProgram({"field", in, "-o", folder.path("out.vti"), "--resolution", "4"});
+    unsetenv("LD_PRELOAD");
+    for (int i = 0; i < 2000 && folder.names().size() < 2; ++i)
+    {
+      std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_EQ(folder.names().size(), 2u) << "the temporary file is there";
+    std::this_thread::sleep_for(500ms);
+  }
+
+  /// Seconds until the run has ended, with status 130.
+  double secondsToEnd() const
+  {
+    const auto start = std::chrono::steady_clock::now();
+    int status = 0;
+    for (int i = 0; i < 1000 && waitpid(process, &status, WNOHANG) == 0; ++i)
+    {
+      std::this_thread::sleep_for(10ms);
+    }
+    kill(process, SIGKILL); // if it has not ended
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.write("in.off", asOff(sphere(2)));
+  int process = 0;
+};
+
+TEST_F(Hanging, EndsASecondAfterASignal)
+{
+  kill(process, SIGTERM);
+  const double seconds = secondsToEnd();
+  EXPECT_GT(seconds, 0.9);
+  EXPECT_LT(seconds, 5);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST_F(Hanging, EndsAtTheSecondSignal)
+{
+  kill(process, SIGINT);
+  std::this_thread::sleep_for(50ms); // two of a kind that wait become one
+  kill(process, SIGINT);
+  EXPECT_LT(secondsToEnd(), 0.9);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.off"});
+}
+
+TEST(Interrupt, HangupThatIsIgnoredStaysIgnored)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(2)));
+  const std::vector<std::string> command = {
+    "field", in, "-o", folder.path("out.vti"), "--resolution", "4", "--quiet"};
+  const std::string hangup = "sh -c '(sleep 0.3; kill -HUP $$) & exec \"$@\"' sh ";
+  const std::string slow = std::string("export LD_PRELOAD=") + WINDING_FILE_FAULTS +
+                           " FAULT_FILE=in.off FAULT_OPENING=1 FAULT_ACTION=pause; ";
+#ifdef WINDING_SANITIZED
+  GTEST_SKIP() << "sanitizers want to be loaded before all other libraries";
+#endif
+  const Outcome ends = runProgram(command, slow + hangup);
+  EXPECT_EQ(ends.status, 130) << ends;
+  const Outcome goesOn = runProgram(command, slow + "trap '' HUP; " + hangup);
+  EXPECT_EQ(goesOn.status, 0) << goesOn;
+}
+
 TEST(Interrupt, FieldInMemory)
 {
   interruptRun(SIGINT, {});

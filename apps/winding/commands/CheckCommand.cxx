@@ -1,4 +1,5 @@
 #include "commands/Commands.h"
+#include "commands/FilesToKeep.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/BlocksFile.h"
@@ -144,13 +145,14 @@ void runCheck(const Options& options, Messages& messages)
 {
   std::optional<OutputFile> output;
   std::optional<BlocksFile> faults;
+  const std::vector<std::string> kept = filesToKeep(options);
   if (!options.faults.empty())
   {
-    faults.emplace(options.faults);
+    faults.emplace(options.faults, kept);
   }
   if (!options.output.empty())
   {
-    output.emplace(options.output);
+    output.emplace(options.output, kept);
   }
   vtkNew<vtkSurfaceReport> filter;
   filter->SetInputDataObject(readInput(options.input, messages));
@@ -177,6 +179,10 @@ void runCheck(const Options& options, Messages& messages)
   {
     faults->write(filter->GetFaults(), messages);
     report["blocks"] = describe(filter->GetFaults(), options.faults);
+  }
+  if (output)
+  {
+    output->commit();
   }
   if (options.json)
   {

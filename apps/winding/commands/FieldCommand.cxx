@@ -1,5 +1,6 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
+#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -9,7 +10,7 @@
 
 void runField(const Options& options, Messages& messages)
 {
-  OutputFile output(options.output);
+  OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);
   FieldRun run(*field, options, messages);

@@ -55,8 +55,9 @@ void FieldRun::write(OutputFile& file)
   const Progress progress(filter_, "field", messages_.isQuiet());
   const Stopwatch writing;
   const double before = executionSeconds_;
-  writeImage(filter_->GetOutputPort(), options_.pieces, file, messages_,
-    [this] { this->checkExecutions(); });
+  writeImage(
+    filter_->GetOutputPort(), this->pieces(), file, messages_, [this] { this->checkExecutions(); });
+  file.commit();
   writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
 }
 
@@ -64,6 +65,7 @@ void FieldRun::write(vtkPolyData* surface, OutputFile& file)
 {
   const Stopwatch writing;
   writeSurface(surface, file, messages_);
+  file.commit();
   writeSeconds_ = writing.seconds();
   surface_ = {{"file", file.name()}, {"points", surface->GetNumberOfPoints()},
     {"cells", surface->GetNumberOfCells()}};
@@ -128,6 +130,23 @@ void FieldRun::addExecution()
   onSurface_ += filter_->GetNumberOfSamplesOnSurface();
   besidePoints_ += filter_->GetNumberOfSamplesBesidePoints();
   maxErrorBesidePoints_ = std::max(maxErrorBesidePoints_, filter_->GetMaxErrorBesidePoints());
+}
+
+/// The pieces to write. VTK halves the longest side again and again; more pieces than it has steps
+/// between samples (or cells, which are voxels then) would be empty, or keep VTK busy for ever.
+int FieldRun::pieces() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
+  const int most = std::max(1, *std::max_element(voxels, voxels + 3) - (options_.cells ? 0 : 1));
+  if (options_.pieces > most)
+  {
+    messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) +
+                   " is more than the grid can be cut into; it is written in " +
+                   std::to_string(most));
+  }
+  return std::min(options_.pieces, most);
 }
 
 Json FieldRun::describeGrid() const

@@ -26,7 +26,7 @@ public:
   void update();
 
   /// Writes the field that the filter gives, and evaluates it piece by piece where update() was not
-  /// called.
+  /// called. Warns where the grid cannot be cut into as many pieces as the options ask for.
   void write(OutputFile& file);
 
   /// Writes a surface that was made of the field or by the filter.
@@ -42,6 +42,7 @@ private:
   void addExecution();
   Json report() const;
   Json describeGrid() const;
+  int pieces() const;
   double distanceBand() const;
   void addErrors(Json& report) const;
   std::string errorsInWords(const Json& report) const;

@@ -1,4 +1,5 @@
 #include "commands/Commands.h"
+#include "commands/FilesToKeep.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
 #include "commands/ReportParts.h"
@@ -23,6 +24,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,12 +50,12 @@ std::vector<std::string> resultNames(const Options& options)
   return names;
 }
 
-/// Throws Failure for a table that has a column of such a name.
-void checkColumns(const Table& table, const Options& options)
+/// Throws Failure for queries that have columns of such names.
+void checkColumns(const std::function<bool(const std::string&)>& isColumn, const Options& options)
 {
   for (const std::string& name : resultNames(options))
   {
-    if (table.find(name))
+    if (isColumn(name))
     {
       throw Failure(REFUSED, options.queries,
         "already has a column " + name + "; rename or remove it, or use --array");
@@ -101,7 +103,8 @@ Queries readQueries(const Options& options, Messages& messages)
   if (isTable(options.queries))
   {
     queries.table.emplace(options.queries);
-    checkColumns(*queries.table, options);
+    checkColumns(
+      [&](const std::string& name) { return queries.table->find(name).has_value(); }, options);
     queries.points = queries.table->points();
     if (!isTable(options.output))
     {
@@ -110,6 +113,11 @@ Queries readQueries(const Options& options, Messages& messages)
   }
   else
   {
+    if (isTable(options.output))
+    {
+      checkColumns(
+        [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
+    }
     queries.points = readInput(options.queries, messages);
   }
   return queries;
@@ -121,6 +129,24 @@ std::string exact(double value)
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
+}
+
+/// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.
+std::string asField(const std::string& name, char separator)
+{
+  const bool isPlain = name.find(separator) == std::string::npos &&
+                       name.find('"') == std::string::npos && name.front() != ' ' &&
+                       name.back() != ' ';
+  if (isPlain)
+  {
+    return name;
+  }
+  std::string field = "\"";
+  for (const char c : name)
+  {
+    field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return field + "\"";
 }
 
 /// Writes the rows that came in unchanged, or the coordinates of points that came in otherwise,
@@ -145,7 +171,7 @@ void writeTable(
   for (const std::string& name : resultNames(options))
   {
     results.push_back(answer->GetPointData()->GetArray(name.c_str()));
-    stream << separator << name;
+    stream << separator << asField(name, separator);
   }
   stream << lineEnd;
   for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
@@ -175,7 +201,6 @@ void writeTable(
   {
     file.refuseWriting();
   }
-  file.commit();
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType queries,
@@ -215,7 +240,7 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
 void runProbe(const Options& options, Messages& messages)
 {
   const Stopwatch stopwatch;
-  OutputFile output(options.output);
+  OutputFile output(options.output, filesToKeep(options));
   const Queries queries = readQueries(options, messages);
   const auto source = readInput(options.input, messages);
   const double readSeconds = stopwatch.seconds();
@@ -244,6 +269,7 @@ void runProbe(const Options& options, Messages& messages)
   {
     writePoints(vtkPointSet::SafeDownCast(probe->GetOutput()), output, messages);
   }
+  output.commit();
   printReport(
     options, *probe, queries.points->GetNumberOfPoints(), readSeconds, stopwatch.seconds());
 }

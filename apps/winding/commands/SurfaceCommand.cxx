@@ -1,5 +1,6 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
+#include "commands/FilesToKeep.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"
@@ -12,7 +13,7 @@ void runSurface(const Options& given, Messages& messages)
 {
   Options options = given;
   options.cells = false; // the filter draws its surface between samples that are points
-  OutputFile output(options.output);
+  OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);

@@ -1,5 +1,6 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
+#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -20,7 +21,7 @@ void runVoxels(const Options& given, Messages& messages)
   // numbers; but alone it is made from floats, and only winding numbers can be verified.
   options.inside = true;
   options.insideOnly = !options.asDouble && options.verify == 0;
-  OutputFile output(options.output);
+  OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);
   FieldRun run(*field, options, messages);

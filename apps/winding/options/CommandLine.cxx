@@ -126,6 +126,7 @@ void addCheck(CLI::App& app, Options& options)
   {
     option->group("Output");
   }
+  addOverwrite(check, options);
   addReporting(check, options);
 }
 

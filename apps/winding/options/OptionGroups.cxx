@@ -72,6 +72,15 @@ void addOutput(CLI::App* command, Options& options, const std::string& suffixes)
     ->required()
     ->type_name("OUT")
     ->group("Output");
+  addOverwrite(command, options);
+}
+
+void addOverwrite(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--overwrite", options.overwrite,
+      "Replace a file that is read, if it is the output, too; without it, that is refused")
+    ->group("Output");
 }
 
 void addMethod(CLI::App* command, Options& options)

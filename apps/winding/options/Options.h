@@ -23,6 +23,7 @@ struct Options
   std::string input;
   std::string queries;
   std::string output;
+  bool overwrite = false; ///< whether an output may replace a file that is read
 
   // The grid. Empty dimensions and bounds were not given.
   int resolution = 64;

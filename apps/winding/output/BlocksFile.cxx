@@ -3,6 +3,7 @@
 #include "output/OutputFile.h"
 #include "output/WriteOutput.h"
 #include "program/Failure.h"
+#include "program/Interrupt.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 namespace
 {
@@ -51,75 +53,105 @@ bool isIndex(const std::string& name)
   return text.find("vtkMultiBlockDataSet") != std::string::npos;
 }
 
+/// A folder that is removed again if it is new and empty.
+class Folder
+{
+public:
+  /// Makes the folder, unless it is there. Throws Failure, about the file, where that is not allowed.
+  Folder(const std::string& folder, const std::string& file)
+    : folder_(folder)
+  {
+    std::error_code error;
+    isNew_ = std::filesystem::create_directory(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+    {
+      throw Failure(REFUSED, file,
+        "needs the folder " + folder + " for its blocks, which cannot be made: " + error.message() +
+          "; give another name");
+    }
+  }
+  ~Folder()
+  {
+    if (isNew_)
+    {
+      std::error_code error;
+      std::filesystem::remove(folder_, error); // a folder that has files stays
+    }
+  }
+  Folder(const Folder&) = delete;
+  void operator=(const Folder&) = delete;
+
+  bool isNew() const { return isNew_; }
+
+private:
+  std::string folder_;
+  bool isNew_;
+};
+
+bool isInFolder(const std::string& file, const std::string& folder)
+{
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::canonical(file, error);
+  return !error && std::filesystem::equivalent(path.parent_path(), folder, error);
+}
+
 } // namespace
 
-BlocksFile::BlocksFile(const std::string& name)
+BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& inputs)
   : name_(name)
+  , folder_(std::filesystem::path(name).replace_extension().string())
+  , inputs_(inputs)
 {
-  std::filesystem::path folder(name);
-  folder.replace_extension();
-  folder_ = folder.string();
+  // The folder and the file go away again here: a run that is killed before it writes leaves none.
+  const Folder folder(folder_, name);
   std::error_code error;
-  isNew_ = std::filesystem::create_directory(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-  {
-    throw Failure(REFUSED, name,
-      "needs the folder " + folder_ + " for its blocks, which cannot be made: " + error.message() +
-        "; give another name");
-  }
-  if (!isNew_ && !std::filesystem::is_empty(folder, error) && !isIndex(name))
+  if (!folder.isNew() && !std::filesystem::is_empty(folder_, error) && !isIndex(name))
   {
     throw Failure(REFUSED, name,
       "needs the folder " + folder_ +
         " for its blocks, which is there and holds other files; give another name");
   }
-  try
+  for (const std::string& input : inputs)
   {
-    const OutputFile probe(name); // whether the index could be written
+    if (isInFolder(input, folder_))
+    {
+      throw Failure(REFUSED, name,
+        "needs the folder " + folder_ + " for its blocks, which holds the input " + input +
+          "; give another name, or say --overwrite");
+    }
   }
-  catch (...)
-  {
-    this->removeFolder();
-    throw;
-  }
-}
-
-BlocksFile::~BlocksFile()
-{
-  this->removeFolder();
-}
-
-void BlocksFile::removeFolder() const
-{
-  if (isNew_)
-  {
-    std::error_code error;
-    std::filesystem::remove(folder_, error); // a folder that has files stays
-  }
+  const OutputFile index(name, inputs);
 }
 
 void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
 {
-  const std::filesystem::path folder(folder_);
+  const Folder folder(folder_, name_);
+  std::vector<std::unique_ptr<OutputFile>> files;
   std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" "
                       "version=\"1.0\" byte_order=\"LittleEndian\">\n  <vtkMultiBlockDataSet>\n";
   for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
   {
     const std::string block = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
-    const std::string file = block + ".vtp";
-    OutputFile output((folder / file).string());
-    writeSurface(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), output, messages);
+    const std::filesystem::path path = std::filesystem::path(folder_) / (block + ".vtp");
+    files.push_back(std::make_unique<OutputFile>(path.string(), inputs_));
+    writeSurface(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), *files.back(), messages);
+    const std::string relative = (path.parent_path().filename() / path.filename()).string();
     index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + escaped(block) +
-             "\" file=\"" + escaped((folder.filename() / file).string()) + "\"/>\n";
+             "\" file=\"" + escaped(relative) + "\"/>\n";
   }
   index += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
-  OutputFile output(name_);
-  std::ofstream stream(output.temporaryName(), std::ios::binary);
+  files.push_back(std::make_unique<OutputFile>(name_, inputs_));
+  std::ofstream stream(files.back()->temporaryName(), std::ios::binary);
   stream << index;
   stream.close();
   if (!stream)
   {
-    output.refuseWriting();
+    files.back()->refuseWriting();
   }
-  output.commit();
+  files.back()->checkIsWhole();
+  interrupt::check();
+  for (const auto& file : files)
+  {
+    file->commit();
+  }
 }

@@ -1,13 +1,11 @@
 #include "output/OutputFile.h"
 
 #include "program/Failure.h"
-#include "program/Interrupt.h"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <vector>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -52,60 +50,104 @@ std::filesystem::path behindLinks(const std::string& name)
   return path;
 }
 
-} // namespace
-
-OutputFile::OutputFile(const std::string& name)
-  : name_(name)
+bool isSameFile(const struct stat& file, const std::string& name)
 {
-  std::error_code error;
-  const std::filesystem::path path = behindLinks(name);
-  target_ = path.string();
-  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+  struct stat other = {};
+  return stat(name.c_str(), &other) == 0 && other.st_dev == file.st_dev &&
+         other.st_ino == file.st_ino;
+}
+
+bool isWriteProtected(const std::filesystem::path& path, const struct stat& file)
+{
+  // The superuser may write to any file, but one that nobody may write to is meant to stay.
+  return (file.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 ||
+         (faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 &&
+           (errno == EACCES || errno == EPERM));
+}
+
+/// Throws Failure where a file stands that may not be replaced.
+void checkMayBeReplaced(const std::string& name, const std::filesystem::path& target,
+  const std::vector<std::string>& inputs)
+{
+  struct stat file = {};
+  if (stat(target.c_str(), &file) != 0)
+  {
+    return;
+  }
+  if (!S_ISREG(file.st_mode))
   {
     throw Failure(
       REFUSED, name, "is there and is no file that could be replaced; give another name");
   }
-  // The suffix stands at the end: VTK's PLY writer would put one there otherwise.
-  const std::string temporary = "." + path.stem().string() + "." + std::to_string(getpid()) +
-                                ".part" + path.extension().string();
-  temporary_ = (path.parent_path() / temporary).string();
-  const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-  if (file < 0)
+  for (const std::string& input : inputs)
   {
-    throw Failure(REFUSED, name,
-      std::string("cannot be written: ") + std::strerror(errno) + "; choose another folder");
+    if (isSameFile(file, input))
+    {
+      throw Failure(REFUSED, name,
+        (input == name ? "is the input" : "is the input " + input) +
+          ", which the result would replace; give another name, or say --overwrite");
+    }
   }
-  close(file);
-  interrupt::setTemporaryFile(temporary_);
+  if (isWriteProtected(target, file))
+  {
+    throw Failure(
+      REFUSED, name, "is there and is write-protected; give another name or allow writing to it");
+  }
 }
 
-OutputFile::~OutputFile()
+/// The target, if it may be written to.
+std::filesystem::path checkedTarget(const std::string& name, const std::vector<std::string>& inputs)
 {
-  if (!temporary_.empty())
+  std::filesystem::path target = behindLinks(name);
+  checkMayBeReplaced(name, target, inputs);
+  return target;
+}
+
+/// Does what may fail because of the file system, and throws Failure, with the advice, if it does.
+template <class Work>
+decltype(auto) reporting(const std::string& name, const char* advice, const Work& work)
+{
+  try
   {
-    unlink(temporary_.c_str());
-    interrupt::setTemporaryFile("");
+    return work();
   }
+  catch (const std::system_error& error)
+  {
+    throw Failure(REFUSED, name,
+      std::string("cannot be written: ") + std::strerror(error.code().value()) + "; " + advice);
+  }
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::string& name, const std::vector<std::string>& inputs)
+  : name_(name)
+  , inputs_(inputs)
+  , target_(checkedTarget(name, inputs))
+  , temporary_(
+      reporting(name, "choose another folder", [this] { return TemporaryFile(this->target_); }))
+{
 }
 
 void OutputFile::refuseWriting() const
 {
   throw Failure(REFUSED, name_,
-    canGrow(temporary_) ? "cannot be written; choose another folder"
-                        : "cannot be written: no space left; make room or choose another disk");
+    canGrow(temporary_.name()) ? "cannot be written; choose another folder"
+                               : "cannot be written: no space left; make room or choose another "
+                                 "disk");
+}
+
+void OutputFile::checkIsWhole() const
+{
+  if (!canGrow(temporary_.name()))
+  {
+    this->refuseWriting();
+  }
 }
 
 void OutputFile::commit()
 {
-  if (!canGrow(temporary_))
-  {
-    refuseWriting();
-  }
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
-  {
-    throw Failure(REFUSED, name_,
-      std::string("cannot be written: ") + std::strerror(errno) + "; choose another name");
-  }
-  interrupt::setTemporaryFile("");
-  temporary_.clear();
+  this->checkIsWhole();
+  checkMayBeReplaced(name_, target_, inputs_);
+  reporting(name_, "choose another name", [this] { temporary_.become(target_); });
 }

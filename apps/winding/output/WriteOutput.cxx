@@ -26,7 +26,7 @@
 namespace
 {
 
-/// Writes the input of a writer to a file and commits it.
+/// Writes the input of a writer to a file.
 template <class Writer>
 void run(Writer* writer, OutputFile& file, Messages& messages,
   const std::function<void()>& check = interrupt::check)
@@ -40,7 +40,7 @@ void run(Writer* writer, OutputFile& file, Messages& messages,
     file.refuseWriting(); // errors of VTK are consequences of this one
   }
   messages.throwIfError(file.name());
-  file.commit();
+  file.checkIsWhole();
 }
 
 /// Chooses raw bytes behind the XML, lightly packed: small and quick, and every VTK reads them.

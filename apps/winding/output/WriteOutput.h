@@ -10,12 +10,12 @@ class vtkPolyData;
 
 /**
  * @file
- * These functions write to an output file, in the format of its suffix, and give it its name. They
- * throw Failure when that fails or the program is interrupted.
+ * These functions write to an output file, in the format of its suffix; commit() is left to the
+ * caller. They throw Failure when the file cannot be written whole or the program is interrupted.
  */
 
-/// Writes an image (.vti), made and written in so many pieces. check is called before the file gets
-/// its name, and throws where the pieces could not be made.
+/// Writes an image (.vti), made and written in so many pieces. check is called at the end, and throws
+/// where the pieces could not be made.
 void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
   const std::function<void()>& check);
 

@@ -2,8 +2,10 @@
 
 #include "program/Failure.h"
 
+#include <array>
+#include <atomic>
 #include <csignal>
-#include <cstring>
+#include <list>
 
 #include <unistd.h>
 
@@ -15,20 +17,24 @@ namespace
 
 volatile std::sig_atomic_t signalled = 0;
 
-// The handler reads an array because it may touch neither the heap nor a string that is being
-// changed.
-char temporaryFile[4096] = "";
-volatile std::sig_atomic_t temporaryFileSet = 0;
+// The handler may run on any thread and at any moment, so that what it reads changes in one step: a
+// pointer to a name. Names stay where they are until the program ends.
+std::array<std::atomic<const char*>, 8> temporaryFiles = {};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+std::list<std::string>& names()
+{
+  static std::list<std::string> all;
+  return all;
+}
 
 void leave(int)
 {
-  if (temporaryFileSet)
-  {
-    unlink(temporaryFile);
-  }
+  removeTemporaryFiles();
   const char message[] = "winding: interrupted\n";
   const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
   static_cast<void>(ignored);
+  removeTemporaryFiles(); // another thread may just have opened, and made, one of them again
   _exit(INTERRUPTED);
 }
 
@@ -52,7 +58,12 @@ void install()
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGHUP, &action, nullptr);
+  struct sigaction before = {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN)
+  {
+    sigaction(SIGHUP, &action, nullptr);
+  }
 }
 
 bool requested()
@@ -68,13 +79,37 @@ void check()
   }
 }
 
-void setTemporaryFile(const std::string& path)
+void addTemporaryFile(const std::string& path)
 {
-  temporaryFileSet = 0;
-  if (!path.empty() && path.size() < sizeof temporaryFile)
+  for (std::atomic<const char*>& file : temporaryFiles)
   {
-    std::memcpy(temporaryFile, path.c_str(), path.size() + 1);
-    temporaryFileSet = 1;
+    if (!file)
+    {
+      file = names().emplace_back(path).c_str();
+      return;
+    }
+  }
+}
+
+void dropTemporaryFile(const std::string& path)
+{
+  for (std::atomic<const char*>& file : temporaryFiles)
+  {
+    if (file && file.load() == path)
+    {
+      file = nullptr;
+    }
+  }
+}
+
+void removeTemporaryFiles()
+{
+  for (const std::atomic<const char*>& file : temporaryFiles)
+  {
+    if (const char* name = file)
+    {
+      unlink(name);
+    }
   }
 }
 

@@ -4,10 +4,10 @@
 
 /**
  * @file
- * SIGINT, SIGTERM and SIGHUP end the program. The first signal asks: running filters are told to
- * abort (Progress.h), and the program leaves where it next looks. If that takes more than a second,
- * or at a second signal, the program leaves from the signal handler. Either way no half-written
- * file stays.
+ * SIGINT, SIGTERM and SIGHUP end the program; a SIGHUP that the caller ignores, as nohup does, stays
+ * ignored. The first signal asks: running filters are told to abort (Progress.h), and the program
+ * leaves where it next looks. If that takes more than a second, or at a second signal, the program
+ * leaves from the signal handler. Either way no half-written file stays.
  */
 namespace interrupt
 {
@@ -21,7 +21,13 @@ bool requested();
 /// Throws Failure if a signal has come.
 void check();
 
-/// Names the file to remove when leaving from the handler; an empty name is no file.
-void setTemporaryFile(const std::string& path);
+/// Names a file that removeTemporaryFiles() removes until dropTemporaryFile() is told its name. Of
+/// more than eight at a time, the ones that come late are not taken.
+void addTemporaryFile(const std::string& path);
+void dropTemporaryFile(const std::string& path);
+
+/// Removes the files that have been named, for whoever leaves without unwinding. Signal handlers may
+/// call it.
+void removeTemporaryFiles();
 
 } // namespace interrupt

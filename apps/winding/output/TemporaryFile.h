@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/**
+ * A hidden file beside the one that it is to become: .<stem>.winding-<process>.part<suffix>. It is
+ * locked as long as the run lives. One without a lock was left behind by a run that was killed, and
+ * the next run that writes into the folder removes it, whatever its output.
+ */
+class TemporaryFile
+{
+public:
+  /// Makes the file, empty. Throws std::system_error where the folder does not allow it.
+  explicit TemporaryFile(const std::filesystem::path& target);
+  /// Removes the file, unless it has become another.
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  void operator=(const TemporaryFile&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// Gives the file the name of the target, and thereby replaces what had it. Throws
+  /// std::system_error where that is not possible.
+  void become(const std::filesystem::path& target);
+
+private:
+  std::string name_; ///< empty when it has become another
+  int lock_;         ///< the open file, which keeps the lock
+};

@@ -1,0 +1,8 @@
+#pragma once
+
+/// From now on, an exception that nobody can catch (memory that runs out in a destructor, or while
+/// an error is being told) ends the program in one line and with a status of ours, too.
+void installLastResort();
+
+/// Tells on standard error that memory has run out, without asking for any.
+void tellOutOfMemory();

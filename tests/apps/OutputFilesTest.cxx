@@ -1,0 +1,233 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+
+using namespace std::chrono_literals;
+
+/// What becomes of files that lie where the program writes.
+class OutputFiles : public testing::Test
+{
+protected:
+  Outcome field(const std::string& out, const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> arguments = {
+      "field", in, "-o", folder.path(out), "--resolution", "4", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runProgram(arguments);
+  }
+
+  /// Starts a run that would take minutes, and waits until its temporary file is there.
+  int startLongRun(const std::string& out) const
+  {
+    const std::size_t before = folder.names().size();
+    const int process = startProgram({"field", in, "-o", folder.path(out), "--threads", "1",
+      "--resolution", "500", "--method", "direct"});
+    for (int i = 0; i < 2000 && folder.names().size() == before; ++i)
+    {
+      std::this_thread::sleep_for(10ms);
+    }
+    std::this_thread::sleep_for(50ms); // from the making of the file to its lock
+    return process;
+  }
+
+  std::vector<std::string> partFiles() const
+  {
+    std::vector<std::string> names = folder.names();
+    const auto isNoPart = [](const std::string& name)
+    {
+      return name.find(".part.") == std::string::npos;
+    };
+    names.erase(std::remove_if(names.begin(), names.end(), isNoPart), names.end());
+    return names;
+  }
+
+  static void end(int process)
+  {
+    kill(process, SIGKILL);
+    int status = 0;
+    waitpid(process, &status, 0);
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.write("in.off", asOff(sphere(3)));
+};
+
+TEST_F(OutputFiles, AnInputIsNotReplaced)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0,0,0\n");
+  ASSERT_EQ(symlink("q.csv", folder.path("link.csv").c_str()), 0);
+  ASSERT_EQ(symlink("link.csv", folder.path("chain.csv").c_str()), 0);
+  ASSERT_EQ(link(queries.c_str(), folder.path("hard.csv").c_str()), 0);
+  std::filesystem::create_directory(folder.path("sub"));
+  const std::string before = contentsOf(queries);
+  for (const char* read : {"q.csv", "link.csv", "hard.csv"})
+  {
+    for (const char* out :
+      {"q.csv", "link.csv", "chain.csv", "hard.csv", "./q.csv", "sub/../q.csv", "/q.csv"})
+    {
+      const Outcome run = runProgram({"probe", in, folder.path(read), "-o", folder.path(out)});
+      EXPECT_EQ(run.status, 2) << read << " " << out << run;
+      EXPECT_TRUE(run.saysInOneLine({out, "is the input", "--overwrite"})) << run;
+      EXPECT_EQ(contentsOf(queries), before);
+    }
+  }
+  EXPECT_TRUE(partFiles().empty());
+
+  const std::string mesh = folder.path("mesh.ply");
+  ASSERT_EQ(runProgram({"surface", in, "-o", mesh, "--resolution", "8"}).status, 0);
+  const std::string scan = contentsOf(mesh);
+  for (const std::vector<std::string>& command :
+    {std::vector<std::string>{"surface", mesh, "-o", mesh, "--resolution", "4"},
+      {"voxels", mesh, "-o", mesh, "--resolution", "4"},
+      {"check", mesh, "--fix-orientation", "-o", mesh},
+      {"probe", mesh, queries, "-o", folder.path("hard.csv")}})
+  {
+    const Outcome run = runProgram(command);
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"is the input", "--overwrite"})) << run;
+    EXPECT_EQ(contentsOf(mesh), scan);
+  }
+}
+
+TEST_F(OutputFiles, AnInputIsReplacedOnRequest)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0,0,0\n");
+  const Outcome run = runProgram({"probe", in, queries, "-o", queries, "--overwrite"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(contentsOf(queries).substr(0, 26), "x,y,z,WindingNumber,Inside");
+}
+
+TEST_F(OutputFiles, AnInputAmongTheBlocksIsNotReplaced)
+{
+  const std::string faults = folder.path("faults.vtm");
+  ASSERT_EQ(runProgram({"check", in, "--blocks", faults}).status, 0);
+  const std::string boundary = folder.path("faults/Boundary.vtp");
+  const std::string before = contentsOf(boundary);
+  const Outcome run = runProgram({"check", boundary, "--blocks", faults});
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"faults.vtm", "holds the input", "--overwrite"})) << run;
+  EXPECT_EQ(contentsOf(boundary), before);
+  EXPECT_EQ(runProgram({"check", in, "--blocks", faults}).status, 0) << "their own index is there";
+}
+
+TEST_F(OutputFiles, OlderOutputsAreReplaced)
+{
+  folder.write("out.vti", "what was there before");
+  EXPECT_EQ(field("out.vti").status, 0);
+  EXPECT_NE(contentsOf(folder.path("out.vti")).find("ImageData"), std::string::npos);
+}
+
+TEST_F(OutputFiles, WriteProtectedFilesAreNotReplaced)
+{
+  const std::string out = folder.write("out.vti", "what was there before");
+  ASSERT_EQ(chmod(out.c_str(), 0444), 0);
+  ASSERT_EQ(symlink("out.vti", folder.path("link.vti").c_str()), 0);
+  for (const char* name : {"out.vti", "link.vti"})
+  {
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--overwrite"}})
+    {
+      const Outcome run = field(name, more);
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_TRUE(run.saysInOneLine({name, "write-protected"})) << run;
+      EXPECT_EQ(contentsOf(out), "what was there before");
+    }
+  }
+  EXPECT_TRUE(partFiles().empty());
+}
+
+TEST_F(OutputFiles, LongNames)
+{
+  // A file system that counts characters, or that wants UTF-8, gets no name that is cut in one.
+  std::string accents;
+  for (int i = 0; i < 125; ++i)
+  {
+    accents += "\xC3\xA9";
+  }
+  for (const std::string& name :
+    {std::string(251, 'a') + ".vti", accents + "a.vti", "a" + accents + ".vti"})
+  {
+    ASSERT_EQ(name.size(), 255u);
+    EXPECT_EQ(field(name).status, 0) << name;
+    EXPECT_NE(contentsOf(folder.path(name)).find("ImageData"), std::string::npos);
+  }
+  EXPECT_EQ(field(std::string(252, 'a') + ".vti").status, 2);
+  const Outcome surface =
+    runProgram({"surface", in, "-o", folder.path(std::string(251, 'b') + ".ply")});
+  EXPECT_EQ(surface.status, 0) << surface;
+  EXPECT_TRUE(partFiles().empty());
+}
+
+TEST_F(OutputFiles, KilledRunsLeaveNothingThatTheNextDoesNotClear)
+{
+  end(startLongRun("big.vti"));
+  EXPECT_EQ(partFiles().size(), 1u);
+  EXPECT_EQ(field("other.vti").status, 0);
+  EXPECT_TRUE(partFiles().empty());
+}
+
+TEST_F(OutputFiles, TheFileOfALivingRunStays)
+{
+  const int living = startLongRun("out.vti");
+  const std::vector<std::string> before = partFiles();
+  ASSERT_EQ(before.size(), 1u);
+  EXPECT_EQ(field("out.vti").status, 0);
+  EXPECT_EQ(field("other.vti").status, 0);
+  EXPECT_EQ(partFiles(), before);
+  end(living);
+}
+
+TEST_F(OutputFiles, FilesOfOthersStay)
+{
+  const std::vector<std::string> names = {".out.vti", ".out.part.vti", ".out.1234.part.vti",
+    "out.winding-1234.part.vti", ".out.winding-1234.part", ".out.winding-x.part.vti"};
+  for (const std::string& name : names)
+  {
+    folder.write(name, "somebody's");
+  }
+  EXPECT_EQ(field("out.vti").status, 0);
+  for (const std::string& name : names)
+  {
+    EXPECT_EQ(contentsOf(folder.path(name)), "somebody's") << name;
+  }
+}
+
+TEST_F(OutputFiles, MorePiecesThanThereAreIsFewerWithAWord)
+{
+  struct Case
+  {
+    std::vector<std::string> grid;
+    const char* most;
+  };
+  for (const Case& c : {Case{{"--dims", "2", "2", "2", "--cells"}, "2"},
+         Case{{"--dims", "5", "2", "3"}, "4"}, Case{{"--dims", "1", "1", "1"}, "1"}})
+  {
+    std::vector<std::string> arguments = {
+      "field", in, "-o", folder.path("out.vti"), "--pieces", "1000000000"};
+    arguments.insert(arguments.end(), c.grid.begin(), c.grid.end());
+    const Outcome run = runProgram(arguments, "timeout 20 ");
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_NE(run.err.find(std::string("it is written in ") + c.most + "\n"), std::string::npos)
+      << run;
+    EXPECT_EQ(contentsOf(folder.path("out.vti")).find("0 -1 0 -1"), std::string::npos)
+      << "no piece is empty";
+    arguments[5] = c.most;
+    EXPECT_EQ(runProgram(arguments).err, "");
+  }
+}
+
+} // namespace
