@@ -1,11 +1,11 @@
-"""Runs the program on mutated files of every format, and fails where it does anything but its work or
-a refusal.
+"""Runs the program on mutated files of every format, and fails where it does anything but its
+work or a refusal.
 
 Usage: mutate.py <program> [count] [first seed] [folder for failing inputs]
 
-A mutant's seed tells its file, its mutations and its command. A failure is a status other than 0, 1,
-2, 3 and 130, more than 10 seconds, something on standard error that is not the program's own line, a
-number that is not finite in an output with status 0, or a file left behind.
+A mutant's seed tells its file, its mutations and its command. A failure is a status other than 0,
+1, 2, 3 and 130, more than 10 seconds, something on standard error that is not the program's own
+line, a number that is not finite in an output with status 0, or a file left behind.
 """
 
 import concurrent.futures
@@ -24,25 +24,96 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True
+import outputs  # noqa: E402
 import seeds  # noqa: E402
 
 STATUSES = {0, 1, 2, 3, 130}
 SECONDS = 10
 BYTES = 6 << 30  # of address space
 HARD_WORDS = [
-    b"0", b"1", b"-1", b"2", b"3", b"4", b"8", b"255", b"256", b"65536", b"2147483647", b"-2147483648",
-    b"4294967296", b"9223372036854775807", b"-9223372036854775808", b"1e9", b"1e39", b"1e160", b"1e300",
-    b"-1e308", b"1e-320", b"1e400", b"nan", b"inf", b"-inf", b"0x10", b"1.5", b"+1", b"1,5", b"", b'"', b"\r",
-    b"x", b"ascii", b"binary", b"list", b"int", b"float", b"vtktypeint64", b"end_header", b"42", b"METADATA",
-    b"FIELD", b"appended"]
-HARD_BYTES = [struct.pack(code, value) for code, value in [
-    ("<i", -1), ("<i", 2**31 - 1), (">i", 2**31 - 1), ("<q", -1), ("<q", 2**62), ("<f", math.inf), ("<f", math.nan),
-    ("<d", math.nan), ("<d", 1e300), (">f", math.nan), (">d", 1e300), ("<I", 5), ("B", 0), ("B", 255)]]
+    b"0",
+    b"1",
+    b"-1",
+    b"2",
+    b"3",
+    b"4",
+    b"8",
+    b"255",
+    b"256",
+    b"65536",
+    b"2147483647",
+    b"-2147483648",
+    b"4294967296",
+    b"9223372036854775807",
+    b"-9223372036854775808",
+    b"1e9",
+    b"1e39",
+    b"1e160",
+    b"1e300",
+    b"-1e308",
+    b"1e-320",
+    b"1e400",
+    b"nan",
+    b"inf",
+    b"-inf",
+    b"0x10",
+    b"1.5",
+    b"+1",
+    b"1,5",
+    b"",
+    b'"',
+    b"\r",
+    b"x",
+    b"ascii",
+    b"binary",
+    b"list",
+    b"int",
+    b"float",
+    b"vtktypeint64",
+    b"end_header",
+    b"42",
+    b"METADATA",
+    b"FIELD",
+    b"appended",
+]
+HARD_BYTES = [
+    struct.pack(code, value)
+    for code, value in [
+        ("<i", -1),
+        ("<i", 2**31 - 1),
+        (">i", 2**31 - 1),
+        ("<q", -1),
+        ("<q", 2**62),
+        ("<f", math.inf),
+        ("<f", math.nan),
+        ("<d", math.nan),
+        ("<d", 1e300),
+        (">f", math.nan),
+        (">d", 1e300),
+        ("<I", 5),
+        ("B", 0),
+        ("B", 255),
+    ]
+]
 WORD = re.compile(rb'[^\s"<>,]+')
 LINE = re.compile(rb"[^\n]*\n?")
 
 
-MILD_WORDS = [b"0", b"1", b"2", b"3", b"0.25", b"-0.5", b"-3", b"7.5", b"1e-3", b"1e5", b"1e-30", b"1e30", b"nan"]
+MILD_WORDS = [
+    b"0",
+    b"1",
+    b"2",
+    b"3",
+    b"0.25",
+    b"-0.5",
+    b"-3",
+    b"7.5",
+    b"1e-3",
+    b"1e5",
+    b"1e-30",
+    b"1e30",
+    b"nan",
+]
 NUMBER = re.compile(rb"(?<=[\s,>])-?\d[^\s\"<>,]*(?=[\s,<])")
 
 
@@ -61,7 +132,11 @@ def mutated(content, chance):
     if chance.random() < 0.4:
         return with_other_numbers(content, chance)
     for _ in range(chance.choice((1, 1, 1, 2, 3, 6))):
-        pieces = [m.span() for m in (LINE if chance.random() < 0.25 else WORD).finditer(content) if m.end() > m.start()]
+        pieces = [
+            m.span()
+            for m in (LINE if chance.random() < 0.25 else WORD).finditer(content)
+            if m.end() > m.start()
+        ]
         if not pieces:
             return content
         (a, b), (c, d) = chance.choice(pieces), chance.choice(pieces)
@@ -79,20 +154,46 @@ def mutated(content, chance):
         else:
             place, hard = chance.randrange(len(content)), chance.choice(HARD_BYTES)
             flipped = bytes([content[place] ^ (1 << chance.randrange(8))])
-            content = content[:place] + (flipped if kind == 8 else hard) + content[place + (1 if kind == 8 else len(hard)):]
+            content = (
+                content[:place]
+                + (flipped if kind == 8 else hard)
+                + content[place + (1 if kind == 8 else len(hard)) :]
+            )
     return content
 
 
 def command_for(chance, name, other):
     """The arguments that follow the program, and the outputs that they name."""
-    grid = chance.choice((["--resolution", str(chance.choice((1, 2, 4, 7)))], ["--dims", "3", "1", "4"]))
-    method = chance.choice(([], [], ["--method", chance.choice(("rows", "hierarchical", "direct", "parity"))]))
-    cloud = chance.choice(([], ["--estimate-normals"], ["--points"], ["--regularization", "1"],
-                           ["--areas", "array"], ["--tolerance", "1e-6"]))
+    grid = chance.choice(
+        (["--resolution", str(chance.choice((1, 2, 4, 7)))], ["--dims", "3", "1", "4"])
+    )
+    method = chance.choice(
+        ([], [], ["--method", chance.choice(("rows", "hierarchical", "direct", "parity"))])
+    )
+    cloud = chance.choice(
+        (
+            [],
+            ["--estimate-normals"],
+            ["--points"],
+            ["--regularization", "1"],
+            ["--areas", "array"],
+            ["--tolerance", "1e-6"],
+        )
+    )
     command = chance.choice(("field", "field", "surface", "voxels", "probe", "probe", "check"))
     if command == "field":
-        extra = chance.choice(([], ["--distance"], ["--coverage", "fraction"], ["--inside-only"], ["--double"],
-                               ["--verify", "20", "--json"], ["--pieces", "2"], ["--cells"]))
+        extra = chance.choice(
+            (
+                [],
+                ["--distance"],
+                ["--coverage", "fraction"],
+                ["--inside-only"],
+                ["--double"],
+                ["--verify", "20", "--json"],
+                ["--pieces", "2"],
+                ["--cells"],
+            )
+        )
         return ["field", name, "-o", "out.vti", *grid, *method, *cloud, *extra], ["out.vti"]
     if command in ("surface", "voxels"):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
@@ -106,91 +207,7 @@ def command_for(chance, name, other):
     return ["check", name, "--json", *extra], extra[-1:]
 
 
-def unpacked_lz4(packed, size):
-    """The bytes of a block of LZ4."""
-    out, at = bytearray(), 0
-
-    def length(first):
-        nonlocal at
-        total = first
-        while first == 15 or (total >= 15 and packed[at - 1] == 255):
-            total += packed[at]
-            at += 1
-            first = 0
-        return total
-
-    while at < len(packed) and len(out) < size:
-        token = packed[at]
-        at += 1
-        literals = length(token >> 4)
-        out += packed[at : at + literals]
-        at += literals
-        if at >= len(packed):
-            break
-        offset = packed[at] | packed[at + 1] << 8
-        at += 2
-        for _ in range(length(token & 15) + 4):
-            out.append(out[-offset])
-    return bytes(out)
-
-
-def image_numbers(content):
-    """The numbers of all arrays of real numbers in an image that the program has written."""
-    mark = content.index(b'<AppendedData encoding="raw">')
-    start = content.index(b"_", mark) + 1
-    for tag in re.findall(rb"<DataArray [^>]*>", content[:mark]):
-        kind = re.search(rb'type="Float(\d+)"', tag)
-        if not kind:
-            continue
-        at = start + int(re.search(rb'offset="(\d+)"', tag)[1])
-        blocks, size, last = struct.unpack_from("<3Q", content, at)
-        packed = struct.unpack_from(f"<{blocks}Q", content, at + 24)
-        at += 24 + 8 * blocks
-        for number, length in enumerate(packed):
-            whole = last if last and number + 1 == blocks else size
-            data = content[at : at + length]
-            data = data if length == whole else unpacked_lz4(data, whole)
-            code = "f" if kind[1] == b"32" else "d"
-            yield from struct.unpack(f"<{len(data) // struct.calcsize(code)}{code}", data)
-            at += length
-
-
-def table_numbers(content):
-    """The results in a table, for queries that are finite."""
-    lines = content.decode(errors="replace").splitlines()
-    head = lines[0].split(",")
-    if '"' in content.decode(errors="replace") or "WindingNumber" not in head:
-        return
-    first = head.index("WindingNumber")
-    for line in lines[1:]:
-        fields = line.split(",")
-        try:
-            queries = [float(field) for field in fields[:first]]
-            results = [float(field) for field in fields[first:]]
-        except ValueError:
-            continue
-        if all(map(math.isfinite, queries)):
-            yield from results
-
-
-def flaw_in_output(path):
-    content = path.read_bytes()
-    if path.suffix == ".vti":
-        numbers = image_numbers(content)
-    elif path.suffix == ".csv":
-        numbers = table_numbers(content)
-    elif path.suffix == ".obj":
-        numbers = (float(word) for line in content.splitlines() if line.startswith(b"v") for word in line.split()[1:])
-    elif path.suffix == ".stl" and len(content) >= 84:
-        count = struct.unpack_from("<I", content, 80)[0]
-        numbers = (value for i in range(count) for value in struct.unpack_from("<12f", content, 84 + 50 * i))
-    else:
-        return None
-    bad = [number for number in numbers if not math.isfinite(number)]
-    return f"{bad[0]} in {path.name}" if bad else None
-
-
-def flaw_in(run, folder, inputs, outputs, arguments):
+def flaw_in(run, folder, inputs, written, arguments):
     """What is wrong with a run, in words; None for nothing."""
     if run.returncode not in STATUSES:
         return f"status {run.returncode}"
@@ -200,22 +217,26 @@ def flaw_in(run, folder, inputs, outputs, arguments):
     left = {path.name for path in folder.iterdir()} - set(inputs)
     if run.returncode != 0:
         return f"leaves {sorted(left)} behind" if left else None
-    for name in outputs:
+    for name in written:
         if name.endswith(".vtm"):
             continue
         if name not in left:
             return f"has written no {name}"
-        flaw = flaw_in_output(folder / name)
+        flaw = outputs.flaw_in(folder / name)
         if flaw:
             return flaw
     if "--json" in arguments:
+
         def refuse(word):
             raise ValueError(word)
+
         try:
             report = json.loads(run.stdout, parse_constant=refuse)
         except ValueError as error:
             return f"the report has {error}"
-        if any(report.get(name, 0) is None for name in ("max_error", "rms_error", "near_max_error")):
+        if any(
+            report.get(name, 0) is None for name in ("max_error", "rms_error", "near_max_error")
+        ):
             return "an error is null in the report"
     return None
 
@@ -232,16 +253,21 @@ class Mutants:
         suffix, _, content = chance.choice(self.files)
         other_suffix, _, other_content = chance.choice(self.files)
         name, other = "in" + suffix, "other" + other_suffix
-        arguments, outputs = command_for(chance, name, other)
+        arguments, written = command_for(chance, name, other)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="winding_mutant_"))
         try:
             (folder / name).write_bytes(mutated(content, chance))
             (folder / other).write_bytes(other_content)
             start = time.monotonic()
             try:
-                run = subprocess.run([self.program, *arguments, "--quiet"], cwd=folder, capture_output=True,
-                                     stdin=subprocess.DEVNULL, timeout=SECONDS)
-                flaw = flaw_in(run, folder, (name, other), outputs, arguments)
+                run = subprocess.run(
+                    [self.program, *arguments, "--quiet"],
+                    cwd=folder,
+                    capture_output=True,
+                    stdin=subprocess.DEVNULL,
+                    timeout=SECONDS,
+                )
+                flaw = flaw_in(run, folder, (name, other), written, arguments)
                 self.statuses[run.returncode] = self.statuses.get(run.returncode, 0) + 1
             except subprocess.TimeoutExpired:
                 flaw = f"takes more than {SECONDS} s"
@@ -272,9 +298,14 @@ def main():
                 failed += 1
                 print(flaw, flush=True)
     seconds = time.monotonic() - start
-    statuses = ", ".join(f"{status}: {mutants.statuses[status]}" for status in sorted(mutants.statuses))
-    print(f"{count} mutants from seed {first} in {seconds:.0f} s, statuses {statuses}; {failed} failures; the slowest, "
-          f"seed {mutants.slowest[1]}, took {mutants.slowest[0]:.2f} s")
+    statuses = ", ".join(
+        f"{status}: {mutants.statuses[status]}" for status in sorted(mutants.statuses)
+    )
+    print(
+        f"{count} mutants from seed {first} in {seconds:.0f} s, statuses {statuses}; "
+        f"{failed} failures; "
+        f"the slowest, seed {mutants.slowest[1]}, took {mutants.slowest[0]:.2f} s"
+    )
     sys.exit(1 if failed else 0)
 
 
