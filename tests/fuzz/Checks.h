@@ -34,7 +34,11 @@ std::string checkOrientation(Choices& choices);
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
-/// All of them, by name.
+/// The time of all methods beside that of the direct sum: TimeCheck.cxx. It takes far longer than
+/// the others.
+std::string checkTime(Choices& choices);
+
+/// All of them but checkTime(), by name.
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
