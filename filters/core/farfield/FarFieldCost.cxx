@@ -1,5 +1,8 @@
 #include "farfield/FarFieldCost.h"
 
+#include "farfield/SplitTriangles.h"
+#include "sums/DirectSumCost.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,14 +29,22 @@ EvaluationCost costOfFarField(const SampledSource& source, int order)
   // of the time. Large triangles are cut for them; points that are fewer are near to fewer samples.
   const double sparse =
     isTriangle || source.area == 0 ? 1 : std::min(1.0, std::pow(primitives / source.area, 0.55));
-  const double near = (isTriangle ? 4e-6 : 2.5e-6) * sparse * source.area;
+  const double near = (isTriangle ? 4e-6 : 2.5e-6) * sparse * orderFactor(order) * source.area;
+  // A sample is near to no more than all triangles.
+  const double nearAtMost = isTriangle ? costOfDirectSum(source).seconds : near;
   const double perSample = source.primitives == 0 ? 0
                            : !source.isGrid       ? 300e-9
                            : isTriangle           ? 70e-9
                                                   : 45e-9;
-  const double tree = 0.5e-6 * primitives;
+  // Triangles that are cut have pieces of 12 squares on average.
+  const double items = isTriangle
+                         ? std::clamp(source.area / 12, primitives,
+                             static_cast<double>(mostPieces(source.primitives, source.samples)))
+                         : primitives;
+  const double tree = 0.5e-6 * items;
   const std::size_t bytesPerSource = (isTriangle ? 120 : 90) + (order + 1) * (order + 1) * 2;
-  return {orderFactor(order) * (tree + near + perSample * samples) + secondsPerValue * samples,
+  return {orderFactor(order) * (tree + perSample * samples) + std::min(near, nearAtMost) +
+            secondsPerValue * samples,
     (bytesPerPrimitive + bytesPerSource) * source.primitives};
 }
 

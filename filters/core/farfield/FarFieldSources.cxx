@@ -3,11 +3,14 @@
 #include "base/Pi.h"
 #include "farfield/BulkBounds.h"
 #include "source/UnitScale.h"
+#include "sums/MultipleAngles.h"
 #include "sums/RegularizedKernels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace winding
 {
@@ -92,6 +95,7 @@ public:
     {
       rearrange(inverseLengths_, order);
     }
+    this->setWhole({{0, static_cast<std::uint32_t>(items_.size())}});
     inSingle_ = inSingle;
     singleMoments_.resize(inSingle_ ? items_.size() : 0);
     for (std::size_t i = 0; i < singleMoments_.size(); ++i)
@@ -237,50 +241,101 @@ const Rule& ruleFor(int order)
   return rules[static_cast<std::size_t>((order + 2) / 2)];
 }
 
+/**
+ * Triangles, those that are too large in pieces: these are the items of the tree. Behind them stand
+ * the triangles that were cut, as they were before.
+ */
 class TriangleSources final : public FarFieldSources
 {
 public:
-  TriangleSources(const std::vector<Eigen::Vector3d>& vertices,
-    const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+  TriangleSources(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
+    const Bounds& bounds, const SplitRule& rule)
     : FarFieldSources(unitScale(bulkBounds(vertices, bounds)))
   {
-    const auto add = [this](
-                       const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
+    multiplicities_.reserve(triangles.isOnceEach() ? 0 : triangles.size());
+    items_.reserve(triangles.size());
+    std::vector<std::size_t> cut;
+    const auto add = [&](const TrianglePiece& piece)
     {
-      const Eigen::Vector3d a = p * scale(), b = q * scale(), c = r * scale();
+      const Eigen::Vector3d a = piece.a * scale(), b = piece.b * scale(), c = piece.c * scale();
       KernelTriangle& item = items_.emplace_back();
       store(a, item.a);
       store(b, item.b);
       store(c, item.c);
       store((b - a).cross(c - a), item.normal);
+      if (!triangles.isOnceEach())
+      {
+        multiplicities_.push_back(triangles.multiplicity(piece.triangle));
+      }
+      if (piece.isCut && (cut.empty() || cut.back() != piece.triangle))
+      {
+        cut.push_back(piece.triangle);
+      }
+      isCut_.push_back(piece.isCut);
     };
-    items_.reserve(triangles.size());
+    const auto addWhole = [&](std::size_t i)
+    {
+      const Triangle& t = triangles[i];
+      add({vertices[t[0]], vertices[t[1]], vertices[t[2]], i, false});
+    };
     if (rule == SplitRule())
     {
-      for (const Triangle& t : triangles)
-      {
-        add(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
-      }
-      return;
+      triangles.forEachRun(
+        [&](std::size_t first, std::size_t last, std::int32_t)
+        {
+          for (; first < last; ++first)
+          {
+            addWhole(first);
+          }
+        });
     }
-    // This many pieces are enough for a surface across a grid of 512³, and cost a small source no
-    // more memory than a far field of 100 000 triangles.
-    const std::size_t mostPieces = 2 * triangles.size() + 100'000;
-    forEachPiece(rule, vertices, triangles, mostPieces, add);
+    else
+    {
+      forEachPiece(rule, vertices, triangles, add);
+    }
+    treeItems_ = items_.size();
+    std::for_each(cut.begin(), cut.end(), addWhole);
   }
 
   std::vector<Eigen::Vector3d> centers() const override
   {
     std::vector<Eigen::Vector3d> centers;
-    centers.reserve(items_.size());
-    for (const KernelTriangle& item : items_)
-    {
-      centers.emplace_back((Vector(item.a) + Vector(item.b) + Vector(item.c)) / 3);
-    }
+    centers.reserve(treeItems_);
+    std::for_each(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(treeItems_),
+      [&](const KernelTriangle& item)
+      { centers.emplace_back((Vector(item.a) + Vector(item.b) + Vector(item.c)) / 3); });
     return centers;
   }
 
-  void arrange(const std::vector<std::uint32_t>& order, bool) override { rearrange(items_, order); }
+  /// Puts the items of the tree in order; the triangles behind them stay.
+  void arrange(const std::vector<std::uint32_t>& order, bool) override
+  {
+    std::vector<std::uint32_t> all = order;
+    all.resize(items_.size());
+    std::iota(all.begin() + static_cast<std::ptrdiff_t>(treeItems_), all.end(),
+      static_cast<std::uint32_t>(treeItems_));
+    rearrange(items_, all);
+    rearrange(isCut_, all);
+    if (!multiplicities_.empty())
+    {
+      rearrange(multiplicities_, all);
+    }
+    const auto count = static_cast<std::uint32_t>(items_.size());
+    std::vector<ItemRange> whole;
+    for (std::uint32_t first = 0, last = 0; first < count; first = last + 1)
+    {
+      for (last = first; last < count && !isCut_[last]; ++last)
+      {
+      }
+      if (last > first)
+      {
+        whole.push_back({first, last});
+      }
+    }
+    isCut_.clear();
+    isCut_.shrink_to_fit();
+    this->setWhole(std::move(whole));
+  }
 
   void appendDipoles(ItemRange items, int order, std::vector<Dipole>& dipoles) const override
   {
@@ -294,7 +349,7 @@ public:
         for (const auto& [v, weightV] : rule)
         {
           // The area element is |normal| u du dv.
-          const double weight = u * weightU * weightV / (4 * pi);
+          const double weight = this->multiplicity(i) * u * weightU * weightV / (4 * pi);
           dipoles.push_back({(1 - u) * a + u * (1 - v) * b + u * v * c, weight * normal});
         }
       }
@@ -319,20 +374,20 @@ public:
   bool sum(const std::vector<ItemRange>& items, const SampleBlock& samples, double* values,
     bool* isSuspect) const override
   {
-    AngleProducts products(samples.count);
-    const auto multiply = isSuspect ? multiplyAnglesWatching : multiplyAngles;
-    for (const ItemRange& range : items)
-    {
-      multiply(&items_[range.begin], range.end - range.begin, samples, products);
-    }
-    sumAngles(products, samples.count, values);
-    bool any = false;
-    for (std::size_t i = 0; isSuspect && i < samples.count; ++i)
-    {
-      isSuspect[i] = products.suspect[i] != 0;
-      any = any || isSuspect[i];
-    }
-    return any;
+    MultipleAngles sums(samples.count, values, isSuspect);
+    this->forEachMultiplicity(items,
+      [&](std::int32_t multiplicity, const std::vector<ItemRange>& ranges)
+      {
+        AngleProducts products(samples.count);
+        const auto multiply = isSuspect ? multiplyAnglesWatching : multiplyAngles;
+        for (const ItemRange& range : ranges)
+        {
+          multiply(&items_[range.begin], range.end - range.begin, samples, products);
+        }
+        sums.add(products, multiplicity);
+      });
+    return isSuspect &&
+           std::any_of(isSuspect, isSuspect + samples.count, [](bool is) { return is; });
   }
 
   /// Adds the gradients of the sides of all triangles. The two shares of a side between two
@@ -345,7 +400,8 @@ public:
       for (std::uint32_t i = range.begin; i < range.end; ++i)
       {
         const Vector a(items_[i].a), b(items_[i].b), c(items_[i].c);
-        const KernelEdge sides[] = {kernelEdge(a, b, 1), kernelEdge(b, c, 1), kernelEdge(c, a, 1)};
+        const std::int32_t m = this->multiplicity(i);
+        const KernelEdge sides[] = {kernelEdge(a, b, m), kernelEdge(b, c, m), kernelEdge(c, a, m)};
         addEdgeGradients(sides, 3, samples, sums);
       }
     }
@@ -356,10 +412,55 @@ public:
   std::size_t leafSize() const override { return 12; }
 
 private:
-  std::vector<KernelTriangle> items_;
+  std::int32_t multiplicity(std::size_t item) const
+  {
+    return multiplicities_.empty() ? 1 : multiplicities_[item];
+  }
+
+  /// Calls visit(multiplicity, ranges) for the items of each multiplicity among some.
+  template <class Visit>
+  void forEachMultiplicity(const std::vector<ItemRange>& items, const Visit& visit) const
+  {
+    if (multiplicities_.empty())
+    {
+      visit(1, items);
+      return;
+    }
+    std::map<std::int32_t, std::vector<ItemRange>> byMultiplicity;
+    for (const ItemRange& range : items)
+    {
+      for (std::uint32_t first = range.begin, last = first; first < range.end; first = last)
+      {
+        while (last < range.end && multiplicities_[last] == multiplicities_[first])
+        {
+          ++last;
+        }
+        byMultiplicity[multiplicities_[first]].push_back({first, last});
+      }
+    }
+    for (const auto& [multiplicity, ranges] : byMultiplicity)
+    {
+      visit(multiplicity, ranges);
+    }
+  }
+
+  std::vector<KernelTriangle> items_; ///< those of the tree in its order, then triangles it has cut
+  std::size_t treeItems_ = 0;
+  std::vector<char> isCut_;       ///< by item, until they are arranged
+  Multiplicities multiplicities_; ///< by item, in no order; none where each counts once
 };
 
 } // namespace
+
+std::size_t FarFieldSources::wholeSize() const
+{
+  std::size_t size = 0;
+  for (const ItemRange& range : whole_)
+  {
+    size += range.end - range.begin;
+  }
+  return size;
+}
 
 std::unique_ptr<FarFieldSources> farFieldSources(
   const PointCloud& cloud, const std::vector<double>& areas)
@@ -368,7 +469,7 @@ std::unique_ptr<FarFieldSources> farFieldSources(
 }
 
 std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule)
+  const ChainView& triangles, const Bounds& bounds, const SplitRule& rule)
 {
   return std::make_unique<TriangleSources>(vertices, triangles, bounds, rule);
 }

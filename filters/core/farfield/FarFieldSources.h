@@ -34,6 +34,13 @@ public:
 
   virtual std::vector<Eigen::Vector3d> centers() const = 0;
 
+  /// Items that together are the whole field, as few as can be: all points, or all triangles, with
+  /// those that were cut as they were before. Valid once the items are arranged.
+  const std::vector<ItemRange>& whole() const { return whole_; }
+
+  /// The number of items in whole().
+  std::size_t wholeSize() const;
+
   /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with
   /// offsets in double; triangles never are, as the last bits decide on which side a sample lies.
   virtual void arrange(const std::vector<std::uint32_t>& order, bool inSingle) = 0;
@@ -83,8 +90,11 @@ protected:
   {
   }
 
+  void setWhole(std::vector<ItemRange> whole) { whole_ = std::move(whole); }
+
 private:
   double scale_;
+  std::vector<ItemRange> whole_;
 };
 
 /// The points of a cloud, spread over its regularization lengths, if it has any.
@@ -94,6 +104,6 @@ std::unique_ptr<FarFieldSources> farFieldSources(
 /// The triangles of a surface; those with sides longer than the rule allows are cut in pieces
 /// first.
 std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, const Bounds& bounds, const SplitRule& rule);
+  const ChainView& triangles, const Bounds& bounds, const SplitRule& rule);
 
 } // namespace winding

@@ -93,9 +93,18 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     alignas(64) float polynomial[polynomialRows(largestOrder)];
     multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
       static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
-    if (visitor_)
+    if (firstKept < nodes_.size() || visitor_)
     {
       this->collectNear(cell, firstKept);
+      if (this->isCheaperWhole())
+      {
+        byMoments_.clear();
+        exactly_ = tree_.sources->whole();
+        std::fill_n(polynomial, polynomialRows(order), 0.0f);
+      }
+    }
+    if (visitor_)
+    {
       visitor_->visit({cell, polynomial, byMoments_, exactly_});
     }
     else if (firstKept == nodes_.size())
@@ -108,7 +117,6 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     }
     else
     {
-      this->collectNear(cell, firstKept);
       this->evaluateNear(cell, polynomial);
     }
   }
@@ -199,10 +207,30 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
   {
     items += tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
   }
-  const double seconds = static_cast<double>(items) * static_cast<double>(cell.allSamples) *
-                         tree_.sources->secondsPerPair();
+  // A leaf costs no more than the sum of the whole sources. Where it costs as much, smaller cells
+  // may save nothing, so that they must cost little beside it.
+  constexpr double ofWhole = 0.25;
+  const std::size_t whole = tree_.sources->wholeSize();
+  const double saved = items < whole ? static_cast<double>(items) : ofWhole * whole;
+  const double seconds =
+    saved * static_cast<double>(cell.allSamples) * tree_.sources->secondsPerPair();
   return cell.level > 0 &&
          seconds > tree_.sources->secondsPerCutAndCoefficient() * coefficientCount(tree_.order());
+}
+
+/// Tells whether the sum of the whole sources is cheaper than what collectNear() has collected: a
+/// sample may be near to more pieces of large triangles than there are triangles.
+bool FarFieldTraversal::isCheaperWhole() const
+{
+  std::size_t items = 0;
+  for (const ItemRange& range : exactly_)
+  {
+    items += range.end - range.begin;
+  }
+  const double perPair = tree_.sources->secondsPerPair();
+  return static_cast<double>(items) * perPair +
+           static_cast<double>(byMoments_.size()) * secondsPerValue(tree_.order()) >
+         static_cast<double>(tree_.sources->wholeSize()) * perPair;
 }
 
 void FarFieldTraversal::descendToChildren(

@@ -55,6 +55,7 @@ private:
   bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
   void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
   void collectNear(const TargetCell& cell, std::size_t firstKept);
+  bool isCheaperWhole() const;
   void countNear(const TargetCell& cell);
   void evaluateNear(const TargetCell& cell, const float* polynomial);
 

@@ -35,7 +35,8 @@ struct Longest
 };
 
 template <class Visit>
-void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle, const Visit& visit)
+void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle, std::size_t number,
+  bool isCut, const Visit& visit)
 {
   if (!visit.goesOn())
   {
@@ -47,11 +48,11 @@ void visitPieces(const SplitRule& rule, double relaxed, const Longest& triangle,
   // left alone.
   if (!(triangle.length > allowed) || middle == triangle.a || middle == triangle.b)
   {
-    visit(triangle.a, triangle.b, triangle.c);
+    visit({triangle.a, triangle.b, triangle.c, number, isCut});
     return;
   }
-  visitPieces(rule, relaxed, Longest(triangle.a, middle, triangle.c), visit);
-  visitPieces(rule, relaxed, Longest(middle, triangle.b, triangle.c), visit);
+  visitPieces(rule, relaxed, Longest(triangle.a, middle, triangle.c), number, true, visit);
+  visitPieces(rule, relaxed, Longest(middle, triangle.b, triangle.c), number, true, visit);
 }
 
 /// Counts pieces up to a limit.
@@ -61,25 +62,15 @@ struct Counter
   mutable std::size_t count = 0;
 
   bool goesOn() const { return count <= limit; }
-  void operator()(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&) const
-  {
-    ++count;
-  }
+  void operator()(const TrianglePiece&) const { ++count; }
 };
-
-using Visit =
-  std::function<void(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)>;
 
 struct Caller
 {
-  const Visit& visit;
+  const std::function<void(const TrianglePiece&)>& visit;
 
   bool goesOn() const { return true; }
-  void operator()(
-    const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
-  {
-    visit(a, b, c);
-  }
+  void operator()(const TrianglePiece& piece) const { visit(piece); }
 };
 
 } // namespace
@@ -91,6 +82,15 @@ double SplitRule::allowedFor(
   const Eigen::Vector3d gap =
     (region.min() - high).cwiseMax(low - region.max()).cwiseMax(Eigen::Vector3d::Zero());
   return std::max(longestSide, 0.5 * lengthOf(gap));
+}
+
+std::size_t mostPieces(std::size_t triangles, std::size_t samples)
+{
+  constexpr double pairsPerPiece = 4 * 500;
+  const double affordable =
+    static_cast<double>(triangles) * (1 + static_cast<double>(samples) / pairsPerPiece);
+  const double enough = 2 * static_cast<double>(triangles) + 100'000;
+  return static_cast<std::size_t>(std::min(affordable, enough));
 }
 
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
@@ -106,19 +106,24 @@ bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vert
 }
 
 void forEachPiece(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, std::size_t mostPieces, const Visit& visit)
+  const ChainView& triangles, const std::function<void(const TrianglePiece& piece)>& visit)
 {
   const auto visitAll = [&](double relaxed, const auto& call)
   {
-    for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < triangles.size() && call.goesOn(); ++i)
     {
-      visitPieces(rule, relaxed, Longest(vertices[t[0]], vertices[t[1]], vertices[t[2]]), call);
+      if (triangles.multiplicity(i) > 0)
+      {
+        const Triangle& t = triangles[i];
+        const Longest triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+        visitPieces(rule, relaxed, triangle, i, false, call);
+      }
     }
   };
   double relaxed = 1;
   for (bool fits = false; !fits; relaxed *= fits ? 1 : 2)
   {
-    const Counter counter{std::max(mostPieces, triangles.size())};
+    const Counter counter{std::max(rule.mostPieces, triangles.size())};
     visitAll(relaxed, counter);
     fits = counter.goesOn();
   }

@@ -17,11 +17,14 @@ struct SplitRule
 {
   Bounds region;                                                ///< box of the samples
   double longestSide = std::numeric_limits<double>::infinity(); ///< limit among the samples
+  /// The rule is relaxed where there would be more pieces than this, but triangles stay whole at
+  /// worst.
+  std::size_t mostPieces = std::numeric_limits<std::size_t>::max();
 
   bool operator==(const SplitRule& other) const
   {
-    return longestSide == other.longestSide && region.min() == other.region.min() &&
-           region.max() == other.region.max();
+    return longestSide == other.longestSide && mostPieces == other.mostPieces &&
+           region.min() == other.region.min() && region.max() == other.region.max();
   }
 
   /// The longest side that a triangle may have: `longestSide` or, if that is more, half its
@@ -30,22 +33,36 @@ struct SplitRule
     const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;
 };
 
+/**
+ * The number of pieces that so many triangles may be cut in for so many samples. Twice the
+ * triangles and 100 000 are enough for a surface across a grid of 512³, and cost a small source no
+ * more memory than a far field of 100 000 triangles. A piece takes the tree as long as some 500
+ * pairs of a sample and a triangle take the direct sum: pieces take no more than a quarter of its
+ * time.
+ */
+std::size_t mostPieces(std::size_t triangles, std::size_t samples);
+
 /// Whether the rule leaves all triangles whole.
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
   const std::vector<Triangle>& triangles);
 
+/// A piece of a triangle, or a whole one that was not cut.
+struct TrianglePiece
+{
+  const Eigen::Vector3d &a, &b, &c;
+  std::size_t triangle; ///< number of the triangle that it is a piece of
+  bool isCut;           ///< whether it is less than that triangle
+};
+
 /**
- * Cuts triangles in pieces whose sides are no longer than the rule allows, and calls
- * visit(a, b, c) for each piece. Where there would be more than `mostPieces`, the rule is relaxed
- * until there are not.
+ * Cuts triangles in pieces whose sides are no longer than the rule allows, and visits each piece.
+ * Triangles that count 0 times are left out.
  *
  * A triangle is cut in two across its longest side, and its pieces again. Sides are cut in the
  * middle by their length alone, so that pieces of neighbours meet vertex to vertex where both are
  * cut.
  */
 void forEachPiece(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, std::size_t mostPieces,
-  const std::function<void(
-    const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)>& visit);
+  const ChainView& triangles, const std::function<void(const TrianglePiece& piece)>& visit);
 
 } // namespace winding

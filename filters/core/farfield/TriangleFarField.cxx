@@ -19,7 +19,7 @@ constexpr double shortestSide = 1e-4;
 } // namespace
 
 TriangleFarField::TriangleFarField(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy)
+  const ChainView& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy)
   : vertices_(vertices)
   , triangles_(triangles)
   , bounds_(bounds)
@@ -42,7 +42,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
     axes += grid.dimensions[axis] > 1;
   }
   rule.longestSide = axes > 0 ? voxelsPerSide * std::exp(logarithms / axes) : 0;
-  return this->suiting(rule, executor);
+  return this->suiting(rule, sampleCount(grid.wholeExtent()), executor);
 }
 
 std::shared_ptr<const FarField> TriangleFarField::suiting(
@@ -69,16 +69,18 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
     rule.longestSide =
       voxelsPerSide * rule.region.sizes().maxCoeff() / std::cbrt(static_cast<double>(count));
   }
-  return this->suiting(rule, executor);
+  return this->suiting(rule, count, executor);
 }
 
-std::shared_ptr<const FarField> TriangleFarField::suiting(SplitRule rule, Executor& executor) const
+std::shared_ptr<const FarField> TriangleFarField::suiting(
+  SplitRule rule, std::size_t samples, Executor& executor) const
 {
+  rule.mostPieces = mostPieces(triangles_.size(), samples);
   if (!bounds_.isEmpty())
   {
     rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
   }
-  if (leavesWhole(rule, vertices_, triangles_))
+  if (leavesWhole(rule, vertices_, triangles_.triangles()))
   {
     return this->whole(executor);
   }

@@ -22,8 +22,8 @@ class TriangleFarField
 {
 public:
   /// Keeps references to the vertices and triangles. accuracy: that of all evaluations.
-  TriangleFarField(const std::vector<Eigen::Vector3d>& vertices,
-    const std::vector<Triangle>& triangles, const Bounds& bounds, const FarFieldAccuracy& accuracy);
+  TriangleFarField(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
+    const Bounds& bounds, const FarFieldAccuracy& accuracy);
 
   /// The far field that suits the samples, or null when the executor was interrupted. It may be
   /// called from any thread; one at a time builds. A single sample has no distance to others, and
@@ -32,12 +32,13 @@ public:
   std::shared_ptr<const FarField> suiting(const VectorsView& samples, Executor& executor) const;
 
 private:
-  std::shared_ptr<const FarField> suiting(SplitRule rule, Executor& executor) const;
+  std::shared_ptr<const FarField> suiting(
+    SplitRule rule, std::size_t samples, Executor& executor) const;
   std::shared_ptr<const FarField> whole(Executor& executor) const;
   std::shared_ptr<const FarField> build(const SplitRule& rule, Executor& executor) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
-  const std::vector<Triangle>& triangles_;
+  ChainView triangles_;
   Bounds bounds_;
   FarFieldAccuracy accuracy_;
 

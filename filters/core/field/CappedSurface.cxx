@@ -11,37 +11,117 @@
 namespace winding
 {
 
+namespace
+{
+
+/// Loops of which each stands there once, in ascending order of how often it was there. Loops that
+/// run along the same edges come one after the other where boundaryLoops() makes them.
+struct RepeatedLoops
+{
+  explicit RepeatedLoops(std::vector<BoundaryLoop> all)
+  {
+    std::vector<std::pair<std::int32_t, std::size_t>> runs; // lengths and first loops
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      if (i > 0 && all[i] == all[i - 1])
+      {
+        ++runs.back().first;
+      }
+      else
+      {
+        runs.emplace_back(1, i);
+      }
+    }
+    if (runs.size() == all.size())
+    {
+      loops = std::move(all);
+      return;
+    }
+    std::sort(runs.begin(), runs.end());
+    for (const auto& [count, first] : runs)
+    {
+      counts.push_back(count);
+      loops.push_back(std::move(all[first]));
+    }
+  }
+
+  /// The multiplicities of triangles, of which each loop has as many as trianglesOf(loop) says.
+  template <class TrianglesOf> Multiplicities multiplicities(const TrianglesOf& trianglesOf) const
+  {
+    Multiplicities result;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      result.insert(result.end(), trianglesOf(loops[i]), counts[i]);
+    }
+    return result;
+  }
+
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::int32_t> counts; ///< by loop; empty where each was there once
+};
+
+std::size_t trianglesOfCap(const BoundaryLoop& loop)
+{
+  return loop.size() - 2;
+}
+
+std::size_t trianglesOfFan(const BoundaryLoop& loop)
+{
+  return loop.size();
+}
+
+} // namespace
+
 CappedSurface::CappedSurface(
   const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
-  : rows_(surface.vertices, surface.triangles, cap_)
-  , capRows_(surface.vertices, cap_)
-  , fanRows_(fanVertices_, fan_)
-  , surfaceSum_(surface.vertices, surface.triangles, surface.bounds)
-  , capSum_(surface.vertices, cap_, surface.bounds)
-  , fanSum_(fanVertices_, fan_, surface.bounds)
+  : surfaceTriangles_(surface.triangles.size())
+  , rows_(surface.vertices, surface, {cap_, capMultiplicities_})
+  , capRows_(surface.vertices, {cap_, capMultiplicities_})
+  , fanRows_(fanVertices_, {fan_, fanMultiplicities_})
+  , surfaceSum_(surface)
+  , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
+  , fanSum_(fanVertices_, {fan_, fanMultiplicities_}, surface.bounds)
+  , choice_(capSum)
 {
   if (!chain.edges.empty())
   {
-    const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
-    cap_ = capOf(loops);
+    const RepeatedLoops repeated(boundaryLoops(chain, surface.vertices.size()));
+    cap_ = capOf(repeated.loops);
+    capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
     capArea_ = areaOf(surface.vertices, cap_);
     fanVertices_ = surface.vertices;
-    fan_ = fanOf(loops, fanVertices_);
+    fan_ = fanOf(repeated.loops, fanVertices_);
+    fanMultiplicities_ = repeated.multiplicities(trianglesOfFan);
   }
   if (tolerance < FarFieldAccuracy::finest || cap_.empty())
   {
     return;
   }
   const FarFieldAccuracy accuracy = FarFieldAccuracy::of(tolerance);
-  if (capSum == CapSum::farField ||
-      !isCheaperDirectly(Primitive::triangle, cap_.size(), accuracy.order))
+  order_ = accuracy.order;
+  if (capSum == CapSum::farField || !isCheaperDirectly(Primitive::triangle, cap_.size(), order_))
   {
-    capFarField_ =
-      std::make_unique<const TriangleFarField>(surface.vertices, cap_, surface.bounds, accuracy);
+    capFarField_ = std::make_unique<const TriangleFarField>(
+      surface.vertices, ChainView(cap_, capMultiplicities_), surface.bounds, accuracy);
   }
 }
 
 CappedSurface::~CappedSurface() = default;
+
+/// Samples of a row that lie on the cap within rounding.
+struct CappedSurface::SuspectSamples
+{
+  std::size_t count = 0;
+  int columns[SampleBlock::capacity];
+  int rowValues[SampleBlock::capacity]; ///< χ of the surface and its cap
+  double values[SampleBlock::capacity];
+
+  void add(int column, int rowValue)
+  {
+    columns[count] = column;
+    rowValues[count++] = rowValue;
+  }
+};
 
 /**
  * All rows through cells that lie behind each other along x. A bar holds the runs of equal χ in
@@ -79,6 +159,7 @@ public:
       ++run;
     }
     float values[SampleBlock::capacity];
+    SuspectSamples suspects;
     for (std::size_t n = 0; n < count;)
     {
       const auto last = std::min(count, static_cast<std::size_t>(run->end - i));
@@ -91,12 +172,16 @@ public:
       {
         if (isSuspect[m])
         {
-          values[m] = static_cast<float>(
-            surface_.resolveOnCap(grid_, i + static_cast<int>(m), j, k, run->value));
+          suspects.add(i + static_cast<int>(m), run->value);
         }
       }
       n = last;
       ++run;
+    }
+    surface_.resolveOnCap(grid_, j, k, suspects);
+    for (std::size_t m = 0; m < suspects.count; ++m)
+    {
+      values[suspects.columns[m] - i] = static_cast<float>(suspects.values[m]);
     }
     output_.write(values, sampleNumber(extent_, i, j, k), count);
   }
@@ -160,15 +245,22 @@ bool CappedSurface::evaluateByFarField(
     });
 }
 
+bool CappedSurface::usesFarField(std::size_t samples) const
+{
+  return capFarField_ && (choice_ == CapSum::farField ||
+                           !isCheaperDirectly(Primitive::triangle, cap_.size(), samples, order_));
+}
+
 bool CappedSurface::prepare(const Grid& grid, Executor& executor) const
 {
-  return !capFarField_ || capFarField_->suiting(grid, executor) != nullptr;
+  return !this->usesFarField(sampleCount(grid.wholeExtent())) ||
+         capFarField_->suiting(grid, executor) != nullptr;
 }
 
 bool CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  if (capFarField_ && sampleCount(extent) > 0)
+  if (this->usesFarField(sampleCount(grid.wholeExtent())) && sampleCount(extent) > 0)
   {
     return this->evaluateByFarField(grid, extent, output, executor);
   }
@@ -210,35 +302,86 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
       double values[SampleBlock::capacity];
       bool isSuspect[SampleBlock::capacity];
       const bool any = capSum_.evaluateWatching(block, values, isSuspect);
+      const int begin = run.begin + static_cast<int>(done);
+      SuspectSamples suspects;
       for (std::size_t n = 0; n < block.count; ++n)
       {
         values[n] = run.value - values[n];
         if (any && isSuspect[n])
         {
-          values[n] =
-            this->resolveOnCap(grid, run.begin + static_cast<int>(done + n), j, k, run.value);
+          suspects.add(begin + static_cast<int>(n), run.value);
         }
+      }
+      this->resolveOnCap(grid, j, k, suspects);
+      for (std::size_t n = 0; n < suspects.count; ++n)
+      {
+        values[suspects.columns[n] - begin] = suspects.values[n];
       }
       output.write(values, first + done, block.count);
     }
   }
 }
 
-/// The value of a sample on the cap: χ of the surface and the other cap, minus the other cap's sum.
-double CappedSurface::resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const
+/// Finds the values of samples on the cap. Where the surface is no larger than both caps, the
+/// definition gives them, but not on the surface: it has the mean of both sides there.
+void CappedSurface::resolveOnCap(const Grid& grid, int j, int k, SuspectSamples& samples) const
 {
-  SampleBlock block;
-  block.count = 1;
-  block.set(0, grid.sample(i, j, k));
-  double value;
-  bool isSuspect;
-  if (fanSum_.evaluateWatching(block, &value, &isSuspect))
+  if (samples.count == 0)
   {
-    // The sample is on both caps, so most likely on the rim: the definition itself decides.
-    surfaceSum_.evaluate(block, &value);
-    return value;
+    return;
   }
-  return rowValue - capRows_.valueAt(grid, i, j, k) + fanRows_.valueAt(grid, i, j, k) - value;
+  SampleBlock block;
+  block.count = samples.count;
+  for (std::size_t n = 0; n < samples.count; ++n)
+  {
+    block.set(n, grid.sample(samples.columns[n], j, k));
+  }
+  if (surfaceTriangles_ > cap_.size() + fan_.size())
+  {
+    this->resolveByFan(grid, j, k, block, samples);
+    return;
+  }
+  bool isOnSurface[SampleBlock::capacity];
+  surfaceSum_.evaluateWatching(block, samples.values, isOnSurface);
+  for (std::size_t n = 0; n < samples.count; ++n)
+  {
+    if (isOnSurface[n])
+    {
+      SuspectSamples single;
+      single.add(samples.columns[n], samples.rowValues[n]);
+      SampleBlock singleBlock;
+      singleBlock.count = 1;
+      singleBlock.set(0, grid.sample(samples.columns[n], j, k));
+      this->resolveByFan(grid, j, k, singleBlock, single);
+      samples.values[n] = single.values[0];
+    }
+  }
+}
+
+/// Finds values as χ of the surface and the other cap, minus the other cap's sum.
+void CappedSurface::resolveByFan(
+  const Grid& grid, int j, int k, const SampleBlock& block, SuspectSamples& samples) const
+{
+  bool isOnFan[SampleBlock::capacity];
+  fanSum_.evaluateWatching(block, samples.values, isOnFan);
+  for (std::size_t n = 0; n < samples.count; ++n)
+  {
+    const int i = samples.columns[n];
+    double& value = samples.values[n];
+    if (isOnFan[n])
+    {
+      // The sample is on both caps, so most likely on the rim: the definition itself decides.
+      SampleBlock single;
+      single.count = 1;
+      single.set(0, grid.sample(i, j, k));
+      surfaceSum_.evaluate(single, &value);
+    }
+    else
+    {
+      value = samples.rowValues[n] - capRows_.valueAt(grid, i, j, k) +
+              fanRows_.valueAt(grid, i, j, k) - value;
+    }
+  }
 }
 
 } // namespace winding

@@ -48,7 +48,7 @@ public:
     CapSum capSum = CapSum::cheapest);
   ~CappedSurface();
 
-  /// The number of the cap's triangles: 0 if the surface is closed.
+  /// The number of the cap's different triangles: 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
   /// The area of the cap, in squares of the unit of length.
@@ -57,8 +57,8 @@ public:
   /// The crossings of the surface and its cap, which give χ.
   const RowCrossings& rows() const { return rows_; }
 
-  /// Whether w_C comes from the far field.
-  bool usesFarField() const { return capFarField_ != nullptr; }
+  /// Whether w_C comes from the far field on grids of so many samples.
+  bool usesFarField(std::size_t samples) const;
 
   /// Builds what a grid needs beforehand, as Field::prepare() does.
   bool prepare(const Grid& grid, Executor& executor) const;
@@ -69,20 +69,28 @@ public:
 
 private:
   class Bar;
+  struct SuspectSamples;
 
   bool evaluateByFarField(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
   void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
     const std::vector<RowRun>& runs, const FieldOutput& output) const;
-  double resolveOnCap(const Grid& grid, int i, int j, int k, int rowValue) const;
+  void resolveOnCap(const Grid& grid, int j, int k, SuspectSamples& samples) const;
+  void resolveByFan(
+    const Grid& grid, int j, int k, const SampleBlock& block, SuspectSamples& samples) const;
 
+  std::size_t surfaceTriangles_;
   std::vector<Triangle> cap_;
+  Multiplicities capMultiplicities_;
   double capArea_ = 0;
   std::vector<Eigen::Vector3d> fanVertices_;
   std::vector<Triangle> fan_; ///< another cap, which decides where samples lie on the first
-  RowCrossings rows_;         ///< crossings of M + C
+  Multiplicities fanMultiplicities_;
+  RowCrossings rows_; ///< crossings of M + C
   RowCrossings capRows_, fanRows_;
   TriangleSum surfaceSum_, capSum_, fanSum_;
+  CapSum choice_;
+  int order_ = 0;                                       ///< order of the cap's far field
   std::unique_ptr<const TriangleFarField> capFarField_; ///< null where the cap is summed directly
 };
 

@@ -33,6 +33,7 @@ CloudField::CloudField(
   info_.isSurface = false;
   info_.inputPrimitives = cloud_.inputPoints;
   info_.primitives = cloud_.positions.size();
+  info_.distinct = info_.primitives;
   info_.dropped = cloud_.dropped();
   info_.weldedVertices = cloud_.positions.size();
   info_.bounds = cloud_.bounds;
@@ -175,8 +176,9 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
 bool CloudField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  return farField_ ? farField_->evaluate(grid, extent, output, executor)
-                   : Field::evaluateValues(grid, extent, output, executor);
+  return this->usesFarField(sampleCount(grid.wholeExtent()))
+           ? farField_->evaluate(grid, extent, output, executor)
+           : Field::evaluateValues(grid, extent, output, executor);
 }
 
 bool CloudField::evaluateValues(
@@ -192,8 +194,8 @@ bool CloudField::gradient(const VectorsView& samples, double* gradients, Executo
                                             : Field::gradient(samples, gradients, executor);
 }
 
-/// Tells whether so many scattered samples take the far field: the direct sum is faster for few
-/// samples, but a far field that the user asked for is used for any.
+/// Tells whether so many samples take the far field: the direct sum is faster for few samples, but
+/// a far field that the user asked for is used for any.
 bool CloudField::usesFarField(std::size_t samples) const
 {
   return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,

@@ -101,7 +101,7 @@ bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
 {
   const Evaluator& method = this->evaluator();
   return forEachBlock(
-    samples, samplesPerBlock(this->info().primitives), positionOf,
+    samples, samplesPerBlock(this->info().distinct), positionOf,
     [&](const SampleBlock& block, std::size_t first)
     {
       double values[SampleBlock::capacity];
@@ -152,7 +152,7 @@ SampledSource Field::sampledSource(std::size_t samples) const
   const FieldInfo& info = this->info();
   SampledSource source;
   source.kind = info.isSurface ? Primitive::triangle : Primitive::point;
-  source.primitives = info.primitives;
+  source.primitives = info.distinct;
   source.samples = samples;
   source.isGrid = !info.isScattered;
   const double step = distanceBetweenSamples(info.bounds, samples);

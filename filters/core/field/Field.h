@@ -81,6 +81,7 @@ struct FieldInfo
   bool isSurface = true;
   std::size_t inputPrimitives = 0;  ///< triangles or points that came in
   std::size_t primitives = 0;       ///< triangles or points that w is the sum over
+  std::size_t distinct = 0;         ///< those that differ: equal triangles are summed once
   std::size_t dropped = 0;          ///< primitives with NaN, bad ids, zero normals, negative areas
   std::size_t weldedVertices = 0;   ///< a surface's different vertices, or a cloud's points
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
@@ -107,6 +108,12 @@ struct FieldInfo
  * other samples, if there are any; (3) a position has the same value as a sample of a grid and as a
  * scattered sample, up to rounding and the tolerance, and to the bit with method direct or parity;
  * (4) a field without primitives is 0 everywhere.
+ *
+ * Method automatic takes no more than 1.5 times as long as method direct, and 10 ms, for any
+ * triangles. Triangles that are there several times are summed once (DistinctTriangles.h). A far
+ * field gives way to the direct sum where it would save nothing: as a whole for few samples, and in
+ * those of its cells that are near to more pieces of large triangles than there are triangles.
+ * Method rows gives way to a far field where its cap has no fewer triangles than the surface.
  *
  * Distances, where an output wants them, are measured to the nearest point of the triangles, or to
  * the nearest of the cloud's points: exact up to rounding (double), whatever the method and the
@@ -170,8 +177,11 @@ public:
    */
   virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
-  /// The triangles that it is the field of; null for points.
+  /// The triangles that it is the field of, as they came in; null for points.
   virtual const Surface* surface() const { return nullptr; }
+
+  /// The same triangles, equal ones taken together (DistinctTriangles.h); null for points.
+  virtual const Surface* distinctSurface() const { return nullptr; }
 
   /// The points that it is the field of; null for triangles.
   virtual const PointCloud* cloud() const { return nullptr; }

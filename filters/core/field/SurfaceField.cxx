@@ -6,6 +6,7 @@
 #include "farfield/FarFieldCost.h"
 #include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
+#include "source/DistinctTriangles.h"
 #include "source/Sanitize.h"
 #include "source/SourceArea.h"
 #include "sums/DirectSum.h"
@@ -51,16 +52,41 @@ SurfaceField::SurfaceField(
   }
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
+  this->takeEqualTogether(chain.crowdedVertices);
+  info_.distinct = distinct_->triangles.size();
   this->chooseMethod(options, chain);
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }
 
 SurfaceField::~SurfaceField() = default;
 
+/// Makes the surface that is summed another one, where triangles are equal to each other.
+void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices)
+{
+  std::vector<char> mayRepeat(surface_.vertices.size(), 0);
+  for (const std::int32_t vertex : crowdedVertices)
+  {
+    mayRepeat[vertex] = 1;
+  }
+  std::optional<DistinctTriangles> distinct;
+  if (!crowdedVertices.empty())
+  {
+    distinct = distinctTriangles(surface_.triangles, mayRepeat);
+  }
+  if (distinct)
+  {
+    merged_.vertices = surface_.vertices;
+    merged_.triangles = std::move(distinct->triangles);
+    merged_.multiplicities = std::move(distinct->multiplicities);
+    merged_.bounds = surface_.bounds;
+    distinct_ = &merged_;
+  }
+}
+
 void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain& chain)
 {
   const Method asked = options.method;
-  isAskedFor_ = asked != Method::automatic;
+  isFarFieldAskedFor_ = asked == Method::hierarchical;
   if (options.tolerance >= FarFieldAccuracy::finest)
   {
     order_ = FarFieldAccuracy::of(options.tolerance).order;
@@ -72,7 +98,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     evaluator_ = std::make_unique<RayParity>(surface_);
     return;
   }
-  evaluator_ = std::make_unique<TriangleSum>(surface_);
+  evaluator_ = std::make_unique<TriangleSum>(*distinct_);
   if (asked == Method::direct)
   {
     info_.why = "asked for";
@@ -83,10 +109,10 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     this->chooseFarField(options, "asked for");
     return;
   }
-  const std::string triangles = std::to_string(surface_.triangles.size()) + " triangles";
+  const std::string triangles = std::to_string(info_.primitives) + " triangles";
   if (chain.edges.empty())
   {
-    crossings_ = std::make_unique<PointCrossings>(surface_);
+    crossings_ = std::make_unique<PointCrossings>(*distinct_);
   }
   if (options.scattered && !crossings_)
   {
@@ -100,16 +126,17 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     return;
   }
 
-  capped_ = std::make_unique<CappedSurface>(surface_, chain, options.tolerance);
+  capped_ = std::make_unique<CappedSurface>(*distinct_, chain, options.tolerance);
   info_.capTriangles = capped_->capTriangles();
   const std::string cap = std::to_string(info_.capTriangles) + " triangles over " +
                           std::to_string(chain.edges.size()) + " boundary edges";
-  if (asked == Method::automatic && info_.capTriangles >= surface_.triangles.size())
+  if (info_.capTriangles > 0 && info_.capTriangles >= info_.distinct)
   {
     // Method rows would sum the cap at every sample, method hierarchical the surface; the rows'
     // crossings cost nothing beside either sum. So a cap with no fewer triangles saves nothing.
     capped_ = nullptr;
-    this->chooseFarField(options, "a cap would have " + cap + ", no fewer than the surface itself");
+    const std::string why = "a cap would have " + cap + ", no fewer than the surface itself";
+    this->chooseFarField(options, (asked == Method::rows ? "rows asked for, but " : "") + why);
     return;
   }
   info_.method = Method::rows;
@@ -133,8 +160,7 @@ void SurfaceField::chooseFarField(const FieldOptions& options, const std::string
     info_.why += "; a tolerance below 1e-6 leaves the direct sum only";
     return;
   }
-  if (options.method == Method::automatic &&
-      isCheaperDirectly(Primitive::triangle, info_.primitives, order_))
+  if (!isFarFieldAskedFor_ && isCheaperDirectly(Primitive::triangle, info_.distinct, order_))
   {
     info_.why += "; so few are summed directly";
     return;
@@ -149,16 +175,15 @@ void SurfaceField::makeFarField(double tolerance)
   if (tolerance >= FarFieldAccuracy::finest)
   {
     farField_ = std::make_unique<TriangleFarField>(
-      surface_.vertices, surface_.triangles, surface_.bounds, FarFieldAccuracy::of(tolerance));
+      distinct_->vertices, *distinct_, distinct_->bounds, FarFieldAccuracy::of(tolerance));
   }
 }
 
-/// Tells whether so many scattered samples are worth a tree; they always are where the user asked
-/// for it.
+/// Tells whether so many samples are worth a tree; they always are where the user asked for it.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
-  return farField_ && ((isAskedFor_ && info_.method == Method::hierarchical) ||
-                        !isCheaperDirectly(Primitive::triangle, info_.primitives, samples, order_));
+  return farField_ && (isFarFieldAskedFor_ ||
+                        !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
 }
 
 const RowCrossings* SurfaceField::integerRows() const
@@ -182,7 +207,7 @@ EvaluationCost SurfaceField::expectedCostOfValues(std::size_t samples) const
     EvaluationCost cost = costOfRows(closed);
     if (cap.primitives > 0)
     {
-      cost += capped_->usesFarField() ? costOfFarField(cap, order_) : costOfDirectSum(cap);
+      cost += capped_->usesFarField(samples) ? costOfFarField(cap, order_) : costOfDirectSum(cap);
     }
     return cost;
   }
@@ -196,14 +221,16 @@ double SurfaceField::expectedSecondsOfBuilding() const
 
 double SurfaceField::area() const
 {
-  std::call_once(isAreaKnown_, [this] { area_ = areaOf(surface_.vertices, surface_.triangles); });
+  std::call_once(
+    isAreaKnown_, [this] { area_ = areaOf(distinct_->vertices, distinct_->triangles); });
   return area_;
 }
 
 bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 {
   return capped_ ? capped_->prepare(grid, executor)
-                 : !farField_ || farField_->suiting(grid, executor) != nullptr;
+                 : !this->usesFarField(sampleCount(grid.wholeExtent())) ||
+                     farField_->suiting(grid, executor) != nullptr;
 }
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
@@ -219,7 +246,7 @@ bool SurfaceField::evaluateValues(
   {
     return capped_->evaluate(grid, extent, output, executor);
   }
-  if (!farField_)
+  if (!this->usesFarField(sampleCount(grid.wholeExtent())))
   {
     return Field::evaluateValues(grid, extent, output, executor);
   }
@@ -244,7 +271,7 @@ bool SurfaceField::evaluateValues(
 
 std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& executor) const
 {
-  return std::make_unique<const DistanceTree>(surface_, executor);
+  return std::make_unique<const DistanceTree>(*distinct_, executor);
 }
 
 double SurfaceField::reference(const Eigen::Vector3d& sample) const

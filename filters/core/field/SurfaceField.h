@@ -28,6 +28,7 @@ public:
   bool prepare(const VectorsView& samples, Executor& executor) const override;
 
   const Surface* surface() const override { return &surface_; }
+  const Surface* distinctSurface() const override { return distinct_; }
   const RowCrossings* integerRows() const override;
   EvaluationCost expectedCostOfValues(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
@@ -46,6 +47,7 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 
 private:
+  void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);
@@ -54,11 +56,13 @@ private:
 
   std::size_t inputPoints_ = 0;
   Surface surface_;
+  Surface merged_;                      ///< the surface with equal triangles taken together, if any
+  const Surface* distinct_ = &surface_; ///< the one of the two that is summed
   FieldInfo info_;
   mutable std::once_flag isAreaKnown_;
-  mutable double area_ = 0; ///< the area of the surface, if it is known
-  bool isAskedFor_ = false; ///< whether the user chose the method
-  int order_ = 0;           ///< order of expansions; 0 where the tolerance admits none
+  mutable double area_ = 0;         ///< the area of the surface, if it is known
+  bool isFarFieldAskedFor_ = false; ///< whether the user chose method hierarchical
+  int order_ = 0;                   ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   std::unique_ptr<const CappedSurface> capped_; ///< evaluates grids with method rows
   /// Evaluates scattered samples of a closed surface with method rows.

@@ -23,6 +23,13 @@ int turned(int axis, int by)
 /// Up to so many rows are all asked, without narrowing them down before.
 constexpr int fewRows = 4;
 
+/// A triangle of a surface and how often it counts there.
+struct CountedTriangle
+{
+  Triangle ids;
+  std::int32_t multiplicity;
+};
+
 struct FoundCrossing
 {
   std::uint32_t edge;
@@ -40,8 +47,10 @@ public:
   {
   }
 
-  /// Appends the crossings of a triangle with all edges. The corners are in units of the grid.
-  void cross(const Eigen::Vector3d (&corners)[3], std::vector<FoundCrossing>& crossings) const
+  /// Appends the crossings of a triangle, which counts so many times, with all edges. The corners
+  /// are in units of the grid.
+  void cross(const Eigen::Vector3d (&corners)[3], int multiplicity,
+    std::vector<FoundCrossing>& crossings) const
   {
     IndexRange ranges[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -54,15 +63,15 @@ public:
       const IndexRange &rows = ranges[turned(axis, 1)], &layers = ranges[turned(axis, 2)];
       if (rows.first <= rows.second && layers.first <= layers.second)
       {
-        this->crossLines(corners, axis, rows, layers, crossings);
+        this->crossLines(corners, multiplicity, axis, rows, layers, crossings);
       }
     }
   }
 
 private:
   /// Appends the crossings of a triangle with the edges along an axis, which is taken for x.
-  void crossLines(const Eigen::Vector3d (&corners)[3], int axis, const IndexRange& rows,
-    const IndexRange& layers, std::vector<FoundCrossing>& crossings) const
+  void crossLines(const Eigen::Vector3d (&corners)[3], int multiplicity, int axis,
+    const IndexRange& rows, const IndexRange& layers, std::vector<FoundCrossing>& crossings) const
   {
     const int y = turned(axis, 1), z = turned(axis, 2);
     Eigen::Vector3d turnedCorners[3];
@@ -102,7 +111,7 @@ private:
               {static_cast<std::uint32_t>(edge), {at, this->normalOf(triangle, axis), change}});
           }
         };
-        add(fraction, -sign);
+        add(fraction, -sign * multiplicity);
         const int next = fraction < 0.5 ? first - 1 : first + 1;
         if (std::min(fraction, 1 - fraction) < EdgeCrossings::atSample && next >= 0 &&
             next < dimensions_[axis] - 1)
@@ -138,6 +147,7 @@ EdgeCrossings::EdgeCrossings(
   const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor)
 {
   const TriangleOnLines lines(edges, grid);
+  const ChainView chain(surface);
   constexpr std::size_t perBlock = 1024;
   std::vector<Eigen::Vector3d> vertices(surface.vertices.size()); // in units of the grid
   runBlocks(
@@ -158,16 +168,16 @@ EdgeCrossings::EdgeCrossings(
   {
     for (std::size_t i = first; i < last; ++i)
     {
-      const Triangle& ids = surface.triangles[i];
+      const Triangle& ids = chain[i];
       const double lowest =
         std::min({vertices[ids[0]][2], vertices[ids[1]][2], vertices[ids[2]][2]});
       const double layer = std::clamp<double>(lowest, 0, layers - 1);
-      put(static_cast<std::size_t>(layer) >> shift, ids);
+      put(static_cast<std::size_t>(layer) >> shift, CountedTriangle{ids, chain.multiplicity(i)});
     }
   };
-  const Buckets<Triangle> triangles =
-    distribute<Triangle>(surface.triangles.size(), bucketsFor(layers, shift), emit, executor);
-  const Triangle* const firstTriangle = triangles.begin(0);
+  const Buckets<CountedTriangle> triangles =
+    distribute<CountedTriangle>(chain.size(), bucketsFor(layers, shift), emit, executor);
+  const CountedTriangle* const firstTriangle = triangles.begin(0);
   std::vector<std::vector<FoundCrossing>> found(
     (surface.triangles.size() + perBlock - 1) / perBlock);
   runBlocks(
@@ -177,9 +187,9 @@ EdgeCrossings::EdgeCrossings(
       std::vector<FoundCrossing>& crossings = found[block];
       for (std::size_t i = first; i < last; ++i)
       {
-        const Triangle& ids = firstTriangle[i];
+        const auto& [ids, multiplicity] = firstTriangle[i];
         const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
-        lines.cross(corners, crossings);
+        lines.cross(corners, multiplicity, crossings);
       }
     },
     executor);

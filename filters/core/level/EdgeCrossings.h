@@ -40,7 +40,7 @@ public:
   {
     double fraction;        ///< 0 at the edge's first sample, 1 at its second
     Eigen::Vector3f normal; ///< unit normal of the triangle, or 0 where rounding leaves none
-    int change;             ///< change of w along the edge: −1 or 1, or 0 as told for the class
+    int change;             ///< change of w along the edge; 0 as told for the class
   };
 
   ///@{

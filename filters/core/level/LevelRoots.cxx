@@ -55,7 +55,8 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
 {
   if (field.surface())
   {
-    crossings_ = std::make_unique<const EdgeCrossings>(*field.surface(), grid, edges, executor);
+    crossings_ =
+      std::make_unique<const EdgeCrossings>(*field.distinctSurface(), grid, edges, executor);
   }
   // Most edges of closed surfaces are done by their crossings alone: no search takes memory for
   // them.

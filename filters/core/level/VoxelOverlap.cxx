@@ -69,7 +69,7 @@ void addOverlap(const Field& field, const Grid& grid, const Extent& extent, Insi
   {
     addCorners(field, grid, extent, rule, threshold, inside, executor);
   }
-  if (const Surface* surface = field.surface())
+  if (const Surface* surface = field.distinctSurface())
   {
     markTouched(*surface, grid, extent, inside, executor);
   }
@@ -89,7 +89,7 @@ EvaluationCost costOfOverlap(const Field& field, std::size_t samples)
     cost = field.expectedCostOfValues(samples);
     cost.bytes = samples;
   }
-  const std::size_t primitives = field.info().primitives;
+  const std::size_t primitives = field.info().distinct;
   cost += {secondsPerPrimitive * static_cast<double>(primitives), bytesPerMark * primitives};
   return cost;
 }

@@ -62,6 +62,7 @@ bool RayCounter::count(
       continue;
     }
     const RayTriangle triangle = this->triangle(id);
+    const int multiplicity = ChainView(surface_).multiplicity(id);
     const auto meet = [&](std::size_t column)
     {
       if (columns.count() > 1 && inColumns.size(column) > fullColumn)
@@ -73,7 +74,7 @@ bool RayCounter::count(
       steps -= starts[column + 1] - starts[column];
       for (Ray* ray = starts[column]; ray != starts[column + 1]; ++ray)
       {
-        ray->crossings += triangle.crossing(ray->start());
+        ray->crossings += multiplicity * triangle.crossing(ray->start());
       }
     };
     const ColumnRange range = columns.of(ours);
@@ -126,7 +127,8 @@ void RayCounter::countOnLine(
     {
       const Ray* behind = std::partition_point(
         first + 1, last, [&](const Ray& ray) { return triangle.crossing(ray.start()) != 0; });
-      endingAt[static_cast<std::size_t>(behind - first) - 1] += sign;
+      endingAt[static_cast<std::size_t>(behind - first) - 1] +=
+        ChainView(surface_).multiplicity(id) * sign;
     }
   }
   int ahead = 0;

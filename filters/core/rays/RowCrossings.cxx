@@ -20,16 +20,16 @@ class Bands
 {
 public:
   Bands(const Extent& extent, const RowBands& rows, const std::vector<Eigen::Vector3d>& vertices,
-    const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+    const ChainView& triangles, const ChainView& cap)
     : firstLayer_(extent[4])
     , perLayer_(rows.countIn(extent))
   {
     const auto forEach = [&](const auto& visit)
     {
       std::uint32_t number = 0;
-      for (const std::vector<Triangle>* list : {&triangles, &cap})
+      for (const ChainView* list : {&triangles, &cap})
       {
-        for (const Triangle& triangle : *list)
+        for (const Triangle& triangle : list->triangles())
         {
           const auto [firstRow, lastRow] = samplesBetween(vertices, triangle, 1, extent);
           const auto [firstLayer, lastLayer] = samplesBetween(vertices, triangle, 2, extent);
@@ -84,7 +84,7 @@ struct Crossing
 {
   int row;    ///< j
   int behind; ///< first sample behind the crossing
-  int sign;
+  int change; ///< by which w changes there: the sign of the crossing, once for each copy
 };
 
 /// Turns the crossings of a row into runs of equal values over [low, high].
@@ -92,11 +92,11 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
 {
   std::sort(first, last, [](const Crossing& a, const Crossing& b) { return a.behind < b.behind; });
   runs.clear();
-  // A sample's value is the sum of the signs of the crossings ahead of it.
+  // A sample's value is the sum of the changes at the crossings ahead of it.
   int value = 0;
   for (const Crossing* crossing = first; crossing != last; ++crossing)
   {
-    value += crossing->sign;
+    value += crossing->change;
   }
   int begin = low;
   for (const Crossing* crossing = first; crossing != last; ++crossing)
@@ -106,7 +106,7 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
       runs.push_back({begin, crossing->behind, value});
       begin = crossing->behind;
     }
-    value -= crossing->sign;
+    value -= crossing->change;
   }
   if (begin <= high)
   {
@@ -119,8 +119,7 @@ class ChainOnGrid final : public RowCrossings::OnGrid
 {
 public:
   ChainOnGrid(const Grid& grid, const Extent& extent, const RowBands& rows,
-    const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
-    const std::vector<Triangle>& cap)
+    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap)
     : extent_(extent)
     , rows_(rows)
     , vertices_(vertices.size())
@@ -140,15 +139,19 @@ public:
     for (const std::uint32_t* number = bands_->begin(k, band); number != bands_->end(k, band);
          ++number)
     {
-      const Triangle& ids =
-        *number < triangles_.size() ? triangles_[*number] : cap_[*number - triangles_.size()];
+      const bool isOfCap = *number >= triangles_.size();
+      const ChainView& list = isOfCap ? cap_ : triangles_;
+      const std::size_t place = isOfCap ? *number - triangles_.size() : *number;
+      const Triangle& ids = list[place];
+      const std::int32_t multiplicity = list.multiplicity(place);
       const RowTriangle triangle(vertices_[ids[0]], vertices_[ids[1]], vertices_[ids[2]]);
       const RowTriangle::Range range = triangle.rowsIn(k, firstRow, lastRow);
       for (int j = range.first; j <= range.last; ++j)
       {
         if (const int sign = triangle.crossingSign(j, k))
         {
-          crossings.push_back({j, triangle.firstBehind(j, k, sign, extent_[0], extent_[1]), sign});
+          crossings.push_back(
+            {j, triangle.firstBehind(j, k, sign, extent_[0], extent_[1]), multiplicity * sign});
         }
       }
     }
@@ -178,15 +181,14 @@ private:
   Extent extent_;
   RowBands rows_;
   std::vector<Eigen::Vector3d> vertices_;
-  const std::vector<Triangle>& triangles_;
-  const std::vector<Triangle>& cap_;
+  ChainView triangles_, cap_;
   std::unique_ptr<const Bands> bands_;
 };
 
 } // namespace
 
-RowCrossings::RowCrossings(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, const std::vector<Triangle>& cap)
+RowCrossings::RowCrossings(
+  const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap)
   : vertices_(vertices)
   , triangles_(triangles)
   , cap_(cap)
@@ -229,14 +231,16 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
 int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const
 {
   int value = 0;
-  for (const std::vector<Triangle>* list : {&triangles_, &cap_})
+  for (const ChainView* list : {&triangles_, &cap_})
   {
-    for (const Triangle& ids : *list)
+    for (std::size_t n = 0; n < list->size(); ++n)
     {
+      const Triangle& ids = (*list)[n];
       const RowTriangle triangle(grid.inGridUnits(vertices_[ids[0]]),
         grid.inGridUnits(vertices_[ids[1]]), grid.inGridUnits(vertices_[ids[2]]));
       const int sign = triangle.crossingSign(j, k);
-      value += sign != 0 && triangle.firstBehind(j, k, sign, i, i) > i ? sign : 0;
+      const bool isAhead = sign != 0 && triangle.firstBehind(j, k, sign, i, i) > i;
+      value += isAhead ? list->multiplicity(n) * sign : 0;
     }
   }
   return value;

@@ -60,8 +60,8 @@ public:
 
   /// A chain is two lists of triangles over common vertices: a surface and its cap. References are
   /// kept.
-  RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
-    const std::vector<Triangle>& cap = noTriangles());
+  RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
+    const ChainView& cap = noTriangles());
 
   /// The data that the rows of an extent need, made once for all of them.
   class OnGrid;
@@ -81,8 +81,7 @@ private:
   static const std::vector<Triangle>& noTriangles();
 
   const std::vector<Eigen::Vector3d>& vertices_;
-  const std::vector<Triangle>& triangles_;
-  const std::vector<Triangle>& cap_;
+  ChainView triangles_, cap_;
 };
 
 /// The rows of an extent, band by band, in any order and from any thread.

@@ -4,6 +4,7 @@
 #include "source/UnitScale.h"
 #include "sums/DirectSumKernels.h"
 #include "sums/GradientKernels.h"
+#include "sums/MultipleAngles.h"
 #include "sums/RegularizedKernels.h"
 
 #include <algorithm>
@@ -22,22 +23,24 @@ void store(const Eigen::Vector3d& from, double (&to)[3])
 
 } // namespace
 
-TriangleSum::TriangleSum(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, const Bounds& bounds)
+TriangleSum::TriangleSum(
+  const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const Bounds& bounds)
   : vertices_(vertices)
   , triangles_(triangles)
   , scale_(unitScale(bounds))
 {
 }
 
-void TriangleSum::multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const
+/// Multiplies the factors of triangles first … last − 1, each once.
+void TriangleSum::multiply(std::size_t first, std::size_t last, const SampleBlock& scaled,
+  AngleProducts& products, bool watching) const
 {
   // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
   // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
   KernelTriangle chunk[kernelChunk];
-  for (std::size_t first = 0; first < triangles_.size(); first += kernelChunk)
+  for (; first < last; first += kernelChunk)
   {
-    const std::size_t count = std::min(kernelChunk, triangles_.size() - first);
+    const std::size_t count = std::min(kernelChunk, last - first);
     for (std::size_t i = 0; i < count; ++i)
     {
       const Triangle& triangle = triangles_[first + i];
@@ -54,29 +57,30 @@ void TriangleSum::multiply(const SampleBlock& scaled, AngleProducts& products, b
   }
 }
 
-void TriangleSum::evaluate(const SampleBlock& block, double* values) const
+/// Sums all triangles, run by run of equal multiplicity. isSuspect may be null.
+void TriangleSum::sum(const SampleBlock& block, double* values, bool* isSuspect) const
 {
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
-  AngleProducts products(scaled.count);
-  this->multiply(scaled, products, false);
-  sumAngles(products, scaled.count, values);
+  MultipleAngles sums(scaled.count, values, isSuspect);
+  triangles_.forEachRun(
+    [&](std::size_t first, std::size_t last, std::int32_t multiplicity)
+    {
+      AngleProducts products(scaled.count);
+      this->multiply(first, last, scaled, products, isSuspect != nullptr);
+      sums.add(products, multiplicity);
+    });
+}
+
+void TriangleSum::evaluate(const SampleBlock& block, double* values) const
+{
+  this->sum(block, values, nullptr);
 }
 
 bool TriangleSum::evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const
 {
-  SampleBlock scaled;
-  scaleSamples(block, scale_, scaled);
-  AngleProducts products(scaled.count);
-  this->multiply(scaled, products, true);
-  sumAngles(products, scaled.count, values);
-  bool any = false;
-  for (std::size_t i = 0; i < scaled.count; ++i)
-  {
-    isSuspect[i] = products.suspect[i] != 0;
-    any = any || isSuspect[i];
-  }
-  return any;
+  this->sum(block, values, isSuspect);
+  return std::any_of(isSuspect, isSuspect + block.count, [](bool is) { return is; });
 }
 
 DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)

@@ -29,12 +29,13 @@ class TriangleSum final : public Evaluator
 {
 public:
   /// Keeps references: vertices and triangles must outlive this. The bounds need not be tight; only
-  /// the order of magnitude of their size matters.
-  TriangleSum(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
-    const Bounds& bounds);
+  /// the order of magnitude of their size matters. Triangles that count several times are summed
+  /// once, those that count 0 times never.
+  TriangleSum(
+    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const Bounds& bounds);
 
   explicit TriangleSum(const Surface& surface)
-    : TriangleSum(surface.vertices, surface.triangles, surface.bounds)
+    : TriangleSum(surface.vertices, surface, surface.bounds)
   {
   }
 
@@ -46,10 +47,12 @@ public:
   bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
 
 private:
-  void multiply(const SampleBlock& scaled, AngleProducts& products, bool watching) const;
+  void sum(const SampleBlock& block, double* values, bool* isSuspect) const;
+  void multiply(std::size_t first, std::size_t last, const SampleBlock& scaled,
+    AngleProducts& products, bool watching) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
-  const std::vector<Triangle>& triangles_;
+  ChainView triangles_;
   double scale_; ///< a power of two that brings the surface to about unit size, without rounding
 };
 

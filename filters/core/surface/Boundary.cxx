@@ -39,6 +39,10 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       {
         const std::int32_t high = first->high(), net = netOf(first, last);
         part.edgesOfOneTriangle += last - first == 1;
+        if (last - first > 2 || net == 2 || net == -2)
+        {
+          part.crowdedVertices.insert(part.crowdedVertices.end(), {low, high});
+        }
         if (net > 0)
         {
           part.edges.push_back({low, high, net});
@@ -66,6 +70,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   for (const BoundaryChain& part : parts)
   {
     chain.edgesOfOneTriangle += part.edgesOfOneTriangle;
+    chain.crowdedVertices.insert(
+      chain.crowdedVertices.end(), part.crowdedVertices.begin(), part.crowdedVertices.end());
     starts.push_back(starts.back() + part.edges.size());
   }
   chain.edges.resize(starts.back());

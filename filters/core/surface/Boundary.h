@@ -32,6 +32,11 @@ struct BoundaryChain
   /// them are in the chain, together with edges where orientations disagree or triangles meet in
   /// odd numbers.
   std::size_t edgesOfOneTriangle = 0;
+
+  /// The ends of all edges that more than two triangles use, or two in the same sense: each edge of
+  /// a triangle that is there more than once is one of these, but for two opposite triangles that
+  /// no other touches. A vertex may be listed several times.
+  std::vector<std::int32_t> crowdedVertices;
 };
 
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.

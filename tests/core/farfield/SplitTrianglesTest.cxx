@@ -20,12 +20,13 @@ using winding::SplitRule;
 using Piece = std::array<Point, 3>;
 
 std::vector<Piece> piecesOf(
-  const winding::Surface& surface, const SplitRule& rule, std::size_t mostPieces = 1000000)
+  const winding::Surface& surface, SplitRule rule, std::size_t mostPieces = 1000000)
 {
   std::vector<Piece> pieces;
-  winding::forEachPiece(rule, surface.vertices, surface.triangles, mostPieces,
-    [&](const Point& a, const Point& b, const Point& c) {
-      pieces.push_back({a, b, c});
+  rule.mostPieces = mostPieces;
+  winding::forEachPiece(rule, surface.vertices, surface,
+    [&](const winding::TrianglePiece& piece) {
+      pieces.push_back({piece.a, piece.b, piece.c});
     });
   return pieces;
 }

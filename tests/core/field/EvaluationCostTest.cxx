@@ -134,8 +134,11 @@ TEST(EvaluationCost, OfTheFarFieldIsThatOfTheTreeTheSamplesAndThoseNearTheSource
   }
   // Large triangles are cut, so that few of them are near to as many samples; few points are not.
   const double many = secondsOf(sourceOf(Primitive::triangle, 20'000, 1'000'000), 20'000);
-  const double few = secondsOf(sourceOf(Primitive::triangle, 20, 1'000'000), 20'000);
+  const double few = secondsOf(sourceOf(Primitive::triangle, 200, 1'000'000), 20'000);
   expectAbout(few, many);
+  // No sample is near to more triangles than there are.
+  const SampledSource two = sourceOf(Primitive::triangle, 2, 1'000'000);
+  EXPECT_LT(secondsOf(two, 1e9), winding::costOfDirectSum(two).seconds + 1.2 * secondsOf(two, 0));
   EXPECT_LT(secondsOf(sourceOf(Primitive::point, 20, 1'000'000), 20'000),
     0.7 * secondsOf(sourceOf(Primitive::point, 20'000, 1'000'000), 20'000));
 }

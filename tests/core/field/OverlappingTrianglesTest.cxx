@@ -1,0 +1,205 @@
+#include "base/Executor.h"
+#include "base/FieldOutput.h"
+#include "base/Views.h"
+#include "core/support/HostileSoups.h"
+#include "farfield/FarField.h"
+#include "farfield/TriangleFarField.h"
+#include "field/Field.h"
+#include "source/Sanitize.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/**
+ * Triangles that overlap each other so much that most are near to every sample: no method does more
+ * work than the direct sum, up to what is promised in Field.h, and all agree with it. Work is
+ * counted, not timed.
+ */
+
+namespace
+{
+
+using namespace shapes;
+using winding::Field;
+using winding::FieldOptions;
+using winding::FieldOutput;
+using winding::Grid;
+using winding::Method;
+
+constexpr std::size_t triangles = 1500;
+
+Grid gridAround(const winding::Bounds& bounds, int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = bounds;
+  request.resolution = resolution;
+  return winding::layOutGrid(request);
+}
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method, bool scattered)
+{
+  FieldOptions options;
+  options.method = method;
+  options.scattered = scattered;
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+}
+
+std::vector<double> valuesOn(const Field& field, const Grid& grid)
+{
+  winding::SerialExecutor serial;
+  std::vector<double> values(winding::sampleCount(grid.wholeExtent()));
+  FieldOutput output;
+  output.doubleValues = values.data();
+  EXPECT_TRUE(field.evaluate(grid, grid.wholeExtent(), output, serial));
+  return values;
+}
+
+std::vector<double> valuesAt(const Field& field, const std::vector<Point>& samples)
+{
+  winding::SerialExecutor serial;
+  std::vector<double> values(samples.size());
+  FieldOutput output;
+  output.doubleValues = values.data();
+  EXPECT_TRUE(
+    field.evaluate(winding::VectorsView(samples.data()->data(), samples.size()), output, serial));
+  return values;
+}
+
+} // namespace
+
+class OverlappingTriangles : public testing::TestWithParam<std::pair<std::string, Mesh>>
+{
+};
+
+TEST_P(OverlappingTriangles, TakeNoMorePairsThanTheDirectSum)
+{
+  const winding::Surface surface = clean(GetParam().second);
+  const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
+  winding::SerialExecutor serial;
+  for (const int resolution : {10, 24, 40})
+  {
+    SCOPED_TRACE(resolution);
+    const Grid grid = gridAround(surface.bounds, resolution);
+    const winding::TriangleFarField farField(surface.vertices, surface, surface.bounds, accuracy);
+    const std::size_t samples = winding::sampleCount(grid.wholeExtent());
+    std::vector<float> values(samples);
+    FieldOutput output;
+    output.values = values.data();
+    winding::FarFieldWork work;
+    ASSERT_TRUE(
+      farField.suiting(grid, serial)->evaluate(grid, grid.wholeExtent(), output, serial, &work));
+    EXPECT_LE(work.exactPairs, surface.triangles.size() * samples);
+    // The nodes looked at cost some nanoseconds each, a pair one: all else is little beside pairs.
+    EXPECT_LE(work.nodeTests + work.nearTests, surface.triangles.size() * samples / 20 + 100'000);
+  }
+}
+
+TEST_P(OverlappingTriangles, HaveTheirValuesByEveryMethod)
+{
+  const Mesh& mesh = GetParam().second;
+  std::size_t compared = 0, all = 0;
+  for (const int resolution : {9, 20})
+  {
+    const Grid grid = gridAround(clean(mesh).bounds, resolution);
+    const auto direct = fieldOf(mesh, Method::direct, false);
+    const std::vector<double> expected = valuesOn(*direct, grid);
+    for (const Method method : {Method::automatic, Method::rows, Method::hierarchical})
+    {
+      const std::vector<double> values = valuesOn(*fieldOf(mesh, method, false), grid);
+      for (std::size_t i = 0; i < expected.size(); ++i)
+      {
+        ++all;
+        // Samples on triangles, which a lattice has many of, may have the value of any side.
+        if (std::abs(values[i] - expected[i]) > 1e-3)
+        {
+          ASSERT_GT(direct->jumpWithin(grid.sample(i), 1e-9), 0)
+            << winding::nameOf(method) << " sample " << i;
+          continue;
+        }
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, all / 10 * 7); // measured: 73 % to 100 %
+  const std::vector<Point> samples = randomPoints(500, -1, 17, 1520);
+  const std::vector<double> expected = valuesAt(*fieldOf(mesh, Method::direct, true), samples);
+  for (const Method method : {Method::automatic, Method::hierarchical})
+  {
+    const std::vector<double> values = valuesAt(*fieldOf(mesh, method, true), samples);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      ASSERT_NEAR(values[i], expected[i], 1e-3) << winding::nameOf(method) << " sample " << i;
+    }
+  }
+}
+
+TEST_P(OverlappingTriangles, AreNotExpectedToTakeMuchMoreThanTheDirectSum)
+{
+  const Mesh& mesh = GetParam().second;
+  for (const std::size_t samples : {1'000u, 32'768u, 262'144u})
+  {
+    const double direct =
+      fieldOf(mesh, Method::direct, false)->expectedCostOfValues(samples).seconds;
+    for (const Method method : {Method::automatic, Method::rows})
+    {
+      const double seconds = fieldOf(mesh, method, false)->expectedCostOfValues(samples).seconds;
+      EXPECT_LE(seconds, 1.5 * direct + 0.01) << winding::nameOf(method) << " " << samples;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, OverlappingTriangles, testing::ValuesIn(hostileSoups(triangles)),
+  [](const auto& param)
+  {
+    std::string name = param.param.first;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  });
+
+TEST(EqualTriangles, AreSummedOnce)
+{
+  for (const Method method : {Method::automatic, Method::hierarchical, Method::rows})
+  {
+    const auto field = fieldOf(copiesOf(icosphere(1).part(0, 60), 50), method, false);
+    EXPECT_EQ(field->info().primitives, 3000u);
+    EXPECT_EQ(field->info().distinct, 60u);
+    EXPECT_LE(field->info().capTriangles, 60u);
+    EXPECT_EQ(field->surface()->triangles.size(), 3000u);
+    EXPECT_EQ(field->distinctSurface()->triangles.size(), 60u);
+  }
+}
+
+TEST(EqualTriangles, CancelOppositeOnes)
+{
+  const Mesh mesh = icosphere(1).part(0, 50);
+  const auto field = fieldOf(copiesOf(mesh.with(mesh.reversed()), 3), Method::automatic, false);
+  EXPECT_EQ(field->info().netBoundaryEdges, 0u);
+  for (const double w : valuesOn(*field, gridAround(field->info().bounds, 11)))
+  {
+    ASSERT_EQ(w, 0);
+  }
+}
+
+TEST(EqualTriangles, OfAClosedSurfaceGiveMultiplesOnGridsAndScattered)
+{
+  const Mesh mesh = icosphere(2);
+  const auto once = fieldOf(mesh, Method::automatic, false);
+  const auto thrice = fieldOf(copiesOf(mesh, 3), Method::automatic, false);
+  EXPECT_EQ(thrice->info().method, Method::rows);
+  const Grid grid = gridAround(once->info().bounds, 15);
+  const std::vector<double> expected = valuesOn(*once, grid), values = valuesOn(*thrice, grid);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    ASSERT_EQ(values[i], 3 * expected[i]);
+  }
+  const std::vector<Point> samples = randomPoints(300, -1.2, 1.2, 1530);
+  const std::vector<double> scattered = valuesAt(*once, samples);
+  const std::vector<double> scatteredThrice =
+    valuesAt(*fieldOf(copiesOf(mesh, 3), Method::automatic, true), samples);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    ASSERT_EQ(scatteredThrice[i], 3 * scattered[i]);
+  }
+}
