@@ -30,6 +30,13 @@
  * NumberOfThreads 1 keep it serial. Results have the same bits for any backend and number of
  * threads.
  *
+ * **Data that contradicts itself is refused**, in one line through vtkErrorMacro, before any class
+ * of VTK follows it out of its memory: offsets out of their list of ids, ids of points that do not
+ * exist, cells of unknown types or with too few points for their type, polyhedra without their
+ * faces, and arrays in use that are too short. Only polygons with ids of points that do not exist
+ * are no reason to refuse polydata as a source: they are left out and counted
+ * (GetNumberOfDroppedPrimitives()). That holds for every class of this module that takes data.
+ *
  * **Properties out of range are refused**, by every class of this module and whether they have an
  * effect or not. Setters take any value; the next execution reports one line through vtkErrorMacro
  * with the name of the property, its value and its range, and gives no output. Numbers that are NaN

@@ -2,6 +2,8 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
+#include <algorithm>
+
 #include <sys/resource.h>
 
 Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm& filter)
@@ -26,7 +28,8 @@ Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm&
 
 long long peakMemory()
 {
-  struct rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024LL * usage.ru_maxrss; // Linux gives KiB
+  struct rusage own = {}, readers = {};
+  getrusage(RUSAGE_SELF, &own);
+  getrusage(RUSAGE_CHILDREN, &readers);
+  return 1024LL * std::max(own.ru_maxrss, readers.ru_maxrss); // Linux gives KiB
 }

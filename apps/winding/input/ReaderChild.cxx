@@ -183,14 +183,14 @@ void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
-  // The threads of the program are none of this process, and would be waited for.
-  vtkSMPTools::SetBackend("Sequential");
   PipeSink sink(pipe);
-  vtkNew<ReportWindow> window;
-  window->setSink(sink);
-  vtkOutputWindow::SetInstance(window);
   try
   {
+    // The threads of the program are none of this process, and would be waited for.
+    vtkSMPTools::SetBackend("Sequential");
+    vtkNew<ReportWindow> window;
+    window->setSink(sink);
+    vtkOutputWindow::SetInstance(window);
     const auto data = readOrFail(fileName, format, sink);
     sink.put(ReaderMessage::data);
     sendData(data, sink);
