@@ -61,8 +61,7 @@ int main(int argc, char** argv)
   }
   catch (const std::bad_alloc&)
   {
-    tellOutOfMemory();
-    return NO_MEMORY;
+    leaveWithoutMemory();
   }
   catch (const std::exception& error)
   {

@@ -35,12 +35,16 @@ struct ReaderEnded
 {
 };
 
-/// Asks that a child does not outlive its parent, and leaves signals from the terminal to it.
-void dependOn(pid_t parent)
+/// Asks that a child does not outlive its parent, and leaves to it signals from the terminal and the
+/// files that it has open, with their locks, but for the pipe between them.
+void dependOn(pid_t parent, int pipe)
 {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  close_range(STDERR_FILENO + 1, static_cast<unsigned int>(pipe) - 1, 0);
+  close_range(static_cast<unsigned int>(pipe) + 1, ~0U, 0);
 #endif
+  interrupt::forgetTemporaryFiles();
   if (getppid() != parent)
   {
     _exit(INTERRUPTED);
@@ -70,9 +74,8 @@ public:
     child_ = fork();
     if (child_ == 0)
     {
-      dependOn(parent);
+      dependOn(parent, ends[1]);
       sigprocmask(SIG_SETMASK, &before, nullptr);
-      close(ends[0]);
       readAndSend(fileName, format, ends[1]);
     }
     const int error = errno;
@@ -221,7 +224,13 @@ vtkSmartPointer<vtkPointSet> readInProcess(
   }
   catch (const ReaderEnded&)
   {
-    throw Failure(REFUSED, fileName, endInWords(process.waitForEnd()));
+    const int status = process.waitForEnd();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == NO_MEMORY)
+    {
+      throw Failure(NO_MEMORY, fileName,
+        "takes more memory to read than there is; end other programs, or is it damaged?");
+    }
+    throw Failure(REFUSED, fileName, endInWords(status));
   }
   catch (const std::bad_alloc&)
   {

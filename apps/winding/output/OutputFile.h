@@ -25,7 +25,7 @@ public:
   const std::string& name() const { return name_; }
 
   /// The name of the file to write to until commit().
-  const std::string& temporaryName() const { return temporary_.name(); }
+  std::string temporaryName() const { return temporary_.name(); }
 
   /// Throws the Failure of a writer that had to stop.
   [[noreturn]] void refuseWriting() const;

@@ -86,9 +86,9 @@ std::string nameFor(const std::filesystem::path& target, int n)
 
 /// Makes a file of that name and locks it. Returns -1, with errno, where that fails, and EEXIST also
 /// stands for one that another run has taken for left behind before it was locked.
-int makeLocked(const std::string& name)
+int makeLocked(const char* name)
 {
-  const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   struct stat status = {};
   if (file < 0 || (lock(file, false) && fstat(file, &status) == 0 && status.st_nlink > 0))
   {
@@ -108,7 +108,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target)
   constexpr int attempts = 1000;
   for (int n = 0; n < attempts; ++n)
   {
-    name_ = (folder / nameFor(target, n)).string();
+    name_ = interrupt::keepName((folder / nameFor(target, n)).string());
     lock_ = makeLocked(name_);
     if (lock_ >= 0)
     {
@@ -125,9 +125,9 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target)
 
 TemporaryFile::~TemporaryFile()
 {
-  if (!name_.empty())
+  if (name_)
   {
-    unlink(name_.c_str());
+    unlink(name_);
     interrupt::dropTemporaryFile(name_);
   }
   close(lock_);
@@ -135,10 +135,10 @@ TemporaryFile::~TemporaryFile()
 
 void TemporaryFile::become(const std::filesystem::path& target)
 {
-  if (std::rename(name_.c_str(), target.c_str()) != 0)
+  if (std::rename(name_, target.c_str()) != 0)
   {
     throwError();
   }
   interrupt::dropTemporaryFile(name_);
-  name_.clear();
+  name_ = nullptr;
 }

@@ -18,13 +18,13 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   void operator=(const TemporaryFile&) = delete;
 
-  const std::string& name() const { return name_; }
+  std::string name() const { return name_; }
 
   /// Gives the file the name of the target, and thereby replaces what had it. Throws
   /// std::system_error where that is not possible.
   void become(const std::filesystem::path& target);
 
 private:
-  std::string name_; ///< empty when it has become another
+  const char* name_; ///< null when it has become another
   int lock_;         ///< the open file, which keeps the lock
 };

@@ -18,15 +18,9 @@ namespace
 volatile std::sig_atomic_t signalled = 0;
 
 // The handler may run on any thread and at any moment, so that what it reads changes in one step: a
-// pointer to a name. Names stay where they are until the program ends.
+// pointer to a name.
 std::array<std::atomic<const char*>, 8> temporaryFiles = {};
 static_assert(std::atomic<const char*>::is_always_lock_free);
-
-std::list<std::string>& names()
-{
-  static std::list<std::string> all;
-  return all;
-}
 
 void leave(int)
 {
@@ -79,26 +73,40 @@ void check()
   }
 }
 
-void addTemporaryFile(const std::string& path)
+const char* keepName(const std::string& path)
+{
+  static std::list<std::string> names;
+  return names.emplace_back(path).c_str();
+}
+
+void addTemporaryFile(const char* keptName)
 {
   for (std::atomic<const char*>& file : temporaryFiles)
   {
     if (!file)
     {
-      file = names().emplace_back(path).c_str();
+      file = keptName;
       return;
     }
   }
 }
 
-void dropTemporaryFile(const std::string& path)
+void dropTemporaryFile(const char* keptName)
 {
   for (std::atomic<const char*>& file : temporaryFiles)
   {
-    if (file && file.load() == path)
+    if (file == keptName)
     {
       file = nullptr;
     }
+  }
+}
+
+void forgetTemporaryFiles()
+{
+  for (std::atomic<const char*>& file : temporaryFiles)
+  {
+    file = nullptr;
   }
 }
 

@@ -21,13 +21,21 @@ bool requested();
 /// Throws Failure if a signal has come.
 void check();
 
-/// Names a file that removeTemporaryFiles() removes until dropTemporaryFile() is told its name. Of
-/// more than eight at a time, the ones that come late are not taken.
-void addTemporaryFile(const std::string& path);
-void dropTemporaryFile(const std::string& path);
+/// Keeps a name until the program ends, for addTemporaryFile(). That one asks for no memory, so that
+/// nothing can come between a file and its removal.
+const char* keepName(const std::string& path);
 
-/// Removes the files that have been named, for whoever leaves without unwinding. Signal handlers may
-/// call it.
+///@{
+/// removeTemporaryFiles() removes the files that are added and not dropped again. Of more than eight
+/// at a time, the ones that come late are not taken.
+void addTemporaryFile(const char* keptName);
+void dropTemporaryFile(const char* keptName);
+///@}
+
+/// Leaves these files to another process: this one, a child, is not to remove them.
+void forgetTemporaryFiles();
+
+/// Removes these files, for whoever leaves without unwinding. Signal handlers may call it.
 void removeTemporaryFiles();
 
 } // namespace interrupt

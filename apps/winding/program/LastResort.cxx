@@ -40,12 +40,11 @@ bool hasMemoryRunOut()
 
 [[noreturn]] void leave()
 {
-  interrupt::removeTemporaryFiles();
   if (hasMemoryRunOut())
   {
-    tellOutOfMemory();
-    _exit(NO_MEMORY);
+    leaveWithoutMemory();
   }
+  interrupt::removeTemporaryFiles();
   tell("winding: error: unexpected end; please report it\n");
   _exit(REFUSED);
 }
@@ -57,7 +56,9 @@ void installLastResort()
   std::set_terminate(leave);
 }
 
-void tellOutOfMemory()
+void leaveWithoutMemory()
 {
-  tell("winding: error: not enough memory\n");
+  interrupt::removeTemporaryFiles();
+  tell("winding: error: not enough memory; end other programs, or choose a coarser grid\n");
+  _exit(NO_MEMORY);
 }

@@ -4,5 +4,5 @@
 /// an error is being told) ends the program in one line and with a status of ours, too.
 void installLastResort();
 
-/// Tells on standard error that memory has run out, without asking for any.
-void tellOutOfMemory();
+/// Tells on standard error that memory has run out, and leaves without unwinding. Asks for no memory.
+[[noreturn]] void leaveWithoutMemory();

@@ -1,0 +1,83 @@
+"""Allocations that fail: one alone, or all from one on."""
+
+import concurrent.futures
+import os
+import pathlib
+import shutil
+
+import program as winding
+from program import require
+
+MODES = ("FAULT_ALLOCATION", "FAULT_ALLOCATIONS_FROM")
+
+
+def jobs():
+    """Small runs, each of one thread, so that allocations come in one order."""
+    common = ["--threads", 1, "--quiet"]
+    return [winding.Job("out.vti", "field", "in.off", "-o", "out.vti", "--resolution", 4, *common),
+            winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4, *common),
+            winding.Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", *common)]
+
+
+def one(program, folder, libraries, job, old, new, mode, number):
+    where = f"{mode}={number} {' '.join(job.words)}:"
+    job.put(folder, old)
+    try:
+        status, errors = winding.run(program, job, folder, environment={
+            "LD_PRELOAD": libraries["allocation_faults"], mode: str(number)})
+        winding.require_status(status, errors)
+        is_new = winding.require_whole(job, folder, old, new)
+        require(not winding.part_files(folder), "left", winding.part_files(folder))
+        if status == winding.DONE:
+            require(is_new, "status 0 without the result")
+        else:
+            # A reader cannot tell whether memory is short or the file asks for too much of it.
+            winding.require_refusal(status, errors, (winding.NO_MEMORY, winding.REFUSED))
+    except winding.Fault as fault:
+        raise winding.Fault(f"{where} {fault}") from None
+    return f"{mode}: status {status}"
+
+
+def allocations_of(program, folder, libraries, job):
+    """The numbers of allocations, one for each way through the program that leads to one; and the
+    number of all."""
+    sites = folder / "sites"
+    status, errors = winding.run(program, job, folder, environment={
+        "LD_PRELOAD": libraries["allocation_faults"], "FAULT_SITES": str(sites)})
+    require(status == winding.DONE, errors)
+    numbers = [int(line) for line in sites.read_text().split()]
+    sites.unlink()
+    return numbers, max(numbers)
+
+
+def check(program, folder, chance, runs, libraries, **_):
+    """All allocations of all jobs where runs are enough for them, a random choice otherwise."""
+    counts, cases = {}, []
+    workers = os.cpu_count() or 1
+    for index, job in enumerate(jobs()):
+        places = [folder / f"{index}-{worker}" for worker in range(workers)]
+        places[0].mkdir()
+        winding.sphere(places[0], rows=6)
+        winding.queries(places[0], count=20)
+        new = winding.written_by(program, job, places[0])
+        old = {job.output: b"what was there before\n"}
+        _, count = allocations_of(program, places[0], libraries, job)
+        job.put(places[0], {})
+        for place in places[1:]:
+            shutil.copytree(places[0], place)
+        cases += [(places, job, old, new, mode, number)
+                  for mode in MODES for number in range(1, count + 1)]
+    total = len(cases)
+    if runs < total:
+        cases = chance.sample(cases, runs)
+
+    def share(worker):
+        return [one(program, places[worker], libraries, job, old, new, mode, number)
+                for places, job, old, new, mode, number in cases[worker::workers]]
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        for outcomes in pool.map(share, range(workers)):
+            for outcome in outcomes:
+                counts[outcome] = counts.get(outcome, 0) + 1
+    return [f"{len(cases)} of {total} allocations", *(
+        f"{count:6}  {outcome}" for outcome, count in sorted(counts.items()))]
