@@ -85,7 +85,7 @@ TEST_F(Ranges, FarQueriesGetNothing)
   for (const std::string& in :
     {folder.write("a.off", asOff(sphere(2))), folder.write("a.xyz", asXyz(sphere(3)))})
   {
-    for (const std::string& method : {"auto", "hierarchical", "direct"})
+    for (const char* const method : {"auto", "hierarchical", "direct"})
     {
       const Outcome run = runProgram(
         {"probe", in, queries, "-o", folder.path("o.csv"), "--distance", "--method", method});

@@ -69,7 +69,7 @@ void expectRefusedByProbeAndFunction(vtkDataObject* source, const std::string& m
 
   vtkNew<vtkImplicitWindingNumber> function;
   ErrorLog functionLog(function);
-  function->SetInputData(source);
+  function->SetInput(source);
   EXPECT_FALSE(function->BuildField());
   expectOneLine(functionLog.errors(), mention);
 }
@@ -122,13 +122,13 @@ TEST(Ranges, AreasOutOfRangeAreRefused)
   {
     ErrorLog log(field);
     field->SetInputData(cloud);
-    field->SetPointAreaMethodToArray();
+    field->SetPointAreaMethod(vtkWindingNumberField::ARRAY);
     field->Update();
     expectOneLine(log.errors(), mention);
     field->RemoveAllObservers();
   }
   ErrorLog log(field);
-  field->SetPointAreaMethodToConstant();
+  field->SetPointAreaMethod(vtkWindingNumberField::CONSTANT);
   field->SetPointArea(1e200);
   field->Update();
   expectOneLine(log.errors(), "the point area is 1e+200;");
@@ -155,6 +155,15 @@ TEST(Ranges, SurfacesOfTheLargestSourcesHaveFinitePoints)
     const double longest = filter->GetOutput()->GetLength();
     EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 1000) << size;
     EXPECT_NEAR(longest / size, std::sqrt(3.0), 0.1) << size;
+
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputData(sphere(size));
+    field->SetResolution(16);
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputConnection(field->GetOutputPort());
+    voxels->Update();
+    EXPECT_GT(voxels->GetOutput()->GetNumberOfCells(), 100) << size;
+    EXPECT_NEAR(voxels->GetOutput()->GetLength() / size, std::sqrt(3.0), 0.2) << size;
   }
 }
 

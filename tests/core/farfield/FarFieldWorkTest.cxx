@@ -121,6 +121,37 @@ TEST(FarFieldWork, AddsUp)
   }
 }
 
+/// Node counts tell the angle of acceptance θ and the estimates of errors: no value would show that
+/// they are too careless by some per cent, for tolerances are kept with room to spare.
+TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
+{
+  struct Expected
+  {
+    double tolerance;
+    double translations, momentValues, exactPairs;
+  };
+  const Expected table[] = {{1e-2, 0, 0, 0}, {1e-3, 0, 0, 0}, {1e-4, 0, 0, 0}, {1e-5, 0, 0, 0},
+    {1e-6, 0, 0, 0}};
+  winding::SerialExecutor serial;
+  const auto source = farSource(randomCloud(20000, 322));
+  for (const Expected& expected : table)
+  {
+    SCOPED_TRACE(expected.tolerance);
+    const Case one = {"",
+      FarField(source->sources(), FarFieldAccuracy::of(expected.tolerance), serial),
+      shapes::gridAround(source->bounds(), {48, 48, 48})};
+    const FarFieldWork work = workOn(one, one.grid.wholeExtent(), serial);
+    // Rounding of other instruction sets moves the border between near and far a little.
+    const auto expectNear = [](std::uint64_t found, double known)
+    {
+      EXPECT_NEAR(static_cast<double>(found), known, 0.005 * known);
+    };
+    expectNear(work.translations, expected.translations);
+    expectNear(work.momentValues, expected.momentValues);
+    expectNear(work.exactPairs, expected.exactPairs);
+  }
+}
+
 TEST(FarFieldWork, IsNoneOverSourcesWithoutSources)
 {
   winding::SerialExecutor serial;
