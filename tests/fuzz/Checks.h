@@ -34,8 +34,8 @@ std::string checkOrientation(Choices& choices);
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
-/// The time of all methods beside that of the direct sum: TimeCheck.cxx. It takes far longer than
-/// the others.
+/// The time of method automatic beside that of the direct sum: TimeCheck.cxx. The check takes far
+/// longer than the others.
 std::string checkTime(Choices& choices);
 
 /// All of them but checkTime(), by name.
