@@ -22,7 +22,7 @@ struct NamedCheck
 /// The values, distances and gradients of surfaces by every method: SurfaceFieldCheck.cxx.
 std::string checkSurfaceField(Choices& choices);
 
-/// The same of clouds: CloudFieldCheck.cxx.
+/// The values, distances and gradients of clouds by every method: CloudFieldCheck.cxx.
 std::string checkCloudField(Choices& choices);
 
 /// The voxels that sources touch, and the shares of voxels that are inside: CoverageCheck.cxx.
@@ -38,7 +38,7 @@ std::string checkLevel(Choices& choices);
 /// longer than the others.
 std::string checkTime(Choices& choices);
 
-/// All of them but checkTime(), by name.
+/// All checks but checkTime(), by name.
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},

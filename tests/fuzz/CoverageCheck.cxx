@@ -102,10 +102,13 @@ std::vector<float> fractionsIn(const Field& field, const Grid& grid, const Exten
 }
 
 /// Whether shares are multiples of 1/k³ in 0 … 1, and 0 or 1 where nothing touches the voxel.
-std::string checkFractions(const Field& field, const std::vector<float>& fractions,
-  const std::vector<unsigned char>& marks, int perAxis)
+std::string checkFractions(const Field& field, const Grid& grid,
+  const std::vector<float>& fractions, const std::vector<unsigned char>& marks, int perAxis)
 {
-  const bool isClosed = field.surface() && field.info().netBoundaryEdges == 0;
+  // Solid angles lose all digits at a 1e-8th of the length of an edge from it: sums, as opposed to
+  // rows, do not tell the sides of samples so near to a flat source.
+  const bool isFlat = grid.spacing.minCoeff() < 1e-5 * field.info().bounds.sizes().maxCoeff();
+  const bool isClosed = field.info().netBoundaryEdges == 0 && (field.integerRows() || !isFlat);
   const auto samples = static_cast<double>(perAxis * perAxis * perAxis);
   for (std::size_t n = 0; n < fractions.size(); ++n)
   {
@@ -189,7 +192,7 @@ std::string checkCoverage(Choices& choices)
     }
   }
   for (const std::string& failure : {checkTouched(choices, surface, grid, marks),
-         checkMarked(surface, grid, marks), checkFractions(*field, fractions, marks, perAxis),
+         checkMarked(surface, grid, marks), checkFractions(*field, grid, fractions, marks, perAxis),
          checkPiece("marks", grid, piece, marks, touchedIn(surface, grid, piece, backward)),
          checkPiece("overlaps", grid, piece, overlap, overlapIn(piece, backward)),
          checkPiece("shares", grid, piece, fractions,
