@@ -65,7 +65,7 @@ std::unique_ptr<winding::Executor> newExecutor()
 
 double windingNumberAt(const double x[3], const winding::Field& field)
 {
-  double w;
+  double w = 0;
   winding::FieldOutput output;
   output.doubleValues = &w;
   winding::SerialExecutor serial;

@@ -130,7 +130,8 @@ public:
   /// The largest absolute error of w, at any sample, that an approximation may make: the method
   /// HIERARCHICAL, and ROWS for the values of a cap over holes. There are presets for 1e-2, 1e-3,
   /// 1e-4, 1e-5 and 1e-6; a tolerance between two of them takes the finer one. Below 1e-6, 0
-  /// included, nothing is approximated. 0 or more, default 0.001.
+  /// included, nothing is approximated. Single precision adds some 1e-7 of the sum of all shares'
+  /// sizes, which is large beside the points of a cloud. 0 or more, default 0.001.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -127,6 +127,8 @@ void vtkWindingNumberGridAlgorithm::Verify(
   this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
   this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
   this->NumberOfSamplesOnSurface = static_cast<vtkIdType>(found.onSurface);
+  this->NumberOfSamplesBesidePoints = static_cast<vtkIdType>(found.besidePoints.samples);
+  this->MaxErrorBesidePoints = found.besidePoints.max;
 }
 
 void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -149,4 +151,6 @@ void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
   os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
   os << indent << "NumberOfSamplesOnSurface: " << this->NumberOfSamplesOnSurface << "\n";
+  os << indent << "NumberOfSamplesBesidePoints: " << this->NumberOfSamplesBesidePoints << "\n";
+  os << indent << "MaxErrorBesidePoints: " << this->MaxErrorBesidePoints << "\n";
 }

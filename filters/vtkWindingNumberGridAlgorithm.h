@@ -95,6 +95,15 @@ public:
   vtkGetMacro(NumberOfSamplesOnSurface, vtkIdType);
   ///@}
 
+  ///@{
+  /// The number of samples, of both kinds together, that the last execution's verification compared
+  /// apart, and the largest error there. They lie so near to a point of a cloud that is not
+  /// regularized, nearer than √(area/4π), that this point alone may give 1 or more. w grows without
+  /// bounds there, and single precision rounds it by 6e-8 of its size, whatever the Tolerance.
+  vtkGetMacro(NumberOfSamplesBesidePoints, vtkIdType);
+  vtkGetMacro(MaxErrorBesidePoints, double);
+  ///@}
+
   /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the
   /// samples. 0 voxels before the first.
   void GetGrid(int dimensions[3], double firstSample[3], double spacing[3]) const;
@@ -136,6 +145,8 @@ protected:
   vtkIdType NumberOfVerifiedSamples = 0;
   vtkIdType NumberOfNearVerifiedSamples = 0;
   vtkIdType NumberOfSamplesOnSurface = 0;
+  vtkIdType NumberOfSamplesBesidePoints = 0;
+  double MaxErrorBesidePoints = 0;
 
 private:
   std::unique_ptr<winding::Grid> Sampling;

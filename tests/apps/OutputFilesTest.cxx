@@ -19,7 +19,7 @@ namespace
 
 using namespace std::chrono_literals;
 
-/// What becomes of files that lie where the program writes.
+/// Files that lie where the program writes.
 class OutputFiles : public testing::Test
 {
 protected:

@@ -102,6 +102,37 @@ TEST_F(ProbeCommand, TabsStayTabs)
   EXPECT_TRUE(mixed.saysInOneLine({"out.csv", ".tsv"})) << mixed;
 }
 
+TEST_F(ProbeCommand, NamesOfColumnsAreQuotedWhereTablesNeedIt)
+{
+  const std::string queries = folder.write("q.csv", "x,y,z\n0,0,0\n");
+  const std::pair<const char*, const char*> names[] = {{"w", "w"}, {"two words", "two words"},
+    {"a,b", "\"a,b\""}, {",", "\",\""}, {" w", "\" w\""}, {"w ", "\"w \""}};
+  for (const auto& [name, column] : names)
+  {
+    ASSERT_EQ(probe(queries, "out.csv", {"--array", name}).status, 0);
+    const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+    EXPECT_EQ(lines[0], std::string("x,y,z,") + column + ",Inside");
+    // The table can be read again, with its three numbers for each row.
+    const Outcome again = probe(folder.path("out.csv"), "again.csv", {"--array", "v"});
+    EXPECT_EQ(again.status, 2) << again;
+    EXPECT_TRUE(again.saysInOneLine({"already has a column Inside"})) << again;
+  }
+  const std::string tabs = folder.write("q.tsv", "x\ty\tz\n0\t0\t0\n");
+  ASSERT_EQ(probe(tabs, "out.tsv", {"--array", "a,b"}).status, 0);
+  EXPECT_EQ(split(contentsOf(folder.path("out.tsv")), '\n')[0], "x\ty\tz\ta,b\tInside");
+}
+
+TEST_F(ProbeCommand, NoTableGetsTwoColumnsOfOneName)
+{
+  for (const char* name : {"x", "y", "z"})
+  {
+    const Outcome run = probe(in, "out.csv", {"--array", name});
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"already has a column", name, "--array"})) << run;
+    EXPECT_EQ(probe(in, "out.vtp", {"--array", name}).status, 0);
+  }
+}
+
 TEST_F(ProbeCommand, SeventeenDigitsBringBackEveryBit)
 {
   const std::string queries = folder.write("q.csv", "x,y,z\n0.9999,0.01,0.02\n");

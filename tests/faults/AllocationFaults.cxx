@@ -1,15 +1,16 @@
 /**
  * @file
- * A library to be loaded before all others (LD_PRELOAD), which lets allocations fail. Allocations are
- * counted from 1 on when main() begins. Variables of the environment say what to do:
+ * A library to be loaded before all others (LD_PRELOAD), which lets allocations fail. Allocations
+ * are counted from 1 on when main() begins. Variables of the environment say what to do:
  *
  * - FAULT_ALLOCATION=n: allocation n fails.
  * - FAULT_ALLOCATIONS_FROM=n: allocation n and all after it fail.
- * - FAULT_SITES=file: none fails; the file gets a line with the number of each allocation that comes
- *   by a way through the program by which none came before.
+ * - FAULT_SITES=file: none fails; the file gets a line with the number of each allocation that
+ *   comes by a way through the program by which none came before.
  *
- * operator new comes here, too, since it calls malloc(). One allocation never fails: the constructor
- * of vtkCellArray (VTK 9.1) does not look whether it got its few bytes, and would crash.
+ * operator new comes here, too, since it calls malloc(). One allocation never fails: the
+ * constructor of vtkCellArray (VTK 9.1) does not look whether it got its few bytes, and would
+ * crash.
  */
 #include <atomic>
 #include <cerrno>

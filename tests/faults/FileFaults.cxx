@@ -1,12 +1,12 @@
 /**
  * @file
- * A library to be loaded before all others (LD_PRELOAD), which does something to a file at the moment
- * when it is opened. Variables of the environment say what:
+ * A library to be loaded before all others (LD_PRELOAD), which does something to a file at the
+ * moment when it is opened. Variables of the environment say what:
  *
  * - FAULT_FILE: a part of the file's name; other files are left alone.
  * - FAULT_OPENING=n: at which opening of such a file, from 1 on.
- * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, or pause for a
- *   second, or hang for a minute.
+ * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, or pause for
+ *   a second, or hang for a minute.
  */
 #include <atomic>
 #include <cstdarg>

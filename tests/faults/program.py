@@ -68,7 +68,7 @@ class Job:
         first = folder / self.output
         blocks = (folder / first.stem).glob("*.vtp") if first.suffix == ".vtm" else ()
         return {str(path.relative_to(folder)): path.read_bytes()
-                for path in (first, *blocks) if path.exists()}
+                for path in (first, *blocks) if path.exists() and path.name[0] != "."}
 
     def put(self, folder, files):
         """Has these files, and no others, where it writes."""

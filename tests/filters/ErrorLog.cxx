@@ -13,24 +13,35 @@ void append(vtkObject*, unsigned long, void* log, void* message)
   static_cast<std::string*>(log)->append(static_cast<const char*>(message));
 }
 
-void observe(vtkObject* object, unsigned long event, std::string& log)
+} // namespace
+
+void ErrorLog::observe(vtkObject* object, unsigned long event, std::string& log)
 {
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(append);
   command->SetClientData(&log);
-  object->AddObserver(event, command);
+  observers_.emplace_back(object, object->AddObserver(event, command));
 }
-
-} // namespace
 
 ErrorLog::ErrorLog(vtkObject* object)
 {
-  observe(object, vtkCommand::ErrorEvent, errors_);
-  observe(object, vtkCommand::WarningEvent, warnings_);
+  this->observe(object, vtkCommand::ErrorEvent, errors_);
+  this->observe(object, vtkCommand::WarningEvent, warnings_);
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
   {
     // The executive adds a line of its own to every failure.
     static std::string executives;
-    observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent, executives);
+    this->observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent, executives);
+  }
+}
+
+ErrorLog::~ErrorLog()
+{
+  for (const auto& [object, tag] : observers_)
+  {
+    if (object)
+    {
+      object->RemoveObserver(tag);
+    }
   }
 }

@@ -332,6 +332,81 @@ TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)
   EXPECT_EQ(this->windingNumber(second, 0, 0, 0), w);
 }
 
+TEST_F(SourceKinds, EveryPartOfASourceMakesItAnother)
+{
+  // Each source is a new data set that differs from the one before it in one part only.
+  const auto copyOf = [](vtkPolyData* source)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(source);
+    return copy;
+  };
+  auto points = cloud();
+  vtkNew<vtkDoubleArray> areas;
+  areas->SetName("Area");
+  areas->SetNumberOfTuples(points->GetNumberOfPoints());
+  areas->Fill(1e-3);
+  points->GetPointData()->AddArray(areas);
+  probe->SetPointAreaMethod(vtkWindingNumberProbe::ARRAY);
+  const double w = this->windingNumber(points, 0, 0, 0);
+  EXPECT_GT(w, 0);
+
+  auto largerAreas = copyOf(points);
+  vtkDataArray* doubled = largerAreas->GetPointData()->GetArray("Area");
+  doubled->Fill(2e-3);
+  EXPECT_NEAR(this->windingNumber(largerAreas, 0, 0, 0), 2 * w, 1e-12);
+
+  auto turned = copyOf(largerAreas);
+  vtkDataArray* normals = turned->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    normals->SetTuple3(i, -n[0], -n[1], -n[2]);
+  }
+  EXPECT_NEAR(this->windingNumber(turned, 0, 0, 0), -2 * w, 1e-12);
+
+  auto moved = copyOf(turned);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    const double* p = moved->GetPoint(i);
+    moved->GetPoints()->SetPoint(i, 2 * p[0], 2 * p[1], 2 * p[2]);
+  }
+  EXPECT_NEAR(this->windingNumber(moved, 0, 0, 0), -w / 2, 1e-12);
+
+  auto mesh = sphere();
+  const double inside = this->windingNumber(mesh, 0, 0, 0);
+  EXPECT_NEAR(inside, 1, 1e-6);
+  auto reversed = copyOf(mesh);
+  reversed->ReverseCell(0);
+  EXPECT_LT(this->windingNumber(reversed, 0, 0, 0), inside - 1e-5);
+}
+
+TEST_F(SourceKinds, RefusedSourcesAreRefusedAgainWhenOnlyInformationIsAskedFor)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(sphere());
+  field->UpdateInformation();
+  auto bad = sphere();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(bad->GetPoints());
+  points->SetPoint(3, 1e300, 0, 0);
+  bad->SetPoints(points);
+  field->SetInputData(bad);
+  for (int time = 0; time < 3; ++time)
+  {
+    ErrorLog log(field);
+    field->Modified();
+    field->UpdateInformation();
+    EXPECT_NE(log.errors().find("point 3 lies at 1e+300"), std::string::npos) << time;
+    field->RemoveAllObservers();
+  }
+  ErrorLog log(field);
+  field->SetInputData(sphere());
+  field->UpdateInformation();
+  EXPECT_EQ(log.errors(), "");
+}
+
 TEST_F(SourceKinds, ParityNeedsTriangles)
 {
   probe->SetMethod(vtkWindingNumberProbe::PARITY);

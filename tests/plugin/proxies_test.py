@@ -103,7 +103,8 @@ REPORTED = {
     "WindingNumberVoxels": set(),
     "PointAreas": {"TotalArea"},
 }
-LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface", "SourceIsInsideOut"}
+LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
+            "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},

@@ -128,6 +128,8 @@ void FieldRun::addExecution()
   verified_ += samples;
   nearVerified_ += filter_->GetNumberOfNearVerifiedSamples();
   onSurface_ += filter_->GetNumberOfSamplesOnSurface();
+  besidePoints_ += filter_->GetNumberOfSamplesBesidePoints();
+  maxErrorBesidePoints_ = std::max(maxErrorBesidePoints_, filter_->GetMaxErrorBesidePoints());
 }
 
 /// The pieces to write. VTK halves the longest side again and again; more pieces than it has steps
@@ -187,6 +189,8 @@ void FieldRun::addErrors(Json& report) const
     verified_, std::sqrt(sumOfSquares_ / std::max<double>(1, static_cast<double>(verified_))));
   report["near_max_error"] = errorOf(nearVerified_, nearMaxError_);
   report["on_surface"] = onSurface_;
+  report["beside_points"] = besidePoints_;
+  report["beside_points_max_error"] = errorOf(besidePoints_, maxErrorBesidePoints_);
 }
 
 Json FieldRun::report() const
@@ -229,7 +233,8 @@ std::string FieldRun::errorsInWords(const Json& report) const
 {
   if (verified_ + nearVerified_ == 0)
   {
-    return "no sample could be compared";
+    return besidePoints_ > 0 ? "all samples that could be compared lie beside points"
+                             : "no sample could be compared";
   }
   const std::string everywhere = verified_ > 0 ? "error max " + report["max_error"].dump() +
                                                    ", rms " + report["rms_error"].dump()
@@ -266,11 +271,19 @@ std::string FieldRun::summary(const Json& report) const
   if (options_.verify > 0)
   {
     text += this->errorsInWords(report) + "\n";
+    const std::string all =
+      std::to_string(verified_ + nearVerified_ + onSurface_ + besidePoints_);
+    if (besidePoints_ > 0)
+    {
+      text += std::to_string(besidePoints_) + " of " + all +
+              (besidePoints_ == 1 ? " samples lies " : " samples lie ") +
+              "beside a point, where w is large: error max " +
+              report["beside_points_max_error"].dump() + "\n";
+    }
     if (onSurface_ > 0)
     {
       const bool isSurface = input["kind"] == "surface";
-      text += std::to_string(onSurface_) + " of " +
-              std::to_string(verified_ + nearVerified_ + onSurface_) +
+      text += std::to_string(onSurface_) + " of " + all +
               (onSurface_ == 1 ? " samples lies " : " samples lie ") +
               (isSurface ? "on the surface, where either side is right"
                          : "at a point, where w has no value") +

@@ -75,4 +75,6 @@ private:
   vtkIdType verified_ = 0;
   vtkIdType nearVerified_ = 0;
   vtkIdType onSurface_ = 0; ///< samples that were not compared
+  vtkIdType besidePoints_ = 0;
+  double maxErrorBesidePoints_ = 0;
 };

@@ -35,8 +35,8 @@ struct ReaderEnded
 {
 };
 
-/// Asks that a child does not outlive its parent, and leaves to it signals from the terminal and the
-/// files that it has open, with their locks, but for the pipe between them.
+/// Asks that a child does not outlive its parent, and leaves to it signals from the terminal and
+/// the files that it has open, with their locks, but for the pipe between them.
 void dependOn(pid_t parent, int pipe)
 {
 #ifdef __linux__

@@ -57,7 +57,8 @@ bool isIndex(const std::string& name)
 class Folder
 {
 public:
-  /// Makes the folder, unless it is there. Throws Failure, about the file, where that is not allowed.
+  /// Makes the folder, unless it is there. Throws Failure, about the file, where that is not
+  /// allowed.
   Folder(const std::string& folder, const std::string& file)
     : folder_(folder)
   {

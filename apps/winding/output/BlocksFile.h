@@ -14,8 +14,8 @@ class vtkMultiBlockDataSet;
 class BlocksFile
 {
 public:
-  /// Throws Failure, before any work, where files of these names cannot be written, or would replace
-  /// one of `inputs`.
+  /// Throws Failure, before any work, where files of these names cannot be written, or would
+  /// replace one of `inputs`.
   BlocksFile(const std::string& name, const std::vector<std::string>& inputs);
 
   /// Writes blocks, which are named polydata. Throws Failure when that fails or the program is

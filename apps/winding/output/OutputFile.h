@@ -8,8 +8,8 @@
 
 /**
  * A file that takes its name when it is complete. It is written under a name of its own in the same
- * folder (TemporaryFile.h); commit() renames it, and without commit() it is removed again. Where the
- * name is a link, it stays one, and the file that it leads to is replaced. A file that is
+ * folder (TemporaryFile.h); commit() renames it, and without commit() it is removed again. Where
+ * the name is a link, it stays one, and the file that it leads to is replaced. A file that is
  * write-protected is not replaced.
  */
 class OutputFile
@@ -33,8 +33,8 @@ public:
   /// Throws Failure where the disk is full, so that what was written may be incomplete.
   void checkIsWhole() const;
 
-  /// Gives the file its name. Throws Failure as checkIsWhole() does, and where the file that has the
-  /// name may no longer be replaced; that one stays then.
+  /// Gives the file its name. Throws Failure as checkIsWhole() does, and where the file that has
+  /// the name may no longer be replaced; that one stays then.
   void commit();
 
 private:

@@ -84,8 +84,8 @@ std::string nameFor(const std::filesystem::path& target, int n)
   return "." + beginning(target.stem().string(), longest - 1 - end.size()) + end;
 }
 
-/// Makes a file of that name and locks it. Returns -1, with errno, where that fails, and EEXIST also
-/// stands for one that another run has taken for left behind before it was locked.
+/// Makes a file of that name and locks it. Returns -1, with errno, where that fails, and EEXIST
+/// also stands for one that another run has taken for left behind before it was locked.
 int makeLocked(const char* name)
 {
   const int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -4,10 +4,10 @@
 
 /**
  * @file
- * SIGINT, SIGTERM and SIGHUP end the program; a SIGHUP that the caller ignores, as nohup does, stays
- * ignored. The first signal asks: running filters are told to abort (Progress.h), and the program
- * leaves where it next looks. If that takes more than a second, or at a second signal, the program
- * leaves from the signal handler. Either way no half-written file stays.
+ * SIGINT, SIGTERM and SIGHUP end the program; a SIGHUP that the caller ignores, as nohup does,
+ * stays ignored. The first signal asks: running filters are told to abort (Progress.h), and the
+ * program leaves where it next looks. If that takes more than a second, or at a second signal, the
+ * program leaves from the signal handler. Either way no half-written file stays.
  */
 namespace interrupt
 {
@@ -21,13 +21,13 @@ bool requested();
 /// Throws Failure if a signal has come.
 void check();
 
-/// Keeps a name until the program ends, for addTemporaryFile(). That one asks for no memory, so that
-/// nothing can come between a file and its removal.
+/// Keeps a name until the program ends, for addTemporaryFile(). That one asks for no memory, so
+/// that nothing can come between a file and its removal.
 const char* keepName(const std::string& path);
 
 ///@{
-/// removeTemporaryFiles() removes the files that are added and not dropped again. Of more than eight
-/// at a time, the ones that come late are not taken.
+/// removeTemporaryFiles() removes the files that are added and not dropped again. Of more than
+/// eight at a time, the ones that come late are not taken.
 void addTemporaryFile(const char* keptName);
 void dropTemporaryFile(const char* keptName);
 ///@}

@@ -1,8 +1,9 @@
 #pragma once
 
-/// From now on, an exception that nobody can catch (memory that runs out in a destructor, or while
-/// an error is being told) ends the program in one line and with a status of ours, too.
+/// Lets an exception that nobody can catch (memory that runs out in a destructor, or while an error
+/// is being told) end the program in one line and with a status of ours, too.
 void installLastResort();
 
-/// Tells on standard error that memory has run out, and leaves without unwinding. Asks for no memory.
+/// Tells on standard error that memory has run out, and leaves without unwinding. Asks for no
+/// memory.
 [[noreturn]] void leaveWithoutMemory();

@@ -21,8 +21,8 @@ Progress::Progress(vtkAlgorithm* algorithm, const std::string& label, bool quiet
   : algorithm_(algorithm)
   , label_(label)
   , visible_(!quiet && isatty(STDERR_FILENO))
+  , drawn_(std::chrono::steady_clock::now()) // work of a moment needs no bar
 {
-  drawn_ = std::chrono::steady_clock::now(); // work of a moment needs no bar
   observer_ = algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Progress::follow);
 }
 

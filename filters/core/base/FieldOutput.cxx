@@ -9,6 +9,14 @@ namespace winding
 namespace
 {
 
+/// A value as an array of the type stores it: what it cannot hold becomes its largest number.
+template <class To, class Real> To stored(Real value)
+{
+  constexpr To largest = std::numeric_limits<To>::max();
+  const auto most = static_cast<Real>(std::min<double>(largest, std::numeric_limits<Real>::max()));
+  return static_cast<To>(std::clamp(value, -most, most)); // NaN stays
+}
+
 /// A distance with its sign, in a type with perhaps a smaller range than double: only 0 becomes 0,
 /// and nothing becomes infinite.
 template <class Real> Real signedDistance(double distance, bool isInside)
@@ -26,20 +34,21 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
 {
   if (this->values)
   {
-    std::transform(from, from + count, this->values + first,
-      [](Real value) { return static_cast<float>(value); });
+    std::transform(
+      from, from + count, this->values + first, [](Real value) { return stored<float>(value); });
   }
   if (this->doubleValues)
   {
-    std::copy_n(from, count, this->doubleValues + first);
+    std::transform(from, from + count, this->doubleValues + first,
+      [](Real value) { return stored<double>(value); });
   }
   if (this->inside)
   {
     std::transform(from, from + count, this->inside + first,
       [this](Real value)
       {
-        const double stored = this->doubleValues ? value : static_cast<float>(value);
-        return static_cast<unsigned char>(isInside(stored, this->rule, this->threshold));
+        const double kept = this->doubleValues ? value : stored<float>(value);
+        return static_cast<unsigned char>(isInside(kept, this->rule, this->threshold));
       });
   }
 }
@@ -51,7 +60,7 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
 {
   if (this->values)
   {
-    std::fill_n(this->values + first, count, static_cast<float>(value));
+    std::fill_n(this->values + first, count, stored<float>(value));
   }
   if (this->doubleValues)
   {
@@ -59,9 +68,9 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
   }
   if (this->inside)
   {
-    const double stored = this->doubleValues ? value : static_cast<float>(value);
+    const double kept = this->doubleValues ? value : stored<float>(value);
     std::fill_n(this->inside + first, count,
-      static_cast<unsigned char>(isInside(stored, this->rule, this->threshold)));
+      static_cast<unsigned char>(isInside(kept, this->rule, this->threshold)));
   }
 }
 
@@ -71,8 +80,8 @@ bool FieldOutput::isInsideAt(std::size_t sample) const
   {
     return this->inside[sample] != 0;
   }
-  const double stored = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
-  return isInside(stored, this->rule, this->threshold);
+  const double kept = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
+  return isInside(kept, this->rule, this->threshold);
 }
 
 void FieldOutput::writeDistance(double distance, std::size_t sample) const

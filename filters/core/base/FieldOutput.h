@@ -11,6 +11,8 @@ namespace winding
 /// The arrays that values go to, one per sample in the samples' order; null pointers are left out.
 struct FieldOutput
 {
+  /// Values beyond the range of a type, which points of clouds have beside them, become its largest
+  /// number.
   float* values = nullptr;
   double* doubleValues = nullptr;
   /// 1 inside, 0 outside, decided on the value as the array stores it: rounded to float unless

@@ -6,11 +6,13 @@
 #include "cloud/OrientedSites.h"
 #include "cloud/VoronoiCell.h"
 #include "source/DistinctPoints.h"
+#include "source/Sanitize.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 namespace winding
@@ -303,6 +305,14 @@ std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, 
   if (method == PointAreaMethod::voronoi)
   {
     return voronoiAreas(cloud, executor, neighbors);
+  }
+  const double largest = largestArea(cloud.bounds);
+  if (pointArea > largest)
+  {
+    std::ostringstream message;
+    message << "the point area is " << pointArea << "; in a cloud of this size it may be up to "
+            << largest;
+    throw Refusal(message.str());
   }
   const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, neighbors);
   return std::vector<double>(cloud.positions.size(), area);

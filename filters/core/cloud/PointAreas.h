@@ -55,7 +55,8 @@ double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
 void checkPointArea(double pointArea);
 
 /// The area of each point by a method; pointArea and neighbors are as in FieldOptions. An area that
-/// is given for all points needs no normals. Throws Interrupted.
+/// is given for all points needs no normals. Throws Interrupted, and Refusal for an area that is
+/// larger than largestArea() (Sanitize.h).
 std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
   int neighbors, Executor& executor);
 

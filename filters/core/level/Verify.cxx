@@ -1,6 +1,8 @@
 #include "level/Verify.h"
 
 #include "base/Bounds.h"
+#include "base/Pi.h"
+#include "source/PointCloud.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +136,30 @@ bool isChoiceOfSide(double error, double jump)
   return size <= 1 + jump / 2 + mostBesideTheChoice;
 }
 
+/// Whether the share of one point of a cloud alone may be 1 or more at a sample.
+bool isBesidePoint(const PointCloud* cloud, const Eigen::Vector3d& sample)
+{
+  if (!cloud || !cloud->regularizationLengths.empty())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < cloud->positions.size(); ++i)
+  {
+    if ((cloud->positions[i] - sample).squaredNorm() * 4 * pi < cloud->areas[i])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+enum class Place
+{
+  free,        ///< the value is compared with the reference
+  besidePoint, ///< it is compared, and counted apart
+  onSurface    ///< it is not compared
+};
+
 } // namespace
 
 void ErrorStatistics::add(double error)
@@ -168,7 +194,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
 
   const double undecided = undecidedDistance(field, grid);
   std::vector<double> errors(drawn.size());
-  std::vector<unsigned char> isOnSurface(drawn.size(), 0);
+  std::vector<Place> places(drawn.size(), Place::free);
   const bool complete = executor.run(drawn.size(),
     [&](std::size_t i)
     {
@@ -177,7 +203,14 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
       {
         const Eigen::Vector3d sample = grid.sample(index);
         errors[i] = valueOf(sampleNumber(extent, index)) - field.reference(sample);
-        isOnSurface[i] = isChoiceOfSide(errors[i], field.jumpWithin(sample, undecided));
+        if (isChoiceOfSide(errors[i], field.jumpWithin(sample, undecided)))
+        {
+          places[i] = Place::onSurface;
+        }
+        else if (isBesidePoint(field.cloud(), sample))
+        {
+          places[i] = Place::besidePoint;
+        }
       }
     });
 
@@ -192,9 +225,13 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
     {
       continue;
     }
-    if (isOnSurface[i])
+    if (places[i] == Place::onSurface)
     {
       ++result.onSurface;
+    }
+    else if (places[i] == Place::besidePoint)
+    {
+      result.besidePoints.add(errors[i]);
     }
     else
     {

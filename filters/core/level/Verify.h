@@ -22,6 +22,8 @@ struct Verification
 {
   ErrorStatistics everywhere;  ///< samples drawn from the whole grid
   ErrorStatistics nearSurface; ///< samples within two voxels of the source
+  /// Samples of both kinds so near to a point of a cloud that its share alone may be 1 or more.
+  ErrorStatistics besidePoints;
   std::size_t onSurface = 0;   ///< drawn samples of both kinds that were not compared; see verify()
 };
 
@@ -39,6 +41,11 @@ struct Verification
  * not finite, or that the sample's place does not explain, is an error all the same: on one
  * triangle it must differ from the reference by 0, ½ or 1, give or take 0.1; on an edge or a vertex
  * by at most 1, and ½ more for each triangle there.
+ *
+ * Beside a point of a cloud that is not regularized, nearer than √(area/4π), the share of that
+ * point alone may be 1 or more, and w is as large as one likes. What is in single precision is
+ * rounded by 6e-8 of such values, which exceeds small tolerances, so these samples have statistics
+ * of their own and are in no others.
  *
  * When the executor is interrupted, no sample counts as compared.
  *

@@ -134,7 +134,7 @@ public:
   void evaluate(int k, std::size_t band, const RowCrossings::RowWork& work) const override
   {
     const int firstRow = std::max(extent_[2], rows_.firstRowOf(band));
-    const int lastRow = std::min(extent_[3], rows_.firstRowOf(band + 1) - 1);
+    const int lastRow = rows_.lastRowIn(extent_, band);
     std::vector<Crossing> crossings;
     for (const std::uint32_t* number = bands_->begin(k, band); number != bands_->end(k, band);
          ++number)
@@ -219,13 +219,56 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
   const std::size_t depth = static_cast<std::size_t>(extent[5] - extent[4] + 1);
   const RowBands rows = {
     extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
-  const std::unique_ptr<const OnGrid> onGrid = this->on(grid, extent, rows);
   const std::size_t bands = rows.countIn(extent);
-  const auto evaluateBand = [&](std::size_t block)
+  const std::size_t layers = this->layersAtATime(grid, extent, rows);
+  const auto [first, last] = executor.share();
+  const double perLayer = (last - first) / static_cast<double>(depth);
+  bool isComplete = true;
+  for (std::size_t done = 0; isComplete && done < depth; done += layers)
   {
-    onGrid->evaluate(extent[4] + static_cast<int>(block / bands), block % bands, work);
-  };
-  return executor.run(bands * depth, evaluateBand);
+    const std::size_t end = std::min(done + layers, depth);
+    Extent slab = extent;
+    slab[4] = extent[4] + static_cast<int>(done);
+    slab[5] = extent[4] + static_cast<int>(end - 1);
+    const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows);
+    executor.setShare(first + perLayer * static_cast<double>(done),
+      end == depth ? last : first + perLayer * static_cast<double>(end));
+    isComplete = executor.run(bands * (end - done), [&](std::size_t block)
+      { onGrid->evaluate(slab[4] + static_cast<int>(block / bands), block % bands, work); });
+  }
+  executor.setShare(first, last);
+  return isComplete;
+}
+
+std::size_t RowCrossings::layersAtATime(
+  const Grid& grid, const Extent& extent, const RowBands& rows) const
+{
+  const auto depth = static_cast<std::size_t>(extent[5] - extent[4] + 1);
+  const auto places = static_cast<double>(rows.countIn(extent)) * static_cast<double>(depth);
+  constexpr double manyPlaces = 1 << 20; // fewer are not worth looking at the triangles
+  if (places <= manyPlaces)
+  {
+    return depth;
+  }
+  double entries = places;
+  for (const ChainView* list : {&triangles_, &cap_})
+  {
+    for (const Triangle& ids : list->triangles())
+    {
+      Bounds box;
+      for (const auto id : ids)
+      {
+        box.extend(vertices_[id].cwiseQuotient(grid.spacing));
+      }
+      const Eigen::Vector3d sides = box.sizes();
+      entries +=
+        std::min(sides[1] / rows.rowsPerBand + 1, static_cast<double>(rows.countIn(extent))) *
+        std::min(sides[2] + 1, static_cast<double>(depth));
+    }
+  }
+  constexpr double mostEntries = 1 << 26; // of 4 bytes for a triangle, or 8 for a place
+  const double share = std::min(1.0, mostEntries / entries);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(depth)));
 }
 
 int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const

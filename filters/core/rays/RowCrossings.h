@@ -29,6 +29,13 @@ struct RowBands
     return static_cast<std::size_t>((row - firstRow) / rowsPerBand);
   }
   int firstRowOf(std::size_t band) const { return firstRow + static_cast<int>(band) * rowsPerBand; }
+
+  /// The last row of a band that is in an extent. (A band may reach beyond all integers.)
+  int lastRowIn(const Extent& extent, std::size_t band) const
+  {
+    return static_cast<int>(std::min<long long>(
+      extent[3], static_cast<long long>(this->firstRowOf(band)) + rowsPerBand - 1));
+  }
   std::size_t countIn(const Extent& extent) const { return this->bandOf(extent[3]) + 1; }
 };
 
@@ -79,6 +86,10 @@ public:
 
 private:
   static const std::vector<Triangle>& noTriangles();
+
+  /// The layers of an extent whose data is made at once. All of them, but of very deep grids, so
+  /// that the data stays within about half a gigabyte.
+  std::size_t layersAtATime(const Grid& grid, const Extent& extent, const RowBands& rows) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
   ChainView triangles_, cap_;

@@ -158,10 +158,7 @@ void lookAtNeighbors(const DistinctPoints& places, const std::vector<Eigen::Vect
 
 CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& executor)
 {
-  for (const OrientedPointsView& view : views)
-  {
-    checkLengths(view);
-  }
+  boundsOf(views); // throws for what cannot be examined
   CloudReport report;
   report.hasNormals = haveNormals(views);
   const FinitePoints points = collect(views, report);

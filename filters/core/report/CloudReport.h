@@ -60,7 +60,8 @@ struct CloudReport
  * Examines a cloud. Views may have any content. The work takes O(n log n) time, for the most part
  * on the executor's threads, and about 250 bytes per point while it runs. The report is the same
  * for any executor, and up to rounding for any order of the points. Throws Refusal when a view's
- * arrays differ in length, Interrupted when the executor was.
+ * arrays differ in length and for coordinates out of range (Sanitize.h), Interrupted when the
+ * executor was.
  */
 CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& executor);
 

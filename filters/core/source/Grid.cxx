@@ -30,16 +30,20 @@ void checkBounds(const Bounds& bounds)
   }
 }
 
+/// An axis has at most so many voxels: one less than the largest int, so that the corners of voxels
+/// can be counted, too.
+constexpr int mostVoxels = std::numeric_limits<int>::max() - 1;
+
 /// The number of voxels of the given size that cover a length, at least one.
 int countVoxels(double length, double voxelSize)
 {
   // A length that is a multiple of the size up to rounding must not gain a voxel by that rounding.
   const double exact = length / voxelSize;
   const double count = std::max(1.0, std::ceil(exact * (1 - 1e-12)));
-  if (!(count < std::numeric_limits<int>::max()))
+  if (!(count <= mostVoxels))
   {
-    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize,
-      ", more than 2147483646; choose larger voxels");
+    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
+      mostVoxels, "; choose larger voxels");
   }
   return static_cast<int>(count);
 }
@@ -51,6 +55,29 @@ void checkSampleCount(const Grid& grid)
   {
     refuse("a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ", grid.dimensions[2],
       " voxels has more samples than can be counted; choose larger voxels");
+  }
+}
+
+/// Checks that products of three lengths stay in the range of double.
+void checkRange(const Grid& grid)
+{
+  constexpr double smallestVoxel = 1e-110, farthest = 1e102;
+  const Eigen::Vector3d sides = grid.dimensions.cast<double>().cwiseProduct(grid.spacing);
+  const Eigen::Vector3d low = grid.firstSample - 0.5 * grid.spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(grid.spacing[axis] >= smallestVoxel))
+    {
+      refuse("the voxels have a side of ", grid.spacing[axis], "; it must be ", smallestVoxel,
+        " at least");
+    }
+    for (const double face : {low[axis], low[axis] + sides[axis]})
+    {
+      if (!(std::abs(face) <= farthest))
+      {
+        refuse("the grid reaches to ", face, "; it may reach to ", farthest, " at most");
+      }
+    }
   }
 }
 
@@ -115,10 +142,10 @@ Grid layOutGrid(const GridRequest& request)
   Grid grid;
   if (request.dimensions != Eigen::Vector3i::Zero())
   {
-    if ((request.dimensions.array() < 1).any())
+    if ((request.dimensions.array() < 1).any() || (request.dimensions.array() > mostVoxels).any())
     {
       refuse("the dimensions are ", request.dimensions[0], " ", request.dimensions[1], " ",
-        request.dimensions[2], "; each must be at least 1");
+        request.dimensions[2], "; each must be at least 1 and at most ", mostVoxels);
     }
     if (!(sides.minCoeff() > 0))
     {
@@ -157,6 +184,7 @@ Grid layOutGrid(const GridRequest& request)
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())
       : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
   grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;
+  checkRange(grid);
   const Eigen::Vector3d steps = (grid.dimensions - Eigen::Vector3i::Ones()).cast<double>();
   const Eigen::Vector3d last = grid.firstSample + steps.cwiseProduct(grid.spacing);
   for (int axis = 0; axis < 3; ++axis)

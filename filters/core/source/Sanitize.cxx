@@ -5,8 +5,10 @@
 #include "base/Refusal.h"
 #include "source/Weld.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace winding
@@ -33,12 +35,18 @@ Eigen::Vector3d corner(const TrianglesView& view, std::size_t triangle, std::siz
   return view.points[static_cast<std::size_t>(view.triangles(triangle, index))];
 }
 
+bool isInRange(const Eigen::Vector3d& position)
+{
+  return (position.array().abs() <= largestCoordinate).all(); // NaN is not
+}
+
 enum class TriangleFault
 {
   none,
   invalidId,
   nonFinite,
-  collapsed
+  collapsed,
+  outOfRange
 };
 
 TriangleFault faultOf(const TrianglesView& view, std::size_t i)
@@ -48,9 +56,10 @@ TriangleFault faultOf(const TrianglesView& view, std::size_t i)
     return TriangleFault::invalidId;
   }
   const Eigen::Vector3d a = corner(view, i, 0), b = corner(view, i, 1), c = corner(view, i, 2);
-  if (!a.allFinite() || !b.allFinite() || !c.allFinite())
+  if (!isInRange(a) || !isInRange(b) || !isInRange(c))
   {
-    return TriangleFault::nonFinite;
+    return a.allFinite() && b.allFinite() && c.allFinite() ? TriangleFault::outOfRange
+                                                           : TriangleFault::nonFinite;
   }
   return a == b || b == c || c == a ? TriangleFault::collapsed : TriangleFault::none;
 }
@@ -60,14 +69,21 @@ enum class PointFault
   none,
   nonFinite,
   zeroNormal,
-  badArea
+  badArea,
+  outOfRange
 };
 
 PointFault faultOf(const OrientedPointsView& view, std::size_t i)
 {
   const Eigen::Vector3d normal = view.normals.empty() ? Eigen::Vector3d(0, 0, 1) : view.normals[i];
   const double area = view.areas.empty() ? 0 : view.areas[i];
-  if (!view.positions[i].allFinite() || !normal.allFinite() || !std::isfinite(area))
+  const Eigen::Vector3d position = view.positions[i];
+  if (!isInRange(position))
+  {
+    // This comes first: normals and areas that were made from positions may have overflown.
+    return position.allFinite() ? PointFault::outOfRange : PointFault::nonFinite;
+  }
+  if (!normal.allFinite() || !std::isfinite(area))
   {
     return PointFault::nonFinite;
   }
@@ -76,6 +92,111 @@ PointFault faultOf(const OrientedPointsView& view, std::size_t i)
     return PointFault::zeroNormal;
   }
   return area < 0 ? PointFault::badArea : PointFault::none;
+}
+
+/// The name of an item of a view for users, such as "point 7" or "point 7 of part 2".
+template <class View>
+std::string nameOf(const std::vector<View>& views, std::size_t view, std::size_t point)
+{
+  return "point " + std::to_string(point) +
+         (views.size() > 1 ? " of part " + std::to_string(view) : "");
+}
+
+template <class... Parts> [[noreturn]] void refuse(const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw Refusal(message.str());
+}
+
+[[noreturn]] void refusePosition(const std::string& name, const Eigen::Vector3d& position)
+{
+  refuse(name, " lies at ", position[0], " ", position[1], " ", position[2],
+    "; coordinates may be up to ", largestCoordinate, ": leave it out or scale the source down");
+}
+
+[[noreturn]] void refuseOutOfRange(
+  const std::vector<TrianglesView>& views, std::size_t view, std::size_t triangle)
+{
+  std::size_t i = 0;
+  while (i < 2 && isInRange(corner(views[view], triangle, i)))
+  {
+    ++i;
+  }
+  const auto point = static_cast<std::size_t>(views[view].triangles(triangle, i));
+  refusePosition(nameOf(views, view, point), corner(views[view], triangle, i));
+}
+
+[[noreturn]] void refuseOutOfRange(
+  const std::vector<OrientedPointsView>& views, std::size_t view, std::size_t point)
+{
+  refusePosition(nameOf(views, view, point), views[view].positions[point]);
+}
+
+std::size_t sizeOf(const TrianglesView& view)
+{
+  return view.triangles.size();
+}
+
+std::size_t sizeOf(const OrientedPointsView& view)
+{
+  return view.positions.size();
+}
+
+/// Calls work(view, item) for the numbers of all items without a fault. Throws Refusal for the
+/// first item that is out of range.
+template <class View, class Work>
+void forEachUsable(const std::vector<View>& views, const Work& work)
+{
+  for (std::size_t view = 0; view < views.size(); ++view)
+  {
+    for (std::size_t i = 0; i < sizeOf(views[view]); ++i)
+    {
+      const auto fault = faultOf(views[view], i);
+      using Fault = decltype(faultOf(views[view], i));
+      if (fault == Fault::outOfRange)
+      {
+        refuseOutOfRange(views, view, i);
+      }
+      if (fault == Fault::none)
+      {
+        work(view, i);
+      }
+    }
+  }
+}
+
+double longestSide(const Bounds& bounds)
+{
+  return bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+}
+
+/// Throws Refusal for a source that is too small, unless it is a single place.
+void checkSize(const Bounds& bounds)
+{
+  const double longest = longestSide(bounds);
+  if (longest > 0 && longest < smallestSize)
+  {
+    const Eigen::Vector3d& corner = bounds.min();
+    refuse("the source at ", corner[0], " ", corner[1], " ", corner[2], " has a length of ",
+      longest, " along its longest side; that must be ", smallestSize, " at least: scale it up");
+  }
+}
+
+/// Throws Refusal for the first area that is too large for a cloud of such bounds.
+void checkAreas(const std::vector<OrientedPointsView>& views, const Bounds& bounds)
+{
+  const double largest = largestArea(bounds);
+  forEachUsable(views,
+    [&](std::size_t view, std::size_t point)
+    {
+      const double area = views[view].areas[point];
+      if (area > largest)
+      {
+        refuse(nameOf(views, view, point), " has the area ", area,
+          "; areas in a cloud of this size may be up to ", largest, ": correct it");
+      }
+    });
 }
 
 /// Whether all parts of a cloud have some array. Throws Refusal if some have it and others do not.
@@ -105,7 +226,7 @@ std::size_t blocksOf(std::size_t primitives)
 }
 
 /// The number of primitives of a block by their fault; the first number is that of those without.
-using FaultCounts = std::array<std::size_t, 4>;
+using FaultCounts = std::array<std::size_t, 5>;
 
 template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)
 {
@@ -129,6 +250,13 @@ std::vector<std::size_t> startsOfKept(const std::vector<FaultCounts>& blocks)
 }
 
 } // namespace
+
+double largestArea(const Bounds& bounds)
+{
+  constexpr double largest = 1e210, largestShare = 1e30;
+  const double longest = longestSide(bounds);
+  return longest > 0 ? std::min(largestShare * longest * longest, largest) : largest;
+}
 
 void checkLengths(const OrientedPointsView& view)
 {
@@ -180,6 +308,10 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
       faults[block] = counts;
     },
     executor);
+  if (sumOf(faults, TriangleFault::outOfRange) > 0)
+  {
+    boundsOf(views); // throws for the first of them
+  }
   surface.nonFiniteTriangles = sumOf(faults, TriangleFault::nonFinite);
   surface.invalidIdTriangles = sumOf(faults, TriangleFault::invalidId);
   surface.collapsedTriangles = sumOf(faults, TriangleFault::collapsed);
@@ -192,6 +324,7 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
   }
 
   weld.makeVertices(surface, executor);
+  checkSize(surface.bounds);
   const std::vector<std::size_t> starts = startsOfKept(faults);
   surface.triangles.resize(starts.back());
   runBlocks(
@@ -251,6 +384,10 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
       faults[block] = counts;
     },
     executor);
+  if (sumOf(faults, PointFault::outOfRange) > 0)
+  {
+    boundsOf(views); // throws for the first of them
+  }
   PointCloud cloud;
   cloud.inputPoints = points.size();
   cloud.nonFinitePoints = sumOf(faults, PointFault::nonFinite);
@@ -308,6 +445,11 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
   {
     cloud.bounds.extend(ofBlock);
   }
+  checkSize(cloud.bounds);
+  if (withAreas)
+  {
+    checkAreas(views, cloud.bounds);
+  }
   return cloud;
 }
 
@@ -324,33 +466,28 @@ bool isUsable(const OrientedPointsView& view, std::size_t point)
 Bounds boundsOf(const std::vector<TrianglesView>& views)
 {
   Bounds bounds;
-  for (const TrianglesView& view : views)
-  {
-    for (std::size_t i = 0; i < view.triangles.size(); ++i)
+  forEachUsable(views,
+    [&](std::size_t view, std::size_t triangle)
     {
-      if (faultOf(view, i) == TriangleFault::none)
+      for (std::size_t i = 0; i < 3; ++i)
       {
-        bounds.extend(corner(view, i, 0)).extend(corner(view, i, 1)).extend(corner(view, i, 2));
+        bounds.extend(corner(views[view], triangle, i));
       }
-    }
-  }
+    });
+  checkSize(bounds);
   return bounds;
 }
 
 Bounds boundsOf(const std::vector<OrientedPointsView>& views)
 {
-  Bounds bounds;
   for (const OrientedPointsView& view : views)
   {
     checkLengths(view);
-    for (std::size_t i = 0; i < view.positions.size(); ++i)
-    {
-      if (isUsable(view, i))
-      {
-        bounds.extend(view.positions[i]);
-      }
-    }
   }
+  Bounds bounds;
+  forEachUsable(views,
+    [&](std::size_t view, std::size_t point) { bounds.extend(views[view].positions[point]); });
+  checkSize(bounds);
   return bounds;
 }
 

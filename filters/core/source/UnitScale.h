@@ -16,10 +16,15 @@
 namespace winding
 {
 
-/// 2^k such that the longest side of the bounds becomes 1 … 2; 1 for bounds without extent.
+/// 2^k such that the longest side of the bounds becomes 1 … 2. Bounds without extent get 1, or what
+/// makes their largest coordinate 1 … 2 if it is larger, so that samples are cut off beyond it.
 inline double unitScale(const Bounds& bounds)
 {
-  const double longest = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  double longest = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  if (longest == 0 && !bounds.isEmpty() && bounds.min().cwiseAbs().maxCoeff() > 1)
+  {
+    longest = bounds.min().cwiseAbs().maxCoeff();
+  }
   // The largest exponents are left out: 2^k itself must stay a finite, normal number.
   return longest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000)) : 1.0;
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -123,4 +124,19 @@ TEST(FieldOutput, WritesNothingForNoSamples)
   arrays.output(7).fill(1, 1, 0);
   arrays.output(7).write(static_cast<const double*>(nullptr), 1, 0);
   EXPECT_TRUE(arrays == before);
+}
+
+TEST(FieldOutput, WritesTheLargestFloatForWhatFloatCannotHold)
+{
+  const std::vector<double> large = {1e39, -1e39, 1.7e308, 3.5e38, 1e38};
+  constexpr float most = std::numeric_limits<float>::max();
+  Arrays arrays(large.size());
+  arrays.output(7).write(large.data(), 0, large.size());
+  EXPECT_EQ(arrays.values, (std::vector<float>{most, -most, most, most, 1e38f}));
+  EXPECT_EQ(arrays.doubleValues, large);
+  arrays.output(1).fill(-1e300, 0, 1);
+  EXPECT_EQ(arrays.values[0], -most);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  arrays.output(1).write(&nowhere, 0, 1);
+  EXPECT_TRUE(std::isnan(arrays.values[0]));
 }

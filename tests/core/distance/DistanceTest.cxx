@@ -321,7 +321,7 @@ TEST(Distance, ScaleAndPlaceChangeNothing)
 {
   const Mesh mesh = torus(30, 15);
   const std::vector<Point> samples = samplesOf(someGrids()[0]);
-  for (const double scale : {1e-100, 1e-30, 1e30, 1e100})
+  for (const double scale : {1e-100, 1e-30, 1e30, 7e99}) // the torus reaches to 1.4
   {
     const Mesh scaled = mesh.mapped([&](const Point& p) { return Point(scale * p); });
     Grid grid = someGrids()[0];
@@ -616,7 +616,7 @@ TEST(PrimitivesNear, AreThoseThatTheDefinitionFinds)
   }
   EXPECT_EQ(most, 200u);
   // Vertices and points themselves are at no distance, however far from the origin and small.
-  for (const double size : {1e-100, 1.0, 1e100})
+  for (const double size : {1e-100, 1.0, 5e99})
   {
     const Mesh scaled =
       cube({1, 1, 1}, {2, 2, 2}).mapped([&](const Point& p) -> Point { return size * p; });

@@ -3,6 +3,8 @@
 #include "core/support/FarFields.h"
 #include "core/support/ShuffledThreads.h"
 
+#include <cmath>
+
 /**
  * Far fields count all the work that they did, and the same for any executor.
  */
@@ -118,6 +120,46 @@ TEST(FarFieldWork, AddsUp)
     EXPECT_LE(work.translations, work.nodeTests) << "no node is accepted without a test";
     EXPECT_LE(work.exactSamples, work.nearSamples);
     EXPECT_GE(work.exactPairs, work.exactSamples);
+  }
+}
+
+/// Node counts tell the angle of acceptance θ and the estimates of errors: no value would show that
+/// they are too careless by some per cent, for tolerances are kept with room to spare.
+TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
+{
+  struct Expected
+  {
+    double tolerance;
+    double translations, momentValues, exactPairs;
+  };
+  const Expected table[] = {{1e-2, 137446, 92224, 46881024}, {1e-3, 192813, 30336, 67845568},
+    {1e-4, 386085, 76224, 151209408}, {1e-5, 334720, 23296, 127875392},
+    {1e-6, 334596, 2112, 128637824}};
+  winding::SerialExecutor serial;
+  const auto source = farSource(randomCloud(20000, 322));
+  const auto workWith = [&](const FarFieldAccuracy& accuracy)
+  {
+    const Case one = {"", FarField(source->sources(), accuracy, serial),
+      shapes::gridAround(source->bounds(), {48, 48, 48})};
+    return workOn(one, one.grid.wholeExtent(), serial);
+  };
+  // Rounding of other instruction sets moves the border between near and far a little.
+  const auto isNear = [](std::uint64_t found, double known)
+  {
+    return std::abs(static_cast<double>(found) - known) <= 0.005 * known;
+  };
+  for (const Expected& expected : table)
+  {
+    SCOPED_TRACE(expected.tolerance);
+    const FarFieldAccuracy accuracy = FarFieldAccuracy::of(expected.tolerance);
+    const FarFieldWork work = workWith(accuracy);
+    EXPECT_TRUE(isNear(work.translations, expected.translations)) << work.translations;
+    EXPECT_TRUE(isNear(work.momentValues, expected.momentValues)) << work.momentValues;
+    EXPECT_TRUE(isNear(work.exactPairs, expected.exactPairs)) << work.exactPairs;
+    FarFieldAccuracy careless = accuracy;
+    careless.theta *= 1.05f;
+    EXPECT_FALSE(isNear(workWith(careless).translations, expected.translations))
+      << "5 % more would not show";
   }
 }
 

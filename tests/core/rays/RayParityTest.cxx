@@ -160,22 +160,24 @@ TEST(RayParity, DoesNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
   SCOPED_TRACE("seed 66");
   const std::vector<Point> samples = randomPoints(500, -1.5, 1.5, 66);
   const std::vector<double> expected = parityOf(icosphere(2), samples);
-  const auto valuesMapped = [&](double scale, const Point& shift)
+  const auto mapped = [&](const std::function<Point(const Point&)>& map)
   {
-    const auto map = [&](const Point& p) -> Point
-    {
-      return scale * p + shift;
-    };
-    std::vector<Point> moved;
-    for (const Point& q : samples)
-    {
-      moved.push_back(map(q));
-    }
-    return parityOf(icosphere(2).mapped(map), moved);
+    std::vector<Point> moved(samples.size());
+    std::transform(samples.begin(), samples.end(), moved.begin(), map);
+    return moved;
   };
   for (const double scale : {1e-200, 1e-30, 1e-6, 1e6, 1e30, 1e200})
   {
-    EXPECT_EQ(valuesMapped(scale, {0, 0, 0}), expected) << scale;
+    const winding::Surface scaled = cleanScaled(icosphere(2), scale);
+    const auto toScale = [&](const Point& p) -> Point
+    {
+      return scale * p;
+    };
+    EXPECT_EQ(valuesOf(winding::RayParity(scaled), mapped(toScale)), expected) << scale;
   }
-  EXPECT_EQ(valuesMapped(1, {4e6, -3e6, 5e6}), expected);
+  const auto away = [](const Point& p) -> Point
+  {
+    return p + Point(4e6, -3e6, 5e6);
+  };
+  EXPECT_EQ(parityOf(icosphere(2).mapped(away), mapped(away)), expected);
 }

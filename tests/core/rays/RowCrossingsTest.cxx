@@ -17,11 +17,15 @@ using namespace shapes;
 using winding::Extent;
 using winding::Grid;
 
-std::vector<int> valuesOn(const Mesh& mesh, const Grid& grid)
+std::vector<int> valuesOn(const winding::Surface& surface, const Grid& grid)
 {
-  const winding::Surface surface = clean(mesh);
   winding::SerialExecutor serial;
   return rowValues({surface.vertices, surface.triangles}, grid, grid.wholeExtent(), 65536, serial);
+}
+
+std::vector<int> valuesOn(const Mesh& mesh, const Grid& grid)
+{
+  return valuesOn(clean(mesh), grid);
 }
 
 /// Samples in a plane of the surface count as moved this way.
@@ -179,6 +183,67 @@ TEST(RowCrossings, DoNotDependOnExtentBandsOrThreads)
   }
 }
 
+TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
+{
+  /// Remembers the shares of all work that it was told.
+  class Log final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      largest = std::max(largest, count);
+      return serial_.run(count, work);
+    }
+    void setShare(double first, double last) override { shares.emplace_back(first, last); }
+    std::pair<double, double> share() const override { return {0.5, 1}; }
+
+    std::vector<std::pair<double, double>> shares;
+    std::size_t largest = 0;
+
+  private:
+    winding::SerialExecutor serial_;
+  };
+
+  // Forty of the faces reach through all layers, which is more than are listed at once.
+  constexpr int depth = 2500000;
+  Mesh mesh;
+  for (int n = 0; n < 5; ++n)
+  {
+    const Mesh box = cube({-1.0 + 0.01 * n, -1, 0.1}, {1.0 + 0.01 * n, 1, 0.9});
+    const auto first = static_cast<std::int32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), box.points.begin(), box.points.end());
+    for (const auto& [a, b, c] : box.triangles)
+    {
+      mesh.triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  const winding::Surface surface = clean(mesh);
+  const Grid grid = gridOf({0, 0, 0.5 / depth}, {1, 1, 1.0 / depth}, {1, 1, depth});
+  const winding::RowCrossings rows(surface.vertices, surface.triangles);
+  Log log;
+  std::vector<int> values(depth, -1);
+  ASSERT_TRUE(rows.evaluate(
+    grid, grid.wholeExtent(), 65536,
+    [&](int, int k, const std::vector<winding::RowRun>& runs)
+    { values[static_cast<std::size_t>(k)] = runs[0].value; },
+    log));
+  for (int k = 0; k < depth; ++k)
+  {
+    const double z = grid.sample(0, 0, k)[2];
+    ASSERT_EQ(values[static_cast<std::size_t>(k)], z > 0.1 && z < 0.9 ? 5 : 0) << k;
+  }
+  EXPECT_GT(log.shares.size(), 2u);
+  EXPECT_LT(log.largest, depth);
+  double end = 0.5;
+  for (std::size_t n = 0; n + 1 < log.shares.size(); ++n)
+  {
+    EXPECT_DOUBLE_EQ(log.shares[n].first, end);
+    end = log.shares[n].second;
+  }
+  EXPECT_EQ(end, 1);
+  EXPECT_EQ(log.shares.back(), std::make_pair(0.5, 1.0)) << "the whole share, again";
+}
+
 TEST(RowCrossings, OfOneSampleAreThoseOfItsRow)
 {
   SCOPED_TRACE("seeds 166 …");
@@ -243,9 +308,8 @@ TEST(RowCrossings, DoNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
   const std::vector<int> expected = valuesOn(solid, grid);
   for (const double scale : {1e-200, 1e-30, 1e-6, 1e6, 1e30, 1e200})
   {
-    const Mesh scaled = solid.mapped([&](const Point& p) -> Point { return scale * p; });
     const Grid same = gridOf(scale * grid.firstSample, scale * grid.spacing, grid.dimensions);
-    EXPECT_EQ(valuesOn(scaled, same), expected) << scale;
+    EXPECT_EQ(valuesOn(cleanScaled(solid, scale), same), expected) << scale;
   }
   // The solid and its grid move a million diagonals away.
   const Point away(6e6, -5e6, 4e6);

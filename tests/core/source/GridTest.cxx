@@ -137,7 +137,7 @@ TEST(LayOutGrid, GivesFlatBoundsOneLayerOfVoxelsAroundThem)
 
 TEST(LayOutGrid, ScalesWithTheUnitOfLength)
 {
-  for (const double scale : {0x1p-900, 0x1p-100, 0x1p100, 0x1p900})
+  for (const double scale : {0x1p-330, 0x1p-100, 0x1p100, 0x1p330})
   {
     const Grid unit = layOutGrid(overSome());
     const Grid grid = layOutGrid(over(scale * Point(1, 2, 3), scale * Point(5, 4, 4)));
@@ -175,6 +175,7 @@ TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
   refuse("padding is nan", [](GridRequest& r) { r.padding = notANumber; });
   refuse("padding is inf", [](GridRequest& r) { r.padding = infinity; });
   refuse("4 0 4", [](GridRequest& r) { r.dimensions = {4, 0, 4}; });
+  refuse("at most 2147483646", [](GridRequest& r) { r.dimensions = {1, 1, 2147483647}; });
   refuse("4 -1 4", [](GridRequest& r) { r.dimensions = {4, -1, 4}; });
   refuse("1e-300", [](GridRequest& r) { r.voxelSize = 1e-300; });
   refuse("2147483646", [](GridRequest& r) { r.voxelSize = 1e-9; });
@@ -230,4 +231,25 @@ TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)
   Grid grid;
   grid.dimensions = {4, 5, 6};
   EXPECT_EQ(grid.wholeExtent(), (winding::Extent{0, 3, 0, 4, 0, 5}));
+}
+
+TEST(LayOutGrid, RefusesGridsWhoseLengthsLeaveTheRange)
+{
+  GridRequest request = over({-1e101, -1, -1}, {1e101, 1, 1});
+  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 1, 1));
+  request = over({-1.01e102, -1, -1}, {0, 1, 1});
+  expectRefused(request, "reaches to -1.01e+102");
+  request = over({0, -1, -1}, {1.7e308, 1, 1});
+  expectRefused(request, "reaches to 1.7e+308");
+  request = over({0, 0, 0}, {1, 1, 1});
+  request.voxelSize = 1e103;
+  expectRefused(request, "reaches to -5e+102");
+  request.voxelSize = 0;
+  request.padding = 1e200;
+  expectRefused(request, "reaches to -1e+200");
+  request = over({0, 0, 0}, {1e-100, 1e-100, 1e-100});
+  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
+  request = over({0, 0, 0}, {1, 1, 1e-110});
+  request.dimensions = {2, 2, 2};
+  expectRefused(request, "a side of 5e-111");
 }

@@ -6,11 +6,13 @@
 
 #include "base/Refusal.h"
 #include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -293,4 +295,100 @@ TEST(BoundsOf, AreThoseOfTheSanitizedSource)
   const std::vector<OrientedPointsView> views{cloud.view()};
   EXPECT_TRUE(winding::boundsOf(views).isApprox(sanitize(views).bounds, 0));
   EXPECT_TRUE(winding::boundsOf(std::vector<TrianglesView>()).isEmpty());
+}
+
+TEST(SanitizeSurface, RefusesCoordinatesOutOfRangeWithTheValueAndTheNumberOfThePoint)
+{
+  for (const double bad : {1.01e100, -1.01e100, 1e200, -1.7e308})
+  {
+    Mesh mesh = cube();
+    mesh.points.insert(mesh.points.begin(), Point(0.5, 0.5, bad)); // no triangle uses it
+    for (auto& triangle : mesh.triangles)
+    {
+      for (std::int32_t& id : triangle)
+      {
+        ++id;
+      }
+    }
+    EXPECT_EQ(sanitized(mesh).triangles.size(), 12u);
+    mesh.points[3][1] = bad;
+    std::ostringstream place;
+    place << "point 3 lies at " << mesh.points[3][0] << " " << bad << " " << mesh.points[3][2]
+          << ";";
+    const std::vector<TrianglesView> one{mesh.view()};
+    expectRefused(one, place.str());
+    EXPECT_THROW(winding::boundsOf(one), winding::Refusal);
+    const Mesh good = cube();
+    expectRefused(std::vector<TrianglesView>{good.view(), mesh.view()}, "point 3 of part 1 lies");
+    mesh.points[3][2] = notANumber;
+    EXPECT_GT(sanitized(mesh).nonFiniteTriangles, 0u) << "such points are left out";
+  }
+  EXPECT_EQ(sanitized(cube({-1e100, 0, 0}, {1e100, 1, 1e-200})).triangles.size(), 12u);
+}
+
+TEST(SanitizeSurface, NamesTheFirstPointOutOfRangeOnAnyThreads)
+{
+  Mesh mesh = torus(200, 100); // several blocks of work
+  mesh.points[mesh.triangles[35000][1]][0] = 1e101;
+  mesh.points[mesh.triangles[5][2]][0] = 1e102;
+  ShuffledThreads threads(3);
+  try
+  {
+    winding::sanitize(std::vector<TrianglesView>{mesh.view()}, threads);
+    FAIL() << "not refused";
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    const std::string name = "point " + std::to_string(mesh.triangles[5][2]) + " lies at 1e+102";
+    EXPECT_EQ(std::string(refusal.what()).rfind(name, 0), 0u) << refusal.what();
+  }
+}
+
+TEST(SanitizeSurface, RefusesWhatIsTooSmallUnlessItIsOnePlace)
+{
+  const auto ofSize = [](double size)
+  {
+    return cube({0, 0, 0}, {size, size / 2, size / 4});
+  };
+  const Mesh small = ofSize(9.9e-101);
+  expectRefused(std::vector<TrianglesView>{small.view()}, "a length of 9.9e-101 along");
+  EXPECT_THROW(winding::boundsOf(std::vector<TrianglesView>{small.view()}), winding::Refusal);
+  EXPECT_EQ(sanitized(ofSize(1e-100)).triangles.size(), 12u);
+  EXPECT_EQ(sanitized(ofSize(0)).triangles.size(), 0u);
+  const Cloud two{{{0, 0, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
+  expectRefused(std::vector<OrientedPointsView>{two.view()}, "a length of 1e-150 along");
+  const Cloud one{{{0, 1e-150, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
+  EXPECT_EQ(clean(one).positions.size(), 2u);
+}
+
+TEST(SanitizeCloud, RefusesPositionsOutOfRangeWhateverTheNormals)
+{
+  for (const double normal : {0.0, 1.0, infinity, notANumber})
+  {
+    Cloud cloud = randomCloud(50, 95);
+    cloud.positions[17] = {0.5, -1e300, 0.25};
+    cloud.normals[17] = {normal, 0, 0};
+    const std::vector<OrientedPointsView> views{cloud.view()};
+    expectRefused(views, "point 17 lies at 0.5 -1e+300 0.25;");
+    EXPECT_THROW(winding::boundsOf(views), winding::Refusal);
+    cloud.positions[17][0] = notANumber;
+    EXPECT_EQ(clean(cloud).nonFinitePoints, 1u);
+  }
+}
+
+TEST(SanitizeCloud, RefusesAreasOutOfRangeWithTheValueAndTheNumberOfThePoint)
+{
+  const std::vector<Point> up(3, Point(0, 0, 1));
+  const auto viewOf = [&](const std::vector<Point>& positions, const std::vector<double>& areas)
+  {
+    return std::vector<OrientedPointsView>{
+      {{positions[0].data(), 3}, {up[0].data(), 3}, {areas.data(), 3}}};
+  };
+  const std::vector<Point> wide = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, place(3, Point(1, 2, 3));
+  EXPECT_EQ(sanitize(viewOf(wide, {1, 4e30, 0})).areas[1], 4e30);
+  expectRefused(viewOf(wide, {1, 4.1e30, 0}), "point 1 has the area 4.1e+30; areas");
+  expectRefused(viewOf(wide, {1, 1, 1.7e308}), "point 2 has the area 1.7e+308; areas");
+  EXPECT_EQ(sanitize(viewOf(place, {1, 1e210, 0})).areas[1], 1e210);
+  expectRefused(viewOf(place, {1.1e210, 1, 0}), "point 0 has the area 1.1e+210; areas");
+  EXPECT_EQ(winding::largestArea({Point(-1e100, 0, 0), Point(1e100, 0, 0)}), 1e210);
 }

@@ -49,11 +49,12 @@ struct Case
   /// The case after a similarity: normals stay, and areas grow with the square of the scale.
   Case scaledAndMoved(double scale, const Point& shift) const
   {
-    Cloud moved{cloud.positions, cloud.normals};
-    Case result{{}, areas, samples};
-    for (Point& p : moved.positions)
+    Case result{cloud, areas, samples};
+    result.cloud.bounds.setEmpty();
+    for (Point& p : result.cloud.positions)
     {
       p = scale * p + shift;
+      result.cloud.bounds.extend(p);
     }
     for (Point& q : result.samples)
     {
@@ -63,9 +64,6 @@ struct Case
     {
       area = area * scale * scale;
     }
-    result.cloud = clean(moved);
-    // Normals that are normalised twice may differ in the last bit.
-    result.cloud.normals = cloud.normals;
     return result;
   }
 };

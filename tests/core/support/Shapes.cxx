@@ -93,6 +93,18 @@ winding::Surface clean(const Mesh& mesh)
   return winding::sanitize(std::vector<winding::TrianglesView>{mesh.view()}, serial);
 }
 
+winding::Surface cleanScaled(const Mesh& mesh, double factor)
+{
+  winding::Surface surface = clean(mesh);
+  surface.bounds.setEmpty();
+  for (Point& vertex : surface.vertices)
+  {
+    vertex *= factor;
+    surface.bounds.extend(vertex);
+  }
+  return surface;
+}
+
 winding::BoundaryChain boundaryOf(const winding::Surface& surface)
 {
   winding::SerialExecutor serial;

@@ -36,6 +36,10 @@ struct Mesh
 /// The surface of a mesh without bad primitives.
 winding::Surface clean(const Mesh& mesh);
 
+/// The surface of a mesh times a factor, which may take coordinates out of the range that a source
+/// may have.
+winding::Surface cleanScaled(const Mesh& mesh, double factor);
+
 winding::BoundaryChain boundaryOf(const winding::Surface& surface);
 
 Mesh tetrahedron();

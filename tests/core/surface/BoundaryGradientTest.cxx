@@ -209,7 +209,7 @@ TEST(BoundaryGradient, DoesNotDependOnTheUnitOfLength)
       };
       std::vector<Point> scaledSamples;
       std::transform(samples.begin(), samples.end(), std::back_inserter(scaledSamples), scaled);
-      const winding::Surface other = clean(mesh.mapped(scaled));
+      const winding::Surface other = cleanScaled(mesh, scale);
       const std::vector<Point> gradients = gradientsOf(gradientOf(other), scaledSamples);
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
