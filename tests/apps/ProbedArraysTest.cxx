@@ -119,6 +119,39 @@ void expectEqual(vtkPointSet* before, vtkPointSet* after)
   }
 }
 
+/// Names of arrays may have anything in them. VTK's writers of XML do not escape them, so the input
+/// is a legacy file.
+TEST(ProbedArrays, OfAnyName)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.vtk",
+    "# vtk DataFile Version 4.2\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n"
+    "VERTICES 1 2\n1 0\nPOINT_DATA 1\nFIELD FieldData 3\n%22<&>' 1 1 int\n1\n"
+    "h%c3%b6he 1 1 int\n2\nh%f6he%09 1 1 int\n3\n");
+  for (const std::string suffix : {".vtp", ".vtu"})
+  {
+    const std::string out = folder.path("out" + suffix);
+    const Outcome run =
+      runProgram({"probe", folder.write("source.off", asOff(sphere(1))), in, "-o", out});
+    ASSERT_EQ(run.status, 0) << run;
+    const auto read = [&out](auto& reader)
+    {
+      reader->SetFileName(out.c_str());
+      reader->Update();
+      return vtkSmartPointer<vtkPointData>(reader->GetOutput()->GetPointData());
+    };
+    vtkNew<vtkXMLPolyDataReader> surfaces;
+    vtkNew<vtkXMLUnstructuredGridReader> grids;
+    const vtkSmartPointer<vtkPointData> data = suffix == ".vtp" ? read(surfaces) : read(grids);
+    for (const auto& [name, value] :
+      {std::pair("\"<&>'", 1), {"h\xc3\xb6he", 2}, {"h\xc3\xb6he?", 3}})
+    {
+      ASSERT_NE(data->GetArray(name), nullptr) << name << contentsOf(out);
+      EXPECT_EQ(data->GetArray(name)->GetTuple1(0), value);
+    }
+  }
+}
+
 /// Data that was written, probed by the program, and read again.
 template <class Writer, class Reader, class Data>
 vtkSmartPointer<Data> probed(Data* data, const std::string& suffix)

@@ -3,6 +3,7 @@
 #include "files/SinglePrecision.h"
 #include "files/Suffix.h"
 #include "output/OutputFile.h"
+#include "output/XmlNames.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
@@ -140,6 +141,7 @@ void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages)
   }
   else
   {
+    prepareNamesForXml(surface);
     vtkNew<vtkXMLPolyDataWriter> writer;
     configureXml(writer);
     writer->SetInputData(surface);
@@ -152,6 +154,7 @@ void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
   if (suffixOf(file.name()) == ".vtu")
   {
     const auto grid = asUnstructuredGrid(points);
+    prepareNamesForXml(grid);
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     configureXml(writer);
     writer->SetInputData(grid);

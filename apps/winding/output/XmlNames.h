@@ -1,0 +1,12 @@
+#pragma once
+
+class vtkDataSet;
+
+/**
+ * Gives the arrays of a data set names, and names of components, that come back as they were when
+ * an XML file of VTK is read: the writers of VTK 9.1 to 9.7 put them between quotation marks as
+ * they are, and a quotation mark or a "<" in one makes a file that nobody can read. Control
+ * characters, which XML cannot hold, become question marks; bytes that are no UTF-8 are taken for
+ * Latin-1.
+ */
+void prepareNamesForXml(vtkDataSet* data);
