@@ -72,7 +72,6 @@ public:
 
   void visit(const FarFieldLeaf& leaf) override
   {
-    const PolynomialDerivatives derivatives(tree_.order(), leaf.polynomial);
     const double perSide = 1 / cells_.level(leaf.cell.level).side;
     for (std::size_t first = 0; first < leaf.cell.samples; first += block_.samples.count)
     {
@@ -84,9 +83,13 @@ public:
         std::fill(offsets + count, offsets + padded, 0.0f);
       }
       FloatGradientSums polynomial, moments;
-      this->evaluatePolynomialsAt(derivatives.x, polynomial.x);
-      this->evaluatePolynomialsAt(derivatives.y, polynomial.y);
-      this->evaluatePolynomialsAt(derivatives.z, polynomial.z);
+      if (leaf.polynomial)
+      {
+        const PolynomialDerivatives derivatives(tree_.order(), leaf.polynomial);
+        this->evaluatePolynomialsAt(derivatives.x, polynomial.x);
+        this->evaluatePolynomialsAt(derivatives.y, polynomial.y);
+        this->evaluatePolynomialsAt(derivatives.z, polynomial.z);
+      }
       this->addMoments(leaf.byMoments, padded, moments);
       GradientSums sums;
       tree_.sources->addGradients(leaf.exactly, block_.samples, sums);

@@ -93,6 +93,7 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     alignas(64) float polynomial[polynomialRows(largestOrder)];
     multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
       static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
+    bool isWhole = false;
     if (firstKept < nodes_.size() || visitor_)
     {
       this->collectNear(cell, firstKept);
@@ -100,12 +101,12 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
       {
         byMoments_.clear();
         exactly_ = tree_.sources->whole();
-        std::fill_n(polynomial, polynomialRows(order), 0.0f);
+        isWhole = true;
       }
     }
     if (visitor_)
     {
-      visitor_->visit({cell, polynomial, byMoments_, exactly_});
+      visitor_->visit({cell, isWhole ? nullptr : polynomial, byMoments_, exactly_});
     }
     else if (firstKept == nodes_.size())
     {
@@ -117,7 +118,7 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
     }
     else
     {
-      this->evaluateNear(cell, polynomial);
+      this->evaluateNear(cell, isWhole ? nullptr : polynomial);
     }
   }
   nodes_.resize(firstKept);
@@ -311,6 +312,7 @@ void FarFieldTraversal::countNear(const TargetCell& cell)
   }
 }
 
+/// `polynomial` is null where nothing acts through expansions.
 void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polynomial)
 {
   this->countNear(cell);
@@ -327,7 +329,14 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
     std::fill(block.u + count, block.u + padded, 0.0f);
     std::fill(block.v + count, block.v + padded, 0.0f);
     std::fill(block.w + count, block.w + padded, 0.0f);
-    evaluatePolynomial(order, polynomial, block.u, block.v, block.w, count, far);
+    if (polynomial)
+    {
+      evaluatePolynomial(order, polynomial, block.u, block.v, block.w, count, far);
+    }
+    else
+    {
+      std::fill_n(far, padded, 0.0f);
+    }
     for (const std::int32_t number : byMoments_)
     {
       const auto node = static_cast<std::size_t>(number);

@@ -11,7 +11,8 @@ namespace winding
 struct FarFieldLeaf
 {
   const TargetCell& cell;
-  const float* polynomial; ///< sum of all that acts through expansions; see Expansions.h
+  /// Sum of all that acts through expansions (Expansions.h); null where nothing does.
+  const float* polynomial;
   const std::vector<std::int32_t>& byMoments; ///< nodes that act through their moments
   const std::vector<ItemRange>& exactly;      ///< items that are summed one by one
 };

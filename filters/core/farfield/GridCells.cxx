@@ -8,6 +8,21 @@
 namespace winding
 {
 
+bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale)
+{
+  constexpr double farthest = 1e12;
+  if (sources.isEmpty())
+  {
+    return true;
+  }
+  const Eigen::Vector3d last = grid.sample(grid.dimensions - Eigen::Vector3i::Ones());
+  const auto isNear = [&](const Eigen::Vector3d& sample)
+  {
+    return (sample - sources.min()).cwiseAbs().maxCoeff() * scale <= farthest;
+  };
+  return isNear(grid.firstSample) && isNear(last);
+}
+
 GridCells::GridCells(const Grid& grid, const Extent& extent, double scale, int order)
   : grid_(grid)
   , extent_(extent)

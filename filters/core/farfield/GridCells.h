@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Bounds.h"
 #include "farfield/TargetCells.h"
 #include "source/Grid.h"
 
@@ -19,6 +20,13 @@ public:
   virtual void row(
     int i, int j, int k, std::size_t count, const float* values, const bool* isSuspect) const = 0;
 };
+
+/**
+ * Tells whether a far field may have a grid: no sample may be so many lengths of the sources away
+ * from them that powers of its distance leave the range of single precision. Grids that reach
+ * farther are for direct sums. The scale is that of the sources (UnitScale.h).
+ */
+bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale);
 
 /**
  * The samples of a grid as a hierarchy of blocks: 8³ samples or, where voxels are not cubes, about

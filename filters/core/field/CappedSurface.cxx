@@ -4,6 +4,7 @@
 #include "farfield/GridCells.h"
 #include "farfield/TriangleFarField.h"
 #include "source/SourceArea.h"
+#include "source/UnitScale.h"
 #include "surface/Cap.h"
 
 #include <algorithm>
@@ -81,6 +82,7 @@ CappedSurface::CappedSurface(
   , surfaceSum_(surface)
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
   , fanSum_(fanVertices_, {fan_, fanMultiplicities_}, surface.bounds)
+  , bounds_(surface.bounds)
   , choice_(capSum)
 {
   if (!chain.edges.empty())
@@ -251,16 +253,21 @@ bool CappedSurface::usesFarField(std::size_t samples) const
                            !isCheaperDirectly(Primitive::triangle, cap_.size(), samples, order_));
 }
 
+bool CappedSurface::usesFarField(const Grid& grid) const
+{
+  return this->usesFarField(sampleCount(grid.wholeExtent())) &&
+         isInReachOfSingles(grid, bounds_, unitScale(bounds_));
+}
+
 bool CappedSurface::prepare(const Grid& grid, Executor& executor) const
 {
-  return !this->usesFarField(sampleCount(grid.wholeExtent())) ||
-         capFarField_->suiting(grid, executor) != nullptr;
+  return !this->usesFarField(grid) || capFarField_->suiting(grid, executor) != nullptr;
 }
 
 bool CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  if (this->usesFarField(sampleCount(grid.wholeExtent())) && sampleCount(extent) > 0)
+  if (this->usesFarField(grid) && sampleCount(extent) > 0)
   {
     return this->evaluateByFarField(grid, extent, output, executor);
   }

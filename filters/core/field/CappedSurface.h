@@ -60,6 +60,9 @@ public:
   /// Whether w_C comes from the far field on grids of so many samples.
   bool usesFarField(std::size_t samples) const;
 
+  /// Whether it comes from there on a grid, which must not reach too far for single precision.
+  bool usesFarField(const Grid& grid) const;
+
   /// Builds what a grid needs beforehand, as Field::prepare() does.
   bool prepare(const Grid& grid, Executor& executor) const;
 
@@ -89,6 +92,7 @@ private:
   RowCrossings rows_; ///< crossings of M + C
   RowCrossings capRows_, fanRows_;
   TriangleSum surfaceSum_, capSum_, fanSum_;
+  Bounds bounds_; ///< box of the surface
   CapSum choice_;
   int order_ = 0;                                       ///< order of the cap's far field
   std::unique_ptr<const TriangleFarField> capFarField_; ///< null where the cap is summed directly

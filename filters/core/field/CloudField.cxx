@@ -8,6 +8,7 @@
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldCost.h"
+#include "farfield/GridCells.h"
 #include "source/Sanitize.h"
 #include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
@@ -176,9 +177,8 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
 bool CloudField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  return this->usesFarField(sampleCount(grid.wholeExtent()))
-           ? farField_->evaluate(grid, extent, output, executor)
-           : Field::evaluateValues(grid, extent, output, executor);
+  return this->usesFarField(grid) ? farField_->evaluate(grid, extent, output, executor)
+                                  : Field::evaluateValues(grid, extent, output, executor);
 }
 
 bool CloudField::evaluateValues(
@@ -192,6 +192,12 @@ bool CloudField::gradient(const VectorsView& samples, double* gradients, Executo
 {
   return this->usesFarField(samples.size()) ? farField_->gradient(samples, gradients, executor)
                                             : Field::gradient(samples, gradients, executor);
+}
+
+bool CloudField::usesFarField(const Grid& grid) const
+{
+  return this->usesFarField(sampleCount(grid.wholeExtent())) &&
+         isInReachOfSingles(grid, info_.bounds, farField_->scale());
 }
 
 /// Tells whether so many samples take the far field: the direct sum is faster for few samples, but

@@ -48,6 +48,7 @@ private:
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;
+  bool usesFarField(const Grid& grid) const;
 
   PointCloud cloud_;
   int neighbors_;                ///< that tell the area and the normal of a point

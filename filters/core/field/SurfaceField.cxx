@@ -4,11 +4,13 @@
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldCost.h"
+#include "farfield/GridCells.h"
 #include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
 #include "source/DistinctTriangles.h"
 #include "source/Sanitize.h"
 #include "source/SourceArea.h"
+#include "source/UnitScale.h"
 #include "sums/DirectSum.h"
 #include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
@@ -186,6 +188,12 @@ bool SurfaceField::usesFarField(std::size_t samples) const
                         !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
 }
 
+bool SurfaceField::usesFarField(const Grid& grid) const
+{
+  return this->usesFarField(sampleCount(grid.wholeExtent())) &&
+         isInReachOfSingles(grid, info_.bounds, unitScale(info_.bounds));
+}
+
 const RowCrossings* SurfaceField::integerRows() const
 {
   return capped_ && capped_->capTriangles() == 0 ? &capped_->rows() : nullptr;
@@ -229,8 +237,7 @@ double SurfaceField::area() const
 bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 {
   return capped_ ? capped_->prepare(grid, executor)
-                 : !this->usesFarField(sampleCount(grid.wholeExtent())) ||
-                     farField_->suiting(grid, executor) != nullptr;
+                 : !this->usesFarField(grid) || farField_->suiting(grid, executor) != nullptr;
 }
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
@@ -246,7 +253,7 @@ bool SurfaceField::evaluateValues(
   {
     return capped_->evaluate(grid, extent, output, executor);
   }
-  if (!this->usesFarField(sampleCount(grid.wholeExtent())))
+  if (!this->usesFarField(grid))
   {
     return Field::evaluateValues(grid, extent, output, executor);
   }

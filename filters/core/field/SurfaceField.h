@@ -53,6 +53,7 @@ private:
   void makeFarField(double tolerance);
 
   bool usesFarField(std::size_t samples) const;
+  bool usesFarField(const Grid& grid) const;
 
   std::size_t inputPoints_ = 0;
   Surface surface_;

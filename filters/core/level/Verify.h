@@ -42,10 +42,10 @@ struct Verification
  * triangle it must differ from the reference by 0, ½ or 1, give or take 0.1; on an edge or a vertex
  * by at most 1, and ½ more for each triangle there.
  *
- * Beside a point of a cloud that is not regularized, nearer than √(area/4π), the share of that point
- * alone may be 1 or more, and w is as large as one likes. What is in single precision is rounded by
- * 6e-8 of such values, which exceeds small tolerances, so these samples have statistics of their
- * own and are in no others.
+ * Beside a point of a cloud that is not regularized, nearer than √(area/4π), the share of that
+ * point alone may be 1 or more, and w is as large as one likes. What is in single precision is
+ * rounded by 6e-8 of such values, which exceeds small tolerances, so these samples have statistics
+ * of their own and are in no others.
  *
  * When the executor is interrupted, no sample counts as compared.
  *

@@ -80,7 +80,7 @@ PointFault faultOf(const OrientedPointsView& view, std::size_t i)
   const Eigen::Vector3d position = view.positions[i];
   if (!isInRange(position))
   {
-    // This comes first, since normals and areas that were made from the positions may have overflown.
+    // This comes first: normals and areas that were made from positions may have overflown.
     return position.allFinite() ? PointFault::outOfRange : PointFault::nonFinite;
   }
   if (!normal.allFinite() || !std::isfinite(area))
@@ -143,8 +143,8 @@ std::size_t sizeOf(const OrientedPointsView& view)
   return view.positions.size();
 }
 
-/// Calls work(view, item) for the numbers of all items without a fault. Throws Refusal for the first
-/// item that is out of range.
+/// Calls work(view, item) for the numbers of all items without a fault. Throws Refusal for the
+/// first item that is out of range.
 template <class View, class Work>
 void forEachUsable(const std::vector<View>& views, const Work& work)
 {

@@ -219,11 +219,18 @@ TEST(Ranges, GridsGetFiniteNumbers)
     }
     SCOPED_TRACE(one.name + " of size " + std::to_string(std::log10(one.size)));
     const double s = one.size;
-    for (const Grid& grid : {gridOf({-1.2 * s, -s, -1.1 * s}, Point(s, s, s) / 4, {10, 9, 8}),
-           gridOf({-s, -s, -s}, {1e-3 * s, s, 1e30 * std::min(s, 1e70)}, {4, 3, 3}),
-           gridOf({1e60 * s, 0, 0}, {1e60 * s, 1e59 * s, s}, {3, 4, 3}),
-           gridOf({0, 0, 0}, {1e101, 1e101, 1e101}, {3, 2, 3}),
-           gridOf({0, 0, 0}, {1e-109, 1e-105, 1e-102}, {3, 4, 3})})
+    std::vector<Grid> grids = {gridOf({-1.2 * s, -s, -1.1 * s}, Point(s, s, s) / 4, {10, 9, 8}),
+      gridOf({-s, -s, -s}, {1e-3 * s, s, 1e30 * std::min(s, 1e70)}, {4, 3, 3}),
+      gridOf({1e60 * s, 0, 0}, {1e60 * s, 1e59 * s, s}, {3, 4, 3}),
+      gridOf({0, 0, 0}, {1e101, 1e101, 1e101}, {3, 2, 3}),
+      gridOf({0, 0, 0}, {1e-109, 1e-105, 1e-102}, {3, 4, 3})};
+    for (const double far : {1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14, 1e18, 1e20})
+    {
+      grids.push_back(gridOf({-s, -s, -s}, {0.3 * s, 0.5 * s, 0.3 * far * s}, {7, 6, 4}));
+      grids.push_back(gridOf(Point::Constant(-far * s), Point::Constant(0.2 * far * s), {9, 9, 9}));
+      grids.push_back(gridOf({far * s, 0, 0}, {s, s, s}, {5, 5, 5}));
+    }
+    for (const Grid& grid : grids)
     {
       Results results(winding::sampleCount(grid.wholeExtent()));
       ASSERT_TRUE(one.field->evaluate(grid, grid.wholeExtent(), results.output(), serial));

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "Choices.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fuzz
+{
+
+/// A property of the core, tried on one random case. It returns what is wrong, in one line, or
+/// nothing.
+using Check = std::function<std::string(Choices& choices)>;
+
+struct NamedCheck
+{
+  const char* name;
+  Check check;
+};
+
+/// The values, distances and gradients of surfaces by every method: SurfaceFieldCheck.cxx.
+std::string checkSurfaceField(Choices& choices);
+
+/// The values, distances and gradients of clouds by every method: CloudFieldCheck.cxx.
+std::string checkCloudField(Choices& choices);
+
+/// The voxels that sources touch, and the shares of voxels that are inside: CoverageCheck.cxx.
+std::string checkCoverage(Choices& choices);
+
+/// Orientation of faces: OrientationCheck.cxx.
+std::string checkOrientation(Choices& choices);
+
+/// Level roots and edges of grids: LevelCheck.cxx.
+std::string checkLevel(Choices& choices);
+
+/// The time of method automatic beside that of the direct sum: TimeCheck.cxx. The check takes far
+/// longer than the others.
+std::string checkTime(Choices& choices);
+
+/// All checks but checkTime(), by name.
+inline std::vector<NamedCheck> allChecks()
+{
+  return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
+    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel}};
+}
+
+} // namespace fuzz

@@ -1,0 +1,281 @@
+// A fuzzer of the filters by data that a pipeline may bring: polydata and grids whose offsets, ids,
+// types, faces and arrays are wrong now and then. A filter gives a result or an error.
+
+#include "Choices.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkPointAreas.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceReport.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+#include "vtkWindingNumberVoxels.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace
+{
+
+using fuzz::Choices;
+
+/// Mostly a number in 0 … count − 1, now and then one far off.
+long long oddNumber(Choices& choices, long long count, int rarity)
+{
+  const long long odd[] = {-1, count, count + 1, std::numeric_limits<int>::max(),
+    std::numeric_limits<int>::min(), std::numeric_limits<long long>::max(),
+    std::numeric_limits<long long>::min()};
+  return choices.oneIn(rarity) || count == 0 ? choices.oneOf(odd)
+                                             : choices.below(static_cast<int>(count));
+}
+
+double oddCoordinate(Choices& choices, int rarity)
+{
+  const double odd[] = {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, -1e300, 1e-300, 1e120};
+  return choices.oneIn(rarity) ? choices.oneOf(odd) : choices.between(-1, 1);
+}
+
+vtkSmartPointer<vtkDataArray> oddArray(Choices& choices, int tuples, int components, int rarity)
+{
+  const int types[] = {VTK_DOUBLE, VTK_DOUBLE, VTK_FLOAT, VTK_INT};
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(choices.oneOf(types)));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    for (int component = 0; component < components; ++component)
+    {
+      array->SetComponent(i, component, oddCoordinate(choices, rarity));
+    }
+  }
+  return array;
+}
+
+/// Cells whose offsets ascend and whose ids exist, mostly.
+vtkSmartPointer<vtkCellArray> oddCells(Choices& choices, int points, int cells, int rarity)
+{
+  vtkNew<vtkTypeInt64Array> offsets, connectivity;
+  long long end = 0;
+  offsets->InsertNextValue(choices.oneIn(rarity) ? choices.below(3) : 0);
+  for (int i = 0; i < cells; ++i)
+  {
+    const int size = choices.oneIn(5) ? choices.below(9) : 3;
+    for (int corner = 0; corner < size; ++corner)
+    {
+      connectivity->InsertNextValue(oddNumber(choices, points, rarity));
+    }
+    end += size;
+    offsets->InsertNextValue(choices.oneIn(rarity) ? oddNumber(choices, end + 1, 2) : end);
+  }
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(offsets, connectivity);
+  if (choices.oneIn(3) && rarity > 1000)
+  {
+    array->ConvertTo32BitStorage();
+  }
+  return array;
+}
+
+void addArrays(Choices& choices, vtkDataSetAttributes* attributes, int tuples, int rarity)
+{
+  for (const char* name : {"Normals", "Area", "vtkGhostType", "other"})
+  {
+    if (choices.oneIn(3))
+    {
+      const int components = choices.oneIn(8) ? 1 + choices.below(4) : *name == 'N' ? 3 : 1;
+      const int count = choices.oneIn(8) ? choices.below(9) : tuples;
+      const auto array =
+        *name == 'v' && choices.oneIn(2)
+          ? vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkUnsignedCharArray>::New())
+          : oddArray(choices, count, components, rarity);
+      array->SetName(name);
+      attributes->AddArray(array);
+      if (*name == 'N' && choices.oneIn(2))
+      {
+        attributes->SetActiveNormals(name);
+      }
+    }
+  }
+}
+
+vtkSmartPointer<vtkPointSet> oddPolyData(Choices& choices, int points, int rarity)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPolys(oddCells(choices, points, choices.below(12), rarity));
+  if (choices.oneIn(4))
+  {
+    data->SetStrips(oddCells(choices, points, choices.below(4), rarity));
+  }
+  if (choices.oneIn(4))
+  {
+    data->SetVerts(oddCells(choices, points, choices.below(4), rarity));
+    data->SetLines(oddCells(choices, points, choices.below(4), rarity));
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkPointSet> oddGrid(Choices& choices, int points, int rarity)
+{
+  const int usual[] = {5, 7, 9, 10, 12, 13, 14, 3, 1, 42};
+  const int cells = choices.below(6);
+  const auto array = oddCells(choices, points, cells, rarity);
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkIdTypeArray> locations, faces;
+  for (int i = 0; i < cells; ++i)
+  {
+    const int type = choices.oneIn(6) ? choices.below(85) : choices.oneOf(usual);
+    types->InsertNextValue(static_cast<unsigned char>(type));
+    locations->InsertNextValue(type == 42 ? faces->GetNumberOfValues() : -1);
+    if (type == 42)
+    {
+      const int count = choices.below(5);
+      faces->InsertNextValue(choices.oneIn(rarity) ? oddNumber(choices, 9, 2) : count);
+      for (int face = 0; face < count; ++face)
+      {
+        const int size = choices.below(5);
+        faces->InsertNextValue(choices.oneIn(rarity) ? oddNumber(choices, 9, 2) : size);
+        for (int corner = 0; corner < size; ++corner)
+        {
+          faces->InsertNextValue(oddNumber(choices, points, rarity));
+        }
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const bool hasFaces = faces->GetNumberOfValues() > 0 && !choices.oneIn(rarity);
+  grid->SetCells(
+    types, array, hasFaces ? locations.Get() : nullptr, hasFaces ? faces.Get() : nullptr);
+  return grid;
+}
+
+vtkSmartPointer<vtkPointSet> oddData(Choices& choices)
+{
+  const int rarity = choices.oneIn(3) ? 10000 : 5 + choices.below(100);
+  const int points = choices.below(16);
+  const auto data =
+    choices.oneIn(2) ? oddPolyData(choices, points, rarity) : oddGrid(choices, points, rarity);
+  if (!choices.oneIn(20))
+  {
+    vtkNew<vtkPoints> coordinates;
+    coordinates->SetData(oddArray(choices, points, 3, rarity));
+    data->SetPoints(coordinates);
+  }
+  addArrays(choices, data->GetPointData(), points, rarity);
+  addArrays(choices, data->GetCellData(), choices.below(12), rarity);
+  return data;
+}
+
+void checkNumbers(vtkDataSet* output)
+{
+  vtkDataArray* const values = output->GetPointData()->GetArray("WindingNumber");
+  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  {
+    double place[3];
+    output->GetPoint(i, place);
+    const bool isSomewhere =
+      std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
+    if (isSomewhere && !std::isfinite(values->GetComponent(i, 0)))
+    {
+      std::fprintf(stderr, "a winding number of %g\n", values->GetComponent(i, 0));
+      std::abort();
+    }
+  }
+}
+
+template <class Filter> void setUp(Choices& choices, Filter* filter)
+{
+  filter->SetMethod(choices.below(5));
+  filter->SetEstimateNormals(choices.oneIn(3));
+  filter->SetRegularization(choices.oneIn(4) ? 1 : 0);
+  filter->SetNumberOfThreads(1);
+}
+
+template <class Filter> void sample(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<Filter> filter;
+  setUp(choices, filter.Get());
+  filter->SetResolution(1 + choices.below(5));
+  filter->SetInputData(data);
+  filter->Update();
+  checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
+}
+
+void fillVoxels(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<vtkWindingNumberField> field;
+  setUp(choices, field.Get());
+  field->SetResolution(1 + choices.below(5));
+  field->SetCoverageType(choices.below(3));
+  field->GenerateInsideOn();
+  field->SetInputData(data);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputConnection(field->GetOutputPort());
+  voxels->Update();
+}
+
+void probe(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<vtkWindingNumberProbe> filter;
+  setUp(choices, filter.Get());
+  const auto queries = oddData(choices);
+  filter->SetInputData(0, choices.oneIn(2) ? queries.Get() : data);
+  filter->SetInputData(1, data);
+  filter->SetExtractInside(choices.oneIn(3));
+  filter->Update();
+  checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
+}
+
+template <class Filter> void run(vtkPointSet* data)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(data);
+  filter->Update();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+  Choices choices(bytes, size);
+  const vtkSmartPointer<vtkPointSet> data = oddData(choices);
+  switch (choices.below(6))
+  {
+  case 0:
+    sample<vtkWindingNumberField>(choices, data);
+    break;
+  case 1:
+    sample<vtkWindingNumberSurface>(choices, data);
+    break;
+  case 2:
+    fillVoxels(choices, data);
+    break;
+  case 3:
+    run<vtkSurfaceReport>(data);
+    break;
+  case 4:
+    run<vtkPointAreas>(data);
+    break;
+  default:
+    probe(choices, data);
+  }
+  return 0;
+}

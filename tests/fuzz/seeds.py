@@ -1,0 +1,318 @@
+"""Makes small files of every format that the program reads, in many variants, for fuzzers.
+
+Usage: seeds.py <folder>: a folder for each suffix, and options with command lines.
+"""
+
+import base64
+import pathlib
+import struct
+import sys
+import zlib
+
+# A tetrahedron, outward.
+POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+# A cube of quadrilaterals with a triangle for a lid that is missing a half.
+CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+QUADS = [(0, 2, 3, 1), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6), (4, 5, 7)]
+SHAPES = {"tetra": (POINTS, FACES), "cube": (CUBE, QUADS)}
+
+
+def text(rows):
+    return "".join(" ".join(map(str, row)) + "\n" for row in rows)
+
+
+def numbers(rows, code, order=">"):
+    values = [value for row in rows for value in row]
+    return struct.pack(f"{order}{len(values)}{code}", *values)
+
+
+def off(points, faces):
+    body = text([(len(points), len(faces), 0)] + points + [(len(f), *f) for f in faces])
+    yield "plain", "OFF\n" + body
+    yield "normals", "NOFF # of points\n" + text(
+        [(len(points), len(faces), 0)]
+        + [p + (0, 0, 1) for p in points]
+        + [(len(f), *f) for f in faces]
+    )
+    yield "colours", f"OFF {len(points)} {len(faces)} 0\n\n" + text(
+        points + [(len(f), *f, 0.5, 0.5, 0.5) for f in faces]
+    )
+    yield "points", "OFF\n" + text([(len(points), 0, 0)] + points)
+
+
+def obj(points, faces):
+    vertices = text(("v", *p) for p in points)
+    yield "plain", vertices + text(("f", *(i + 1 for i in f)) for f in faces)
+    yield "negative", vertices + text(("f", *(i - len(points) for i in f)) for f in faces)
+    extras = text([("vt", 0, 0), ("vn", 0, 0, 1), ("o", "part"), ("g", "a"), ("s", 1)])
+    yield "slashes", "# made by hand\n" + vertices + extras + text(
+        ("f", *(f"{i + 1}/1/1" for i in f)) for f in faces
+    ) + "l 1 2 3\np 1\n"
+
+
+def stl(points, faces):
+    triangles = [
+        (points[f[0]], points[f[i]], points[f[i + 1]]) for f in faces for i in range(1, len(f) - 1)
+    ]
+    lines = ["solid part"]
+    for triangle in triangles:
+        lines += ["facet normal 0 0 1", " outer loop"]
+        lines += ["  vertex %g %g %g" % corner for corner in triangle]
+        lines += [" endloop", "endfacet"]
+    yield "text", "\n".join(lines + ["endsolid part", ""])
+    body = b"".join(numbers([(0, 0, 1), *triangle], "f", "<") + b"\0\0" for triangle in triangles)
+    yield "binary", b"made by hand".ljust(80) + struct.pack("<I", len(triangles)) + body
+
+
+def ply(points, faces):
+    def header(form, coordinate="float", count="uchar", extra=""):
+        return (
+            f"ply\nformat {form} 1.0\ncomment made by hand\nelement vertex {len(points)}\n"
+            f"property {coordinate} x\nproperty {coordinate} y\nproperty {coordinate} z\n{extra}"
+            f"element face {len(faces)}\nproperty list {count} int vertex_indices\nend_header\n"
+        )
+
+    listed = text((len(f), *f) for f in faces)
+    yield "text", header("ascii") + text(points) + listed
+    yield "no_end", (header("ascii", "double") + text(points) + listed).rstrip("\n")
+    yield "normals", header(
+        "ascii", extra="property float nx\nproperty float ny\nproperty float nz\n"
+    ) + text(p + (0, 0, 1) for p in points) + listed
+    yield "points", (
+        f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n"
+    ) + text(points)
+    for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
+        body = b"".join(struct.pack(f"{order}B{len(f)}i", len(f), *f) for f in faces)
+        yield form, header(form).encode() + numbers(points, "f", order) + body
+
+
+def legacy_head(kind, binary=False, version="3.0"):
+    encoding = "BINARY" if binary else "ASCII"
+    return f"# vtk DataFile Version {version}\nmade by hand\n{encoding}\nDATASET {kind}\n"
+
+
+def legacy(points, faces):
+    size = sum(len(f) + 1 for f in faces)
+    listed = text((len(f), *f) for f in faces)
+    place = f"POINTS {len(points)} double\n"
+    data = (
+        f"POINT_DATA {len(points)}\nNORMALS n float\n"
+        + "0 0 1\n" * len(points)
+        + f"FIELD more 1\nArea 1 {len(points)} double\n"
+        + "1\n" * len(points)
+    )
+    yield "text", legacy_head("POLYDATA") + place + text(
+        points
+    ) + f"POLYGONS {len(faces)} {size}\n" + listed + data
+    yield "strips", (
+        legacy_head("POLYDATA")
+        + place
+        + text(points)
+        + "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n"
+    )
+    yield "binary", (legacy_head("POLYDATA", True) + place).encode() + numbers(points, "d") + (
+        f"\nPOLYGONS {len(faces)} {size}\n"
+    ).encode() + numbers([(len(f), *f) for f in faces], "i") + b"\n"
+    offsets = [sum(len(f) for f in faces[:i]) for i in range(len(faces) + 1)]
+    yield "version5", legacy_head("POLYDATA", version="5.1") + place + text(points) + (
+        f"METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1.7\n\n"
+        f"POLYGONS {len(offsets)} {offsets[-1]}\nOFFSETS vtktypeint64\n"
+    ) + text([offsets]) + ("CONNECTIVITY vtktypeint64\n") + text(faces)
+    yield "field_first", legacy_head("POLYDATA") + "FIELD f 1\na 1 2 int\n1 2\n" + place + text(
+        points
+    ) + (f"POLYGONS {len(faces)} {size}\n") + listed
+    grid = legacy_head("UNSTRUCTURED_GRID") + place + text(points)
+    types = text((7,) for _ in faces)
+    yield "faces", grid + f"CELLS {len(faces)} {size}\n{listed}CELL_TYPES {len(faces)}\n{types}"
+    cell = (12, *range(8)) if len(points) == 8 else (10, *range(4))
+    yield "solid", grid + f"CELLS 1 {len(cell)}\n" + text(
+        [(len(cell) - 1, *cell[1:])]
+    ) + f"CELL_TYPES 1\n{cell[0]}\n"
+    stream = (len(faces), *(i for f in faces for i in (len(f), *f)))
+    yield "polyhedron", grid + f"CELLS 1 {len(stream) + 1}\n" + text(
+        [(len(stream), *stream)]
+    ) + "CELL_TYPES 1\n42\n"
+    if len(points) == 8:
+        yield "structured", legacy_head("STRUCTURED_GRID") + "DIMENSIONS 2 2 2\n" + place + text(
+            points
+        )
+
+
+class Xml:
+    """Arrays of VTK's XML formats, written in one of their ways."""
+
+    def __init__(self, way):
+        self.way, self.appended = way, b""
+
+    def array(self, name, kind, components, rows):
+        code = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B"}[kind]
+        attributes = f'type="{kind}" Name="{name}" NumberOfComponents="{components}"'
+        if self.way == "ascii":
+            return f'<DataArray {attributes} format="ascii">\n{text(rows)}</DataArray>\n'
+        raw = numbers(rows, code, "<")
+        if self.way == "zlib":
+            packed = zlib.compress(raw)
+            head = struct.pack("<4I", 1, len(raw), len(raw), len(packed))
+            body = base64.b64encode(head).decode() + base64.b64encode(packed).decode()
+        else:
+            body = base64.b64encode(struct.pack("<I", len(raw)) + raw).decode()
+        if self.way == "appended":
+            start = len(self.appended)
+            self.appended += struct.pack("<I", len(raw)) + raw
+            return f'<DataArray {attributes} format="appended" offset="{start}"/>\n'
+        return f'<DataArray {attributes} format="binary">\n{body}\n</DataArray>\n'
+
+    def file(self, kind, piece):
+        compressor = ' compressor="vtkZLibDataCompressor"' if self.way == "zlib" else ""
+        head = (
+            f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="0.1" '
+            f'byte_order="LittleEndian" '
+            f'header_type="UInt32"{compressor}>\n<{kind}>\n{piece}</{kind}>\n'
+        )
+        if self.appended:
+            tail = b'<AppendedData encoding="raw">\n_' + self.appended + b"\n</AppendedData>\n"
+            return head.encode() + tail + b"</VTKFile>\n"
+        return head + "</VTKFile>\n"
+
+
+def cells(xml, name, faces, types=None, more=""):
+    ends = [(sum(len(f) for f in faces[: i + 1]),) for i in range(len(faces))]
+    return (
+        f"<{name}>\n"
+        + xml.array("connectivity", "Int64", 1, faces)
+        + xml.array("offsets", "Int64", 1, ends)
+        + (xml.array("types", "UInt8", 1, types) if types else "")
+        + more
+        + f"</{name}>\n"
+    )
+
+
+def vtp(points, faces):
+    for way in ("ascii", "base64", "zlib", "appended"):
+        xml = Xml(way)
+        piece = (
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" '
+            f'NumberOfStrips="0" '
+            f'NumberOfPolys="{len(faces)}">\n<PointData Normals="n">\n'
+            + xml.array("n", "Float32", 3, [(0, 0, 1)] * len(points))
+            + "</PointData>\n<CellData>\n"
+            + xml.array("c", "Float64", 1, [(1,)] * len(faces))
+            + "</CellData>\n<Points>\n"
+            + xml.array("Points", "Float64", 3, points)
+            + "</Points>\n"
+            + cells(xml, "Polys", faces)
+            + "</Piece>\n"
+        )
+        yield way, xml.file("PolyData", piece)
+
+
+def vtu(points, faces):
+    for way in ("ascii", "zlib"):
+        for name in ("faces", "polyhedron"):
+            xml = Xml(way)
+            stream = (len(faces), *(i for f in faces for i in (len(f), *f)))
+            inside = (
+                cells(xml, "Cells", faces, [(7,)] * len(faces))
+                if name == "faces"
+                else cells(
+                    xml,
+                    "Cells",
+                    [tuple(range(len(points)))],
+                    [(42,)],
+                    xml.array("faces", "Int64", 1, [stream])
+                    + xml.array("faceoffsets", "Int64", 1, [(len(stream),)]),
+                )
+            )
+            count = len(faces) if name == "faces" else 1
+            piece = (
+                f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">\n<Points>\n'
+                + xml.array("Points", "Float64", 3, points)
+                + "</Points>\n"
+                + inside
+                + "</Piece>\n"
+            )
+            yield f"{name}_{way}", xml.file("UnstructuredGrid", piece)
+
+
+def table(points, separator):
+    def lines(head, rows, end="\n"):
+        return "".join(separator.join(map(str, row)) + end for row in [head, *rows])
+
+    yield "points", lines(("x", "y", "z"), points)
+    yield "oriented", lines(
+        ("x", "y", "z", "nx", "ny", "nz", "area"), [p + p + (0.5,) for p in points], "\r\n"
+    )
+    quoted = lines(
+        ('"Points:0"', '"Points:1"', '"Points:2"', '"a name"'),
+        [p + (f'"one{separator} two"',) for p in points],
+    )
+    yield "quoted", "\ufeff" + quoted
+    yield "lines", lines(
+        ("x", "y", "z", "note"), [p + ('"two\nlines, ""quoted"""',) for p in points]
+    )
+
+
+def cloud(points):
+    yield "plain", text(points)
+    yield "normals", "# made by hand\n" + text(p + (0, 0, 1) for p in points)
+    yield "counted", text([(len(points),)]) + text(points) + text([(0, 0, 1)] * len(points))
+
+
+COMMANDS = [
+    "field a.off -o b.vti --resolution 8 --inside --distance --distance-band 2",
+    "field a.off -o b.vti --coverage fraction --coverage-samples 3",
+    "field a.csv -o b.vti --dims 4 5 6 --bounds 0 1 0 1 0 1 --regularization 1 --pieces 3",
+    "field a.csv -o b.vti --areas constant --area 0.5",
+    "surface a.ply -o b.stl --voxel-size 0.1 --threshold 0.4 --rule absolute",
+    "surface a.ply -o b.stl --close-border --double --json",
+    "voxels a.stl -o b.vtp --padding 0.1 --method rows --tolerance 1e-4 --threads 2 --quiet",
+    "probe a.obj b.csv -o c.csv --extract --inside-out --estimate-normals",
+    "probe a.obj b.csv -o c.csv --points --neighbors 8 --array w",
+    "check a.vtu --fix-orientation -o b.vtp --blocks c.vtm --json",
+    "bench kernels --resolution 16 --tolerance 1e-3",
+    "field --help",
+    "--version",
+]
+
+
+def all_files():
+    """Triples of a suffix, a name and the bytes of every file."""
+    makers = {
+        ".off": off,
+        ".obj": obj,
+        ".stl": stl,
+        ".ply": ply,
+        ".vtk": legacy,
+        ".vtp": vtp,
+        ".vtu": vtu,
+    }
+    for shape, (points, faces) in SHAPES.items():
+        made = [(suffix, maker(points, faces)) for suffix, maker in makers.items()]
+        made += [
+            (".csv", table(points, ",")),
+            (".tsv", table(points, "\t")),
+            (".xyz", cloud(points)),
+            (".pwn", cloud(points)),
+        ]
+        for suffix, files in made:
+            for name, content in files:
+                data = content if isinstance(content, bytes) else content.encode()
+                yield suffix, f"{shape}_{name}", data
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    for suffix, name, content in all_files():
+        place = folder / suffix[1:]
+        place.mkdir(parents=True, exist_ok=True)
+        (place / f"{name}{suffix}").write_bytes(content)
+    options = folder / "options"
+    options.mkdir(parents=True, exist_ok=True)
+    for number, line in enumerate(COMMANDS):
+        (options / f"line{number}").write_text(line.replace(" ", "\n"))
+
+
+if __name__ == "__main__":
+    main()
