@@ -105,6 +105,7 @@ BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& 
 {
   // The folder and the file go away again here: a run that is killed before it writes leaves none.
   const Folder folder(folder_, name);
+  TemporaryFile::clear(folder_);
   std::error_code error;
   if (!folder.isNew() && !std::filesystem::is_empty(folder_, error) && !isIndex(name))
   {

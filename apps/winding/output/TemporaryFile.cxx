@@ -43,21 +43,6 @@ void removeIfLeftBehind(const std::filesystem::path& path)
   close(file);
 }
 
-void removeAllLeftBehind(const std::filesystem::path& folder)
-{
-  static const std::regex pattern(R"(\..*\.winding-[0-9]+(-[0-9]+)?\.part\.[A-Za-z]+)");
-  std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-  {
-    const std::string name = entry->path().filename().string();
-    if (name[0] == '.' && std::regex_match(name, pattern))
-    {
-      removeIfLeftBehind(entry->path());
-    }
-  }
-}
-
 /// The beginning of a text in UTF-8, of so many bytes at most; no character is cut.
 std::string beginning(const std::string& text, std::size_t bytes)
 {
@@ -104,7 +89,7 @@ int makeLocked(const char* name)
 TemporaryFile::TemporaryFile(const std::filesystem::path& target)
 {
   const std::filesystem::path folder = target.parent_path();
-  removeAllLeftBehind(folder.empty() ? "." : folder);
+  clear(folder.empty() ? "." : folder);
   constexpr int attempts = 1000;
   for (int n = 0; n < attempts; ++n)
   {
@@ -121,6 +106,21 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target)
     }
   }
   throwError();
+}
+
+void TemporaryFile::clear(const std::filesystem::path& folder)
+{
+  static const std::regex pattern(R"(\..*\.winding-[0-9]+(-[0-9]+)?\.part\.[A-Za-z]+)");
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+  {
+    const std::string name = entry->path().filename().string();
+    if (name[0] == '.' && std::regex_match(name, pattern))
+    {
+      removeIfLeftBehind(entry->path());
+    }
+  }
 }
 
 TemporaryFile::~TemporaryFile()

@@ -24,6 +24,9 @@ public:
   /// std::system_error where that is not possible.
   void become(const std::filesystem::path& target);
 
+  /// Removes from a folder what runs that were killed have left behind.
+  static void clear(const std::filesystem::path& folder);
+
 private:
   const char* name_; ///< null when it has become another
   int lock_;         ///< the open file, which keeps the lock
