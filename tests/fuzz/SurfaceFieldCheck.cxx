@@ -30,7 +30,7 @@ using shapes::Point;
 /// Samples within so many sizes of coordinates of a triangle may be on either side of it.
 constexpr double onSurface = 0x1p-42;
 
-/// What is known of a sample without any method.
+/// A sample as it is known without any method.
 struct Place
 {
   double distance = std::numeric_limits<double>::infinity(); ///< from the nearest triangle
@@ -92,7 +92,7 @@ void addTriangle(const Point (&corners)[3], const Point& sample, double size, Pl
   const long double denominator = 1 + a.dot(b) + b.dot(c) + c.dot(a);
   const auto modulus = static_cast<double>(std::hypot(numerator, denominator));
   place.strength += std::abs(static_cast<double>(std::atan2(numerator, denominator))) / (2 * pi);
-  place.rounding += std::min(1.0, 0x1p-49 / modulus) + 0x1p-48 * size / distance;
+  place.rounding += std::min(1.0, 0x1p-47 / modulus) + 0x1p-46 * size / distance;
 }
 
 void measure(const Surface& surface, Samples& samples)

@@ -13,8 +13,8 @@
 /**
  * @file
  * Method automatic takes no more than 1.5 times as long as the direct sum, and 10 ms, whatever the
- * triangles: Field.h promises so. Times are those of the processor for this thread, so other programs matter little,
- * and a time that is too long must be so in each of several attempts.
+ * triangles: Field.h promises so. Times are those of the processor for this thread, so that other
+ * programs matter little, and a time that is too long must be so in each of several attempts.
  */
 namespace fuzz
 {
