@@ -90,13 +90,16 @@ HWY_INLINE void takeNearer(
   nearest.take(d, fromSide(d, difference(d, ap, ab), difference(d, ac, ab), triangle.inverseBC));
   const Offsets<D> planeB = broadcast(d, triangle.v), planeC = broadcast(d, triangle.w);
   const hn::Vec<D> v = product(d, ap, planeB), w = product(d, ap, planeC);
-  const auto isInside = hn::And(hn::And(hn::Ge(v, hn::Zero(d)), hn::Ge(w, hn::Zero(d))),
-    hn::Le(hn::Add(v, w), hn::Set(d, 1.0)));
   Offsets<D> fromPlane = stepBack(d, stepBack(d, ap, v, ab), w, ac);
   // The weights of a thin triangle are inexact, by as many digits as it is thin. The rest that they
   // leave in the offset is so much smaller that it can be found by the same weights and removed.
-  fromPlane = stepBack(d, stepBack(d, fromPlane, product(d, fromPlane, planeB), ab),
-    product(d, fromPlane, planeC), ac);
+  const hn::Vec<D> restV = product(d, fromPlane, planeB), restW = product(d, fromPlane, planeC);
+  fromPlane = stepBack(d, stepBack(d, fromPlane, restV, ab), restW, ac);
+  // The weights of the point that was found so tell whether it is one of the triangle: a triangle
+  // as thin as rounding has weights of any size.
+  const hn::Vec<D> allV = hn::Add(v, restV), allW = hn::Add(w, restW);
+  const auto isInside = hn::And(hn::And(hn::Ge(allV, hn::Zero(d)), hn::Ge(allW, hn::Zero(d))),
+    hn::Le(hn::Add(allV, allW), hn::Set(d, 1.0)));
   nearest.take(d, fromPlane, isInside);
 }
 
