@@ -125,6 +125,22 @@ TEST_F(OutputFiles, AnInputAmongTheBlocksIsNotReplaced)
   EXPECT_EQ(runProgram({"check", in, "--blocks", faults}).status, 0) << "their own index is there";
 }
 
+TEST_F(OutputFiles, BlocksThatAKilledRunHasLeftAreCleared)
+{
+  std::filesystem::create_directory(folder.path("faults"));
+  folder.write("faults/.Boundary.winding-1234.part.vtp", "the beginning of a block");
+  const std::string faults = folder.path("faults.vtm");
+  const Outcome run = runProgram({"check", in, "--blocks", faults});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("faults/.Boundary.winding-1234.part.vtp")));
+
+  std::filesystem::create_directory(folder.path("others"));
+  folder.write("others/notes.txt", "somebody's");
+  const Outcome refused = runProgram({"check", in, "--blocks", folder.path("others.vtm")});
+  EXPECT_EQ(refused.status, 2) << refused;
+  EXPECT_TRUE(refused.saysInOneLine({"others.vtm", "holds other files"})) << refused;
+}
+
 TEST_F(OutputFiles, OlderOutputsAreReplaced)
 {
   folder.write("out.vti", "what was there before");

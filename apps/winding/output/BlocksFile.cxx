@@ -1,6 +1,7 @@
 #include "output/BlocksFile.h"
 
 #include "output/OutputFile.h"
+#include "output/TemporaryFile.h"
 #include "output/WriteOutput.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
