@@ -184,7 +184,7 @@ int vtkWindingNumberProbe::RequestData(
   options.withInside =
     options.withInside || options.withValues || options.withDistances || this->ExtractInside;
   this->QueriesRefused = true; // unless the next line comes to its end
-  const winding::ProbeQueries queries(input, atCells);
+  const winding::ProbeQueries queries(input, atCells, this->ExtractInside);
   this->QueriesRefused = false;
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);

@@ -96,8 +96,9 @@ void checkIds(const vtkIdType* first, const vtkIdType* last, vtkIdType cell, vtk
   }
 }
 
-/// vtkPolyData gives no cell at all where one of them has too few points for its kind.
-void checkPolyDataCells(vtkPolyData* polyData, const std::string& name)
+/// vtkPolyData gives no cell at all where one of them has too few points for its kind, which
+/// matters only where cells are used.
+void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const std::string& name)
 {
   const std::pair<vtkCellArray*, vtkIdType> kinds[] = {{polyData->GetVerts(), 1},
     {polyData->GetLines(), 2}, {polyData->GetPolys(), 3}, {polyData->GetStrips(), 3}};
@@ -109,7 +110,7 @@ void checkPolyDataCells(vtkPolyData* polyData, const std::string& name)
       vtkIdType size;
       const vtkIdType* ids;
       cells->GetCellAtId(i, size, ids);
-      if (size < fewest)
+      if (areUsed && size < fewest)
       {
         refuseCell(name, cell,
           "has " + std::to_string(size) + " points and needs " + std::to_string(fewest));
@@ -205,7 +206,10 @@ void checkStructure(vtkDataSet* data, const std::string& name)
   }
 }
 
-void checkCells(vtkDataSet* data, const std::string& name)
+namespace
+{
+
+void checkCells(vtkDataSet* data, bool areUsed, const std::string& name)
 {
   checkStructure(data, name);
   if (!vtkPointSet::SafeDownCast(data))
@@ -214,7 +218,7 @@ void checkCells(vtkDataSet* data, const std::string& name)
   }
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    checkPolyDataCells(polyData, name);
+    checkPolyDataCells(polyData, areUsed, name);
     return;
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
@@ -228,6 +232,18 @@ void checkCells(vtkDataSet* data, const std::string& name)
       checkGridCell(grid, cell, ids, name);
     }
   }
+}
+
+} // namespace
+
+void checkCells(vtkDataSet* data, const std::string& name)
+{
+  checkCells(data, true, name);
+}
+
+void checkUnusedCells(vtkDataSet* data, const std::string& name)
+{
+  checkCells(data, false, name);
 }
 
 void checkArrays(vtkDataSet* data, const std::string& name)

@@ -27,6 +27,10 @@ void checkStructure(vtkDataSet* data, const std::string& name);
  */
 void checkCells(vtkDataSet* data, const std::string& name);
 
+/// Refuses what checkCells() does, except cells of a vtkPolyData with too few points: they do no
+/// harm where no cell is asked for. A line of one point is a common way to give a single point.
+void checkUnusedCells(vtkDataSet* data, const std::string& name);
+
 /// Refuses arrays with fewer values than there are points or cells.
 void checkArrays(vtkDataSet* data, const std::string& name);
 

@@ -99,11 +99,11 @@ std::vector<vtkDataSet*> dataSetsOf(vtkDataObject* queries)
 
 } // namespace
 
-ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells)
+ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUsed)
 {
   for (vtkDataSet* data : dataSetsOf(queries))
   {
-    checkCells(data, "the data set to be probed");
+    (atCells || areCellsUsed ? checkCells : checkUnusedCells)(data, "the data set to be probed");
     checkArrays(data, "the data set to be probed");
     const vtkIdType count = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
     leaves_.push_back({data, size_, count});

@@ -29,7 +29,8 @@ class ProbeQueries
 public:
   /// Cells have their samples at their parametric centres; the sample of an empty cell is NaN. The
   /// object keeps the data. Throws Refusal for data sets that contradict themselves (CellChecks.h).
-  ProbeQueries(vtkDataObject* queries, bool atCells);
+  /// areCellsUsed: whether anything is done with cells, as there is for a part that is extracted.
+  ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUsed);
 
   vtkIdType size() const { return size_; }
   const std::vector<ProbeLeaf>& leaves() const { return leaves_; }

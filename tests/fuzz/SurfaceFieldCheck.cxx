@@ -127,7 +127,7 @@ std::string compareDistances(const Samples& samples, const std::vector<double>& 
     expected.push_back(place.distance);
   }
   return compare("distance", samples.positions, distances, expected,
-    [&](std::size_t) { return 0x1p-46 * samples.size; });
+    [&](std::size_t) { return 0x1p-40 * samples.size; });
 }
 
 /// Compares values of a method with the definition.

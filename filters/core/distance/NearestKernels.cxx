@@ -95,11 +95,14 @@ HWY_INLINE void takeNearer(
   // leave in the offset is so much smaller that it can be found by the same weights and removed.
   const hn::Vec<D> restV = product(d, fromPlane, planeB), restW = product(d, fromPlane, planeC);
   fromPlane = stepBack(d, stepBack(d, fromPlane, restV, ab), restW, ac);
-  // The weights of the point that was found so tell whether it is one of the triangle: a triangle
-  // as thin as rounding has weights of any size.
+  // A triangle as thin as rounding has weights that are not even nearly right, so that the rest is
+  // no small one. Its sides are as near as its inside.
   const hn::Vec<D> allV = hn::Add(v, restV), allW = hn::Add(w, restW);
-  const auto isInside = hn::And(hn::And(hn::Ge(allV, hn::Zero(d)), hn::Ge(allW, hn::Zero(d))),
-    hn::Le(hn::Add(allV, allW), hn::Set(d, 1.0)));
+  const hn::Vec<D> most = hn::Set(d, 0x1p-10);
+  const auto isSmall = hn::And(hn::Le(hn::Abs(restV), most), hn::Le(hn::Abs(restW), most));
+  const auto isInside =
+    hn::And(isSmall, hn::And(hn::And(hn::Ge(allV, hn::Zero(d)), hn::Ge(allW, hn::Zero(d))),
+                       hn::Le(hn::Add(allV, allW), hn::Set(d, 1.0))));
   nearest.take(d, fromPlane, isInside);
 }
 

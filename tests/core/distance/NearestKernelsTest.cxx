@@ -77,14 +77,22 @@ TEST(NearestKernels, DistancesFromTrianglesOfAnyShapeAreExact)
 
 TEST(NearestKernels, TrianglesAsThinAsRoundingHaveNoInside)
 {
-  // Three points on a line but for rounding, at which the plane's weights were off by 0.25: the
-  // distance came out a tenth too small.
-  const Corners t = {{0x1.2666666666666p+0, 0x1.4cccccccccccdp-1, -0x1.6666666666666p-2},
-    {0x1.4cccccccccccdp-1, 0x1.4cccccccccccdp-1, 0x1.3333333333334p-3},
-    {-0x1.6666666666666p-2, 0x1.4cccccccccccdp-1, 0x1.2666666666666p+0}};
-  const Point q(-0x1.b333333333333p-1, -0x1.6666666666666p-2, 0x1.a666666666666p+0);
-  EXPECT_NEAR(
-    findDistance(winding::nearTriangle(t.a, t.b, t.c), q), naiveDistance(q, t.a, t.b, t.c), 1e-15);
+  // Three points on a line but for rounding, whose plane has weights that are off by 0.25, and by
+  // 10¹⁶: distances came out a tenth and a third too small.
+  const std::pair<Corners, Point> found[] = {
+    {{{0x1.2666666666666p+0, 0x1.4cccccccccccdp-1, -0x1.6666666666666p-2},
+       {0x1.4cccccccccccdp-1, 0x1.4cccccccccccdp-1, 0x1.3333333333334p-3},
+       {-0x1.6666666666666p-2, 0x1.4cccccccccccdp-1, 0x1.2666666666666p+0}},
+      {-0x1.b333333333333p-1, -0x1.6666666666666p-2, 0x1.a666666666666p+0}},
+    {{{-0x1.6666666666666p-1, 0x1.3333333333334p-2, -0x1.6666666666666p-1},
+       {-0x1.6666666666666p-1, 0x1.4cccccccccccdp+0, 0x1.3333333333334p-2},
+       {-0x1.6666666666666p-1, 0x1.2666666666666p+1, 0x1.4cccccccccccdp+0}},
+      {-0x1.67a140fc38ea6p+1, 0x1.aed02daa17f2ep+0, -0x1.436bfc06d5d8ap+1}}};
+  for (const auto& [t, q] : found)
+  {
+    EXPECT_NEAR(findDistance(winding::nearTriangle(t.a, t.b, t.c), q),
+      naiveDistance(q, t.a, t.b, t.c), 1e-14);
+  }
 }
 
 TEST(NearestKernels, CornersAreAtNoDistance)
