@@ -3,6 +3,7 @@
 #include "base/Pi.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include <cmath>
 #include <vector>
@@ -76,7 +77,7 @@ public:
       const Eigen::Vector2d& b = corners_[i + 1 < corners_.size() ? i + 1 : 0].position;
       twice += a[0] * b[1] - a[1] * b[0];
     }
-    return 0.5 * twice;
+    return std::max(0.0, 0.5 * twice); // rounding may leave less than nothing of a line
   }
 
   /// Whether a side of the polygon at the start remains, where no points bound the cell.

@@ -4,6 +4,7 @@
 #include "core/support/Samples.h"
 #include "core/support/ShuffledThreads.h"
 
+#include "cloud/NormalEstimation.h"
 #include "cloud/VoronoiCell.h"
 #include "source/PointCloud.h"
 #include "sums/SolidAngle.h"
@@ -294,6 +295,26 @@ TEST(VoronoiAreas, OfFewPointsArePositiveAndNoMoreThanTheirDistancesTell)
       EXPECT_LT(area, most);
     }
   }
+}
+
+TEST(VoronoiAreas, AreNeverLessThanNothing)
+{
+  // The cell of one of these points, which lie in a plane but for 10⁻⁹, is a line: its area was
+  // −1e-17, and a negative area is refused where it comes from a file.
+  Cloud cloud;
+  const int corners[][3] = {{1, 0, 2}, {0, 3, 3}, {3, 3, 1}, {3, 1, 3}, {2, 2, 2}, {3, 2, 1},
+    {3, 3, 0}, {0, 1, 1}, {2, 2, 3}, {2, 3, 1}, {3, 2, 0}, {3, 0, 0}, {0, 3, 3}, {2, 0, 1},
+    {2, 1, 2}, {3, 2, 1}};
+  for (const auto& [x, y, z] : corners)
+  {
+    cloud.positions.emplace_back(x, 1e-9 * y, z);
+  }
+  winding::SerialExecutor serial;
+  winding::PointCloud points = clean(cloud);
+  points.normals = winding::estimateNormals(points.positions, 8, serial);
+  const std::vector<double> areas =
+    winding::pointAreas(points, winding::PointAreaMethod::voronoi, 0, 8, serial);
+  EXPECT_GE(*std::min_element(areas.begin(), areas.end()), 0);
 }
 
 TEST(VoronoiAreas, AreZeroForOnePlaceAndForNone)
