@@ -95,11 +95,14 @@ HWY_INLINE void takeNearer(
   // leave in the offset is so much smaller that it can be found by the same weights and removed.
   const hn::Vec<D> restV = product(d, fromPlane, planeB), restW = product(d, fromPlane, planeC);
   fromPlane = stepBack(d, stepBack(d, fromPlane, restV, ab), restW, ac);
-  // The weights of the point that was found so tell whether it is one of the triangle: a triangle
-  // as thin as rounding has weights of any size.
-  const hn::Vec<D> allV = hn::Add(v, restV), allW = hn::Add(w, restW);
-  const auto isInside = hn::And(hn::And(hn::Ge(allV, hn::Zero(d)), hn::Ge(allW, hn::Zero(d))),
+  // The weights of the point that was found so tell whether it is one of the triangle. A triangle as
+  // thin as rounding has weights of any size: where the first ones are large, the point is off by
+  // as much as they round, and the sides alone are as near as the triangle is but for rounding.
+  const hn::Vec<D> allV = hn::Add(v, restV), allW = hn::Add(w, restW), most = hn::Set(d, 4.0);
+  const auto isExact = hn::And(hn::Le(hn::Abs(v), most), hn::Le(hn::Abs(w), most));
+  const auto isWithin = hn::And(hn::And(hn::Ge(allV, hn::Zero(d)), hn::Ge(allW, hn::Zero(d))),
     hn::Le(hn::Add(allV, allW), hn::Set(d, 1.0)));
+  const auto isInside = hn::And(isExact, isWithin);
   nearest.take(d, fromPlane, isInside);
 }
 
