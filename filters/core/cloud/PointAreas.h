@@ -33,8 +33,9 @@ constexpr int defaultNeighbors = 20;
  * A point with nearly no similar neighbours is taken to have a wrong normal, and all of its
  * neighbours count: else few flipped normals would have the areas of many. neighbors is k, at least
  * 3; where k neighbours leave a cell open, or few of them are similar, four times as many are
- * looked at. Areas are in squared units of the positions, more than 0 and finite; all are 0 where
- * the cloud has one place only, for then nothing tells an area.
+ * looked at. Areas are in squared units of the positions, finite, and 0 or more: 0 where rounding
+ * leaves nothing of a cell between its neighbours, and for all points of a cloud that has one place
+ * only, for then nothing tells an area.
  *
  * The total area of spheres is within 0.3 %, also with ten times the density on one half; that of
  * the vertices of scans is 1 to 2 % too small, because neighbours that curve away from the tangent

@@ -3,8 +3,8 @@
 #include "base/Pi.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -68,6 +68,7 @@ public:
     corners_.swap(kept_);
   }
 
+  /// 0 or more, also where rounding leaves nothing of the cell.
   double area() const
   {
     double twice = 0;
@@ -77,7 +78,7 @@ public:
       const Eigen::Vector2d& b = corners_[i + 1 < corners_.size() ? i + 1 : 0].position;
       twice += a[0] * b[1] - a[1] * b[0];
     }
-    return std::max(0.0, 0.5 * twice); // rounding may leave less than nothing of a line
+    return std::max(0.5 * twice, 0.0);
   }
 
   /// Whether a side of the polygon at the start remains, where no points bound the cell.

@@ -127,6 +127,27 @@ double exactAreaOnSphere(const Cloud& cloud, std::size_t point)
 
 } // namespace
 
+TEST(VoronoiCell, AreasAreNeverNegative)
+{
+  // Neighbours on a line through the point, some of them a billion times closer than others, leave
+  // cells whose corners are off by more than the cells are wide.
+  SCOPED_TRACE("seed 861");
+  Random random(861);
+  winding::VoronoiCell cell;
+  for (int i = 0; i < 20000; ++i)
+  {
+    cell.start(1);
+    for (int neighbor = 0; neighbor < 6; ++neighbor)
+    {
+      const double distance = std::exp2(random(-60, 0));
+      const double angle = neighbor % 2 ? 0 : random(0, 2 * winding::pi);
+      const double sense = neighbor % 4 < 2 ? 1 : -1;
+      cell.cut({sense * distance * std::cos(angle), distance * std::sin(angle)});
+    }
+    ASSERT_GE(cell.area(), 0) << "cell " << i;
+  }
+}
+
 TEST(VoronoiCell, IsThePolygonOfTheNearestPoints)
 {
   winding::VoronoiCell cell;

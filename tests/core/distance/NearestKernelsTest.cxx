@@ -95,6 +95,26 @@ TEST(NearestKernels, TrianglesAsThinAsRoundingHaveNoInside)
   }
 }
 
+TEST(NearestKernels, LargeWeightsThatCancelTellNoInside)
+{
+  // Three points on a line but for rounding each, seen from far away: the distances came out a
+  // third and two thirds too small, because weights of 1e16 cancelled to some between 0 and 1.
+  const std::pair<Corners, Point> cases[] = {
+    {{{-0.69999999999999996, 0.30000000000000004, -0.69999999999999996},
+       {-0.69999999999999996, 1.3, 0.30000000000000004},
+       {-0.69999999999999996, 2.2999999999999998, 1.3}},
+      {-2.8096085769228294, 1.6828640499370056, -2.5267329247832935}},
+    {{{3.2999999999999998, 2.2999999999999998, 1.2999999523162842},
+       {-0.69999999999999996, 2.2999999999999998, 3.2999999523162842},
+       {1.3, 2.2999999999999998, 2.2999999523162842}},
+      {-2.7000000000000002, 1.2999999999999998, -2.6999999582767487}}};
+  for (const auto& [t, q] : cases)
+  {
+    EXPECT_NEAR(findDistance(winding::nearTriangle(t.a, t.b, t.c), q),
+      naiveDistance(q, t.a, t.b, t.c), 1e-14);
+  }
+}
+
 TEST(NearestKernels, CornersAreAtNoDistance)
 {
   SCOPED_TRACE("seed 802");
