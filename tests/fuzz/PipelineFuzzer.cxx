@@ -218,7 +218,7 @@ void fillVoxels(Choices& choices, vtkPointSet* data)
   vtkNew<vtkWindingNumberField> field;
   setUp(choices, field.Get());
   field->SetResolution(1 + choices.below(5));
-  field->SetCoverageType(choices.below(3));
+  field->SetCoverage(choices.below(3));
   field->GenerateInsideOn();
   field->SetInputData(data);
   vtkNew<vtkWindingNumberVoxels> voxels;
@@ -231,8 +231,8 @@ void probe(Choices& choices, vtkPointSet* data)
   vtkNew<vtkWindingNumberProbe> filter;
   setUp(choices, filter.Get());
   const auto queries = oddData(choices);
-  filter->SetInputData(0, choices.oneIn(2) ? queries.Get() : data);
-  filter->SetInputData(1, data);
+  filter->SetInputData(choices.oneIn(2) ? queries.Get() : data);
+  filter->SetSourceData(data);
   filter->SetExtractInside(choices.oneIn(3));
   filter->Update();
   checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));

@@ -33,7 +33,8 @@ using shapes::Point;
 
 vtkSmartPointer<vtkPoints> pointsOf(const std::vector<Point>& positions)
 {
-  auto points = vtkSmartPointer<vtkPoints>::New(VTK_DOUBLE);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
   for (const Point& position : positions)
   {
     points->InsertNextPoint(position.data());
