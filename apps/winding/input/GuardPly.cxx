@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -350,8 +351,10 @@ void walkItem(Body& body, const Element& element, const Property* corners, long 
       const double value = body.number(*property.type);
       if (&property == corners && !(value >= 0 && value < static_cast<double>(vertices)))
       {
-        throw Fault{body.where() + "vertex " + std::to_string(static_cast<long long>(value)) +
-                    " does not exist; there are " + std::to_string(vertices) + ", counted from 0"};
+        char id[40]; // the number may be any, as files of floating-point ids have them
+        std::snprintf(id, sizeof id, "%.15g", value);
+        throw Fault{body.where() + "vertex " + id + " does not exist; there are " +
+                    std::to_string(vertices) + ", counted from 0"};
       }
     }
   }
