@@ -67,6 +67,7 @@ def fuzz(programs, corpora, failures, seconds, target):
     regressions = HERE / "regressions" / target
     folders = [corpus] + ([regressions] if regressions.is_dir() else [])
     length = 4096 if target in FILES_OF else 512
+    seed = os.environ.get("WINDING_FUZZ_SEED")
     run = subprocess.run(
         [
             programs / f"fuzz_{target}",
@@ -79,6 +80,7 @@ def fuzz(programs, corpora, failures, seconds, target):
             "-close_fd_mask=1",
             "-verbosity=1",
             f"-artifact_prefix={kept}/",
+            *([f"-seed={seed}"] if seed else []),
             *folders,
         ],
         env=ENVIRONMENT,
