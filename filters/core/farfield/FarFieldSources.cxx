@@ -452,14 +452,14 @@ private:
 
 } // namespace
 
-std::size_t FarFieldSources::wholeSize() const
+std::size_t itemsIn(const std::vector<ItemRange>& ranges)
 {
-  std::size_t size = 0;
-  for (const ItemRange& range : whole_)
+  std::size_t items = 0;
+  for (const ItemRange& range : ranges)
   {
-    size += range.end - range.begin;
+    items += range.end - range.begin;
   }
-  return size;
+  return items;
 }
 
 std::unique_ptr<FarFieldSources> farFieldSources(

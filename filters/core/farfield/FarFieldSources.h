@@ -20,6 +20,9 @@ struct ItemRange
   std::uint32_t begin, end;
 };
 
+/// The number of items in ranges.
+std::size_t itemsIn(const std::vector<ItemRange>& ranges);
+
 /**
  * The sources of a far field: items that are summed exactly near by and are distributions of
  * dipoles far away. Coordinates are those of the caller times `scale`, a power of two that brings
@@ -39,7 +42,7 @@ public:
   const std::vector<ItemRange>& whole() const { return whole_; }
 
   /// The number of items in whole().
-  std::size_t wholeSize() const;
+  std::size_t wholeSize() const { return wholeSize_; }
 
   /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with
   /// offsets in double; triangles never are, as the last bits decide on which side a sample lies.
@@ -90,11 +93,16 @@ protected:
   {
   }
 
-  void setWhole(std::vector<ItemRange> whole) { whole_ = std::move(whole); }
+  void setWhole(std::vector<ItemRange> whole)
+  {
+    wholeSize_ = itemsIn(whole);
+    whole_ = std::move(whole);
+  }
 
 private:
   double scale_;
   std::vector<ItemRange> whole_;
+  std::size_t wholeSize_ = 0; ///< kept, since every cell of samples asks for it
 };
 
 /// The points of a cloud, spread over its regularization lengths, if it has any.

@@ -11,13 +11,11 @@ namespace winding
 namespace
 {
 
-/// Offsets beyond this, in units of the sources' size, are cut off: all values have long been 0
-/// there, and powers of such offsets would leave the range of single precision.
-constexpr double farthest = 1e12;
-
+/// The offset between two places. One beyond farthestOffset is cut off, for all values have long
+/// been 0 there.
 Eigen::Vector3f offsetBetween(const Eigen::Vector3d& to, const Eigen::Vector3d& from)
 {
-  return (to - from).cwiseMax(-farthest).cwiseMin(farthest).cast<float>();
+  return (to - from).cwiseMax(-farthestOffset).cwiseMin(farthestOffset).cast<float>();
 }
 
 /// Nodes larger than this times a cell are replaced by their children, smaller ones are left to
@@ -223,13 +221,8 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
 /// sample may be near to more pieces of large triangles than there are triangles.
 bool FarFieldTraversal::isCheaperWhole() const
 {
-  std::size_t items = 0;
-  for (const ItemRange& range : exactly_)
-  {
-    items += range.end - range.begin;
-  }
   const double perPair = tree_.sources->secondsPerPair();
-  return static_cast<double>(items) * perPair +
+  return static_cast<double>(itemsIn(exactly_)) * perPair +
            static_cast<double>(byMoments_.size()) * secondsPerValue(tree_.order()) >
          static_cast<double>(tree_.sources->wholeSize()) * perPair;
 }
@@ -306,10 +299,7 @@ void FarFieldTraversal::countNear(const TargetCell& cell)
   work_.nearSamples += cell.samples;
   work_.exactSamples += exactly_.empty() ? 0 : cell.samples;
   work_.momentValues += byMoments_.size() * cell.samples;
-  for (const ItemRange& range : exactly_)
-  {
-    work_.exactPairs += (range.end - range.begin) * cell.samples;
-  }
+  work_.exactPairs += itemsIn(exactly_) * cell.samples;
 }
 
 /// `polynomial` is null where nothing acts through expansions.

@@ -10,7 +10,6 @@ namespace winding
 
 bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale)
 {
-  constexpr double farthest = 1e12;
   if (sources.isEmpty())
   {
     return true;
@@ -18,7 +17,7 @@ bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale)
   const Eigen::Vector3d last = grid.sample(grid.dimensions - Eigen::Vector3i::Ones());
   const auto isNear = [&](const Eigen::Vector3d& sample)
   {
-    return (sample - sources.min()).cwiseAbs().maxCoeff() * scale <= farthest;
+    return (sample - sources.min()).cwiseAbs().maxCoeff() * scale <= farthestOffset;
   };
   return isNear(grid.firstSample) && isNear(last);
 }

@@ -479,7 +479,7 @@ HWY_INLINE Vec offsetsFrom(const double* HWY_RESTRICT samples, double center, do
   const hn::Rebind<double, hn::Half<Tag>> wide;
   const auto convert = [&](const double* from)
   {
-    const auto farthest = hn::Set(wide, 1e12);
+    const auto farthest = hn::Set(wide, farthestOffset);
     const auto offset =
       hn::Mul(hn::Sub(hn::Load(wide, from), hn::Set(wide, center)), hn::Set(wide, inverseRadius));
     return hn::DemoteTo(half, hn::Min(hn::Max(offset, hn::Neg(farthest)), farthest));

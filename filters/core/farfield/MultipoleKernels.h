@@ -20,6 +20,10 @@
 namespace winding
 {
 
+/// The farthest that samples may be from sources, in units of the sources' size: powers of larger
+/// offsets would leave the range of single precision.
+constexpr double farthestOffset = 1e12;
+
 constexpr int largestOrder = 9;
 
 /// Floats of an expansion in memory: coefficientCount(order), rounded up to whole vectors.
