@@ -8,6 +8,7 @@
 #include "private/InputViews.h"
 #include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
+#include "private/SourceMemory.h"
 #include "private/SourceProperties.h"
 #include "source/Sanitize.h"
 
@@ -238,6 +239,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
   winding::checkCloudProperties(*this);
   winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas");
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
   const NumberedPoints points(pointSets);
   winding::InputOptions options;

@@ -4,6 +4,7 @@
 #include "private/InputViews.h"
 #include "private/PolygonOrientation.h"
 #include "private/SmpExecutor.h"
+#include "private/SourceMemory.h"
 #include "private/SourceParts.h"
 #include "private/SourceReport.h"
 
@@ -110,6 +111,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report");
   winding::SmpExecutor executor(this, 0);
   auto views = std::make_unique<winding::InputViews>(source, options);
   std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);

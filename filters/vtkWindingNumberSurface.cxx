@@ -22,6 +22,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -107,11 +108,35 @@ int vtkWindingNumberSurface::RequestData(
   this->CheckGrid();
   this->CheckVerification(true);
   const winding::Field& field = this->PrepareField(source, this->GetSampling());
-  winding::refuseBeyondFreeMemory(this->GetResultBytes(0), "the surface", "choose larger voxels");
+  this->CheckMemory(field);
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
   this->VerifyWholeGrid(field);
   return 1;
+}
+
+/// Refuses surfaces that do not fit into memory. Where the source's area promises too many
+/// vertices, as it does for triangles one behind the other, a coarse grid tells more.
+void vtkWindingNumberSurface::CheckMemory(const winding::Field& field)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const auto bytesOf = [&](double edges)
+  {
+    return static_cast<double>(winding::costOfLevelSurface(field, grid, edges).bytes);
+  };
+  const double bytesOfGrid = this->GetResultBytes(0);
+  double bytes = bytesOf(winding::levelEdgesByArea(field, grid));
+  if (!winding::isMemoryFree(bytesOfGrid + bytes))
+  {
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    executor.setShare(0, 0);
+    const double edges =
+      winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
+        this->WindingThreshold, this->CloseBorder != 0, executor);
+    bytes = std::min(bytes, bytesOf(edges));
+  }
+  this->ExpectedMemory += static_cast<vtkIdType>(bytes);
+  winding::refuseBeyondFreeMemory(bytesOfGrid + bytes, "the surface", "choose larger voxels");
 }
 
 void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
@@ -121,9 +146,7 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
   const winding::Grid& grid = this->GetSampling();
-  this->ExpectedSeconds +=
-    winding::secondsOfLevelSurface(field, winding::sampleCount(grid.wholeExtent())) /
-    executor.threads();
+  this->ExpectedSeconds += winding::costOfLevelSurface(field, grid, 0).seconds / executor.threads();
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
   winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
   while (!edges.isDone())
@@ -134,6 +157,11 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
       throw winding::Interrupted();
     }
   }
+  // The edges are counted now, however many the source's area promised.
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(
+      winding::costOfLevelSurface(field, grid, static_cast<double>(edges.size())).bytes),
+    "the surface", "choose larger voxels");
   if (edges.size() == 0)
   {
     this->TellEmpty(field, edges.beginsInside(0, 0), executor);

@@ -111,6 +111,7 @@ protected:
 
 private:
   void CheckGrid() const;
+  void CheckMemory(const winding::Field& field);
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
   void TellEmpty(const winding::Field& field, bool isAllInside, winding::SmpExecutor& executor);

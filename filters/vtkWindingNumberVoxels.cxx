@@ -1,9 +1,10 @@
 #include "vtkWindingNumberVoxels.h"
 
-#include "base/Executor.h"
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
+#include "private/BlockSurface.h"
 #include "private/ErrorReports.h"
+#include "private/FreeMemory.h"
 #include "private/InsideOutAdvice.h"
 #include "private/SourceParts.h"
 #include "private/SourceProperties.h"
@@ -19,7 +20,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -28,7 +28,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -66,139 +65,6 @@ bool isAny(const std::vector<unsigned char>& inside)
 {
   return std::find(inside.begin(), inside.end(), 1) != inside.end();
 }
-
-/**
- * Walks the corners of the voxels layer by layer, from low z to high z, and makes a quad for every
- * face between inside and outside. Corner ids are needed for two layers of corners at a time only.
- */
-class BlockSurface
-{
-public:
-  /// Voxel (0, 0, 0) begins at this continuous index of the image.
-  BlockSurface(const std::vector<unsigned char>& inside, const int* dimensions, vtkImageData* image,
-    const double* firstIndex, vtkPoints* points, vtkCellArray* quads)
-    : inside_(inside)
-    , n_{dimensions[0], dimensions[1], dimensions[2]}
-    , image_(image)
-    , firstIndex_{firstIndex[0], firstIndex[1], firstIndex[2]}
-    , points_(points)
-    , quads_(quads)
-  {
-    // An image whose axes are mirrored turns all faces inside out.
-    const double* spacing = image->GetSpacing();
-    mirrored_ =
-      image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] * spacing[2] < 0;
-    const std::size_t corners =
-      static_cast<std::size_t>(n_[0] + 1) * static_cast<std::size_t>(n_[1] + 1);
-    lower_.assign(corners, -1);
-    upper_.assign(corners, -1);
-  }
-
-  /// The voxels that the quads are faces of.
-  vtkIdList* voxels() const { return voxels_; }
-
-  /// Throws Interrupted if the filter is aborted.
-  void build(vtkAlgorithm* filter)
-  {
-    for (int k = 0; k <= n_[2]; ++k)
-    {
-      filter->UpdateProgress(static_cast<double>(k) / (n_[2] + 1));
-      if (winding::isAborted(filter))
-      {
-        throw winding::Interrupted();
-      }
-      // Layer k: the faces across z at its bottom, and the upright faces of its voxels.
-      for (int j = 0; j <= n_[1]; ++j)
-      {
-        for (int i = 0; i <= n_[0]; ++i)
-        {
-          this->facesAt(i, j, k);
-        }
-      }
-      lower_.swap(upper_);
-      upper_.assign(upper_.size(), -1);
-    }
-  }
-
-private:
-  bool isInside(int i, int j, int k) const
-  {
-    if (i < 0 || j < 0 || k < 0 || i >= n_[0] || j >= n_[1] || k >= n_[2])
-    {
-      return false;
-    }
-    return inside_[static_cast<std::size_t>(this->number(i, j, k))] != 0;
-  }
-
-  vtkIdType number(int i, int j, int k) const
-  {
-    return (static_cast<vtkIdType>(k) * n_[1] + j) * n_[0] + i;
-  }
-
-  /// The three faces on the low sides of voxel (i, j, k).
-  void facesAt(int i, int j, int k)
-  {
-    const bool here = this->isInside(i, j, k);
-    const bool left = this->isInside(i - 1, j, k);
-    const bool front = this->isInside(i, j - 1, k);
-    const bool below = this->isInside(i, j, k - 1);
-    const vtkIdType voxel = this->number(i, j, k);
-    if (here != left)
-    {
-      voxels_->InsertNextId(here ? voxel : this->number(i - 1, j, k));
-      this->addQuad(left, {this->id(i, j, k, 0), this->id(i, j + 1, k, 0), this->id(i, j + 1, k, 1),
-                            this->id(i, j, k, 1)});
-    }
-    if (here != front)
-    {
-      voxels_->InsertNextId(here ? voxel : this->number(i, j - 1, k));
-      this->addQuad(front, {this->id(i, j, k, 0), this->id(i, j, k, 1), this->id(i + 1, j, k, 1),
-                             this->id(i + 1, j, k, 0)});
-    }
-    if (here != below)
-    {
-      voxels_->InsertNextId(here ? voxel : this->number(i, j, k - 1));
-      this->addQuad(below, {this->id(i, j, k, 0), this->id(i + 1, j, k, 0),
-                             this->id(i + 1, j + 1, k, 0), this->id(i, j + 1, k, 0)});
-    }
-  }
-
-  /// The corners run counter-clockwise seen from the high side, where the face looks if the voxel
-  /// on its low side is the inside one.
-  void addQuad(bool lowSideIsInside, std::array<vtkIdType, 4> corners)
-  {
-    if (lowSideIsInside == mirrored_)
-    {
-      std::swap(corners[1], corners[3]);
-    }
-    quads_->InsertNextCell(4, corners.data());
-  }
-
-  /// Id of the corner (i, j, k + up), made when first asked for.
-  vtkIdType id(int i, int j, int k, int up)
-  {
-    std::vector<vtkIdType>& layer = up ? upper_ : lower_;
-    vtkIdType& known = layer[static_cast<std::size_t>(j) * (n_[0] + 1) + i];
-    if (known < 0)
-    {
-      double position[3];
-      image_->TransformContinuousIndexToPhysicalPoint(
-        firstIndex_[0] + i, firstIndex_[1] + j, firstIndex_[2] + k + up, position);
-      known = points_->InsertNextPoint(position);
-    }
-    return known;
-  }
-
-  const std::vector<unsigned char>& inside_;
-  int n_[3];
-  vtkImageData* image_;
-  double firstIndex_[3];
-  bool mirrored_;
-  vtkPoints* points_;
-  vtkCellArray* quads_;
-  std::vector<vtkIdType> lower_, upper_;
-  vtkNew<vtkIdList> voxels_;
-};
 
 } // namespace
 
@@ -274,16 +140,15 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   int extent[6];
   image->GetExtent(extent);
-  int dimensions[3];
-  double firstIndex[3];
+  winding::VoxelSides sides;
   vtkIdType voxelCount = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
     // A flat image has a layer of cells, too.
     const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
-    dimensions[axis] = asCells ? std::max(1, points - 1) : points;
-    firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
-    voxelCount *= dimensions[axis];
+    sides.dimensions[axis] = asCells ? std::max(1, points - 1) : points;
+    sides.firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
+    voxelCount *= sides.dimensions[axis];
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
@@ -293,17 +158,23 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
                            " voxels; choose an array of the points or the cells");
   }
 
-  const std::vector<unsigned char> inside = classify(values, rule, this->WindingThreshold);
+  const char* advice = "choose larger voxels, or extract a part of the image";
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(voxelCount), "telling inside from outside", advice);
+  sides.inside = classify(values, rule, this->WindingThreshold);
+  winding::refuseBeyondFreeMemory(
+    winding::BlockSurface::bytesOf(winding::BlockSurface::countFaces(sides)), "the surface",
+    advice);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
-  if (!isAny(inside) && rule == winding::InsideRule::signedThreshold &&
+  if (!isAny(sides.inside) && rule == winding::InsideRule::signedThreshold &&
       this->WindingThreshold > 0 &&
       isAny(classify(values, winding::InsideRule::absoluteThreshold, this->WindingThreshold)))
   {
     vtkWarningMacro(<< winding::insideOutAdvice("faces or normals"));
   }
-  BlockSurface surface(inside, dimensions, image, firstIndex, points, quads);
+  winding::BlockSurface surface(sides, image, points, quads);
   surface.build(this);
   output->SetPoints(points);
   output->SetPolys(quads);

@@ -18,6 +18,11 @@ std::string inGiB(double bytes)
   return text;
 }
 
+double freeBytesOf(const HostMemory& memory)
+{
+  return std::max(0.0, memory.total - memory.used);
+}
+
 } // namespace
 
 HostMemory hostMemory()
@@ -29,20 +34,19 @@ HostMemory hostMemory()
     unit * static_cast<double>(system.GetHostMemoryUsed())};
 }
 
+bool isMemoryFree(double bytes, HostMemory (*memory)())
+{
+  constexpr double smallest = 64.0 * 1024 * 1024; // not worth asking the system for
+  return bytes < smallest || bytes <= freeBytesOf(memory());
+}
+
 void refuseBeyondFreeMemory(
   double bytes, const std::string& what, const std::string& advice, HostMemory (*memory)())
 {
-  constexpr double smallest = 64.0 * 1024 * 1024; // not worth asking the system for
-  if (bytes < smallest)
+  if (!isMemoryFree(bytes, memory))
   {
-    return;
-  }
-  const HostMemory found = memory();
-  const double freeBytes = std::max(0.0, found.total - found.used);
-  if (bytes > freeBytes)
-  {
-    throw OutOfMemory(what + " needs " + inGiB(bytes) + " of memory and " + inGiB(freeBytes) +
-                      " is free; " + advice);
+    throw OutOfMemory(advice + ": " + what + " needs " + inGiB(bytes) + " of memory and " +
+                      inGiB(freeBytesOf(memory())) + " is free");
   }
 }
 

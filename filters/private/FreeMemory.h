@@ -22,9 +22,12 @@ struct HostMemory
 /// Asks the system.
 HostMemory hostMemory();
 
-/// Throws OutOfMemory, with the numbers, if that many bytes are not free. `what` needs them;
-/// `advice` says what to do about it. `memory` tells what there is; less than 64 MiB is taken to be
+/// Whether so many bytes are free. `memory` tells what there is; less than 64 MiB is taken to be
 /// free without asking it.
+bool isMemoryFree(double bytes, HostMemory (*memory)() = hostMemory);
+
+/// Throws OutOfMemory, with the numbers, if that many bytes are not free by isMemoryFree(). `what`
+/// needs them; `advice` says what to do about it.
 void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice,
   HostMemory (*memory)() = hostMemory);
 

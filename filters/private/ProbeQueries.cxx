@@ -1,6 +1,7 @@
 #include "private/ProbeQueries.h"
 
 #include "private/CellChecks.h"
+#include "private/FreeMemory.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -115,6 +116,9 @@ ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUs
   }
   if (samples_.empty())
   {
+    refuseBeyondFreeMemory(3.0 * sizeof(double) * static_cast<double>(size_),
+      "the positions of " + std::to_string(size_) + " samples",
+      "probe a part of the data set, or fewer samples");
     positions_.resize(3 * static_cast<std::size_t>(size_));
     for (const ProbeLeaf& leaf : leaves_)
     {

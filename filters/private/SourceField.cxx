@@ -1,5 +1,6 @@
 #include "private/SourceField.h"
 
+#include "private/SourceMemory.h"
 #include "source/Sanitize.h"
 
 namespace winding
@@ -29,6 +30,7 @@ const Field* SourceField::prepare(
   if (wasBuilt_)
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
+    refuseHugeSource(source, options.input.asPoints, bytesOfField, "the field");
     field_ = views.isSurface() || views.identity().empty()
                ? Field::build(views.triangles(), options.field, executor)
                : Field::build(views.orientedPoints(), options.field, executor);

@@ -42,9 +42,9 @@ TEST(FreeMemory, UsedMemoryIsNotFree)
 {
   EXPECT_EQ(refusalOf(5.9 * gib, tenOfWhichFourAreUsed), "");
   EXPECT_EQ(refusalOf(7 * gib, tenOfWhichFourAreUsed),
-    "the result needs 7 GiB of memory and 6 GiB is free; choose larger voxels");
+    "choose larger voxels: the result needs 7 GiB of memory and 6 GiB is free");
   EXPECT_EQ(refusalOf(0.5 * gib, moreUsedThanThereIs),
-    "the result needs 0.5 GiB of memory and 0 GiB is free; choose larger voxels");
+    "choose larger voxels: the result needs 0.5 GiB of memory and 0 GiB is free");
 }
 
 TEST(FreeMemory, LittleIsNotRefused)

@@ -28,6 +28,7 @@ public:
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
+  double area() const override;
 
 protected:
   bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
@@ -35,7 +36,6 @@ protected:
   bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   double expectedSecondsOfBuilding() const override;
-  double area() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *sum_; }
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }

@@ -195,6 +195,9 @@ public:
   /// bounds and a little beyond.
   EvaluationCost expectedCost(std::size_t samples) const;
 
+  /// The area of the source, in squares of its unit of length; equal triangles count once.
+  virtual double area() const = 0;
+
   /// The measures of the source and of so many samples that expected costs depend on.
   SampledSource sampledSource(std::size_t samples) const;
 
@@ -234,9 +237,6 @@ protected:
 
   /// An estimate of the seconds that build() takes on one thread.
   virtual double expectedSecondsOfBuilding() const = 0;
-
-  /// The area of the source, in squares of its unit of length.
-  virtual double area() const = 0;
 
   /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;

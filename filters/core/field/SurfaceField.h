@@ -34,6 +34,7 @@ public:
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
+  double area() const override;
 
 protected:
   bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
@@ -41,7 +42,6 @@ protected:
   bool evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   double expectedSecondsOfBuilding() const override;
-  double area() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }

@@ -1,0 +1,95 @@
+#include "level/LevelCost.h"
+#include "core/support/Shapes.h"
+#include "level/LevelEdges.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace shapes;
+using namespace winding;
+
+Grid gridOf(const Eigen::Vector3d& spacing)
+{
+  Grid grid;
+  grid.spacing = spacing;
+  grid.dimensions = (Eigen::Vector3d::Constant(2.2).cwiseQuotient(spacing)).cast<int>();
+  grid.firstSample = Eigen::Vector3d::Constant(-1.1) + 0.5 * spacing;
+  return grid;
+}
+
+struct Counts
+{
+  double byArea, byCoarseGrid, found;
+};
+
+Counts countsOf(const Field& field, const Grid& grid)
+{
+  SerialExecutor serial;
+  constexpr double threshold = 0.5;
+  LevelEdges edges(field, grid, InsideRule::signedThreshold, threshold, false);
+  while (!edges.isDone())
+  {
+    EXPECT_TRUE(edges.advance(serial));
+  }
+  return {levelEdgesByArea(field, grid),
+    levelEdgesByCoarseGrid(field, grid, InsideRule::signedThreshold, threshold, false, serial),
+    static_cast<double>(edges.size())};
+}
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
+{
+  SerialExecutor serial;
+  return Field::build(std::vector<TrianglesView>{mesh.view()}, {}, serial);
+}
+
+TEST(LevelCost, EdgesOfASphereAreForetold)
+{
+  const Mesh ball = icosphere(4);
+  const auto field = fieldOf(ball);
+  for (const Eigen::Vector3d& spacing :
+    {Eigen::Vector3d(0.01, 0.01, 0.01), Eigen::Vector3d(0.02, 0.01, 0.005)})
+  {
+    const Counts counts = countsOf(*field, gridOf(spacing));
+    EXPECT_NEAR(counts.byArea, counts.found, 0.05 * counts.found) << spacing.transpose();
+    EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.05 * counts.found) << spacing.transpose();
+  }
+}
+
+TEST(LevelCost, EdgesOfACloudAreForetold)
+{
+  const Cloud cloud = sphereCloud(2000);
+  SerialExecutor serial;
+  const auto field =
+    Field::build(std::vector<OrientedPointsView>{cloud.view()}, FieldOptions(), serial);
+  const Counts counts = countsOf(*field, gridOf(Eigen::Vector3d::Constant(0.02)));
+  EXPECT_NEAR(counts.byArea, counts.found, 0.2 * counts.found);
+  EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.2 * counts.found);
+}
+
+TEST(LevelCost, ACoarseGridSeesThatSpheresLieInEachOther)
+{
+  Mesh onion = icosphere(4);
+  for (double scale = 0.9; scale > 0.05; scale -= 0.1)
+  {
+    onion = onion.with(icosphere(4).mapped([&](const Point& p) -> Point { return scale * p; }));
+  }
+  const auto field = fieldOf(onion);
+  const Counts counts = countsOf(*field, gridOf(Eigen::Vector3d::Constant(0.01)));
+  EXPECT_GT(counts.byArea, 3 * counts.found);
+  EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.05 * counts.found);
+}
+
+TEST(LevelCost, BytesGrowWithTheEdges)
+{
+  const auto closed = fieldOf(icosphere(2));
+  const auto open = fieldOf(icosphere(2).part(0, 300));
+  const Grid grid = gridOf(Eigen::Vector3d::Constant(0.1));
+  EXPECT_EQ(costOfLevelSurface(*closed, grid, 0).bytes, 0u);
+  EXPECT_EQ(costOfLevelSurface(*closed, grid, 1e6).bytes, 160'000'000u);
+  EXPECT_EQ(costOfLevelSurface(*open, grid, 1e6).bytes, 275'000'000u);
+  EXPECT_EQ(costOfLevelSurface(*open, grid, 1e30).bytes, std::size_t(1e18));
+}
+
+} // namespace

@@ -1,0 +1,128 @@
+#include "filters/ErrorLog.h"
+#include "private/BlockSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointAreas.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+/// A sphere that says that it has far more points and cells than fit into any memory.
+class HugeSphere : public vtkPolyData
+{
+public:
+  static HugeSphere* New();
+  vtkTypeMacro(HugeSphere, vtkPolyData);
+
+  vtkIdType GetNumberOfElements(int) override { return vtkIdType(1) << 50; }
+};
+vtkStandardNewMacro(HugeSphere);
+
+template <class Filter> std::string errorsOf(Filter* filter)
+{
+  ErrorLog log(filter);
+  filter->Update();
+  return log.errors();
+}
+
+TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  vtkNew<HugeSphere> sphere;
+  sphere->ShallowCopy(source->GetOutput());
+  const char* const words = "take a part of the source";
+
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(sphere);
+  EXPECT_NE(errorsOf(field.Get()).find(words), std::string::npos);
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::OUT_OF_MEMORY);
+
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputData(sphere);
+  EXPECT_NE(errorsOf(surface.Get()).find(words), std::string::npos);
+
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputConnection(source->GetOutputPort());
+  probe->SetSourceData(sphere);
+  EXPECT_NE(errorsOf(probe.Get()).find(words), std::string::npos);
+
+  vtkNew<vtkSurfaceReport> report;
+  report->SetInputData(sphere);
+  EXPECT_NE(errorsOf(report.Get()).find("of 1125899906842624 cells needs"), std::string::npos);
+
+  vtkNew<vtkPointAreas> areas;
+  areas->SetInputData(sphere);
+  EXPECT_NE(errorsOf(areas.Get()).find(words), std::string::npos);
+}
+
+TEST(MemoryOfWork, HugeQueriesAreRefused)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(100'000, 100'000, 1'000); // 240 TB of positions
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputData(image);
+  probe->SetSourceConnection(source->GetOutputPort());
+  EXPECT_NE(errorsOf(probe.Get()).find("probe a part of the data set"), std::string::npos);
+  EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
+{
+  // A flat grid: rows take 3 MB, the vertices on the sides of the slab terabytes.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->SetSamplingDimensions(2'000'000'000, 100, 100);
+  EXPECT_NE(errorsOf(surface.Get()).find("choose larger voxels: the surface needs"),
+    std::string::npos);
+  EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
+  EXPECT_GT(surface->GetExpectedMemory(), vtkIdType(1) << 40);
+}
+
+TEST(MemoryOfWork, FacesOfVoxelsAreCounted)
+{
+  std::mt19937 random(7);
+  for (int round = 0; round < 50; ++round)
+  {
+    winding::VoxelSides sides;
+    std::size_t voxels = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sides.dimensions[axis] = 1 + static_cast<int>(random() % 6);
+      sides.firstIndex[axis] = 0;
+      voxels *= static_cast<std::size_t>(sides.dimensions[axis]);
+    }
+    for (std::size_t i = 0; i < voxels; ++i)
+    {
+      sides.inside.push_back(random() % 2);
+    }
+    vtkNew<vtkImageData> image;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> quads;
+    winding::BlockSurface surface(sides, image, points, quads);
+    vtkNew<vtkSphereSource> anyFilter;
+    surface.build(anyFilter);
+    EXPECT_EQ(winding::BlockSurface::countFaces(sides), quads->GetNumberOfCells()) << round;
+    EXPECT_EQ(surface.voxels()->GetNumberOfIds(), quads->GetNumberOfCells()) << round;
+  }
+}
+
+} // namespace
