@@ -90,15 +90,13 @@ int vtkWindingNumberField::RequestInformation(
   this->CheckProperties();
   this->LayOutGrid(source);
 
-  const winding::Grid& grid = this->GetSampling();
   const bool asCells = this->OutputAssociation == CELLS;
-  const Eigen::Vector3d origin = asCells ? grid.corner() : grid.firstSample;
   // An image of n cells has n + 1 points.
-  const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Constant(asCells ? 0 : 1);
+  const Eigen::Vector3i last =
+    this->GetSampling().dimensions - Eigen::Vector3i::Constant(asCells ? 0 : 1);
   const int extent[6] = {0, last[0], 0, last[1], 0, last[2]};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  this->TellGrid(outInfo);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   if (!asCells)
   {
@@ -107,6 +105,15 @@ int vtkWindingNumberField::RequestInformation(
       outInfo, scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType, 1);
   }
   return 1;
+}
+
+void vtkWindingNumberField::TellGrid(vtkInformation* outInfo) const
+{
+  const winding::Grid& grid = this->GetSampling();
+  const Eigen::Vector3d origin =
+    this->OutputAssociation == CELLS ? grid.corner() : grid.firstSample;
+  outInfo->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
+  outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
 }
 
 void vtkWindingNumberField::CheckProperties()
@@ -142,6 +149,10 @@ int vtkWindingNumberField::RequestData(
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   this->CheckVerification(this->GenerateWindingNumber != 0);
+  // The source may be that of another time than the one at which the grid was laid.
+  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  this->MoveGrid(source);
+  this->TellGrid(outInfo);
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -154,7 +165,7 @@ int vtkWindingNumberField::RequestData(
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
   const winding::Field& field =
-    this->PrepareField(vtkDataObject::GetData(inputs[0]), this->GetSampling());
+    this->PrepareField(source, this->GetSampling());
   this->EvaluateVoxels(field, samples.data(), results);
   output->SetExtent(extent);
   output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));

@@ -23,7 +23,8 @@
  *
  * **Pipeline.** The filter streams: any sub-extent can be asked for, and has the very bits that the
  * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
- * asked for, over the source as it is then; for geometry that moves with time, set SamplingBounds.
+ * asked for, over the source as it is then. At other time steps the grid keeps its dimensions, so
+ * that pieces fit together, and its origin and spacing follow the source.
  * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, also while the
  * filter prepares; the output is then empty.
  *
@@ -143,6 +144,7 @@ protected:
   double DistanceBand = 0;
 
 private:
+  void TellGrid(vtkInformation* outInfo) const;
   void EvaluateVoxels(
     const winding::Field& field, const int samples[6], const winding::ResultArrays& results);
   void UpdateSource(vtkInformation* outInfo);

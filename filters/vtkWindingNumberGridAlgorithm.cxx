@@ -22,10 +22,17 @@ winding::Bounds toBounds(const double (&b)[6])
   return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
+bool areSame(const winding::Bounds& a, const winding::Bounds& b)
+{
+  return a.min() == b.min() && a.max() == b.max();
+}
+
 } // namespace
 
 vtkWindingNumberGridAlgorithm::vtkWindingNumberGridAlgorithm()
-  : Sampling(std::make_unique<winding::Grid>())
+  : Request(std::make_unique<winding::GridRequest>())
+  , LaidOut(std::make_unique<winding::Grid>())
+  , Sampling(std::make_unique<winding::Grid>())
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(1);
@@ -74,7 +81,7 @@ void vtkWindingNumberGridAlgorithm::GetGrid(
   }
 }
 
-void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
+winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject* source)
 {
   winding::GridRequest request;
   double bounds[6];
@@ -90,6 +97,30 @@ void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
   request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
   request.voxelSize = this->VoxelSize;
   request.resolution = this->Resolution;
+  return request;
+}
+
+void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
+{
+  *this->Request = this->GetGridRequest(source);
+  *this->LaidOut = winding::layOutGrid(*this->Request);
+  *this->Sampling = *this->LaidOut;
+}
+
+void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
+{
+  double bounds[6];
+  *this->Sampling = *this->LaidOut;
+  if (!this->UseInputBounds || !this->GetSourceBounds(source, bounds) ||
+      areSame(toBounds(bounds), this->Request->bounds))
+  {
+    return;
+  }
+  winding::GridRequest request = *this->Request;
+  request.bounds = toBounds(bounds);
+  request.padding = this->Padding;
+  request.isCubic = request.dimensions == Eigen::Vector3i::Zero();
+  request.dimensions = this->LaidOut->dimensions;
   *this->Sampling = winding::layOutGrid(request);
 }
 

@@ -7,6 +7,9 @@
  * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
  * says how many there are along each axis, and they fill the box exactly.
  *
+ * **Time.** The grid follows a source that moves or grows with time: at every time step it lies over
+ * the source as it is then. One grid for all times is that of SamplingBounds, UseInputBounds off.
+ *
  * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are
  * checked only where they are used, for a user interface may fill them from an input that is empty.
  *
@@ -17,6 +20,10 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
+namespace winding
+{
+struct GridRequest;
+}
 class vtkDataArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberGridAlgorithm : public vtkWindingNumberAlgorithm
@@ -123,6 +130,11 @@ protected:
 
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);
+
+  /// Lays the grid of the last LayOutGrid() over a source whose bounds may have changed since. It
+  /// keeps its number of voxels along each axis, and these stay cubic unless SamplingDimensions are
+  /// set. An empty source leaves the grid where it was.
+  void MoveGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
 
   /// Throws a refusal if samples are to be verified and cannot be; hasValues tells whether there
@@ -149,7 +161,11 @@ protected:
   double MaxErrorBesidePoints = 0;
 
 private:
-  std::unique_ptr<winding::Grid> Sampling;
+  winding::GridRequest GetGridRequest(vtkDataObject* source);
+
+  std::unique_ptr<winding::GridRequest> Request; ///< that of the last LayOutGrid()
+  std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last LayOutGrid()
+  std::unique_ptr<winding::Grid> Sampling;       ///< grid of LayOutGrid() or MoveGrid()
 };
 
 #endif

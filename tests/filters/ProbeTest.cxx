@@ -1,3 +1,4 @@
+#include "filters/MovingSphere.h"
 #include "filters/ErrorLog.h"
 
 #include "vtkCellData.h"
@@ -25,37 +26,6 @@
 
 namespace
 {
-
-/// A sphere that is elsewhere at every time.
-class MovingSphere : public vtkPolyDataAlgorithm
-{
-public:
-  static MovingSphere* New() { VTK_STANDARD_NEW_BODY(MovingSphere); }
-  vtkTypeMacro(MovingSphere, vtkPolyDataAlgorithm);
-
-protected:
-  MovingSphere() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    const double times[3] = {0, 1, 2}, range[2] = {0, 2};
-    vtkInformation* info = outputs->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
-    return 1;
-  }
-
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* info = outputs->GetInformationObject(0);
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(10 * info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()), 0, 0);
-    sphere->Update();
-    vtkPolyData::GetData(info)->ShallowCopy(sphere->GetOutput());
-    return 1;
-  }
-};
 
 class Probe : public testing::Test
 {

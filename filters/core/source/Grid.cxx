@@ -147,13 +147,17 @@ Grid layOutGrid(const GridRequest& request)
       refuse("the dimensions are ", request.dimensions[0], " ", request.dimensions[1], " ",
         request.dimensions[2], "; each must be at least 1 and at most ", mostVoxels);
     }
-    if (!(sides.minCoeff() > 0))
+    if (!((request.isCubic ? longest : sides.minCoeff()) > 0))
     {
       refuse("the bounds have sides ", sides[0], " ", sides[1], " ", sides[2],
         "; with given dimensions each must be more than 0");
     }
     grid.dimensions = request.dimensions;
     grid.spacing = sides.cwiseQuotient(grid.dimensions.cast<double>());
+    if (request.isCubic)
+    {
+      grid.spacing.setConstant(grid.spacing.maxCoeff());
+    }
   }
   else
   {
@@ -180,7 +184,7 @@ Grid layOutGrid(const GridRequest& request)
   checkSampleCount(grid);
   // Cubic voxels reach over both sides by the same amount; given dimensions fill the box exactly.
   const Eigen::Vector3d excess =
-    request.dimensions != Eigen::Vector3i::Zero()
+    request.dimensions != Eigen::Vector3i::Zero() && !request.isCubic
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())
       : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
   grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;

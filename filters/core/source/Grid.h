@@ -91,13 +91,15 @@ struct GridRequest
   Bounds bounds;      ///< the box to cover: that of the source, or the user's own
   double padding = 0; ///< margin on each side, as a fraction of the longest side
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
+  bool isCubic = false; ///< whether voxels are cubic even where dimensions are given
   double voxelSize = 0; ///< side of the cubic voxels; 0: follows from resolution
   int resolution = 64;  ///< number of cubic voxels along the longest side
 };
 
 /**
  * Lays a grid over the bounds. A grid of given dimensions fills the padded bounds exactly; cubic
- * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most.
+ * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most unless
+ * there are dimensions, too.
  * Throws Refusal for sizes, bounds or paddings that make no grid, with the numbers, and for voxels
  * smaller than 1e-110 or farther than 1e102 from the origin, so that products of three lengths stay
  * in the range of double.
