@@ -306,12 +306,14 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
   note("WindingNumberMethodReason", this->GetMethodReason());
 }
 
-void vtkWindingNumberAlgorithm::TellInsideOut(bool isInsideOut)
+void vtkWindingNumberAlgorithm::TellSides(
+  const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  this->SourceIsInsideOut = isInsideOut;
-  if (this->SourceIsInsideOut)
+  if (this->InsideRule == SIGNED && winding::looksInward(field, sides, executor))
   {
-    vtkWarningMacro(<< winding::insideOutAdvice(this->GetSourceIsSurface() ? "faces" : "normals"));
+    this->SourceIsInsideOut = sides.negative > sides.inside;
+    vtkWarningMacro(<< winding::insideOutAdvice(
+                      field.info().isSurface ? "faces" : "normals", sides, this->WindingThreshold));
   }
 }
 

@@ -52,6 +52,7 @@
 
 namespace winding
 {
+class Executor;
 class Field;
 class ResultArrays;
 class SourceField;
@@ -60,6 +61,7 @@ struct FieldInfo;
 struct FieldOutput;
 struct Grid;
 struct ResultOptions;
+struct SideCounts;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
@@ -299,13 +301,13 @@ public:
   ///@}
 
   ///@{
-  /// Whether nothing was inside in the last execution because the source is inside out: with rule
-  /// SIGNED, w reached -WindingThreshold at a sample and WindingThreshold at none. A warning has
-  /// said what to do. Filters look for it where their result tells inside from outside: the array
-  /// "Inside", the surface, the part that is extracted. It is known only where all samples are
-  /// evaluated in one execution, and false after a piece of a grid that is streamed. Clouds whose
-  /// normals point inward are rarely found out: beside single points w grows without bounds, of
-  /// either sign, so that some sample there is mostly inside. Regularization makes that rarer.
+  /// Whether the source of the last execution is inside out: with rule SIGNED, more samples had a w
+  /// of -WindingThreshold or less than of WindingThreshold or more. A warning has said what to do,
+  /// which comes also where that holds for a hundredth of these samples: parts of a surface look
+  /// inward then. It is known only where all samples are evaluated in one execution, and false
+  /// after a piece of a grid that is streamed; with an array of w about 100 000 of its samples are
+  /// looked at, without one only a result without any inside is. Beside single points of clouds w
+  /// grows without bounds, of either sign: most normals must point inward there, too.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
 
@@ -399,9 +401,10 @@ protected:
   /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
-  /// Sets SourceIsInsideOut, and warns if it is. Filters call it where nothing came out inside by
-  /// the rule SIGNED, which alone tells inside from inside out.
-  void TellInsideOut(bool isInsideOut);
+  /// Warns where sides say that the source is inside out, as a whole or in part, and sets
+  /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
+  void TellSides(const winding::Field& field, const winding::SideCounts& sides,
+    winding::Executor& executor);
 
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;

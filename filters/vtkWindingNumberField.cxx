@@ -164,8 +164,7 @@ int vtkWindingNumberField::RequestData(
 
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
-  const winding::Field& field =
-    this->PrepareField(source, this->GetSampling());
+  const winding::Field& field = this->PrepareField(source, this->GetSampling());
   this->EvaluateVoxels(field, samples.data(), results);
   output->SetExtent(extent);
   output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
@@ -217,13 +216,16 @@ void vtkWindingNumberField::EvaluateVoxels(
       "choose larger voxels or write it in pieces");
   }
   voxels.run(field, grid, extent, executor);
-  if (extent == grid.wholeExtent() && results.hasNothingInside() && this->InsideRule == SIGNED)
+  if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)
   {
     executor.setShare(1, 1);
     const double threshold = this->WindingThreshold;
-    this->TellInsideOut(results.values()
-                          ? winding::isInsideOut(field, results.least(), threshold, executor)
-                          : winding::isInsideOut(field, grid, threshold, executor));
+    winding::SideCounts sides = results.countSides(threshold);
+    if (!results.values() && results.hasNothingInside())
+    {
+      sides = winding::countNegative(field, grid, threshold, executor);
+    }
+    this->TellSides(field, sides, executor);
   }
 }
 

@@ -208,24 +208,27 @@ void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
   {
     throw winding::Interrupted();
   }
-  this->LookAtInside(field, samples, results, executor);
+  this->LookAtSides(field, samples, results, executor);
 }
 
-/// Finds out whether an inside or a part that is asked for is empty because the source is inside
-/// out.
-void vtkWindingNumberProbe::LookAtInside(const winding::Field& field,
+/// Finds out whether the source is inside out, so that what is asked for is not what is meant.
+void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
   const winding::VectorsView& samples, const winding::ResultArrays& results,
   winding::SmpExecutor& executor)
 {
-  const bool isAskedFor = this->ExtractInside || (this->GenerateInside && results.values());
-  if (isAskedFor && !this->InsideOut && results.hasNothingInside() && this->InsideRule == SIGNED)
+  if (this->InsideRule != SIGNED)
   {
-    executor.setShare(1, 1);
-    const double threshold = this->WindingThreshold;
-    this->TellInsideOut(results.values()
-                          ? winding::isInsideOut(field, results.least(), threshold, executor)
-                          : winding::isInsideOut(field, samples, threshold, executor));
+    return;
   }
+  executor.setShare(1, 1);
+  const double threshold = this->WindingThreshold;
+  winding::SideCounts sides = results.countSides(threshold);
+  const bool isEmpty = this->ExtractInside && !this->InsideOut && results.hasNothingInside();
+  if (!results.values() && isEmpty)
+  {
+    sides = winding::countNegative(field, samples, threshold, executor);
+  }
+  this->TellSides(field, sides, executor);
 }
 
 vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(

@@ -161,7 +161,7 @@ protected:
 private:
   void EvaluateSamples(const winding::Field& field, const winding::VectorsView& samples,
     const winding::ResultArrays& results);
-  void LookAtInside(const winding::Field& field, const winding::VectorsView& samples,
+  void LookAtSides(const winding::Field& field, const winding::VectorsView& samples,
     const winding::ResultArrays& results, winding::SmpExecutor& executor);
 
   /// The output for one data set, with its part of the arrays of all data sets.

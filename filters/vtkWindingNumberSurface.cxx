@@ -162,9 +162,10 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
     static_cast<double>(
       winding::costOfLevelSurface(field, grid, static_cast<double>(edges.size())).bytes),
     "the surface", "choose larger voxels");
+  this->TellSides(field, edges.sides(), executor);
   if (edges.size() == 0)
   {
-    this->TellEmpty(field, edges.beginsInside(0, 0), executor);
+    this->TellEmpty(edges.beginsInside(0, 0));
   }
   const winding::GridContour contour(grid, edges, executor);
   winding::LevelRoots roots(
@@ -191,9 +192,8 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
 }
 
 /// Tells why the surface is empty, where all samples are inside or all are outside, and what to do.
-/// A source without primitives has been warned of before.
-void vtkWindingNumberSurface::TellEmpty(
-  const winding::Field& field, bool isAllInside, winding::SmpExecutor& executor)
+/// A source without primitives, or inside out, has been warned of before.
+void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
 {
   if (isAllInside)
   {
@@ -201,11 +201,6 @@ void vtkWindingNumberSurface::TellEmpty(
                     "the border (Close Border; --close-border): all samples are inside, so the "
                     "surface is empty");
     return;
-  }
-  if (this->InsideRule == SIGNED)
-  {
-    this->TellInsideOut(
-      winding::isInsideOut(field, this->GetSampling(), this->WindingThreshold, executor));
   }
   if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
   {

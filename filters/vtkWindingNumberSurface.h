@@ -114,7 +114,7 @@ private:
   void CheckMemory(const winding::Field& field);
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
-  void TellEmpty(const winding::Field& field, bool isAllInside, winding::SmpExecutor& executor);
+  void TellEmpty(bool isAllInside);
   void VerifyWholeGrid(const winding::Field& field);
 };
 

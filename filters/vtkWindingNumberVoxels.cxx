@@ -168,11 +168,16 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
-  if (!isAny(sides.inside) && rule == winding::InsideRule::signedThreshold &&
-      this->WindingThreshold > 0 &&
-      isAny(classify(values, winding::InsideRule::absoluteThreshold, this->WindingThreshold)))
+  if (rule == winding::InsideRule::signedThreshold && !isAny(sides.inside))
   {
-    vtkWarningMacro(<< winding::insideOutAdvice("faces or normals"));
+    const winding::SideCounts counts =
+      winding::countSides(static_cast<std::size_t>(voxelCount), this->WindingThreshold,
+        [values](std::size_t i) { return values->GetTuple1(static_cast<vtkIdType>(i)); });
+    if (counts.negative > 0)
+    {
+      vtkWarningMacro(<< winding::insideOutAdvice(
+                        "faces or normals", counts, this->WindingThreshold));
+    }
   }
   winding::BlockSurface surface(sides, image, points, quads);
   surface.build(this);

@@ -147,17 +147,15 @@ bool ResultArrays::hasNothingInside() const
   return std::find(first, last, 1) == last;
 }
 
-double ResultArrays::least() const
+SideCounts ResultArrays::countSides(double threshold) const
 {
-  const FieldOutput pointers = this->output(InsideRule::signedThreshold, 0);
+  const FieldOutput pointers = this->output(InsideRule::signedThreshold, threshold);
   const vtkIdType count = values_ ? values_->GetNumberOfValues() : 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (vtkIdType i = 0; i < count; ++i)
+  const auto valueAt = [&pointers](std::size_t i)
   {
-    const double value = pointers.values ? pointers.values[i] : pointers.doubleValues[i];
-    least = value < least ? value : least;
-  }
-  return least;
+    return pointers.values ? static_cast<double>(pointers.values[i]) : pointers.doubleValues[i];
+  };
+  return winding::countSides(static_cast<std::size_t>(count), threshold, valueAt);
 }
 
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const

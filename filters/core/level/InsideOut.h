@@ -8,22 +8,66 @@
 namespace winding
 {
 
+/// The samples that are inside by InsideRule::signedThreshold, and those that would be if all faces
+/// or normals were turned round: w is −threshold or less there.
+struct SideCounts
+{
+  std::size_t samples = 0;
+  std::size_t inside = 0;
+  std::size_t negative = 0;
+
+  /// Counts one more value so many times. A threshold of 0 or less has no other side.
+  void add(double value, double threshold, std::size_t times = 1)
+  {
+    samples += times;
+    inside += value >= threshold ? times : 0;
+    negative += threshold > 0 && value <= -threshold ? times : 0;
+  }
+
+  SideCounts& operator+=(const SideCounts& other)
+  {
+    samples += other.samples;
+    inside += other.inside;
+    negative += other.negative;
+    return *this;
+  }
+};
+
+/// Counts about 100 000 of so many values, evenly spread over them, or all where there are fewer.
+template <class ValueAt>
+SideCounts countSides(std::size_t values, double threshold, const ValueAt& valueAt)
+{
+  constexpr std::size_t most = 100'000;
+  const std::size_t step = values / most + 1;
+  SideCounts counts;
+  for (std::size_t i = 0; i < values; i += step)
+  {
+    counts.add(valueAt(i), threshold);
+  }
+  return counts;
+}
+
+/**
+ * Tells whether faces or normals look inward, so that w is negative where it should be positive.
+ * For surfaces that is where a hundredth or more of the samples off the outside are negative. Beside
+ * single points of a cloud w has any value; so for clouds most of these samples must be negative,
+ * and most normals must point inward as well (CloudOrientation.h). Throws Interrupted.
+ */
+bool looksInward(const Field& field, const SideCounts& sides, Executor& executor);
+
 ///@{
 /**
- * Tells whether samples, none of which is inside by InsideRule::signedThreshold, are outside
- * because the source is inside out: w is −threshold or less at one of them, so that it would be
- * inside if all faces or normals were turned round. Beside single points of a cloud w has any
- * value; of a cloud, most normals must point inward as well (CloudOrientation.h).
+ * Counts the sides of samples of which no values are known, and none of which is inside, as far as
+ * to the first that is negative. They are those of a grid, or scattered ones.
  *
- * The values are those of a grid, those of scattered samples, or known: `least` is the smallest.
- * Where they are not known they are made once more, in the time of the field, and less where the
- * answer is yes. Memory: a byte for each sample; a grid is looked at in slabs of at least one layer
- * along z, and of 64 MB at most where one layer is not larger. Throws Interrupted.
+ * They take the time of the field, and less where one is negative. Memory: a byte for each sample;
+ * a grid is looked at in slabs of at least one layer along z, and of 64 MB at most where one layer
+ * is not larger. Throws Interrupted.
  */
-bool isInsideOut(const Field& field, const Grid& grid, double threshold, Executor& executor);
-bool isInsideOut(
+SideCounts countNegative(
+  const Field& field, const Grid& grid, double threshold, Executor& executor);
+SideCounts countNegative(
   const Field& field, const VectorsView& samples, double threshold, Executor& executor);
-bool isInsideOut(const Field& field, double least, double threshold, Executor& executor);
 ///@}
 
 } // namespace winding

@@ -150,6 +150,17 @@ public:
     }
   }
 
+  SideCounts countSides(int k, double threshold) const
+  {
+    const float* values = values_.data() + sampleNumber(extent_, 0, 0, k);
+    SideCounts counts;
+    for (std::size_t i = 0; i < layerSize_; ++i)
+    {
+      counts.add(values[i], threshold);
+    }
+    return counts;
+  }
+
 private:
   Extent extent_;
   std::size_t layerSize_;
@@ -207,6 +218,14 @@ bool LevelEdges::advance(Executor& executor)
   return complete;
 }
 
+void LevelEdges::addSides(const std::vector<SideCounts>& layers)
+{
+  for (const SideCounts& layer : layers)
+  {
+    sides_ += layer;
+  }
+}
+
 bool LevelEdges::advanceByRuns(Executor& executor)
 {
   const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
@@ -216,15 +235,24 @@ bool LevelEdges::advanceByRuns(Executor& executor)
     return Layer::State{isInside(run.value, rule_, threshold_),
       static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
   };
+  std::vector<SideCounts> sides(depth);
   const auto findLayer = [&](std::size_t k)
   {
     rows_->evaluate(static_cast<int>(k), 0,
-      [&](int, int, const std::vector<RowRun>& runs) { layers[k + 1].addRow(runs, stateOf); });
+      [&](int, int, const std::vector<RowRun>& runs)
+      {
+        layers[k + 1].addRow(runs, stateOf);
+        for (const RowRun& run : runs)
+        {
+          sides[k].add(run.value, threshold_, static_cast<std::size_t>(run.end - run.begin));
+        }
+      });
   };
   if (!executor.run(depth, findLayer))
   {
     return false;
   }
+  this->addSides(sides);
   this->addEdges(layers, nullptr, executor);
   nextLayer_ = grid_.dimensions[2];
   return true;
@@ -248,18 +276,25 @@ bool LevelEdges::advanceBySamples(Executor& executor)
   {
     return Layer::State{run.value != 0, 0};
   };
+  std::vector<SideCounts> sides(count);
   runBlocks(
     count, 1,
     [&](std::size_t n, std::size_t, std::size_t)
     {
+      const int k = nextLayer_ + static_cast<int>(n);
       std::vector<RowRun> runs;
       for (int j = 0; j < grid_.dimensions[1]; ++j)
       {
-        slab_->findRuns(j, nextLayer_ + static_cast<int>(n), runs);
+        slab_->findRuns(j, k, runs);
         layers[n + 1].addRow(runs, stateOf);
+      }
+      if (rule_ == InsideRule::signedThreshold)
+      {
+        sides[n] = slab_->countSides(k, threshold_);
       }
     },
     executor);
+  this->addSides(sides);
   if (end == grid_.dimensions[2])
   {
     layers.emplace_back(border_);

@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "level/InsideOut.h"
 
 #include <array>
 #include <cstdint>
@@ -103,6 +104,9 @@ public:
     return values_.empty() ? nullptr : &values_[n];
   }
 
+  /// The sides of the grid's samples, by the signed rule; they are counted for that rule only.
+  const SideCounts& sides() const { return sides_; }
+
   int border() const { return border_; }
 
 private:
@@ -120,6 +124,7 @@ private:
   double shareOf(int layers) const { return static_cast<double>(layers) / grid_.dimensions[2]; }
   int endOfNext() const;
 
+  void addSides(const std::vector<SideCounts>& layers);
   bool advanceByRuns(Executor& executor);
   bool advanceBySamples(Executor& executor);
   void addEdges(const std::vector<Layer>& layers, const Slab* slab, Executor& executor);
@@ -134,6 +139,7 @@ private:
   int nextLayer_ = 0;
   std::unique_ptr<Layer> lastLayer_; ///< layer before nextLayer_
   std::unique_ptr<Slab> slab_;       ///< values of the last layers before nextLayer_
+  SideCounts sides_;
   std::vector<GridEdge> edges_;
   std::vector<std::array<float, 2>> values_;
   std::vector<std::uint32_t> starts_; ///< first edge of each line, by lineOf(): a row has three

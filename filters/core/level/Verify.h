@@ -24,7 +24,7 @@ struct Verification
   ErrorStatistics nearSurface; ///< samples within two voxels of the source
   /// Samples of both kinds so near to a point of a cloud that its share alone may be 1 or more.
   ErrorStatistics besidePoints;
-  std::size_t onSurface = 0;   ///< drawn samples of both kinds that were not compared; see verify()
+  std::size_t onSurface = 0; ///< drawn samples of both kinds that were not compared; see verify()
 };
 
 /**

@@ -25,7 +25,8 @@ std::string clause(
 /// Whether all solids are inverted, and their cavities with them.
 bool isInsideOut(const OrientationCounts& counts)
 {
-  return counts.inverted > 0 && counts.inverted + counts.nestedSolids == counts.closed;
+  return counts.inverted > 0 &&
+         counts.inverted + counts.nestedSolids == counts.closed + counts.nearlyClosed;
 }
 
 /// The part of the advice that says which components are oriented wrongly.
@@ -33,18 +34,22 @@ std::string orientationAdviceOn(const SurfaceReport& report)
 {
   const OrientationCounts& counts = report.orientation;
   std::string advice;
-  if (!report.edges.isClosed() || !isInsideOut(counts))
+  if (!isInsideOut(counts))
   {
     advice =
-      clause(counts.inverted, "closed component is", "closed components are",
+      clause(counts.inverted, "part is", "parts are",
         "inside out: FixOrientation (--fix-orientation) turns what is") +
-      clause(counts.nestedSolids, "closed component is", "closed components are",
+      clause(counts.nestedSolids, "part is", "parts are",
         "oriented outward inside others: solids in solids, with winding numbers of 2, or "
         "cavities turned inside out, which FixOrientation (--fix-orientation) takes them for");
   }
   return advice +
          clause(counts.oneSided, "part has", "parts have", "one side only, and no orientation");
 }
+
+const std::string turnFaces =
+  "inside out: have the faces turned round (FixOrientation, --fix-orientation), or use the inside "
+  "rule absolute (--rule absolute)";
 
 std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
 {
@@ -56,9 +61,7 @@ std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   if (edges.isClosed())
   {
     return isInsideOut(report.orientation)
-             ? "closed, but inside out (negative volume): every winding number is an integer; have "
-               "the faces turned round (FixOrientation, --fix-orientation), or use the inside rule "
-               "absolute (--rule absolute)"
+             ? turnFaces + "; closed: every winding number is an integer"
              : "closed: every winding number is an integer";
   }
   if (edges.inconsistent > 0)
@@ -72,7 +75,8 @@ std::string mainAdviceOn(const Surface& surface, const SurfaceReport& report)
     return "open, though every edge has two triangles or more: at non-manifold edges they do not "
            "cancel; near those winding numbers are between integers";
   }
-  return "open: " + counted(edges.boundary, "boundary edge in ", "boundary edges in ") +
+  return (isInsideOut(report.orientation) ? turnFaces + "; open: " : "open: ") +
+         counted(edges.boundary, "boundary edge in ", "boundary edges in ") +
          counted(edges.boundaryLoops, "loop", "loops") +
          "; near them winding numbers are between integers";
 }

@@ -5,6 +5,7 @@
 #include "source/DistinctPoints.h"
 #include "source/UnitScale.h"
 #include "surface/ClosedComponents.h"
+#include "surface/NearlyClosed.h"
 #include "surface/Orientation.h"
 
 #include <algorithm>
@@ -43,10 +44,24 @@ OrientationCounts countOrientations(
   const Surface& surface, const SurfaceEdges& edges, Executor& executor)
 {
   OrientationCounts counts;
-  for (const ClosedComponent& component :
-    closedComponents(surface, componentsOf(surface, edges), executor))
+  Components components = componentsOf(surface, edges);
+  const auto countClosed = [&components]
   {
-    ++counts.closed;
+    return static_cast<std::size_t>(
+      std::count(components.isClosed.begin(), components.isClosed.end(), 1));
+  };
+  counts.closed = countClosed();
+  Surface closed;
+  const bool hasOpen = counts.closed < components.isClosed.size();
+  if (hasOpen)
+  {
+    closed = surface;
+    closeNearlyClosed(closed, edges, components);
+    counts.nearlyClosed = countClosed() - counts.closed;
+  }
+  for (const ClosedComponent& component :
+    closedComponents(hasOpen ? closed : surface, components, executor))
+  {
     counts.inverted += component.isInverted();
     counts.nestedSolids += component.isNestedSolid();
   }

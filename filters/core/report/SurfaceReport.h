@@ -26,12 +26,14 @@ struct EdgeCounts
 EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
 
 /// Counts of the components of a surface by their orientation (Components.h, ClosedComponents.h,
-/// Orientation.h).
+/// Orientation.h). Open components have sides, too, where they are nearly closed (NearlyClosed.h):
+/// w beside them is about 1 inside and 0 outside, or −1 inside if they are inverted.
 struct OrientationCounts
 {
   std::size_t closed = 0;       ///< components whose edges cancel
-  std::size_t inverted = 0;     ///< closed components, inward inside an even number of others
-  std::size_t nestedSolids = 0; ///< closed components, outward inside an odd number of others
+  std::size_t nearlyClosed = 0; ///< open components that a cap closes
+  std::size_t inverted = 0;     ///< components of both kinds, inward inside an even number of others
+  std::size_t nestedSolids = 0; ///< components of both kinds, outward inside an odd number of others
   std::size_t oneSided = 0;     ///< parts that no turning could make agree
 };
 

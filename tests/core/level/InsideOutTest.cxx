@@ -37,7 +37,22 @@ Grid gridOver(const Point& low, const Point& high)
   return winding::layOutGrid(request);
 }
 
-/// The same by the samples of a grid, by scattered samples, and by their smallest value.
+/// Whether the source of a field looks inward by these sides.
+bool looksInward(const Field& field, const winding::SideCounts& sides)
+{
+  winding::SerialExecutor serial;
+  return winding::looksInward(field, sides, serial);
+}
+
+/// A sample of −100 alone.
+winding::SideCounts farBelow()
+{
+  winding::SideCounts sides;
+  sides.add(-100, 0.5);
+  return sides;
+}
+
+/// The same by the samples of a grid, by scattered samples, and by their values.
 void expectInsideOut(const Field& field, const Grid& grid, bool expected, double threshold = 0.5)
 {
   std::vector<Point> samples(winding::sampleCount(grid.wholeExtent()));
@@ -52,10 +67,11 @@ void expectInsideOut(const Field& field, const Grid& grid, bool expected, double
   winding::SerialExecutor serial;
   ASSERT_TRUE(field.evaluate(view, output, serial));
   ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
-  const double least = *std::min_element(values.begin(), values.end());
-  EXPECT_EQ(winding::isInsideOut(field, grid, threshold, serial), expected);
-  EXPECT_EQ(winding::isInsideOut(field, view, threshold, serial), expected);
-  EXPECT_EQ(winding::isInsideOut(field, least, threshold, serial), expected);
+  const winding::SideCounts sides = winding::countSides(
+    values.size(), threshold, [&values](std::size_t i) { return values[i]; });
+  EXPECT_EQ(looksInward(field, winding::countNegative(field, grid, threshold, serial)), expected);
+  EXPECT_EQ(looksInward(field, winding::countNegative(field, view, threshold, serial)), expected);
+  EXPECT_EQ(looksInward(field, sides), expected);
 }
 
 /// A sphere of points with normals inward.
@@ -91,9 +107,11 @@ TEST(InsideOut, IsNotASourceThatSamplesMiss)
     expectInsideOut(*fieldOf(mesh), beside, false);
   }
   winding::SerialExecutor serial;
-  EXPECT_FALSE(winding::isInsideOut(
-    *Field::build(std::vector<winding::TrianglesView>(), {}, serial), beside, 0.5, serial));
-  EXPECT_FALSE(winding::isInsideOut(*fieldOf(icosphere(2)), winding::VectorsView(), 0.5, serial));
+  const auto nothing = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
+  EXPECT_FALSE(looksInward(*nothing, winding::countNegative(*nothing, beside, 0.5, serial)));
+  const auto ball = fieldOf(icosphere(2));
+  EXPECT_FALSE(
+    looksInward(*ball, winding::countNegative(*ball, winding::VectorsView(), 0.5, serial)));
 }
 
 TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
@@ -108,9 +126,9 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   const auto field = fieldOf(cloud);
   const winding::VectorsView samples(before[0].data(), before.size());
   winding::SerialExecutor serial;
-  EXPECT_FALSE(winding::isInsideOut(*field, samples, 0.5, serial));
-  EXPECT_FALSE(winding::isInsideOut(*field, -100, 0.5, serial));
-  EXPECT_TRUE(winding::isInsideOut(*fieldOf(inwardCloud()), -100, 0.5, serial));
+  EXPECT_FALSE(looksInward(*field, winding::countNegative(*field, samples, 0.5, serial)));
+  EXPECT_FALSE(looksInward(*field, farBelow()));
+  EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
 }
 
 TEST(InsideOut, NeedsAThresholdAboveZero)
@@ -128,5 +146,6 @@ TEST(InsideOut, CanBeInterrupted)
   const Mesh inward = icosphere(2).reversed();
   const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
   Interruption executor(0);
-  EXPECT_THROW(winding::isInsideOut(*fieldOf(inward), around, 0.5, executor), winding::Interrupted);
+  EXPECT_THROW(
+    winding::countNegative(*fieldOf(inward), around, 0.5, executor), winding::Interrupted);
 }

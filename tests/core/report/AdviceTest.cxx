@@ -48,7 +48,17 @@ bool has(const std::string& text, const std::string& part)
 TEST(Advice, OnSurfacesSaysWhetherTheyAreClosed)
 {
   EXPECT_EQ(adviceOnMesh(shapes::cube()), "closed: every winding number is an integer");
-  EXPECT_TRUE(has(adviceOnMesh(shapes::cube().reversed()), "inside out"));
+  EXPECT_EQ(adviceOnMesh(shapes::cube().reversed()),
+    "inside out: have the faces turned round (FixOrientation, --fix-orientation), or use the "
+    "inside rule absolute (--rule absolute); closed: every winding number is an integer");
+  const std::string open = adviceOnMesh(shapes::openCube().reversed());
+  EXPECT_EQ(open.rfind("inside out: have the faces turned round", 0), 0u) << open;
+  EXPECT_TRUE(has(open, "; open: 4 boundary edges in 1 loop")) << open;
+  const shapes::Mesh beside = shapes::openCube().reversed().mapped(
+    [](const shapes::Point& p) -> shapes::Point { return p + shapes::Point(5, 0, 0); });
+  const std::string both = adviceOnMesh(shapes::cube().with(beside));
+  EXPECT_EQ(both.rfind("open: 4 boundary edges", 0), 0u) << both;
+  EXPECT_TRUE(has(both, "; 1 part is inside out: FixOrientation")) << both;
   EXPECT_EQ(adviceOnMesh(shapes::openCube()),
     "open: 4 boundary edges in 1 loop; near them winding numbers are between integers");
   EXPECT_TRUE(has(adviceOnMesh(shapes::moebiusStrip(10)), "1 edge is inconsistently oriented"));

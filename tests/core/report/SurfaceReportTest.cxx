@@ -198,3 +198,26 @@ TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
   const winding::VertexCounts none = winding::countVertices({}, winding::Surface(), serial);
   EXPECT_EQ(none.points + none.different + none.unreferenced, 0u);
 }
+
+TEST(CountOrientations, CountsOpenPartsThatACapCloses)
+{
+  const auto countsOf = [](const Mesh& mesh)
+  {
+    return report(mesh).orientation;
+  };
+  const auto shifted = [](const Mesh& mesh)
+  {
+    return mesh.mapped([](const Point& p) -> Point { return p + Point(5, 0, 0); });
+  };
+  winding::OrientationCounts counts = countsOf(openCube());
+  EXPECT_EQ(counts.closed, 0u);
+  EXPECT_EQ(counts.nearlyClosed, 1u);
+  EXPECT_EQ(counts.inverted, 0u);
+  counts = countsOf(cube().reversed().with(shifted(openCube().reversed())));
+  EXPECT_EQ(counts.closed, 1u);
+  EXPECT_EQ(counts.nearlyClosed, 1u);
+  EXPECT_EQ(counts.inverted, 2u);
+  counts = countsOf(cube().part(0, 2)); // a side alone, on which both sides are out
+  EXPECT_EQ(counts.nearlyClosed, 0u);
+  EXPECT_EQ(counts.inverted, 0u);
+}
