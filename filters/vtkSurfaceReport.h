@@ -60,9 +60,10 @@
  * - **components_edge**: pieces connected through edges.
  * - **closed_components**: parts with no boundary of their own. A part is what is connected through
  *   edges that two triangles share; open parts are joined where more than two triangles meet.
- * - **inverted_components**: closed components with negative volume, except the walls of cavities,
- *   which lie inside an odd number of other components that wind round each of their vertices.
- * - **nested_solids**: closed components with positive volume inside an odd number of others. w is
+ * - **inverted_components**: components with negative volume, except the walls of cavities, which
+ *   lie inside an odd number of other components that wind round each of their vertices. Open
+ *   components count where a cap of at most half their area closes them.
+ * - **nested_solids**: such components with positive volume inside an odd number of others. w is
  *   2 there if it is a solid; it may also be a cavity that is inside out.
  * - **one_sided_components**: parts, connected through edges that two triangles share, that cannot
  *   be oriented.

@@ -7,8 +7,9 @@
  * and then the box grows to a whole number of them, evenly on both sides; or SamplingDimensions
  * says how many there are along each axis, and they fill the box exactly.
  *
- * **Time.** The grid follows a source that moves or grows with time: at every time step it lies over
- * the source as it is then. One grid for all times is that of SamplingBounds, UseInputBounds off.
+ * **Time.** The grid follows a source that moves or grows with time: at every time step it lies
+ * over the source as it is then. One grid for all times is that of SamplingBounds, with
+ * UseInputBounds off.
  *
  * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are
  * checked only where they are used, for a user interface may fill them from an input that is empty.

@@ -49,9 +49,9 @@ SideCounts countSides(std::size_t values, double threshold, const ValueAt& value
 
 /**
  * Tells whether faces or normals look inward, so that w is negative where it should be positive.
- * For surfaces that is where a hundredth or more of the samples off the outside are negative. Beside
- * single points of a cloud w has any value; so for clouds most of these samples must be negative,
- * and most normals must point inward as well (CloudOrientation.h). Throws Interrupted.
+ * For surfaces that is where a hundredth or more of the samples off the outside are negative.
+ * Beside single points of a cloud w has any value; so for clouds most of these samples must be
+ * negative, and most normals must point inward as well (CloudOrientation.h). Throws Interrupted.
  */
 bool looksInward(const Field& field, const SideCounts& sides, Executor& executor);
 

@@ -32,8 +32,8 @@ struct OrientationCounts
 {
   std::size_t closed = 0;       ///< components whose edges cancel
   std::size_t nearlyClosed = 0; ///< open components that a cap closes
-  std::size_t inverted = 0;     ///< components of both kinds, inward inside an even number of others
-  std::size_t nestedSolids = 0; ///< components of both kinds, outward inside an odd number of others
+  std::size_t inverted = 0;     ///< both kinds of them, inward inside an even number of others
+  std::size_t nestedSolids = 0; ///< both kinds of them, outward inside an odd number of others
   std::size_t oneSided = 0;     ///< parts that no turning could make agree
 };
 

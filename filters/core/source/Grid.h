@@ -98,11 +98,10 @@ struct GridRequest
 
 /**
  * Lays a grid over the bounds. A grid of given dimensions fills the padded bounds exactly; cubic
- * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most unless
- * there are dimensions, too.
- * Throws Refusal for sizes, bounds or paddings that make no grid, with the numbers, and for voxels
- * smaller than 1e-110 or farther than 1e102 from the origin, so that products of three lengths stay
- * in the range of double.
+ * voxels may reach over them, by the same amount on both sides, and by a voxel in all at most where
+ * no dimensions are given. Throws Refusal for sizes, bounds or paddings that make no grid, with the
+ * numbers, and for voxels smaller than 1e-110 or farther than 1e102 from the origin, so that
+ * products of three lengths stay in the range of double.
  */
 Grid layOutGrid(const GridRequest& request);
 
