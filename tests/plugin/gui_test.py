@@ -1,8 +1,8 @@
-"""ParaView's own window, as a user has it: opens a mesh, applies each filter of the plugin from the menu,
-and compares what is then seen with the pictures in baselines.
+"""ParaView's own window, as a user has it: opens a mesh, applies each filter of the plugin from the
+menu, and compares what is then seen with the pictures in baselines.
 
-ParaView plays the clicks itself (its option --test-script). Pictures that are to become baselines lie in
-the folder that this test runs in, in gui_pictures.
+ParaView plays the clicks itself (its option --test-script). Pictures that are to become baselines
+lie in the folder that this test runs in, in gui_pictures.
 """
 import json
 import os
@@ -32,21 +32,25 @@ INPUTS = {"WindingNumberVoxels": "WindingNumberField1"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
 COLORS = {"PointAreas": "Area"}
 
-# A picture differs from another one if so many of its blocks of 8 by 8 pixels differ by so much of 255.
+# A picture differs from another one if this share of its blocks of 8 by 8 pixels differs by so much
+# of 255.
 # Blocks hide how edges are drawn, in which versions of Mesa differ.
 DIFFERENT_SHARE, DIFFERENT_COLOR = 0.004, 16
 
 
 def filters():
-    """Names and labels of the filters, in the order of the menu."""
+    """The filters in the order of the menu: name, label, and whether there is a second input."""
     plugin = ROOT / "paraview-plugin"
-    labels = {
-        proxy.get("name"): (proxy.get("label"), proxy.find("InputProperty[@name='Source']") is not None)
+    proxies = {
+        proxy.get("name"): proxy
         for file in plugin.glob("*.xml")
         for proxy in ElementTree.parse(file).iter("SourceProxy")
     }
-    menu = ElementTree.parse(plugin / "Menu.xml").iter("Proxy")
-    return [(proxy.get("name"), *labels[proxy.get("name")]) for proxy in menu]
+    source = "InputProperty[@name='Source']"
+    names = [entry.get("name") for entry in ElementTree.parse(plugin / "Menu.xml").iter("Proxy")]
+    return [
+        (name, proxies[name].get("label"), proxies[name].find(source) is not None) for name in names
+    ]
 
 
 class Clicks:
@@ -78,7 +82,7 @@ class Clicks:
         self.add(f"{WINDOW}/QuickLaunchDialog", "keyEvent", f"{key_press},{enter},0,,0,1")
 
     def take_first_as_source(self):
-        """The dialog of filters with two inputs, which takes the active source for the first one."""
+        """The dialog of filters with two inputs, whose first is the active source already."""
         self.add(f"{DIALOG}/buttonFrame/Source", "set_boolean", "true")
         self.add(f"{DIALOG}/pipelineView", "currentChanged", "/0/0|0")
         self.add(f"{DIALOG}/buttonBox/1QPushButton0")
@@ -179,8 +183,8 @@ class TestWindow(unittest.TestCase):
             with self.subTest(name):
                 picture, baseline = PICTURES / f"{name}.png", BASELINES / f"{name}.png"
                 self.assertTrue(picture.is_file(), "ParaView drew no picture")
-                self.assertTrue(baseline.is_file(), f"there is no {baseline}: look at {picture}, and "
-                                "copy it if it is right")
+                self.assertTrue(
+                    baseline.is_file(), f"no {baseline}: look at {picture}, copy it if it is right")
                 share = differing_share(picture, baseline)
                 print(f"{name}: {share:.4f} of the blocks differ")
                 self.assertLess(share, DIFFERENT_SHARE, f"compare {picture} with {baseline}")

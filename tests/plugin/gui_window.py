@@ -57,7 +57,8 @@ def take(name):
     the active source is and has."""
     view = simple.GetActiveView()
     view.OrientationAxesVisibility = 0
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (1.8, 2.4, 6.2), (0, 0, 0), (0, 1, 0)
+    view.CameraPosition, view.CameraFocalPoint = (1.8, 2.4, 6.2), (0, 0, 0)
+    view.CameraViewUp = (0, 1, 0)
     for representation in view.Representations:
         if getattr(representation, "ColorArrayName", ["", ""])[1]:
             representation.SetScalarBarVisibility(view, False)

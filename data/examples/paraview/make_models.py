@@ -43,14 +43,16 @@ def geodesic_sphere(frequency):
     for i in range(12):
         for j in range(i + 1, 12):
             for k in range(j + 1, 12):
-                if all(math.dist(corners[p], corners[q]) < 2.1 for p, q in ((i, j), (j, k), (k, i))):
+                sides = ((i, j), (j, k), (k, i))
+                if all(math.dist(corners[p], corners[q]) < 2.1 for p, q in sides):
                     outward = dot(cross(corners[i], corners[j]), corners[k]) > 0
                     faces.append((i, j, k) if outward else (i, k, j))
     vertices, ids, triangles = [], {}, []
 
     def vertex(face, a, b):
         shares = (frequency - a - b, a, b)
-        position = unit([sum(n * corners[i][axis] for n, i in zip(shares, face)) for axis in range(3)])
+        weighted = list(zip(shares, face))
+        position = unit([sum(n * corners[i][axis] for n, i in weighted) for axis in range(3)])
         key = tuple(round(x, 6) + 0.0 for x in position)
         if key not in ids:
             ids[key] = len(vertices)
@@ -60,8 +62,8 @@ def geodesic_sphere(frequency):
     for face in faces:
         for a in range(frequency):
             for b in range(frequency - a):
-                corner, right, up = vertex(face, a, b), vertex(face, a + 1, b), vertex(face, a, b + 1)
-                triangles.append((corner, right, up))
+                right, up = vertex(face, a + 1, b), vertex(face, a, b + 1)
+                triangles.append((vertex(face, a, b), right, up))
                 if a + b < frequency - 1:
                     triangles.append((right, vertex(face, a + 1, b + 1), up))
     return vertices, triangles
@@ -126,12 +128,12 @@ class Assembly:
 
     def add_box(self, low, high):
         ends = (low, high)
-        corners = [(ends[i][0], ends[j][1], ends[k][2]) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        corners = [(x[0], y[1], z[2]) for x in ends for y in ends for z in ends]
         quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
         self.add(corners, [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
 
     def add_ring(self, profile, sides=48):
-        """A profile, counter-clockwise in the plane of radius and height, turned around the z axis."""
+        """A profile of radii and heights, counter-clockwise, turned around the z axis."""
         count = len(profile)
         vertices, triangles = [], []
         for i in range(sides):
@@ -145,7 +147,8 @@ class Assembly:
 
     def add_pillar(self, radius, low, high, sides=48):
         angles = [2 * math.pi * i / sides for i in range(sides)]
-        vertices = [(radius * math.cos(a), radius * math.sin(a), z) for z in (low, high) for a in angles]
+        circle = [(radius * math.cos(a), radius * math.sin(a)) for a in angles]
+        vertices = [(x, y, z) for z in (low, high) for x, y in circle]
         vertices += [(0, 0, low), (0, 0, high)]
         triangles = []
         for i in range(sides):
