@@ -81,7 +81,7 @@ public:
 
   ///@{
   /// The name of the point data array with the normals, which need not have unit length. Default:
-  /// no name, for the active normals.
+  /// no name, for the active normals; the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}

@@ -122,7 +122,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Name of the point array with the normals of a cloud. Default: empty, for the active normals.
+  /// Name of the point array with the normals of a cloud. Default: empty, for the active normals;
+  /// the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}

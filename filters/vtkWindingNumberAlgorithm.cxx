@@ -324,7 +324,8 @@ const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const
 
 const char* vtkWindingNumberAlgorithm::GetMethodUsed() const
 {
-  return winding::nameOf(this->GetSourceInfo().method);
+  const winding::FieldInfo& info = this->GetSourceInfo();
+  return info.why.empty() ? "" : winding::nameOf(info.method);
 }
 
 const char* vtkWindingNumberAlgorithm::GetMethodReason() const

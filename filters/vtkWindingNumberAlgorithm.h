@@ -148,7 +148,7 @@ public:
 
   ///@{
   /// The name of the point data array with the normals of a cloud, which need not have unit length.
-  /// Default: no name, for the active normals.
+  /// Default: no name, for the active normals; the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   ///@}
@@ -272,8 +272,9 @@ public:
   ///@}
 
   ///@{
-  /// Facts about the last execution: how it ended, the method used and why it was chosen, the
-  /// seconds spent on building from the source (none for what was kept) and on evaluating.
+  /// Facts about the last execution: how it ended, the method used and why it was chosen (both empty
+  /// before the first one), the seconds spent on building from the source (none for what was kept)
+  /// and on evaluating.
   vtkGetMacro(Status, int);
   const char* GetMethodUsed() const;
   const char* GetMethodReason() const;

@@ -132,7 +132,9 @@ vtkDataArray* InputViews::findArray(
 
 vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
 {
-  return this->findArray(leaf, options_.normalsArray, 3);
+  // Lists of arrays in ParaView have the entry None, which arrives here as a name.
+  const bool isNone = options_.normalsArray == "None" && !leaf->GetPointData()->HasArray("None");
+  return this->findArray(leaf, isNone ? std::string() : options_.normalsArray, 3);
 }
 
 /// Whether there are points without normals, and no triangles that could tell them either.

@@ -33,7 +33,7 @@ struct InputOptions
 {
   bool asPoints = false;               ///< whether a mesh is seen as the cloud of its points
   bool estimateNormals = false;        ///< whether points may lack normals; views do not find any
-  std::string normalsArray;            ///< name; empty for the active normals
+  std::string normalsArray;            ///< name; empty or None for the active normals
   AreaSource areas = AreaSource::none; ///< for clouds only
   std::string areaArray;               ///< name, for AreaSource::array
 

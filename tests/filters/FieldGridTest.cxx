@@ -184,6 +184,7 @@ TEST_F(FieldGrid, ArrayNameAndTypeAreTheUsers)
 
 TEST_F(FieldGrid, OutputSaysHowItWasMade)
 {
+  EXPECT_STREQ(field->GetMethodUsed(), "") << "nothing is made yet";
   field->SetResolution(8);
   field->Update();
   vtkFieldData* data = field->GetOutput()->GetFieldData();

@@ -223,6 +223,12 @@ TEST_F(SourceKinds, NormalsNeedNoUnitLengthAndMayBeNamed)
   points->GetPointData()->AddArray(scaled);
   probe->SetNormalsArray("scaled");
   EXPECT_NEAR(this->windingNumber(points, 0, 0, 0), -w, 1e-6);
+
+  probe->SetNormalsArray("None");
+  EXPECT_EQ(this->windingNumber(points, 0, 0, 0), w) << "the active normals";
+  scaled->SetName("None");
+  points->Modified();
+  EXPECT_NEAR(this->windingNumber(points, 0, 0, 0), -w, 1e-6) << "the array of that name";
 }
 
 TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)

@@ -104,21 +104,28 @@ class TestField(unittest.TestCase):
             AreaArray="Size",
         )
         self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
-        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["", "Orientation"])
+        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["None", "Orientation"])
         self.assertEqual(list(field.GetProperty("AreaArray").Available), ["Size"])
 
         # No array named: the active normals, of which there are none.
         errors = errors_of(field)
-        field.NormalsArray = ""
-        field.UpdatePipeline()
-        self.assertTrue(errors)
-        for error in errors:
-            self.assertIn("the points have no normals", error)
-        self.assertEqual(information(field, "Status"), 1)
+        for field.NormalsArray in ("", "None"):
+            field.UpdatePipeline()
+            self.assertTrue(errors)
+            for error in errors:
+                self.assertIn("the points have no normals", error)
+            self.assertEqual(information(field, "Status"), 1)
+            errors.clear()
+
+    def test_none_takes_the_active_normals(self):
+        with sphere_points(2000, True) as cloud:
+            field = simple.WindingNumberField(Input=cloud, Resolution=11)
+            self.assertEqual(field.NormalsArray, "None")
+            self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
 
     def test_mesh_as_points(self):
         sphere = unit_sphere(ThetaResolution=64, PhiResolution=64)
-        field = simple.WindingNumberField(Input=sphere, Resolution=11, SourceAsPoints=1)
+        field = simple.WindingNumberField(Input=sphere, Resolution=11, InputAsPoints=1)
         for field.PointAreaMethod in ("Voronoi", "Mesh", "Constant"):
             with self.subTest(field.PointAreaMethod):
                 field.PointArea = 4 * math.pi / (64 * 62 + 2)

@@ -32,7 +32,7 @@ class TestPanel(unittest.TestCase):
                 with self.subTest(f"{source.GetXMLName()}, {kind}, {use_input_bounds}"):
                     field = simple.WindingNumberField(Input=source, UseInputBounds=use_input_bounds)
                     self.assert_kind(field, kind)
-                    field.SourceAsPoints = 1
+                    field.InputAsPoints = 1
                     self.assert_kind(field, kind)
 
     def test_probe_knows_the_kind_of_its_source_before_it_is_executed(self):
@@ -56,6 +56,7 @@ class TestPanel(unittest.TestCase):
         field = simple.WindingNumberField(Input=self.mesh, Resolution=4)
         field.UpdatePipelineInformation()
         self.assertEqual(shown(field, "Last Execution"), set())
+        self.assertEqual(information(field, "MethodUsed"), "")
         field.UpdatePipeline()
         self.assertGreater(information(field, "ExpectedMemory"), 0)
         self.assertIn("MethodReason", shown(field, "Last Execution"))
@@ -69,11 +70,12 @@ class TestPanel(unittest.TestCase):
             for mesh, cloud in sources:
                 with self.subTest(f"{name}, {mesh.GetXMLName()}"):
                     port = "Source" if name == "WindingNumberProbe" else "Input"
+                    as_points_name = port + "AsPoints"
                     proxy = getattr(simple, name)(**{"Input": self.mesh, port: mesh})
                     proxy.UpdatePipelineInformation()
                     self.assertEqual(shown(proxy, "Point Clouds"), {"SourceAsPoints"})
 
-                    proxy.SourceAsPoints = 1
+                    setattr(proxy, as_points_name, 1)
                     as_points = shown(proxy, "Point Clouds")
                     voronoi = {"PointAreaMethod", "NumberOfNeighbors"}
                     normals = {"NormalsArray", "EstimateNormals"}
@@ -81,7 +83,8 @@ class TestPanel(unittest.TestCase):
                     self.assertTrue(as_points.isdisjoint({"PointArea", "AreaArray"}))
 
                     setattr(proxy, port, cloud)
-                    for proxy.SourceAsPoints in (0, 1):
+                    for value in (0, 1):
+                        setattr(proxy, as_points_name, value)
                         proxy.UpdatePipelineInformation()
                         for_cloud = shown(proxy, "Point Clouds")
                         self.assertEqual(for_cloud, as_points - {"SourceAsPoints"})
@@ -90,9 +93,29 @@ class TestPanel(unittest.TestCase):
                         proxy.PointAreaMethod = method
                         self.assertEqual(shown(proxy, "Point Clouds"), for_cloud | {also})
 
-    def test_samples_of_shares_are_shown_for_shares_only(self):
+    def test_coverage_is_shown_where_there_is_an_inside(self):
         field = simple.WindingNumberField(Input=self.mesh)
+        self.assertNotIn("Coverage", shown(field, "Inside and Outside"))
+        field.GenerateInside = 1
         self.assertIn("Coverage", shown(field, "Inside and Outside"))
+        # It asks for the array Inside itself, too, and then can be taken back.
+        field.GenerateInside = 0
+        field.Coverage = "Any Overlap"
+        self.assertIn("Coverage", shown(field, "Inside and Outside"))
+
+    def test_labels_name_what_there_is(self):
+        for name, label in (
+            ("WindingNumberField", "Input As Points"),
+            ("WindingNumberSurface", "Input As Points"),
+            ("WindingNumberProbe", "Source As Points"),
+        ):
+            inputs = ("Input", "Source") if name == "WindingNumberProbe" else ("Input",)
+            proxy = getattr(simple, name)(**{port: self.mesh for port in inputs})
+            smproperty = proxy.SMProxy.GetProperty("SourceAsPoints")
+            self.assertEqual(smproperty.GetXMLLabel(), label)
+
+    def test_samples_of_shares_are_shown_for_shares_only(self):
+        field = simple.WindingNumberField(Input=self.mesh, GenerateInside=1)
         self.assertNotIn("CoverageSamples", shown(field, "Inside and Outside"))
         field.Coverage = "Half Inside"
         self.assertIn("CoverageSamples", shown(field, "Inside and Outside"))

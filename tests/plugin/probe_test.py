@@ -20,7 +20,7 @@ class TestProbe(unittest.TestCase):
     def test_cells(self):
         cube = simple.Box(XLength=3, YLength=0.1, ZLength=0.1)
         probe = simple.WindingNumberProbe(
-            Input=cube, Source=unit_sphere(), ProbeAssociation="Cell Centres"
+            Input=cube, Source=unit_sphere(), ProbeAssociation="Cell Centers"
         )
         values = result(probe).GetCellData().GetArray("WindingNumber")
         rounded = sorted(round(values.GetTuple1(i), 5) for i in range(values.GetNumberOfTuples()))
@@ -63,7 +63,7 @@ class TestProbe(unittest.TestCase):
         self.assertIsNotNone(part.GetPointData().GetArray("RTData"))
         self.assertGreater(part.GetNumberOfCells(), 400)
         self.assertLess(part.GetNumberOfCells(), 4 / 3 * math.pi * 6**3)
-        probe.ProbeAssociation = "Cell Centres"
+        probe.ProbeAssociation = "Cell Centers"
         inside = result(probe).GetNumberOfCells()
         self.assertAlmostEqual(inside, 4 / 3 * math.pi * 6**3, delta=60)
         probe.InsideOut = 1

@@ -1,0 +1,122 @@
+"""Renders the pictures in the help of ParaView's plugin: each filter's input beside its output.
+
+    xvfb-run -a build/paraview-sdk/usr/bin/pvpython data/render_plugin_help.py paraview-plugin/help
+"""
+import pathlib
+import sys
+
+from paraview import simple
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+MODELS = ROOT / "data" / "examples" / "paraview"
+SHELL, RED, GREY = (0.95, 0.93, 0.88), (0.85, 0.1, 0.1), (0.45, 0.45, 0.45)
+SIZE = (480, 280)
+
+
+def show(view, source, shift=0.0, color=SHELL, **properties):
+    display = simple.Show(source, view)
+    display.ColorArrayName = [None, ""]
+    display.AmbientColor = display.DiffuseColor = color
+    display.Position = (shift, 0, 0)
+    for name, value in properties.items():
+        setattr(display, name, value)
+    return display
+
+
+def color_by(view, display, array, low, high, preset="Cool to Warm"):
+    simple.ColorBy(display, ("POINTS", array))
+    colors = simple.GetColorTransferFunction(array)
+    colors.ApplyPreset(preset, True)
+    colors.RescaleTransferFunction(low, high)
+    display.SetScalarBarVisibility(view, False)
+
+
+def middle_slice(source):
+    cut = simple.Slice(Input=source, SliceType="Plane")
+    cut.SliceType.Origin, cut.SliceType.Normal = (0, 0, 0), (0, 0, 1)
+    return cut
+
+
+def back_half(source):
+    half = simple.Clip(Input=source, ClipType="Plane", Invert=1)
+    half.ClipType.Origin, half.ClipType.Normal = (0, 0, 0), (0, 0, 1)
+    return half
+
+
+def show_field(view, scan, _):
+    show(view, scan, -1.3)
+    field = simple.WindingNumberField(Input=scan, Resolution=96)
+    color_by(view, show(view, middle_slice(field), 1.3, Ambient=1, Diffuse=0),
+             "WindingNumber", 0, 1)
+    show(view, back_half(scan), 1.3)
+    show(view, field, 1.3, GREY, Representation="Outline")
+
+
+def show_surface(view, scan, _):
+    show(view, scan, -1.3)
+    show(view, simple.WindingNumberSurface(Input=scan, Resolution=96), 1.3)
+
+
+def show_voxels(view, scan, _):
+    show(view, scan, -1.3)
+    field = simple.WindingNumberField(Input=scan, Resolution=32)
+    show(view, simple.WindingNumberVoxels(Input=field), 1.3, Representation="Surface With Edges",
+         EdgeColor=(0.7, 0.68, 0.64))
+
+
+def show_probe(view, scan, _):
+    plane = simple.Plane(Origin=(-1.3, -1.3, 0), Point1=(1.3, -1.3, 0), Point2=(-1.3, 1.5, 0),
+                         XResolution=160, YResolution=160)
+    show(view, scan, -1.3)
+    show(view, plane, -1.3, GREY, Representation="Outline", LineWidth=2)
+    probe = simple.WindingNumberProbe(Input=plane, Source=scan)
+    color_by(view, show(view, probe, 1.3, Ambient=1, Diffuse=0), "WindingNumber", 0, 1)
+
+
+def show_report(view, scan, _):
+    show(view, scan, -1.3)
+    report = simple.SurfaceReport(Input=scan)
+    show(view, simple.OutputPort(report, 0), 1.3, Opacity=0.4)
+    show(view, simple.OutputPort(report, 1), 1.3, RED, LineWidth=4)
+
+
+def show_areas(view, _, cloud):
+    display = show(view, simple.PointAreas(Input=cloud), Representation="Points", PointSize=5)
+    view.CameraPosition, view.CameraParallelScale = (0, 0, 20), 3.7
+    color_by(view, display, "Area", 0.02, 0.12, "Viridis (matplotlib)")
+
+
+PICTURES = {
+    "WindingNumberField": show_field,
+    "WindingNumberSurface": show_surface,
+    "WindingNumberVoxels": show_voxels,
+    "WindingNumberProbe": show_probe,
+    "SurfaceReport": show_report,
+    "PointAreas": show_areas,
+}
+
+
+def main():
+    plugin = next((ROOT / "build" / "paraview").rglob("WindingNumbers.so"))
+    simple.LoadPlugin(str(plugin), remote=False)
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    scan = simple.OpenDataFile(str(MODELS / "scan.off"))
+    cloud = simple.OpenDataFile(str(MODELS / "cloud.xyz"))
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    view.UseColorPaletteForBackground, view.Background = 0, (1, 1, 1)
+    view.OrientationAxesVisibility = 0
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint, view.CameraViewUp = (0, 0.15, 0), (0, 1, 0)
+    for name, draw in PICTURES.items():
+        view.CameraPosition, view.CameraParallelScale = (2.5, 1.6, 8), 1.6
+        simple.HideAll(view)
+        draw(view, scan, cloud)
+        simple.SaveScreenshot(str(folder / f"{name}.png"), view, ImageResolution=SIZE,
+                              CompressionLevel="9")
+    simple.Delete(view)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,201 @@
+"""ParaView's own window, as a user has it: opens a mesh, applies each filter of the plugin from the
+menu, and compares what is then seen with the pictures in baselines.
+
+ParaView plays the clicks itself (its option --test-script). Pictures that are to become baselines
+lie in the folder that this test runs in, in gui_pictures.
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from xml.etree import ElementTree
+
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+TESTS = pathlib.Path(__file__).resolve().parent
+ROOT = TESTS.parents[1]
+BASELINES = TESTS / "baselines"
+PICTURES = pathlib.Path("gui_pictures").resolve()
+SCAN = ROOT / "data" / "examples" / "paraview" / "scan.off"
+
+WINDOW = "pqClientMainWindow"
+APPLY = f"{WINDOW}/propertiesDock/propertiesPanel/Accept"
+DIALOG = f"{WINDOW}/SelectInputDialog"
+
+# The source that a filter is applied to, where that is not the scan.
+INPUTS = {"WindingNumberVoxels": "WindingNumberField1"}
+# The array by which a result is to be coloured, where it looks like its input otherwise.
+COLORS = {"PointAreas": "Area"}
+
+# A picture differs from another one if this share of its blocks of 8 by 8 pixels differs by so much
+# of 255.
+# Blocks hide how edges are drawn, in which versions of Mesa differ.
+DIFFERENT_SHARE, DIFFERENT_COLOR = 0.004, 16
+
+
+def filters():
+    """The filters in the order of the menu: name, label, and whether there is a second input."""
+    plugin = ROOT / "paraview-plugin"
+    proxies = {
+        proxy.get("name"): proxy
+        for file in plugin.glob("*.xml")
+        for proxy in ElementTree.parse(file).iter("SourceProxy")
+    }
+    source = "InputProperty[@name='Source']"
+    names = [entry.get("name") for entry in ElementTree.parse(plugin / "Menu.xml").iter("Proxy")]
+    return [
+        (name, proxies[name].get("label"), proxies[name].find(source) is not None) for name in names
+    ]
+
+
+class Clicks:
+    def __init__(self):
+        self.root = ElementTree.Element("pqevents")
+
+    def add(self, widget, command="activate", arguments=""):
+        ElementTree.SubElement(
+            self.root, "pqevent", object=widget, command=command, arguments=arguments)
+
+    def python(self, code):
+        self.add(f"{WINDOW}/pythonShellDock/pythonShell/consoleWidget", "executeCommand", code)
+
+    def open(self, path):
+        self.add(f"{WINDOW}/menubar/menu_File", arguments="actionFileOpen")
+        self.add(f"{WINDOW}/FileOpenDialog", "filesSelected", str(path))
+        self.add(APPLY)
+
+    def filter(self, label):
+        self.add(f"{WINDOW}/menubar/menuFilters/WindingNumbers", arguments=label)
+
+    def search(self, label):
+        """The dialog in which a filter is found by typing a part of its name."""
+        self.add(f"{WINDOW}/menubar/menuFilters", arguments="Search...\tCtrl+Space")
+        key_press, enter = 6, 16777220
+        for letter in label:
+            key = f"{key_press},{ord(letter.upper())},0,{letter},0,1"
+            self.add(f"{WINDOW}/QuickLaunchDialog", "keyEvent", key)
+        self.add(f"{WINDOW}/QuickLaunchDialog", "keyEvent", f"{key_press},{enter},0,,0,1")
+
+    def take_first_as_source(self):
+        """The dialog of filters with two inputs, whose first is the active source already."""
+        self.add(f"{DIALOG}/buttonFrame/Source", "set_boolean", "true")
+        self.add(f"{DIALOG}/pipelineView", "currentChanged", "/0/0|0")
+        self.add(f"{DIALOG}/buttonBox/1QPushButton0")
+
+
+def clicks():
+    result = Clicks()
+    result.add(f"{WINDOW}/menubar/menu_View", arguments="Python Shell")
+    result.python("import gui_window")
+    result.open(SCAN)
+    result.python("gui_window.take('scan')")
+    for name, label, has_source in filters():
+        if has_source:
+            result.python("gui_window.choose('scan.off'); gui_window.add_plane()")
+            result.filter(label)
+            result.take_first_as_source()
+        else:
+            result.python(f"gui_window.choose('{INPUTS.get(name, 'scan.off')}')")
+            result.filter(label)
+        result.add(APPLY)
+        if name in COLORS:
+            result.python(f"gui_window.color_by('{COLORS[name]}')")
+        result.python(f"gui_window.take('{name}')")
+    result.python("gui_window.choose('scan.off')")
+    result.search("number surf")
+    result.add(APPLY)
+    result.python("gui_window.take('search')")
+    return ElementTree.tostring(result.root, encoding="unicode")
+
+
+def play(script, folder):
+    """Runs ParaView with settings of its own; returns what it says."""
+    plugin = os.environ["WINDING_PLUGIN"]
+    environment = dict(os.environ)
+    environment["HOME"] = environment["XDG_RUNTIME_DIR"] = str(folder)
+    environment["XDG_CONFIG_HOME"] = str(folder)
+    environment["WINDING_GUI_OUTPUT"] = str(PICTURES)
+    environment["PYTHONPATH"] = os.pathsep.join((str(TESTS), os.environ["PYTHONPATH"]))
+    path = folder / "clicks.xml"
+    path.write_text(script, encoding="ascii")
+    command = [os.environ["WINDING_PARAVIEW_WINDOW"], "--dr", f"--test-directory={folder}",
+               f"--test-script={path}", "--exit",
+               f"--plugin-search-paths={os.path.dirname(plugin)}", "--plugins=WindingNumbers"]
+    done = subprocess.run(
+        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        check=False)
+    return done.returncode, done.stdout
+
+
+def blocks(path):
+    """A picture as the mean colours of blocks of 8 by 8 pixels."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    shrink = vtkImageShrink3D()
+    shrink.SetInputConnection(reader.GetOutputPort())
+    shrink.SetShrinkFactors(8, 8, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    pixels = shrink.GetOutput().GetPointData().GetScalars()
+    return [pixels.GetTuple3(i) for i in range(pixels.GetNumberOfTuples())]
+
+
+def differing_share(a, b):
+    """The share of blocks that differ in two pictures."""
+    first, second = blocks(a), blocks(b)
+    if len(first) != len(second):
+        return 1
+    differences = [max(abs(x - y) for x, y in zip(p, q)) for p, q in zip(first, second)]
+    return sum(difference > DIFFERENT_COLOR for difference in differences) / len(first)
+
+
+class TestWindow(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(PICTURES, ignore_errors=True)
+        PICTURES.mkdir()
+        with tempfile.TemporaryDirectory() as folder:
+            cls.status, cls.output = play(clicks(), pathlib.Path(folder))
+
+    def test_all_clicks_are_played_without_errors(self):
+        self.assertEqual(self.status, 0, self.output)
+        self.assertIn("Success =  true", self.output)
+        for sign in ("ERR|", "WARN|", "critical", "Traceback"):
+            self.assertNotIn(sign, self.output, self.output)
+
+    def test_filters_give_data(self):
+        found = {name: name for name, *_ in filters()}
+        found["search"] = "WindingNumberSurface"
+        for name, proxy in found.items():
+            with self.subTest(name):
+                facts = json.loads((PICTURES / f"{name}.json").read_text(encoding="ascii"))
+                self.assertEqual(facts["proxy"], proxy)
+                self.assertGreater(facts["points"], 1000)
+                self.assertGreater(facts["cells"], 1000)
+
+    def test_pictures_are_as_they_were(self):
+        for name in ["scan"] + [name for name, *_ in filters()]:
+            with self.subTest(name):
+                picture, baseline = PICTURES / f"{name}.png", BASELINES / f"{name}.png"
+                self.assertTrue(picture.is_file(), "ParaView drew no picture")
+                self.assertTrue(
+                    baseline.is_file(), f"no {baseline}: look at {picture}, copy it if it is right")
+                share = differing_share(picture, baseline)
+                print(f"{name}: {share:.4f} of the blocks differ")
+                self.assertLess(share, DIFFERENT_SHARE, f"compare {picture} with {baseline}")
+
+    def test_the_measure_tells_pictures_apart(self):
+        baselines = sorted(BASELINES.glob("*.png"))
+        for i, first in enumerate(baselines):
+            for second in baselines[:i]:
+                with self.subTest(f"{first.name}, {second.name}"):
+                    self.assertGreater(differing_share(first, second), DIFFERENT_SHARE)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
