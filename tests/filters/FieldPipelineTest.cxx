@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkContourFilter.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkGeomviewOFFReader.h"
@@ -11,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -298,30 +300,44 @@ TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
 
 TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
 {
-  // ParaView asks for data even where the information failed, after a good run and before any.
+  // ParaView asks for data even where the information failed, after a good run and before any. A
+  // property may be wrong in itself, or only for this source. What the pipeline hands on of the
+  // image behind a contour is no grid of ours.
+  vtkNew<vtkRTAnalyticSource> image;
+  image->SetWholeExtent(-5, 5, -5, 5, -5, 5);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(image->GetOutputPort());
+  contour->SetValue(0, 200);
   for (const bool ranBefore : {false, true})
   {
-    vtkNew<vtkWindingNumberField> fresh;
-    fresh->SetInputConnection(sphere->GetOutputPort());
-    fresh->SetResolution(6);
-    if (ranBefore)
+    for (const bool isProperty : {false, true})
     {
-      fresh->Update();
+      vtkNew<vtkWindingNumberField> fresh;
+      fresh->SetInputConnection(contour->GetOutputPort());
+      fresh->SetResolution(6);
+      if (ranBefore)
+      {
+        fresh->Update();
+      }
+      fresh->SetResolution(isProperty ? 0 : 6);
+      fresh->SetVoxelSize(isProperty ? 0 : 1e-10);
+      {
+        ErrorLog informationLog(fresh);
+        fresh->UpdateInformation();
+        fresh->RemoveAllObservers();
+      }
+      vtkInformation* info = fresh->GetOutputInformation(0);
+      EXPECT_FALSE(info->Has(vtkDataObject::ORIGIN()) || info->Has(vtkDataObject::SPACING()));
+      ErrorLog log(fresh);
+      vtkNew<vtkInformation> request;
+      request->Set(vtkDemandDrivenPipeline::REQUEST_DATA());
+      vtkExecutive* executive = fresh->GetExecutive();
+      EXPECT_EQ(fresh->ProcessRequest(
+                  request, executive->GetInputInformation(), executive->GetOutputInformation()),
+        0);
+      const char* const fault = isProperty ? "Resolution is 0" : "choose larger voxels";
+      EXPECT_NE(log.errors().find(fault), std::string::npos) << log.errors();
     }
-    fresh->SetResolution(0);
-    {
-      ErrorLog informationLog(fresh);
-      fresh->UpdateInformation();
-      fresh->RemoveAllObservers();
-    }
-    ErrorLog log(fresh);
-    vtkNew<vtkInformation> request;
-    request->Set(vtkDemandDrivenPipeline::REQUEST_DATA());
-    vtkExecutive* executive = fresh->GetExecutive();
-    EXPECT_EQ(fresh->ProcessRequest(
-                request, executive->GetInputInformation(), executive->GetOutputInformation()),
-      0);
-    EXPECT_NE(log.errors().find("Resolution is 0"), std::string::npos) << log.errors();
   }
 }
 
