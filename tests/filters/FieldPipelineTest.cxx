@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkSMPTools.h"
@@ -20,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -227,6 +229,33 @@ TEST_F(FieldPipeline, NewDataObjectsOfTheSameMeshKeepWhatWasBuilt)
   sphere->GetOutput()->Modified();
   field->Update();
   EXPECT_GT(field->GetPrepareSeconds(), 0) << "a point was moved";
+}
+
+TEST_F(FieldPipeline, SameIdsInCellsOfAnotherSizeAreAnotherMesh)
+{
+  const vtkIdType ids[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y, z] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+  {
+    points->InsertNextPoint(x, y, z);
+  }
+  field->SetResolution(6);
+  std::string bits[2];
+  for (const int size : {3, 4})
+  {
+    vtkNew<vtkCellArray> cells;
+    for (int first = 0; first < 12; first += size)
+    {
+      cells->InsertNextCell(size, ids + first);
+    }
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    field->SetInputData(mesh);
+    field->Update();
+    bits[size - 3] = this->bitsOf(field->GetOutput());
+  }
+  EXPECT_NE(bits[0], bits[1]);
 }
 
 TEST_F(FieldPipeline, WholeSourceIsAskedForWhateverThePiece)
