@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -398,6 +399,34 @@ TEST_F(FieldPipeline, ErrorLeavesTheFilterUsable)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 6);
+}
+
+TEST_F(FieldPipeline, RefusedSourceIsRefusedAgainAndDoesNotGetTheFieldBeforeIt)
+{
+  field->SetUseInputBounds(0);
+  field->SetSamplingBounds(-1, 1, -1, 1, -1, 1);
+  field->SetResolution(6);
+  field->Update();
+  ASSERT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, std::nan(""), 0);
+  const vtkIdType ids[3] = {0, 1, 2};
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(3, ids);
+  vtkNew<vtkPolyData> unusable;
+  unusable->SetPoints(points);
+  unusable->SetPolys(cells);
+  field->SetInputData(unusable);
+  for (int time = 0; time < 2; ++time)
+  {
+    ErrorLog log(field);
+    field->Modified();
+    field->Update();
+    EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED) << time;
+    EXPECT_NE(log.errors().find("unusable"), std::string::npos) << log.errors();
+  }
 }
 
 TEST_F(FieldPipeline, PiecesTogetherVerifyWhatTheWholeDoes)
