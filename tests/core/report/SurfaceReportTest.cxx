@@ -198,3 +198,14 @@ TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
   const winding::VertexCounts none = winding::countVertices({}, winding::Surface(), serial);
   EXPECT_EQ(none.points + none.different + none.unreferenced, 0u);
 }
+
+TEST(SurfaceReport, VolumeIsAsExactFarFromTheOrigin)
+{
+  // Both meshes have the same shape to the bit.
+  const auto moved = [](const Mesh& mesh, double by)
+  {
+    return mesh.mapped([by](const Point& p) -> Point { return p + Point(by, -by, by); });
+  };
+  const Mesh far = moved(icosphere(3), 0x1p23), near = moved(far, -0x1p23);
+  EXPECT_NEAR(report(far).volume, report(near).volume, 1e-12);
+}
