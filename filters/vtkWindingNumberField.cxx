@@ -78,7 +78,8 @@ int vtkWindingNumberField::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
-  // The information about the last grid must not stay, for there may be no grid this time.
+  // The pipeline hands on the grid of an image that the source was made of, such as a contour's.
+  // That is no grid of ours, and there may be none this time.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
   if (this->UseInputBounds)

@@ -201,6 +201,31 @@ TEST_F(Faults, OfTurnedAndRepeatedTrianglesAreEdges)
   EXPECT_EQ(this->uncancelledEdgesWithCaps(source), 0u);
 }
 
+TEST_F(Faults, EdgeUsedTwiceIsTheLargestOfItsLoopsWhereverItStands)
+{
+  // Both triangles run along one edge in the same direction.
+  const vtkIdType books[][4] = {{2, 0, 1, 3}, {0, 1, 2, 3}, {1, 3, 0, 2}};
+  for (const auto& [from, to, one, other] : books)
+  {
+    vtkNew<vtkPoints> points;
+    for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    {
+      points->InsertNextPoint(x, y, x * y);
+    }
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({from, to, one});
+    cells->InsertNextCell({from, to, other});
+    vtkNew<vtkPolyData> book;
+    book->SetPoints(points);
+    book->SetPolys(cells);
+    this->reportOn(book);
+    vtkDataArray* largest = this->block("Boundary")->GetCellData()->GetArray("Multiplicity");
+    ASSERT_EQ(largest->GetNumberOfTuples(), 2);
+    EXPECT_EQ(largest->GetTuple1(0), 2) << from << " " << to;
+    EXPECT_EQ(largest->GetTuple1(1), 2) << from << " " << to;
+  }
+}
+
 TEST_F(Faults, AreOfTheSurfaceThatComesOut)
 {
   ErrorLog log(filter);

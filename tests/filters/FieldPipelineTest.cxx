@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkContourFilter.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkGeomviewOFFReader.h"
@@ -10,7 +11,9 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -18,6 +21,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -227,6 +232,33 @@ TEST_F(FieldPipeline, NewDataObjectsOfTheSameMeshKeepWhatWasBuilt)
   EXPECT_GT(field->GetPrepareSeconds(), 0) << "a point was moved";
 }
 
+TEST_F(FieldPipeline, SameIdsInCellsOfAnotherSizeAreAnotherMesh)
+{
+  const vtkIdType ids[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y, z] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+  {
+    points->InsertNextPoint(x, y, z);
+  }
+  field->SetResolution(6);
+  std::string bits[2];
+  for (const int size : {3, 4})
+  {
+    vtkNew<vtkCellArray> cells;
+    for (int first = 0; first < 12; first += size)
+    {
+      cells->InsertNextCell(size, ids + first);
+    }
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    field->SetInputData(mesh);
+    field->Update();
+    bits[size - 3] = this->bitsOf(field->GetOutput());
+  }
+  EXPECT_NE(bits[0], bits[1]);
+}
+
 TEST_F(FieldPipeline, WholeSourceIsAskedForWhateverThePiece)
 {
   // vtkSphereSource gives a piece of the sphere for a piece of its pipeline.
@@ -298,30 +330,44 @@ TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
 
 TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
 {
-  // ParaView asks for data even where the information failed, after a good run and before any.
+  // ParaView asks for data even where the information failed, after a good run and before any. A
+  // property may be wrong in itself, or only for this source. What the pipeline hands on of the
+  // image behind a contour is no grid of ours.
+  vtkNew<vtkRTAnalyticSource> image;
+  image->SetWholeExtent(-5, 5, -5, 5, -5, 5);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(image->GetOutputPort());
+  contour->SetValue(0, 200);
   for (const bool ranBefore : {false, true})
   {
-    vtkNew<vtkWindingNumberField> fresh;
-    fresh->SetInputConnection(sphere->GetOutputPort());
-    fresh->SetResolution(6);
-    if (ranBefore)
+    for (const bool isProperty : {false, true})
     {
-      fresh->Update();
+      vtkNew<vtkWindingNumberField> fresh;
+      fresh->SetInputConnection(contour->GetOutputPort());
+      fresh->SetResolution(6);
+      if (ranBefore)
+      {
+        fresh->Update();
+      }
+      fresh->SetResolution(isProperty ? 0 : 6);
+      fresh->SetVoxelSize(isProperty ? 0 : 1e-10);
+      {
+        ErrorLog informationLog(fresh);
+        fresh->UpdateInformation();
+        fresh->RemoveAllObservers();
+      }
+      vtkInformation* info = fresh->GetOutputInformation(0);
+      EXPECT_FALSE(info->Has(vtkDataObject::ORIGIN()) || info->Has(vtkDataObject::SPACING()));
+      ErrorLog log(fresh);
+      vtkNew<vtkInformation> request;
+      request->Set(vtkDemandDrivenPipeline::REQUEST_DATA());
+      vtkExecutive* executive = fresh->GetExecutive();
+      EXPECT_EQ(fresh->ProcessRequest(
+                  request, executive->GetInputInformation(), executive->GetOutputInformation()),
+        0);
+      const char* const fault = isProperty ? "Resolution is 0" : "choose larger voxels";
+      EXPECT_NE(log.errors().find(fault), std::string::npos) << log.errors();
     }
-    fresh->SetResolution(0);
-    {
-      ErrorLog informationLog(fresh);
-      fresh->UpdateInformation();
-      fresh->RemoveAllObservers();
-    }
-    ErrorLog log(fresh);
-    vtkNew<vtkInformation> request;
-    request->Set(vtkDemandDrivenPipeline::REQUEST_DATA());
-    vtkExecutive* executive = fresh->GetExecutive();
-    EXPECT_EQ(fresh->ProcessRequest(
-                request, executive->GetInputInformation(), executive->GetOutputInformation()),
-      0);
-    EXPECT_NE(log.errors().find("Resolution is 0"), std::string::npos) << log.errors();
   }
 }
 
@@ -353,6 +399,34 @@ TEST_F(FieldPipeline, ErrorLeavesTheFilterUsable)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
   EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 6);
+}
+
+TEST_F(FieldPipeline, RefusedSourceIsRefusedAgainAndDoesNotGetTheFieldBeforeIt)
+{
+  field->SetUseInputBounds(0);
+  field->SetSamplingBounds(-1, 1, -1, 1, -1, 1);
+  field->SetResolution(6);
+  field->Update();
+  ASSERT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, std::nan(""), 0);
+  const vtkIdType ids[3] = {0, 1, 2};
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(3, ids);
+  vtkNew<vtkPolyData> unusable;
+  unusable->SetPoints(points);
+  unusable->SetPolys(cells);
+  field->SetInputData(unusable);
+  for (int time = 0; time < 2; ++time)
+  {
+    ErrorLog log(field);
+    field->Modified();
+    field->Update();
+    EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED) << time;
+    EXPECT_NE(log.errors().find("unusable"), std::string::npos) << log.errors();
+  }
 }
 
 TEST_F(FieldPipeline, PiecesTogetherVerifyWhatTheWholeDoes)

@@ -379,6 +379,24 @@ TEST_F(ProbeExtraction, OfNothingIsNothing)
 }
 
 /// Cells that the pieces of the queries share are extracted with each piece that has them.
+TEST_F(ProbeExtraction, LeavesCellsWithoutPointsOut)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.1, 0, 0);
+  points->InsertNextPoint(0, 0.1, 0);
+  points->InsertNextPoint(7, 0, 0);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  const vtkIdType ids[3] = {0, 1, 2};
+  grid->InsertNextCell(VTK_EMPTY_CELL, 0, ids);
+  grid->InsertNextCell(VTK_LINE, 2, ids);
+  grid->InsertNextCell(VTK_LINE, 2, ids + 1);
+  addNumbers(grid);
+  probe->SetInputData(grid);
+  probe->Update();
+  this->expectKept(grid, {1});
+}
+
 TEST_F(ProbeExtraction, FollowsThePiecesOfTheQueries)
 {
   vtkNew<vtkRTAnalyticSource> wavelet;

@@ -282,34 +282,39 @@ TEST_F(SourceKinds, VolumeMeshAsPointsIsTheCloudOfItsSurface)
   EXPECT_EQ(w, this->windingNumber(skin->GetOutput(), 4, 4, 4));
 }
 
-TEST_F(SourceKinds, GhostsAreLeftOut)
+TEST_F(SourceKinds, GhostsAndWhatIsHiddenAreLeftOut)
 {
-  auto own = sphere(), ghost = sphere();
-  vtkNew<vtkUnsignedCharArray> flags;
-  flags->SetName(vtkDataSetAttributes::GhostArrayName());
-  flags->SetNumberOfTuples(ghost->GetNumberOfCells());
-  flags->Fill(vtkDataSetAttributes::DUPLICATECELL);
-  ghost->GetCellData()->AddArray(flags);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, own);
-  blocks->SetBlock(1, ghost);
-  EXPECT_NEAR(this->windingNumber(blocks, 0, 0, 0), 1, 1e-12);
-
-  auto points = cloud();
   probe->SetPointAreaMethod(vtkWindingNumberProbe::CONSTANT);
   probe->SetPointArea(1e-3);
-  const double w = this->windingNumber(points, 0, 0, 0);
-  auto ghostPoints = cloud();
-  vtkNew<vtkUnsignedCharArray> pointFlags;
-  pointFlags->SetName(vtkDataSetAttributes::GhostArrayName());
-  pointFlags->SetNumberOfTuples(ghostPoints->GetNumberOfPoints());
-  pointFlags->Fill(vtkDataSetAttributes::DUPLICATEPOINT);
-  ghostPoints->GetPointData()->AddArray(pointFlags);
-  blocks->SetBlock(0, points);
-  blocks->SetBlock(1, ghostPoints);
-  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
-  probe->SetSourceAsPoints(1);
-  EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w);
+  for (const bool isHidden : {false, true})
+  {
+    probe->SetSourceAsPoints(0);
+    auto own = sphere(), ghost = sphere();
+    vtkNew<vtkUnsignedCharArray> flags;
+    flags->SetName(vtkDataSetAttributes::GhostArrayName());
+    flags->SetNumberOfTuples(ghost->GetNumberOfCells());
+    flags->Fill(isHidden ? vtkDataSetAttributes::HIDDENCELL : vtkDataSetAttributes::DUPLICATECELL);
+    ghost->GetCellData()->AddArray(flags);
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, own);
+    blocks->SetBlock(1, ghost);
+    EXPECT_NEAR(this->windingNumber(blocks, 0, 0, 0), 1, 1e-12) << isHidden;
+
+    auto points = cloud();
+    const double w = this->windingNumber(points, 0, 0, 0);
+    auto ghostPoints = cloud();
+    vtkNew<vtkUnsignedCharArray> pointFlags;
+    pointFlags->SetName(vtkDataSetAttributes::GhostArrayName());
+    pointFlags->SetNumberOfTuples(ghostPoints->GetNumberOfPoints());
+    pointFlags->Fill(
+      isHidden ? vtkDataSetAttributes::HIDDENPOINT : vtkDataSetAttributes::DUPLICATEPOINT);
+    ghostPoints->GetPointData()->AddArray(pointFlags);
+    blocks->SetBlock(0, points);
+    blocks->SetBlock(1, ghostPoints);
+    EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w) << isHidden;
+    probe->SetSourceAsPoints(1);
+    EXPECT_EQ(this->windingNumber(blocks, 0, 0, 0), w) << isHidden;
+  }
 }
 
 TEST_F(SourceKinds, OtherArraysOfTheSameSourceAreNotForgotten)

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <vector>
@@ -230,6 +231,20 @@ TEST(Voxels, DirectionsOfTheImageAreFollowed)
       EXPECT_NEAR(voxels->GetOutput()->GetBounds()[i], expected[i], 1e-15);
     }
     EXPECT_NEAR(signedVolume(voxels->GetOutput()), 1, 1e-12) << "faces outwards";
+  }
+}
+
+TEST(Voxels, AxesThatRunBackwardsAreFollowed)
+{
+  // VTK's images may have negative spacings: one or three of them mirror the voxels.
+  for (const auto& [x, y, z] : {std::array{-1, 1, 1}, {1, -1, -1}, {-1, -1, -1}})
+  {
+    auto mirrored = image(1, 1, 1, {1});
+    mirrored->SetSpacing(x, 2 * y, 3 * z);
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputData(mirrored);
+    voxels->Update();
+    EXPECT_NEAR(signedVolume(voxels->GetOutput()), 6, 1e-12) << x << " " << y << " " << z;
   }
 }
 

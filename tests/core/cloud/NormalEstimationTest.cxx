@@ -111,6 +111,23 @@ TEST(NormalEstimation, TurnsEveryPieceUpAtItsTop)
   }
 }
 
+TEST(NormalEstimation, TurnsAPointLikeItsNeighborsThoughItIsNoneOfTheirs)
+{
+  // The lowest point of a sphere stands alone: the points nearest to it have enough others that are
+  // nearer to them. A piece of its own would be turned up.
+  const Cloud sphere = sphereCloud(3000);
+  std::vector<Point> positions;
+  for (const Point& position : sphere.positions)
+  {
+    if (position[2] > -0.8)
+    {
+      positions.push_back(position);
+    }
+  }
+  positions.emplace_back(0, 0, -1);
+  EXPECT_LT(estimate(positions).back()[2], -0.9);
+}
+
 TEST(NormalEstimation, IsNotSpoiledByAFarOutlierOrEqualPoints)
 {
   Cloud cloud = sphereCloud(2000);

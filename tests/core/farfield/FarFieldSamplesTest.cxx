@@ -7,8 +7,12 @@
 #include "base/Views.h"
 #include "source/Surface.h"
 
+#include <atomic>
+#include <chrono>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 /**
  * Values of far fields do not depend on extents, threads or the order of work, and they are numbers
@@ -371,4 +375,69 @@ TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
   EXPECT_NE(cut, whole);
   EXPECT_EQ(farField.suiting(other, interruption), whole) << "is there already";
   EXPECT_EQ(farField.suiting(both, interruption), cut) << "is still there";
+}
+
+TEST(FarFieldSamples, OfOtherDistancesGetTrianglesCutAnew)
+{
+  const Mesh sphere = icosphere(2);
+  const winding::Surface surface = clean(sphere);
+  const winding::TriangleFarField farField(
+    surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
+  winding::SerialExecutor serial;
+  const auto gridOf = [](int voxels)
+  {
+    Grid grid;
+    grid.dimensions.setConstant(voxels);
+    grid.spacing.setConstant(2.2 / voxels);
+    grid.firstSample.setConstant(-1.1 + 1.1 / voxels);
+    return grid;
+  };
+  const auto coarse = farField.suiting(gridOf(100), serial);
+  const auto fine = farField.suiting(gridOf(200), serial);
+  EXPECT_NE(fine, coarse);
+  EXPECT_EQ(farField.suiting(gridOf(200), serial), fine) << "is kept";
+  EXPECT_NE(farField.suiting(gridOf(100), serial), fine);
+}
+
+TEST(FarFieldSamples, AloneGetATreeThatOneThreadBuildsWhileTheOthersWait)
+{
+  /// Calls beside() in the middle of the first run, and counts runs.
+  class Watching final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      if (runs++ == 0 && beside)
+      {
+        beside();
+      }
+      return winding::SerialExecutor().run(count, work);
+    }
+    std::function<void()> beside;
+    std::atomic<int> runs{0};
+  };
+  const Mesh sphere = icosphere(2);
+  const winding::Surface surface = clean(sphere);
+  const winding::TriangleFarField farField(
+    surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
+  const Point sample(0.1, 0.2, 0.3);
+  const winding::VectorsView one(sample.data(), 1);
+  Watching first, second;
+  std::shared_ptr<const winding::FarField> ofSecond;
+  std::thread thread;
+  first.beside = [&]
+  {
+    thread = std::thread([&] { ofSecond = farField.suiting(one, second); });
+    // The other thread would come as far as to run something in much less time, if it could.
+    const auto enough = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    while (second.runs == 0 && std::chrono::steady_clock::now() < enough)
+    {
+      std::this_thread::yield();
+    }
+  };
+  const auto ofFirst = farField.suiting(one, first);
+  thread.join();
+  EXPECT_GT(first.runs, 0);
+  EXPECT_EQ(second.runs, 0);
+  EXPECT_EQ(ofSecond, ofFirst);
 }

@@ -5,6 +5,8 @@
 #include "farfield/Expansions.h"
 #include "source/Surface.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -193,6 +195,34 @@ TEST_P(SourceMomentsOfOrder, OfItemsWithoutAreaAreZero)
         ASSERT_EQ(moments.of(n)[place], 0);
       }
     }
+  }
+}
+
+TEST_P(SourceMomentsOfOrder, KeepSamplesAsFarAwayAsTheWidestOfTheirPointsIsSpread)
+{
+  SCOPED_TRACE("seeds 358, 359");
+  winding::PointCloud cloud = clean(randomCloud(700, 358));
+  Random random(359);
+  for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+  {
+    cloud.regularizationLengths.push_back(random(0, 0.1));
+  }
+  const auto sources = winding::farFieldSources(cloud, std::vector<double>(700, 1e-6));
+  winding::SerialExecutor serial;
+  const SourceTree tree(sources->centers(), 10, serial);
+  sources->arrange(tree.order(), false);
+  const FarFieldAccuracy accuracy = accuracyOf(GetParam());
+  const SourceMoments moments(tree, *sources, accuracy, serial);
+  for (std::size_t n = 0; n < tree.nodes().size(); ++n)
+  {
+    double widest = 0;
+    for (std::uint32_t i = tree.nodes()[n].begin; i < tree.nodes()[n].end; ++i)
+    {
+      widest = std::max(widest, cloud.regularizationLengths[tree.order()[i]]);
+    }
+    const double least =
+      moments.criteria.radius[n] + accuracy.spreadMargin * sources->scale() * widest;
+    EXPECT_GE(moments.criteria.rho[n], least * (1 - 1e-6)) << n;
   }
 }
 

@@ -4,6 +4,7 @@
 #include "core/support/RowValues.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "sums/ReferenceSum.h"
 
 #include <gtest/gtest.h>
 
@@ -231,6 +232,28 @@ TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)
     for (const double value : valuesOn(capped, grid, grid.wholeExtent()))
     {
       ASSERT_EQ(value, std::round(value));
+    }
+  }
+}
+
+TEST(CappedSurface, KeepsToleranceOnGridsHoweverFarTheyReach)
+{
+  SCOPED_TRACE("seed 146");
+  const winding::Surface surface = clean(damaged(icosphere(3), 0.3, 146));
+  const CappedSurface capped(surface, boundaryOf(surface), 1e-3, CappedSurface::CapSum::farField);
+  for (const double far : {1e2, 1e6, 1e10, 1e14, 1e20, 1e40, 1e80})
+  {
+    for (const Grid& grid :
+      {gridOf(Point::Constant(-far), Point::Constant(0.2 * far), {11, 11, 11}),
+        gridOf({-1, -1, -1}, {0.3, 0.5, 0.3 * far}, {7, 6, 4}),
+        gridOf({far, 0, 0}, {1, 1, 1}, {5, 5, 5})})
+    {
+      const std::vector<double> values = valuesOn(capped, grid, grid.wholeExtent());
+      for (std::size_t n = 0; n < values.size(); ++n)
+      {
+        const double expected = winding::referenceSum<double>(surface, grid.sample(n));
+        EXPECT_NEAR(values[n], expected, 1e-3) << far << " " << n;
+      }
     }
   }
 }

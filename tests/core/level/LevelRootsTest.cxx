@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "core/support/LatticeChain.h"
+#include "core/support/RowValues.h"
 #include "core/support/ShuffledThreads.h"
 #include "source/Surface.h"
 
@@ -96,4 +97,61 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
   }
   EXPECT_GT(checked, 1000u);
   EXPECT_GT(10 * withNormal, 8 * roots);
+}
+
+TEST(LevelRoots, NeedNoEvaluationWhereASingleCrossingExplainsTheChange)
+{
+  // Ray parity falls from 1 to 0 at the inner sphere, where w rises from 1 to 2.
+  const Mesh mesh =
+    icosphere(2).with(icosphere(2).mapped([](const Point& p) -> Point { return 0.51 * p; }));
+  const winding::Grid grid = gridOf({-1.1, -1.12, -1.13}, {0.201, 0.203, 0.204}, {12, 12, 12});
+  winding::SerialExecutor serial;
+  for (const auto method :
+    {winding::Method::automatic, winding::Method::direct, winding::Method::parity})
+  {
+    winding::FieldOptions options;
+    options.method = method;
+    const auto field =
+      Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+    winding::LevelEdges edges(*field, grid, InsideRule::signedThreshold, 0.5, false);
+    while (!edges.isDone())
+    {
+      ASSERT_TRUE(edges.advance(serial));
+    }
+    EXPECT_GT(edges.size(), 300u);
+    const winding::LevelRoots roots(
+      *field, grid, edges, InsideRule::signedThreshold, 0.5, 0.0, serial);
+    EXPECT_TRUE(roots.isDone()) << winding::nameOf(method);
+  }
+}
+
+TEST(LevelRoots, BesideSamplesOnFacesHaveTheNormalsOfTheFaces)
+{
+  // Samples 1 and 4 lie on faces, though in units of the grid rounding puts some of these faces
+  // beside them.
+  const winding::Grid grid = gridOf({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {6, 6, 6});
+  const Point low = grid.sample(1, 1, 1), high = grid.sample(4, 4, 4);
+  ASSERT_GT(grid.inGridUnits(low)[0], 1);
+  const Mesh mesh = cube(low, high);
+  winding::SerialExecutor serial;
+  winding::FieldOptions options;
+  options.method = winding::Method::direct;
+  const auto field =
+    Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+  const Roots found(*field, grid, InsideRule::signedThreshold, serial);
+  std::size_t onFaces = 0;
+  for (std::size_t i = 0; i < found.edges.size(); ++i)
+  {
+    const winding::GridEdge& edge = found.edges[i];
+    const int j = edge.sample[(edge.axis + 1) % 3], k = edge.sample[(edge.axis + 2) % 3];
+    if (j > 1 && j < 4 && k > 1 && k < 4)
+    {
+      ++onFaces;
+      Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+      normal[edge.axis] = edge.firstIsInside ? 1 : -1;
+      EXPECT_EQ(found.roots->normals()[i], normal)
+        << edge.sample[edge.axis] << " " << j << " " << k;
+    }
+  }
+  EXPECT_EQ(onFaces, 24u);
 }

@@ -7,6 +7,8 @@
 #include "core/support/LatticeSolids.h"
 #include "core/support/Shapes.h"
 #include "core/support/ShuffledThreads.h"
+#include "rays/RowCrossings.h"
+#include "source/Grid.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 
@@ -321,6 +323,29 @@ TEST(PointCrossings, OfSamplesOnLinesThroughOverlappingTriangles)
     {
       expectTheIntegersFromThreads(mesh, samples);
     }
+  }
+}
+
+TEST(PointCrossings, OnTheChainAreThoseOfRows)
+{
+  SCOPED_TRACE("seed 277");
+  const winding::Surface surface = clean(surfaceOf(randomCells(4, 277)));
+  winding::Grid grid;
+  grid.dimensions.setConstant(11);
+  grid.spacing.setConstant(0.5);
+  grid.firstSample.setConstant(-0.5);
+  std::vector<Point> samples;
+  for (std::size_t n = 0; n < winding::sampleCount(grid.wholeExtent()); ++n)
+  {
+    samples.push_back(grid.sample(n));
+  }
+  winding::SerialExecutor serial;
+  const std::vector<double> values = crossings(surface, samples, serial);
+  const winding::RowCrossings rows(surface.vertices, surface);
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    const Eigen::Vector3i at = winding::sampleIndex(grid.wholeExtent(), n);
+    EXPECT_EQ(values[n], rows.valueAt(grid, at[0], at[1], at[2])) << samples[n].transpose();
   }
 }
 

@@ -65,6 +65,15 @@ TEST(Advice, OnSurfacesSaysWhetherTheyAreClosed)
   EXPECT_TRUE(has(adviceOnMesh(shapes::Mesh()), "nothing to evaluate"));
 }
 
+TEST(Advice, OnInvertedSolidsWithCavitiesIsToTurnAll)
+{
+  const shapes::Mesh shell =
+    shapes::cube({0, 0, 0}, {3, 3, 3}).with(shapes::cube({1, 1, 1}, {2, 2, 2}).reversed());
+  EXPECT_EQ(adviceOnMesh(shell), "closed: every winding number is an integer");
+  EXPECT_EQ(adviceOnMesh(shell.reversed()).rfind("closed, but inside out", 0), 0u)
+    << adviceOnMesh(shell.reversed());
+}
+
 TEST(Advice, OnSurfacesNamesNonManifoldEdges)
 {
   const std::string cubes = adviceOnMesh(shapes::surfaceOf({{0, 0, 0}, {1, 1, 0}}));

@@ -221,3 +221,14 @@ TEST(CountOrientations, CountsOpenPartsThatACapCloses)
   EXPECT_EQ(counts.nearlyClosed, 0u);
   EXPECT_EQ(counts.inverted, 0u);
 }
+
+TEST(SurfaceReport, VolumeIsAsExactFarFromTheOrigin)
+{
+  // Both meshes have the same shape to the bit.
+  const auto moved = [](const Mesh& mesh, double by)
+  {
+    return mesh.mapped([by](const Point& p) -> Point { return p + Point(by, -by, by); });
+  };
+  const Mesh far = moved(icosphere(3), 0x1p23), near = moved(far, -0x1p23);
+  EXPECT_NEAR(report(far).volume, report(near).volume, 1e-12);
+}
