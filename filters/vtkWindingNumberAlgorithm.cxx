@@ -1,7 +1,9 @@
 #include "vtkWindingNumberAlgorithm.h"
 
 #include "base/Bounds.h"
+#include "base/Refusal.h"
 #include "private/ErrorReports.h"
+#include "private/ExpectedTimeAdvice.h"
 #include "private/InsideOutAdvice.h"
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
@@ -163,6 +165,7 @@ void vtkWindingNumberAlgorithm::CheckProperties()
   winding::checkChoice(
     "OutputScalarType", this->OutputScalarType, {"VTK_FLOAT", "VTK_DOUBLE"}, VTK_FLOAT);
   winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+  winding::checkRange("LongestExpectedTime", this->LongestExpectedTime, 0);
 }
 
 void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
@@ -199,6 +202,11 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
+  if (field)
+  {
+    this->EstimateCost(*field, static_cast<vtkIdType>(count), executor.threads());
+    this->CheckExpectedTime(*field, static_cast<vtkIdType>(count));
+  }
   const bool isPrepared = field && field->prepare(samples, executor) &&
                           (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
@@ -206,14 +214,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   {
     throw winding::Interrupted();
   }
-  winding::EvaluationCost cost = field->expectedCost(count);
-  if (this->WantsDistances())
-  {
-    cost += field->expectedCostOfDistances(count, this->GetDistanceLimit());
-  }
-  this->ExpectedSeconds = cost.seconds / executor.threads();
-  this->ExpectedMemory = static_cast<vtkIdType>(
-    static_cast<double>(cost.bytes) + this->GetResultBytes(static_cast<vtkIdType>(count)));
   const winding::FieldInfo& info = field->info();
   if (!info.warning.empty())
   {
@@ -224,6 +224,45 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
     vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
   }
   return *field;
+}
+
+void vtkWindingNumberAlgorithm::EstimateCost(
+  const winding::Field& field, vtkIdType samples, int threads)
+{
+  const auto count = static_cast<std::size_t>(samples);
+  winding::EvaluationCost cost = field.expectedCost(count);
+  if (this->WantsDistances())
+  {
+    cost += field.expectedCostOfDistances(count, this->GetDistanceLimit());
+  }
+  cost += this->GetAdditionalCost(field, samples);
+  this->ExpectedSeconds = cost.seconds / threads;
+  this->ExpectedMemory =
+    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
+}
+
+void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field, vtkIdType samples)
+{
+  constexpr double longEnoughToTell = 60;
+  const double seconds = this->ExpectedSeconds;
+  const bool isRefused = this->LongestExpectedTime > 0 && seconds > this->LongestExpectedTime;
+  if (isRefused || seconds > longEnoughToTell)
+  {
+    const std::string text = winding::expectedTimeAdvice(
+      field.info(), seconds, static_cast<std::size_t>(samples), this->Tolerance);
+    if (isRefused)
+    {
+      throw winding::Refusal(text + "; to have it all the same, raise Longest Expected Time "
+                                    "(--longest-expected-time), or set it to 0");
+    }
+    vtkWarningMacro(<< text);
+  }
+}
+
+winding::EvaluationCost vtkWindingNumberAlgorithm::GetAdditionalCost(
+  const winding::Field&, vtkIdType)
+{
+  return {};
 }
 
 bool vtkWindingNumberAlgorithm::WantsDistances() const
@@ -395,6 +434,7 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "LongestExpectedTime: " << this->LongestExpectedTime << "\n";
   os << indent << "SourceKind: " << this->SourceKind << "\n";
   os << indent << "Status: " << this->Status << "\n";
   os << indent << "SourceIsInsideOut: " << this->SourceIsInsideOut << "\n";

@@ -57,6 +57,7 @@ class Field;
 class ResultArrays;
 class SourceField;
 class VectorsView;
+struct EvaluationCost;
 struct FieldInfo;
 struct FieldOutput;
 struct Grid;
@@ -264,6 +265,15 @@ public:
   ///@}
 
   ///@{
+  /// The longest time that an execution may be expected to take, in seconds, by ExpectedSeconds;
+  /// longer ones are refused with what would be faster, before the work begins. An execution that
+  /// is expected to take more than a minute says so in a warning. 0 stands for no limit. 0 or more,
+  /// default 600.
+  vtkSetMacro(LongestExpectedTime, double);
+  vtkGetMacro(LongestExpectedTime, double);
+  ///@}
+
+  ///@{
   /// The kind of the source, even if SourceAsPoints takes it for another; composite data is a mesh
   /// if any leaf is. It is known as soon as the pipeline's information is, for a source that has
   /// been updated by then, so that a user interface can offer what the source needs before anything
@@ -402,6 +412,11 @@ protected:
   /// of the result arrays, unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
+  /// The cost of what the filter does beside the field and distances of so many samples, the result
+  /// arrays left out: nothing, unless a filter says otherwise. It may throw a refusal.
+  virtual winding::EvaluationCost GetAdditionalCost(
+    const winding::Field& field, vtkIdType samples);
+
   /// Warns where sides say that the source is inside out, as a whole or in part, and sets
   /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
   void TellSides(const winding::Field& field, const winding::SideCounts& sides,
@@ -425,6 +440,7 @@ protected:
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
+  double LongestExpectedTime = 600;
   int SourceKind = NO_SOURCE;
   int Status = DONE;
   bool SourceIsInsideOut = false;
@@ -438,6 +454,8 @@ private:
   const winding::Field& PrepareField(
     vtkDataObject* source, const Samples& samples, std::size_t count);
   winding::SourceOptions GetSourceOptions();
+  void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
+  void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
   const winding::FieldInfo& GetSourceInfo() const;
 
   std::unique_ptr<winding::SourceField> Source;

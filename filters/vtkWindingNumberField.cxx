@@ -188,23 +188,30 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
   return options;
 }
 
+winding::VoxelEvaluation vtkWindingNumberField::GetVoxelEvaluation() const
+{
+  winding::VoxelEvaluation voxels;
+  voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
+  voxels.samplesPerAxis = this->CoverageSamples;
+  return voxels;
+}
+
+winding::EvaluationCost vtkWindingNumberField::GetAdditionalCost(
+  const winding::Field& field, vtkIdType samples)
+{
+  return this->GetVoxelEvaluation().additionalCost(field, static_cast<std::size_t>(samples));
+}
+
 void vtkWindingNumberField::EvaluateVoxels(
   const winding::Field& field, const int samples[6], const winding::ResultArrays& results)
 {
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  winding::VoxelEvaluation voxels;
-  voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
-  voxels.samplesPerAxis = this->CoverageSamples;
+  winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
   voxels.output = this->OutputTo(results);
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const winding::Grid& grid = this->GetSampling();
-  const winding::EvaluationCost cost =
-    voxels.additionalCost(field, winding::sampleCount(grid.wholeExtent()));
-  this->ExpectedSeconds += cost.seconds / executor.threads();
-  this->ExpectedMemory += static_cast<vtkIdType>(cost.bytes);
-
   winding::Extent extent;
   std::copy_n(samples, 6, extent.begin());
   if (voxels.coverage != winding::Coverage::center)

@@ -45,6 +45,10 @@
 
 #include "vtkWindingNumberGridAlgorithm.h"
 
+namespace winding
+{
+struct VoxelEvaluation;
+}
 class vtkImageData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberField : public vtkWindingNumberGridAlgorithm
@@ -136,6 +140,8 @@ protected:
   void CheckProperties() override;
 
   double GetDistanceLimit() const override;
+  winding::EvaluationCost GetAdditionalCost(
+    const winding::Field& field, vtkIdType samples) override;
   winding::ResultOptions GetResultOptions() const override;
 
   int OutputAssociation = POINTS;
@@ -145,6 +151,7 @@ protected:
 
 private:
   void TellGrid(vtkInformation* outInfo) const;
+  winding::VoxelEvaluation GetVoxelEvaluation() const;
   void EvaluateVoxels(
     const winding::Field& field, const int samples[6], const winding::ResultArrays& results);
   void UpdateSource(vtkInformation* outInfo);

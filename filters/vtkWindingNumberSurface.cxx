@@ -108,35 +108,34 @@ int vtkWindingNumberSurface::RequestData(
   this->CheckGrid();
   this->CheckVerification(true);
   const winding::Field& field = this->PrepareField(source, this->GetSampling());
-  this->CheckMemory(field);
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
   this->VerifyWholeGrid(field);
   return 1;
 }
 
-/// Refuses surfaces that do not fit into memory. Where the source's area promises too many
-/// vertices, as it does for triangles one behind the other, a coarse grid tells more.
-void vtkWindingNumberSurface::CheckMemory(const winding::Field& field)
+/// The cost of the surface. Surfaces that do not fit into memory are refused. Where the source's
+/// area promises too many vertices, as it does for triangles one behind the other, a coarse grid
+/// tells more.
+winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
+  const winding::Field& field, vtkIdType)
 {
   const winding::Grid& grid = this->GetSampling();
-  const auto bytesOf = [&](double edges)
-  {
-    return static_cast<double>(winding::costOfLevelSurface(field, grid, edges).bytes);
-  };
   const double bytesOfGrid = this->GetResultBytes(0);
-  double bytes = bytesOf(winding::levelEdgesByArea(field, grid));
-  if (!winding::isMemoryFree(bytesOfGrid + bytes))
+  winding::EvaluationCost cost =
+    winding::costOfLevelSurface(field, grid, winding::levelEdgesByArea(field, grid));
+  if (!winding::isMemoryFree(bytesOfGrid + static_cast<double>(cost.bytes)))
   {
     winding::SmpExecutor executor(this, this->NumberOfThreads);
     executor.setShare(0, 0);
     const double edges =
       winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
         this->WindingThreshold, this->CloseBorder != 0, executor);
-    bytes = std::min(bytes, bytesOf(edges));
+    cost.bytes = std::min(cost.bytes, winding::costOfLevelSurface(field, grid, edges).bytes);
   }
-  this->ExpectedMemory += static_cast<vtkIdType>(bytes);
-  winding::refuseBeyondFreeMemory(bytesOfGrid + bytes, "the surface", "choose larger voxels");
+  winding::refuseBeyondFreeMemory(
+    bytesOfGrid + static_cast<double>(cost.bytes), "the surface", "choose larger voxels");
+  return cost;
 }
 
 void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
@@ -146,7 +145,6 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
   // About what rounds take beside the grid: much where there is something to search for.
   constexpr double progressOfGrid = 0.5;
   const winding::Grid& grid = this->GetSampling();
-  this->ExpectedSeconds += winding::costOfLevelSurface(field, grid, 0).seconds / executor.threads();
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
   winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
   while (!edges.isDone())

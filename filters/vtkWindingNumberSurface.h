@@ -103,6 +103,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
   bool WantsDistances() const override { return false; }
+  winding::EvaluationCost GetAdditionalCost(
+    const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 
   vtkTypeBool CloseBorder = 0;
@@ -111,7 +113,6 @@ protected:
 
 private:
   void CheckGrid() const;
-  void CheckMemory(const winding::Field& field);
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
   void TellEmpty(bool isAllInside);

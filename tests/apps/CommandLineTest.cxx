@@ -85,6 +85,8 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--tolerance", "-1"}, "--tolerance is -1"},
     {{"field", in, "-o", vti, "--pieces", "0"}, "--pieces is 0"},
     {{"field", in, "-o", vti, "--threads", "-1"}, "--threads is -1"},
+    {{"surface", in, "-o", "s.vtp", "--longest-expected-time", "-1"},
+      "--longest-expected-time is -1"},
     {{"field", in, "-o", vti, "--verify", "-1"}, "--verify is -1"},
     {{"field", in, "-o", vti, "--verify", "9", "--method", "parity"}, "--method parity"},
     {{"field", in, "-o", vti, "--verify", "9", "--inside-only"}, "--inside-only"},

@@ -122,6 +122,7 @@ template <class Filter> void expectCommonPropertiesRefused(Filter* filter)
   EXPECT_REFUSED(filter, InsideRule, insideRules);
   EXPECT_REFUSED(filter, OutputScalarType, choices("VTK_FLOAT (10) or VTK_DOUBLE (11)", 12, 9));
   EXPECT_REFUSED(filter, NumberOfThreads, negative);
+  EXPECT_REFUSED(filter, LongestExpectedTime, notPositive);
 }
 
 template <class Filter> void expectPropertiesOfGridsRefused(Filter* filter)

@@ -32,6 +32,7 @@ COMMON = {
     "ResultArrayName": ("w", "w"),
     "OutputScalarType": (11, "11"),
     "NumberOfThreads": (3, "3"),
+    "LongestExpectedTime": (30, "30"),
 }
 GRID = {
     "Resolution": (17, "17"),
@@ -144,6 +145,7 @@ RANGES = {
     "Regularization": (0, 4),
     "WindingThreshold": (0, 1),
     "NumberOfThreads": (0, None),
+    "LongestExpectedTime": (0, None),
     "Resolution": (1, None),
     "VoxelSize": (0, None),
     "SamplingDimensions": (0, None),
@@ -273,6 +275,7 @@ class TestProxies(unittest.TestCase):
                 "Tolerance": -1e-3,
                 "PointArea": -1,
                 "NumberOfThreads": -1,
+                "LongestExpectedTime": -1,
                 "VerifySamples": -1,
                 "DistanceBand": -1,
             },

@@ -23,6 +23,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetResultArrayName(options.array.c_str());
   filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
   filter->SetNumberOfThreads(options.threads);
+  filter->SetLongestExpectedTime(options.longestExpectedTime);
 }
 
 void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)

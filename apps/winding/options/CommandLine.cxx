@@ -47,6 +47,7 @@ void addField(CLI::App& app, Options& options)
       "Make and write the field in this many pieces, to save memory (1)")
     ->group("Run");
   addThreads(field, options);
+  addLongestTime(field, options);
   addReporting(field, options);
 }
 
@@ -64,6 +65,7 @@ void addSurface(CLI::App& app, Options& options)
     ->group("Output");
   addFieldOptions(surface, options);
   addThreads(surface, options);
+  addLongestTime(surface, options);
   addReporting(surface, options);
 }
 
@@ -79,6 +81,7 @@ void addVoxels(CLI::App& app, Options& options)
     ->group("Output");
   addFieldOptions(voxels, options);
   addThreads(voxels, options);
+  addLongestTime(voxels, options);
   addReporting(voxels, options);
 }
 
@@ -105,6 +108,7 @@ void addProbe(CLI::App& app, Options& options)
   addArrayName(probe, options);
   addMethod(probe, options);
   addThreads(probe, options);
+  addLongestTime(probe, options);
   addReporting(probe, options);
 }
 

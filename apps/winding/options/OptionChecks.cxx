@@ -50,6 +50,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
 {
   requireUsage(options.tolerance >= 0 && std::isfinite(options.tolerance),
     "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  requireUsage(options.longestExpectedTime >= 0 && std::isfinite(options.longestExpectedTime),
+    "--longest-expected-time is " + shown(options.longestExpectedTime) + "; give 0 or more");
   requireUsage(options.area >= 0 && std::isfinite(options.area),
     "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
   requireUsage(options.areas == Filter::CONSTANT || !wasGiven("--area"),

@@ -199,6 +199,14 @@ void addThreads(CLI::App* command, Options& options)
   command->add_option("--threads", options.threads, "Most threads to use (all)")->group("Run");
 }
 
+void addLongestTime(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--longest-expected-time", options.longestExpectedTime,
+      "Refuse at once what is expected to take more seconds than this; 0: no limit (0)")
+    ->group("Run");
+}
+
 void addReporting(CLI::App* command, Options& options)
 {
   command->add_flag("--json", options.json, "Print one JSON object on standard output")

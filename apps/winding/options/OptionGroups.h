@@ -37,4 +37,5 @@ void addDistance(CLI::App* command, Options& options);
 void addArrayName(CLI::App* command, Options& options);
 
 void addThreads(CLI::App* command, Options& options);
+void addLongestTime(CLI::App* command, Options& options);
 void addReporting(CLI::App* command, Options& options);

@@ -66,6 +66,7 @@ struct Options
 
   // The run.
   int threads = 0;
+  double longestExpectedTime = 0;
   int pieces = 1;
   int verify = 0;
   bool json = false;
