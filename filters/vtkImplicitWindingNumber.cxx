@@ -204,8 +204,8 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   }
   else if (options.field.method == winding::Method::rows)
   {
-    throw winding::Refusal("rows needs all samples at once and an implicit function gets them one "
-                           "by one; choose another method");
+    throw winding::Refusal("choose another method: rows needs all samples at once, and an implicit "
+                           "function gets them one by one");
   }
   const auto executor = newExecutor();
   const winding::Field* field = this->Internal->Source.prepare(this->Input, options, *executor);

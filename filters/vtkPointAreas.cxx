@@ -239,7 +239,6 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
   winding::checkCloudProperties(*this);
   winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
-  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas");
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
   const NumberedPoints points(pointSets);
   winding::InputOptions options;
@@ -249,6 +248,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   options.areas =
     this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
   winding::InputViews input(data, options);
+  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas");
   const std::vector<winding::OrientedPointsView> views = input.orientedPoints();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::PointCloud cloud = winding::sanitize(views, executor);
@@ -276,7 +276,8 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   }
   if (this->TotalArea == 0 && !areas.empty())
   {
-    vtkWarningMacro(<< "points at one place tell no area, so theirs are 0; set a point area");
+    vtkWarningMacro(
+      << "set a point area (Point Area): points at one place tell none, so theirs are 0");
   }
 }
 

@@ -28,29 +28,6 @@
 
 vtkStandardNewMacro(vtkSurfaceReport);
 
-namespace
-{
-
-/// One line for the user about the triangles that were turned and the parts that could not be;
-/// empty if there is nothing to say.
-std::string notice(const winding::OrientedPolygons& fix, vtkIdType oneSided)
-{
-  std::string text;
-  if (fix.triangles > 0)
-  {
-    text = "turned " + std::to_string(fix.triangles) + " triangles round, in " +
-           std::to_string(fix.components) + (fix.components == 1 ? " part" : " parts");
-  }
-  if (oneSided > 0)
-  {
-    text += (text.empty() ? "" : "; ") + std::to_string(oneSided) +
-            (oneSided == 1 ? " part has" : " parts have") + " one side only, and stay as they are";
-  }
-  return text;
-}
-
-} // namespace
-
 vtkSurfaceReport::vtkSurfaceReport()
 {
   this->SetNumberOfOutputPorts(2);
@@ -63,7 +40,7 @@ vtkSurfaceReport::~vtkSurfaceReport()
 
 int vtkSurfaceReport::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet"); // of which some are refused
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
@@ -111,9 +88,9 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
-  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report");
   winding::SmpExecutor executor(this, 0);
   auto views = std::make_unique<winding::InputViews>(source, options);
+  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report");
   std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
   const bool fixes = this->FixOrientation && views->isSurface();
   winding::OrientedPolygons fix;
@@ -130,13 +107,11 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
   const winding::SourceReport report =
     winding::reportOn(*views, isDouble ? VTK_DOUBLE : VTK_FLOAT, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
-  if (fixes)
+  const vtkIdType oneSided = fixes ? this->GetNumberOfOneSidedComponents() : 0;
+  if (oneSided > 0)
   {
-    const std::string text = notice(fix, this->GetNumberOfOneSidedComponents());
-    if (!text.empty())
-    {
-      vtkWarningMacro(<< text);
-    }
+    vtkWarningMacro(<< oneSided << (oneSided == 1 ? " part has" : " parts have")
+                    << " one side only, and stay as they are");
   }
   this->GetFaults()->ShallowCopy(report.faults);
   output->ShallowCopy(surface);

@@ -170,7 +170,8 @@ void vtkWindingNumberAlgorithm::CheckProperties()
 
 void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  // Images and the like are refused by InputViews, in words that say what to do.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
@@ -221,7 +222,8 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   }
   if (info.primitives == 0)
   {
-    vtkWarningMacro(<< "the source has no triangles and no points to sum over; its field is 0");
+    vtkWarningMacro(
+      << "give a surface or points: the source has none to sum over, so its field is 0");
   }
   return *field;
 }

@@ -70,7 +70,7 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   requests->SetInformationObject(port, request);
   if (!producer->Update(port, requests))
   {
-    throw winding::Refusal("the filter or reader before this one failed; mend that first");
+    throw winding::Refusal("look at the filter or reader before this one first: it failed");
   }
 }
 
@@ -79,7 +79,7 @@ int vtkWindingNumberField::RequestInformation(
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // The pipeline hands on the grid of an image that the source was made of, such as a contour's.
-  // That is no grid of ours, and there may be none this time.
+  // It would stay where this filter has no grid to tell of.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
   if (this->UseInputBounds)
@@ -145,7 +145,7 @@ int vtkWindingNumberField::RequestData(
     // Some pipelines, ParaView's among them, ask for data even where the information failed. Trying
     // again says why it did.
     this->LayOutGrid(vtkDataObject::GetData(inputs[0]));
-    throw winding::Refusal("there is no grid; mend what the error before this one says");
+    throw winding::Refusal("look at the error before this one first: there is no grid");
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);

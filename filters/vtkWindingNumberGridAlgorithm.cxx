@@ -22,6 +22,12 @@ winding::Bounds toBounds(const double (&b)[6])
   return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
+/// Whether bounds are those of a box. A user interface that follows an empty input has none.
+bool isBox(const winding::Bounds& bounds)
+{
+  return !bounds.isEmpty() && bounds.sizes().allFinite();
+}
+
 bool areSame(const winding::Bounds& a, const winding::Bounds& b)
 {
   return a.min() == b.min() && a.max() == b.max();
@@ -93,6 +99,11 @@ winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject
   else
   {
     request.bounds = toBounds(this->SamplingBounds);
+    if (this->UseInputBounds && !isBox(request.bounds))
+    {
+      throw winding::Refusal("give an input with points, or a box (Sampling Bounds): the input is "
+                             "empty, and tells no bounds");
+    }
   }
   request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
   request.voxelSize = this->VoxelSize;
@@ -129,11 +140,12 @@ void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
   if (this->VerifySamples > 0 && this->Method == PARITY)
   {
     throw winding::Refusal(
-      "parity is no winding number, so it cannot be verified; choose another method");
+      "choose another method (Method; --method): parity is no winding number, so it cannot be "
+      "verified");
   }
   if (this->VerifySamples > 0 && !hasValues)
   {
-    throw winding::Refusal("only values can be verified; turn GenerateWindingNumber on");
+    throw winding::Refusal("turn Generate Winding Number on: only values can be verified");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "vtkWindingNumberProbe.h"
 
 #include "base/Executor.h"
+#include "base/Refusal.h"
 #include "base/Views.h"
 #include "field/Field.h"
 #include "level/InsideOut.h"
@@ -94,6 +95,7 @@ int vtkWindingNumberProbe::FillInputPortInformation(int port, vtkInformation* in
   else
   {
     FillSourcePortInformation(info);
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that RequestData() says what is missing
   }
   return 1;
 }
@@ -145,7 +147,7 @@ int vtkWindingNumberProbe::RequestInformation(
   for (vtkInformationVector* input : {inputs[1], inputs[0]})
   {
     vtkInformation* info = input->GetInformationObject(0);
-    if (info->Has(Pipeline::TIME_STEPS()) || info->Has(Pipeline::TIME_RANGE()))
+    if (info && (info->Has(Pipeline::TIME_STEPS()) || info->Has(Pipeline::TIME_RANGE())))
     {
       outInfo->CopyEntry(info, Pipeline::TIME_STEPS());
       outInfo->CopyEntry(info, Pipeline::TIME_RANGE());
@@ -158,7 +160,10 @@ int vtkWindingNumberProbe::RequestInformation(
 int vtkWindingNumberProbe::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForAll(inputs[1]->GetInformationObject(0));
+  if (vtkInformation* source = inputs[1]->GetInformationObject(0))
+  {
+    winding::askForAll(source);
+  }
   return 1;
 }
 
@@ -175,6 +180,11 @@ int vtkWindingNumberProbe::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   const bool atCells = this->ProbeAssociation == CELLS;
   this->InsideFlags = nullptr;
+  if (this->GetNumberOfInputConnections(1) == 0)
+  {
+    throw winding::Refusal("choose a Source (SetSourceConnection, SetSourceData): the probe has "
+                           "none to tell winding numbers of");
+  }
   this->CheckProperties();
 
   winding::ResultOptions options = this->GetResultOptions();

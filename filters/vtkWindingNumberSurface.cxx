@@ -70,9 +70,8 @@ void vtkWindingNumberSurface::CheckGrid() const
     const std::string along = std::string(" along ") + "xyz"[axis];
     if (dimensions[axis] < 2 && !this->CloseBorder)
     {
-      throw winding::Refusal(
-        "the grid has one voxel" + along +
-        "; a surface needs two or more, so choose a finer grid or more padding");
+      throw winding::Refusal("choose a finer grid or more padding: the grid has one voxel" + along +
+                             ", and a surface needs two or more");
     }
   }
 }

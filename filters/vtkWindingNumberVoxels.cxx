@@ -121,8 +121,8 @@ vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& assoc
   if (!values || values->GetNumberOfComponents() != 1)
   {
     throw winding::Refusal(
-      "the image has no scalar array to tell inside from outside by; compute one with "
-      "vtkWindingNumberField or choose it by SetInputArrayToProcess");
+      "compute a scalar array (filter Winding Number Field), or choose one (Array; "
+      "SetInputArrayToProcess): the image has none to tell inside from outside by");
   }
   return values;
 }

@@ -18,7 +18,8 @@ enum class Outcome
 };
 
 /**
- * Does work for a VTK object, and reports an exception as an error of this object, in one line.
+ * Does work for a VTK object, and reports an exception as an error of this object, in one line: an
+ * algorithm's executive adds none of its own, unless somebody observes its errors.
  * An interruption is no error. `withoutMemory` is the line that tells of a failed allocation.
  */
 Outcome reportErrors(

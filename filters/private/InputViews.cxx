@@ -47,8 +47,9 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   auto* points = vtkPointSet::SafeDownCast(leaf);
   if (!points)
   {
-    throw Refusal(name + " is a " + std::string(leaf->GetClassName()) +
-                  "; a source is a surface or points (vtkPointSet)");
+    throw Refusal("extract a surface first, for instance by Contour: " + name + " is a " +
+                  std::string(leaf->GetClassName()) +
+                  ", and a source is a surface or points (vtkPointSet)");
   }
   if (points->GetNumberOfPoints() == 0)
   {
@@ -72,7 +73,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   if (!leaves_.empty() && isSurface != isSurface_)
   {
-    throw Refusal("the source mixes surfaces and point clouds; extract the blocks of one kind");
+    throw Refusal("extract the blocks of one kind: the source mixes surfaces and point clouds");
   }
   isSurface_ = isSurface;
   leaves_.push_back(own);
@@ -152,7 +153,7 @@ vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
   }
   if (options_.areaArray.empty())
   {
-    throw Refusal("areas are to come from an array but none is named; name it");
+    throw Refusal("name the array of the areas (Area Array): there is no name");
   }
   return this->findArray(leaf, options_.areaArray, 1);
 }
@@ -262,9 +263,14 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
   const bool withoutNormals = this->lacksNormals();
   if (withoutNormals && !options_.estimateNormals)
   {
-    throw Refusal("the points have no normals, and without them nothing tells inside from outside; "
-                  "have them estimated (EstimateNormals, --estimate-normals), or compute oriented "
-                  "ones first, for instance by vtkPCANormalEstimation");
+    if (std::any_of(leaves_.begin(), leaves_.end(), hasLines))
+    {
+      throw Refusal("make a surface of the lines first, for instance by Tube or Ribbon: the input "
+                    "has only lines, and they bound nothing");
+    }
+    throw Refusal("have normals estimated (Estimate Normals; --estimate-normals), or compute "
+                  "oriented ones first, for instance by vtkPCANormalEstimation: the points have "
+                  "none, and without them nothing tells inside from outside");
   }
   std::vector<OrientedPointsView> views;
   pointSets_.clear();
@@ -280,8 +286,8 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
     if (options_.areas == AreaSource::mesh && !isMesh)
     {
       throw Refusal(
-        "areas from the mesh need triangles, and these are points alone; choose Voronoi "
-        "areas");
+        "choose Voronoi areas (Point Area Method; --areas): those from the mesh need triangles, "
+        "and these are points alone");
     }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());

@@ -20,8 +20,8 @@ constexpr BytesOfWork bytesOfReport = {130, 330};
 constexpr BytesOfWork bytesOfAreas = {250, 250};
 ///@}
 
-/// Throws OutOfMemory where the work on a source does not fit into free memory, before anything is
-/// allocated. `what` names the work, as in "the report".
+/// Throws OutOfMemory where the work on a source that InputViews has looked at does not fit into
+/// free memory, before anything is allocated. `what` names the work, as in "the report".
 void refuseHugeSource(
   vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what);
 

@@ -89,6 +89,22 @@ bool hasFaces(vtkPointSet* leaf)
   return false;
 }
 
+bool hasLines(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData->GetNumberOfLines() > 0;
+  }
+  for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+  {
+    if (dimensionOf(leaf->GetCellType(i)) == 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 SourceKind kindOf(vtkDataObject* source)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(source))

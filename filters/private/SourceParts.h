@@ -17,6 +17,9 @@ namespace winding
 /// Whether a data set has cells that bound something: of two dimensions or more.
 bool hasFaces(vtkPointSet* leaf);
 
+/// Whether a data set has cells of one dimension. The types of its cells are known.
+bool hasLines(vtkPointSet* leaf);
+
 enum class SourceKind
 {
   nothing,

@@ -225,7 +225,7 @@ TEST_F(CheckCommand, FixesTheOrientationAndWritesTheResult)
     EXPECT_EQ(fixed["flipped_components"], 1);
     EXPECT_EQ(fixed["output"]["file"], out);
     EXPECT_EQ(fixed["output"]["cells"], sphere(3).triangles.size());
-    EXPECT_NE(run.err.find("warning: " + in + ": turned "), std::string::npos) << run;
+    EXPECT_EQ(run.err.find("warning"), std::string::npos) << run;
 
     const nlohmann::json again = runProgram({"check", out, "--json"}).json();
     EXPECT_EQ(again["closed"], true);

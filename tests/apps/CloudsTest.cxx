@@ -85,7 +85,7 @@ TEST_F(Clouds, OnOnePlaceAreRefusedForTheirGridOrWarnedOf)
   const Cloud equal{std::vector<Point>(50, {1, 1, 1}), std::vector<Point>(50, {0, 0, 1})};
   EXPECT_EQ(run(equal).status, 2);
   expectField(
-    equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell no area");
+    equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell none");
 }
 
 TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
@@ -131,7 +131,7 @@ TEST_F(Clouds, WithNormalsInwardAreMinusOne)
   {
     normal = {-normal[0], -normal[1], -normal[2]};
   }
-  expectField(cloud, {}, "");
+  expectField(cloud, {}, "turn the normals, or use the inside rule absolute");
 }
 
 TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
@@ -140,7 +140,7 @@ TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
   cloud.normals.clear();
   const Outcome refused = run(cloud);
   EXPECT_EQ(refused.status, 2) << refused;
-  EXPECT_TRUE(refused.saysInOneLine({"no normals", "--estimate-normals"})) << refused;
+  EXPECT_TRUE(refused.saysInOneLine({"have normals estimated", "--estimate-normals"})) << refused;
   const nlohmann::json report = expectField(cloud, {"--estimate-normals"}, "");
   EXPECT_EQ(report["input"]["normals_estimated"], true);
   EXPECT_EQ(report["input"]["clear_share"], 1);

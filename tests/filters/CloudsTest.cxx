@@ -27,7 +27,7 @@ TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)
   {
     ErrorLog log(probe);
     this->windingNumber(sphereCloud(2000, 0));
-    EXPECT_NE(log.errors().find("EstimateNormals"), std::string::npos) << log.errors();
+    EXPECT_NE(log.errors().find("Estimate Normals"), std::string::npos) << log.errors();
   }
   probe->EstimateNormalsOn();
   ErrorLog log(probe);

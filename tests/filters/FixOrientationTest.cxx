@@ -192,10 +192,7 @@ TEST_F(FixOrientation, TurnsPolygonsAndNothingElse)
                  : 0;
   }
   EXPECT_EQ(filter->GetNumberOfFlippedTriangles(), flipped);
-  EXPECT_NE(
-    log.warnings().find("turned " + std::to_string(flipped) + " triangles round, in 1 part"),
-    std::string::npos)
-    << log.warnings();
+  EXPECT_EQ(log.warnings(), "");
 }
 
 TEST_F(FixOrientation, LeavesWhatIsRightAlone)

@@ -215,7 +215,7 @@ TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
 {
   auto input = cloud();
   input->GetPointData()->Initialize();
-  this->expectRefused(input, "have them estimated");
+  this->expectRefused(input, "have normals estimated");
   filter->EstimateNormalsOn();
   this->areasOf(input);
   EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi);
@@ -226,7 +226,7 @@ TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
 TEST_F(PointAreas, WhatCannotBeIsRefused)
 {
   filter->SetPointAreaMethod(vtkPointAreas::MESH);
-  this->expectRefused(cloud(), "areas from the mesh need triangles");
+  this->expectRefused(cloud(), "choose Voronoi areas");
   for (const int method : {-1, 3})
   {
     filter->SetPointAreaMethod(method);

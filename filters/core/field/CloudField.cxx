@@ -28,8 +28,8 @@ CloudField::CloudField(
 {
   if (options.method == Method::parity || options.method == Method::rows)
   {
-    throw Refusal(std::string(nameOf(options.method)) +
-                  " needs triangles and this is a point cloud; choose another method");
+    throw Refusal(std::string("choose another method (Method; --method): ") +
+                  nameOf(options.method) + " needs triangles, and this is a point cloud");
   }
   info_.isSurface = false;
   info_.inputPrimitives = cloud_.inputPoints;
@@ -99,8 +99,10 @@ void CloudField::turnOutward(Executor& executor)
     std::snprintf(figures, sizeof figures,
       "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
       100 * orientation.outward, orientation.behind, orientation.before);
-    this->warn(std::string("the estimated normals do not tell inside from outside everywhere: ") +
-               figures + "; more points, or normals from where the points come from, would");
+    this->warn(
+      std::string("take more points, or normals from where the points come from: estimated ones do "
+                  "not tell inside from outside everywhere, for ") +
+      figures);
   }
 }
 
@@ -124,9 +126,9 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
   info_.pointArea = sum;
   if (sum == 0 && points > 0)
   {
-    this->warn(areAreasGiven ? "all areas of the points are 0, and so is the field"
-                             : "points at one place tell no area, so the field is 0; set a point "
-                               "area");
+    this->warn(areAreasGiven ? "give other areas: all of the points' are 0, and so is the field"
+                             : "set a point area (Point Area; --area): points at one place tell "
+                               "none, so the field is 0");
   }
 }
 

@@ -49,8 +49,9 @@ SurfaceField::SurfaceField(
   if (options.method == Method::rows && options.scattered && !chain.edges.empty())
   {
     throw Refusal(
-      "rows needs a grid, or a closed surface; these are scattered samples and there are " +
-      std::to_string(chain.edges.size()) + " boundary edges; choose another method");
+      "choose another method (Method; --method): rows needs a grid or a closed surface, and these "
+      "are scattered samples and " +
+      std::to_string(chain.edges.size()) + " boundary edges");
   }
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
