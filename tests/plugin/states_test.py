@@ -1,5 +1,5 @@
-"""The states and scripts of data/examples/paraview, and recorded scripts: they run in a pvpython that
-loads the plugin by itself."""
+"""The states and scripts of data/examples/paraview, and recorded scripts: they run in a pvpython
+that loads the plugin by itself."""
 import importlib
 import os
 import pathlib
