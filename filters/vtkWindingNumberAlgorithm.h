@@ -282,9 +282,9 @@ public:
   ///@}
 
   ///@{
-  /// Facts about the last execution: how it ended, the method used and why it was chosen (both
-  /// empty before the first one), the seconds spent on building from the source (none for what was
-  /// kept) and on evaluating.
+  /// Facts about the last execution: how it ended, the method used and why it was chosen, the
+  /// seconds spent on building from the source (none for what was kept) and on evaluating. The
+  /// method and its reason are empty before the first execution.
   vtkGetMacro(Status, int);
   const char* GetMethodUsed() const;
   const char* GetMethodReason() const;

@@ -16,8 +16,9 @@ import tempfile
 import inputs
 from pages import pages_of
 
-# Options of other programs that sentences speak of: of CMake, and of the example for ParaView.
-FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture", "--state"}
+# Options of other programs that sentences speak of: of CMake, and of ParaView and its examples.
+FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture", "--state",
+                   "--plugin", "--plugins", "--plugin-search-paths"}
 
 
 class Checker:
