@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -181,6 +182,40 @@ TEST(PlyText, NeedsNoEndOfTheLastLine)
       runProgram({"check", folder.write("a.ply", "ply\n" + format + rest), "--json"});
     ASSERT_EQ(run.status, 0) << format << run;
     EXPECT_EQ(run.json()["triangles"], 1) << run;
+  }
+}
+
+/// VTK's reader of PLY keeps the number of corners of a face in one byte, and 256 would become 0.
+TEST(PlyText, FacesHave255CornersAtMost)
+{
+  const TemporaryFolder folder;
+  for (const int corners : {255, 256})
+  {
+    std::string vertices, ids;
+    for (int i = 0; i < corners; ++i)
+    {
+      const double angle = 2 * std::acos(-1.0) * i / corners;
+      vertices += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+      ids += " " + std::to_string(i);
+    }
+    const std::string count = std::to_string(corners);
+    const Outcome run = runProgram({"check",
+      folder.write(
+        "a.ply", "ply\nformat ascii 1.0\nelement vertex " + count +
+                   "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                   "property list int int vertex_indices\nend_header\n" +
+                   vertices + count + ids + "\n"),
+      "--json"});
+    if (corners == 255)
+    {
+      ASSERT_EQ(run.status, 0) << run;
+      EXPECT_EQ(run.json()["triangles"], 253) << run;
+    }
+    else
+    {
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_TRUE(run.saysInOneLine({"a.ply: line 266", "255 at most"})) << run;
+    }
   }
 }
 

@@ -166,6 +166,32 @@ TEST_F(OutputFiles, WriteProtectedFilesAreNotReplaced)
   EXPECT_TRUE(partFiles().empty());
 }
 
+TEST_F(OutputFiles, WhatComesToStandThereMeanwhileIsNotReplaced)
+{
+#ifdef WINDING_SANITIZED
+  GTEST_SKIP() << "sanitizers want to be loaded before all other libraries";
+#endif
+  setenv("LD_PRELOAD", WINDING_FILE_FAULTS, 1);
+  setenv("FAULT_FILE", "in.off", 1);
+  setenv("FAULT_OPENING", "1", 1);
+  setenv("FAULT_ACTION", "pause", 1);
+  const int process =
+    startProgram({"field", in, "-o", folder.path("out.vti"), "--resolution", "4"});
+  unsetenv("LD_PRELOAD");
+  for (int i = 0; i < 6000 && partFiles().empty(); ++i)
+  {
+    std::this_thread::sleep_for(10ms);
+  }
+  const std::string out = folder.write("out.vti", "somebody's");
+  ASSERT_EQ(chmod(out.c_str(), 0444), 0);
+  int status = 0;
+  waitpid(process, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_EQ(contentsOf(out), "somebody's");
+  EXPECT_TRUE(partFiles().empty());
+}
+
 TEST_F(OutputFiles, LongNames)
 {
   // A file system that counts characters, or that wants UTF-8, gets no name that is cut in one.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <random>
 
 #include <sys/stat.h>
@@ -74,6 +75,30 @@ TEST(ReadInput, TextVariantsOfBinaryFormats)
     const Outcome run = check(fileName);
     ASSERT_EQ(run.status, 0) << run;
     EXPECT_EQ(run.json()["closed"], true);
+  }
+}
+
+/// Some programs write the words of STL in capitals, or begin them with one.
+TEST(ReadInput, StlInLettersOfAnySize)
+{
+  const TemporaryFolder folder;
+  const std::string small = asStl(sphere(1));
+  std::string capitals = small, beginnings = small;
+  for (std::size_t i = 0; i < small.size(); ++i)
+  {
+    const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(small[i])));
+    capitals[i] = capital;
+    beginnings[i] =
+      i == 0 || std::isspace(static_cast<unsigned char>(small[i - 1])) != 0 ? capital : small[i];
+  }
+  for (const std::string& text : {small, capitals, beginnings})
+  {
+    const Outcome run = check(folder.write("a.stl", text));
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.json()["triangles"], 32) << text.substr(0, 100);
+    EXPECT_EQ(run.json()["closed"], true);
+    const Outcome cut = check(folder.write("a.stl", text.substr(0, text.size() - 30)));
+    EXPECT_EQ(cut.status, 2) << cut;
   }
 }
 

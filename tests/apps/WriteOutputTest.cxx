@@ -103,10 +103,12 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
   const std::string large = moved("large.off", 1e90, 0);
   const std::string small = moved("small.off", 1e-90, 0);
   const std::string beyond = moved("beyond.off", 1, 1e8);
+  const std::string below = moved("below.off", 1, -1e6);
   for (const std::string suffix : {".stl", ".ply"})
   {
     const std::string out = folder.path("out" + suffix);
     const std::vector<std::string> commands[] = {{"surface", far, "-o", out, "--resolution", "8"},
+      {"surface", below, "-o", out, "--resolution", "8"},
       {"check", far, "--fix-orientation", "-o", out}};
     for (const auto& command : commands)
     {

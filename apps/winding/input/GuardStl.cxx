@@ -4,6 +4,8 @@
 #include "files/TextScanning.h"
 #include "program/Failure.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 
@@ -12,6 +14,15 @@ namespace
 
 constexpr std::size_t headerBytes = 84;
 constexpr std::size_t triangleBytes = 50;
+
+/// A word in small letters, since text may be in either, for VTK's reader, too.
+std::string inSmallLetters(std::string_view word)
+{
+  std::string small(word);
+  std::transform(small.begin(), small.end(), small.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return small;
+}
 
 void guardBinary(const std::string& fileName, const std::string& data)
 {
@@ -40,7 +51,7 @@ void guardBinary(const std::string& fileName, const std::string& data)
 
 bool isBinary(const std::string& data)
 {
-  if (data.rfind("solid", 0) != 0)
+  if (inSmallLetters(std::string_view(data).substr(0, 5)) != "solid")
   {
     return true;
   }
@@ -61,14 +72,14 @@ void guardText(const std::string& fileName, const std::string& data)
   {
     std::string_view rest = takeLine(data, start);
     ++line;
-    const std::string_view word = takeWord(rest);
+    const std::string word = inSmallLetters(takeWord(rest));
     if (word.empty())
     {
       continue;
     }
     lastWord = word;
-    facets += word == "endfacet" || word == "ENDFACET";
-    if (word == "vertex" || word == "VERTEX")
+    facets += word == "endfacet";
+    if (word == "vertex")
     {
       ++vertices;
       double value;
@@ -83,7 +94,7 @@ void guardText(const std::string& fileName, const std::string& data)
       }
     }
   }
-  if (vertices != 3 * facets || (lastWord != "endsolid" && lastWord != "ENDSOLID"))
+  if (vertices != 3 * facets || lastWord != "endsolid")
   {
     throw Failure(REFUSED, fileName,
       "ends at line " + std::to_string(line) + " with " + std::to_string(facets) +

@@ -318,6 +318,38 @@ TEST(GridCells, EvaluatePolynomialsAtEverySample)
   }
 }
 
+TEST(GridCells, EvaluatePolynomialsWithTheSameBitsInAnyExtent)
+{
+  SCOPED_TRACE("seed 382");
+  const Grid grid = gridOf({-1, 2, 0.5}, {0.1, 0.1, 0.1}, {32, 32, 32});
+  constexpr int order = 5;
+  Random random(382);
+  std::vector<float> coefficients;
+  for (int i = 0; i < (order + 1) * (order + 2) * (order + 3) / 6; ++i)
+  {
+    coefficients.push_back(static_cast<float>(random(-1, 1)));
+  }
+  const auto valuesIn = [&](const Extent& extent)
+  {
+    GridCells cells(grid, extent, 0.5, order);
+    const Counter counter(extent);
+    cells.setSink(counter);
+    cells.storePolynomial(cells.root(), order, coefficients.data());
+    return counter.values;
+  };
+  const Extent whole = grid.wholeExtent();
+  const std::vector<float> expected = valuesIn(whole);
+  for (const Extent& part :
+    {Extent{3, 10, 4, 11, 5, 12}, {0, 31, 7, 7, 9, 9}, {5, 5, 6, 6, 7, 7}, {1, 30, 2, 29, 3, 28}})
+  {
+    const std::vector<float> values = valuesIn(part);
+    for (std::size_t n = 0; n < values.size(); ++n)
+    {
+      ASSERT_EQ(values[n], expected[winding::sampleNumber(whole, winding::sampleIndex(part, n))]);
+    }
+  }
+}
+
 TEST(GridCells, HaveARootForAxesOfAnyLength)
 {
   Grid grid;

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 /**
@@ -169,6 +170,16 @@ TEST(EqualTriangles, AreSummedOnce)
     EXPECT_EQ(field->surface()->triangles.size(), 3000u);
     EXPECT_EQ(field->distinctSurface()->triangles.size(), 60u);
   }
+}
+
+TEST(EqualTriangles, AreFoundWhicheverWayTheyRun)
+{
+  Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 2}}};
+  do
+  {
+    two.triangles[1] = two.triangles[0];
+    EXPECT_EQ(fieldOf(two, Method::automatic, false)->info().distinct, 1u);
+  } while (std::next_permutation(two.triangles[0].begin(), two.triangles[0].end()));
 }
 
 TEST(EqualTriangles, CancelOppositeOnes)

@@ -211,6 +211,24 @@ TEST(RegularizedKernels, AtThePointHaveNoValueAndTheGradientOfTheLimit)
   }
 }
 
+TEST(RegularizedKernels, AtAPointThatIsNotSpreadHaveNothing)
+{
+  const Point place(0.1, 0.2, 0.3);
+  const KernelDipole dipole = dipoleOf(place, {0.5, -2, 1});
+  const std::array<float, 3> single = {0.5f, -2, 1};
+  SampleBlock samples;
+  samples.count = 1;
+  samples.set(0, place);
+  const double inverse = winding::inverseOfLength(0);
+  KernelSums sums;
+  GradientSums gradients;
+  winding::addRegularizedDipoles(&dipole, &inverse, 1, samples, sums);
+  winding::addRegularizedDipolesInSingle(&dipole, &single, &inverse, 1, samples, sums);
+  winding::addRegularizedDipoleGradients(&dipole, &inverse, 1, samples, gradients);
+  EXPECT_EQ(sums.sum[0], 0);
+  EXPECT_EQ(Point(gradients.x[0], gradients.y[0], gradients.z[0]), Point(0, 0, 0));
+}
+
 TEST(RegularizedKernels, OfOneSampleDoNotDependOnTheOthers)
 {
   SCOPED_TRACE("seeds 910 to 929");

@@ -224,6 +224,38 @@ TEST(Orientation, LeavesWhatIsOneSided)
   EXPECT_EQ(winding::countOneSided(mixed, edgesOf(mixed)), 0u);
 }
 
+TEST(Orientation, LeavesWhatIsOneSidedAlsoWhereALargePartMeetsIt)
+{
+  // A band runs twice along an edge of the strip's rim, in the direction of the strip, so that it
+  // is turned to cancel there. It is most of the component.
+  Mesh mesh;
+  const Surface strip = clean(moebiusStrip(20));
+  mesh.points = strip.vertices;
+  mesh.triangles = strip.triangles;
+  const SurfaceEdges::Rim rim = edgesOf(strip).rims.front();
+  const winding::Triangle& t = strip.triangles[static_cast<std::size_t>(rim.triangle)];
+  const std::size_t from = t[0] + t[1] == rim.low + rim.high   ? 0
+                           : t[1] + t[2] == rim.low + rim.high ? 1
+                                                               : 2;
+  const std::int32_t u = t[from], v = t[(from + 1) % 3];
+  const auto p = static_cast<std::int32_t>(mesh.points.size()), q = p + 1, m = p + 2, n = p + 3;
+  for (const Point& point :
+    {Point(0, 10, 50), Point(40, 0, 50), Point(20, 30, 60), Point(9, 9, 99)})
+  {
+    mesh.points.push_back(point);
+  }
+  for (const winding::Triangle& triangle :
+    {winding::Triangle{u, v, p}, {u, v, q}, {u, p, n}, {u, n, m}, {m, n, q}, {m, q, v}})
+  {
+    mesh.triangles.push_back(triangle);
+  }
+  const Orientation found = orient(clean(mesh));
+  for (std::size_t i = 0; i < found.isTurned.size(); ++i)
+  {
+    EXPECT_EQ(found.isTurned[i] != 0, i >= strip.triangles.size()) << i;
+  }
+}
+
 TEST(Orientation, CancelsWhereManyMeet)
 {
   // Two triangles of a sphere are there twice: whatever their orientations, one of each two is as
@@ -389,6 +421,9 @@ TEST(NearlyClosed, ClosesWhatHasASmallCap)
   EXPECT_EQ(isClosed(upperPart(icosphere(3))), std::vector<bool>{false});
   EXPECT_EQ(isClosed(moebiusStrip(10)), std::vector<bool>{false});
   EXPECT_EQ(isClosed(cube()), std::vector<bool>{true});
+  Mesh flipped = icosphere(1);
+  std::swap(flipped.triangles[7][1], flipped.triangles[7][2]);
+  EXPECT_EQ(isClosed(flipped), std::vector<bool>{true}) << "its sides are there twice";
   EXPECT_EQ(isClosed(Mesh()), std::vector<bool>());
   // The openings of two boxes have a corner in common, and a triangle touches the same corner.
   const Mesh other =
