@@ -1,8 +1,10 @@
 #include "vtkSurfaceReport.h"
 
 #include "private/ErrorReports.h"
+#include "private/FaultBlocks.h"
 #include "private/InputViews.h"
 #include "private/PolygonOrientation.h"
+#include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceMemory.h"
 #include "private/SourceParts.h"
@@ -85,6 +87,7 @@ int vtkSurfaceReport::RequestData(
 
 void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
 {
+  winding::checkRange("FaultThickness", this->FaultThickness, 0, 1);
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
@@ -104,8 +107,9 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
   const vtkSmartPointer<vtkPolyData> surface =
     isComposite ? winding::appended(leaves) : leaves.front();
   const bool isDouble = surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const winding::FaultShape shape = {isDouble ? VTK_DOUBLE : VTK_FLOAT, this->FaultThickness};
   const winding::SourceReport report =
-    winding::reportOn(*views, isDouble ? VTK_DOUBLE : VTK_FLOAT, fixes ? &fix : nullptr, executor);
+    winding::reportOn(*views, shape, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
   const vtkIdType oneSided = fixes ? this->GetNumberOfOneSidedComponents() : 0;
   if (oneSided > 0)
@@ -284,6 +288,7 @@ void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
   os << indent << "FixOrientation: " << this->FixOrientation << "\n";
+  os << indent << "FaultThickness: " << this->FaultThickness << "\n";
   os << indent << "Advice: " << this->GetAdvice() << "\n";
   os << indent << "FractionalShare: " << this->GetFractionalShare() << "\n";
 }

@@ -13,11 +13,13 @@
  *
  * Ghost cells and points pass through, but are not counted.
  *
- * The second output shows the faults of a surface. It is a multi-block dataset with four blocks,
- * which are empty for clouds and where there is no such fault:
- * - Boundary: the loops of edges that do not cancel, as closed polylines, with the cell data Loop,
- *   Edges and Multiplicity.
- * - Caps: the triangles that the field closes these loops with, with the cell data Loop.
+ * The second output shows the faults of a surface. It is a multi-block dataset in which each kind
+ * has its place, in this order, which is empty (null) where there is no such fault. Clouds have
+ * none.
+ * - Caps: the triangles that the field closes the loops of the boundary with, with the cell data
+ *   Loop.
+ * - Boundary: these loops of edges that do not cancel, as closed polylines, with the cell data
+ *   Loop, Edges and Multiplicity.
  * - NonManifoldEdges: lines, with the cell data Triangles, the number of triangles that meet there.
  * - InconsistentEdges: lines.
  *
@@ -34,7 +36,7 @@
  *
  * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips
  * of a surface in which something is turned become triangles, each with the cell data of its strip.
- * A warning says how many triangles were turned, and what could not be.
+ * The report says how many triangles were turned, and a warning what could not be.
  *
  * The arrays of the field data have one value each, unless said otherwise. All sources have:
  * - **kind**: "surface" or "points".
@@ -135,6 +137,14 @@ public:
   vtkBooleanMacro(FixOrientation, bool);
   ///@}
 
+  ///@{
+  /// The radius of the tubes that the lines of the second output become, so that they can be seen
+  /// on the surface, in units of the diagonal of its bounds; lines stay lines where it is 0. 0 to
+  /// 1, default 0.
+  vtkSetMacro(FaultThickness, double);
+  vtkGetMacro(FaultThickness, double);
+  ///@}
+
   /// The second output: the blocks that show the faults of a surface.
   vtkMultiBlockDataSet* GetFaults();
 
@@ -200,6 +210,7 @@ protected:
 
   char* NormalsArray = nullptr;
   bool FixOrientation = false;
+  double FaultThickness = 0;
   vtkNew<vtkFieldData> Report;
 };
 

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTubeFilter.h"
 
 #include <algorithm>
 #include <map>
@@ -184,6 +185,20 @@ vtkSmartPointer<vtkPolyData> inconsistentBlock(
   return maker.make(true);
 }
 
+vtkSmartPointer<vtkPolyData> tubes(vtkPolyData* lines, double radius)
+{
+  vtkNew<vtkTubeFilter> filter;
+  filter->SetInputData(lines);
+  filter->SetRadius(radius);
+  filter->SetNumberOfSides(8);
+  filter->CappingOn();
+  filter->SetOutputPointsPrecision(lines->GetPoints()->GetDataType() == VTK_DOUBLE
+                                     ? vtkAlgorithm::DOUBLE_PRECISION
+                                     : vtkAlgorithm::SINGLE_PRECISION);
+  filter->Update();
+  return filter->GetOutput();
+}
+
 /// Whether every edge has two triangles that agree about it, so that there is no boundary to look
 /// for.
 bool allPairUp(const SurfaceEdges& edges)
@@ -196,28 +211,27 @@ bool allPairUp(const SurfaceEdges& edges)
 } // namespace
 
 vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
-  const Surface& surface, const SurfaceEdges& edges, int pointType, Executor& executor)
+  const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor)
 {
   const BoundaryChain chain = allPairUp(edges) ? BoundaryChain() : boundaryChain(surface, executor);
   const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  const auto add = [&blocks](const char* name, vtkPolyData* block)
+  const double radius = shape.thickness * surface.bounds.diagonal().norm();
+  const auto set = [&blocks, radius](unsigned int place, const char* name, vtkPolyData* block)
   {
-    const unsigned int number = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(number, block);
-    blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name);
+    if (block->GetNumberOfCells() == 0)
+    {
+      return;
+    }
+    const bool isThick = radius > 0 && block->GetNumberOfLines() > 0;
+    blocks->SetBlock(place, isThick ? tubes(block, radius) : vtkSmartPointer<vtkPolyData>(block));
+    blocks->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name);
   };
-  add("Boundary", boundaryBlock(surface, chain, loops, pointType));
-  add("Caps", capBlock(surface, loops, pointType));
-  add("NonManifoldEdges", nonManifoldBlock(surface, edges, pointType));
-  add("InconsistentEdges", inconsistentBlock(surface, edges, pointType));
+  set(0, "Caps", capBlock(surface, loops, shape.pointType));
+  set(1, "Boundary", boundaryBlock(surface, chain, loops, shape.pointType));
+  set(2, "NonManifoldEdges", nonManifoldBlock(surface, edges, shape.pointType));
+  set(3, "InconsistentEdges", inconsistentBlock(surface, edges, shape.pointType));
   return blocks;
-}
-
-vtkSmartPointer<vtkMultiBlockDataSet> noFaults()
-{
-  SerialExecutor executor;
-  return faultBlocks(Surface(), SurfaceEdges(), VTK_FLOAT, executor);
 }
 
 } // namespace winding

@@ -11,24 +11,31 @@ class vtkMultiBlockDataSet;
 namespace winding
 {
 
+/// The look of faults.
+struct FaultShape
+{
+  int pointType; ///< VTK type of the points
+  /// Radius of the tubes that lines become, in units of the diagonal of the surface's bounds; lines
+  /// stay lines where it is 0.
+  double thickness;
+};
+
 /**
- * The faults of a surface, as polydata to look at. The blocks have this order; a block without a
- * fault is there, but empty:
+ * The faults of a surface, as polydata to look at. Every kind has a place of its own among the
+ * blocks, in this order, so that it has the same color in every view; the place is empty (null)
+ * where there is no such fault:
+ * - Caps: the triangles that close the loops of the boundary (Cap.h), as the field takes them. Cell
+ *   data: Loop, the loop's number.
  * - Boundary: the loops of the net boundary (Boundary.h) as closed polylines, which run along an
- *   edge once for each time that it does not cancel. Cell data: Loop, the loop's number; Edges, the
- *   number of its edges; Multiplicity, the largest of its edges' multiplicities.
- * - Caps: the triangles that close the loops (Cap.h), as the field takes them. Cell data: Loop.
+ *   edge once for each time that it does not cancel. Cell data: Loop; Edges, the number of its
+ *   edges; Multiplicity, the largest of its edges' multiplicities.
  * - NonManifoldEdges: the edges that more than two triangles use, as lines. Cell data: Triangles,
  *   the number of triangles that use the edge.
  * - InconsistentEdges: the edges that two triangles use in the same direction, as lines.
  *
- * The points of a block are the vertices that it uses, in their order; pointType is their VTK type.
- * Throws Interrupted.
+ * The points of a block are the vertices that it uses, in their order. Throws Interrupted.
  */
 vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
-  const Surface& surface, const SurfaceEdges& edges, int pointType, Executor& executor);
-
-/// The blocks of a surface without faults: all are empty.
-vtkSmartPointer<vtkMultiBlockDataSet> noFaults();
+  const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor);
 
 } // namespace winding

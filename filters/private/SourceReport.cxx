@@ -78,7 +78,7 @@ private:
   vtkFieldData* report_;
 };
 
-vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, int pointType,
+vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
   const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
   const std::shared_ptr<const Field> field =
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, int po
   writer.count("non_finite", surface.nonFiniteTriangles);
   writer.count("invalid_ids", surface.invalidIdTriangles);
   writer.text("advice", adviceOn(surface, report));
-  return faultBlocks(surface, edgeLists, pointType, executor);
+  return faultBlocks(surface, edgeLists, shape, executor);
 }
 
 void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
@@ -159,19 +159,19 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
 } // namespace
 
 SourceReport reportOn(
-  InputViews& source, int pointType, const OrientedPolygons* fix, Executor& executor)
+  InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor)
 {
   SourceReport report;
   report.arrays = vtkSmartPointer<vtkFieldData>::New();
   Writer writer(report.arrays);
   if (source.isSurface())
   {
-    report.faults = reportOnSurface(source, pointType, fix, writer, executor);
+    report.faults = reportOnSurface(source, shape, fix, writer, executor);
   }
   else
   {
     reportOnCloud(source, writer, executor);
-    report.faults = noFaults();
+    report.faults = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   }
   return report;
 }

@@ -10,6 +10,7 @@ namespace winding
 
 class Executor;
 class InputViews;
+struct FaultShape;
 struct OrientedPolygons;
 
 struct SourceReport
@@ -17,14 +18,13 @@ struct SourceReport
   /// The arrays of vtkSurfaceReport, in the order in which people read them: counts are vtkIdType,
   /// yes or no is unsigned char, measures are double, words are strings.
   vtkSmartPointer<vtkFieldData> arrays;
-  /// The faults of a surface, to look at (FaultBlocks.h); the blocks of a cloud are empty.
+  /// The faults of a surface, to look at (FaultBlocks.h); a cloud has none.
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report. pointType is the VTK type of the faults' points; fix tells how the polygons of
-/// the source have been turned before, and is null if that was not asked for. The core's exceptions
-/// pass through.
+/// Makes the report. fix tells how the polygons of the source have been turned before, and is null
+/// if that was not asked for. The core's exceptions pass through.
 SourceReport reportOn(
-  InputViews& source, int pointType, const OrientedPolygons* fix, Executor& executor);
+  InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor);
 
 } // namespace winding

@@ -47,6 +47,7 @@ SETTABLE = {
     "SurfaceReport": {
         "NormalsArray": ("Orientation", "Orientation"),
         "FixOrientation": (1, "1"),
+        "FaultThickness": (0.25, "0.25"),
     },
     "WindingNumberField": {
         **COMMON,
@@ -136,6 +137,10 @@ ENUMERATIONS = {
     "ProbeAssociation": {"Points": 0, "Cell Centers": 1},
 }
 
+# Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
+# array, and faults must be seen on their surface.
+DEFAULTS_OF_PANELS = {"NormalsArray": "None", "FaultThickness": "0.003"}
+
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
 RANGES = {
@@ -145,6 +150,7 @@ RANGES = {
     "Regularization": (0, 4),
     "WindingThreshold": (0, 1),
     "NumberOfThreads": (0, None),
+    "FaultThickness": (0, 1),
     "LongestExpectedTime": (0, None),
     "Resolution": (1, None),
     "VoxelSize": (0, None),
@@ -219,8 +225,7 @@ class TestProxies(unittest.TestCase):
             pushed = printed_members(proxy.GetClientSideObject())
             for member in settable:
                 with self.subTest(f"{name}.{member}"):
-                    # ParaView's lists of arrays name the choice of no array.
-                    expected = "None" if member == "NormalsArray" else in_cpp[member]
+                    expected = DEFAULTS_OF_PANELS.get(member, in_cpp[member])
                     self.assertEqual(elements_text(proxy.GetProperty(member)), expected)
                     self.assertEqual(pushed[member], expected)
 

@@ -130,11 +130,13 @@ Json describe(vtkPolyData* surface, const std::string& file)
 
 Json describe(vtkMultiBlockDataSet* blocks, const std::string& file)
 {
-  Json cells;
+  Json cells = {{"Boundary", 0}, {"Caps", 0}, {"NonManifoldEdges", 0}, {"InconsistentEdges", 0}};
   for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
   {
-    cells[blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())] =
-      vtkPolyData::SafeDownCast(blocks->GetBlock(i))->GetNumberOfCells();
+    if (auto* block = vtkPolyData::SafeDownCast(blocks->GetBlock(i)))
+    {
+      cells[blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())] = block->GetNumberOfCells();
+    }
   }
   return {{"file", file}, {"cells", cells}};
 }

@@ -134,10 +134,15 @@ void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
                       "version=\"1.0\" byte_order=\"LittleEndian\">\n  <vtkMultiBlockDataSet>\n";
   for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
   {
+    auto* surface = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+    if (!surface)
+    {
+      continue;
+    }
     const std::string block = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
     const std::filesystem::path path = std::filesystem::path(folder_) / (block + ".vtp");
     files.push_back(std::make_unique<OutputFile>(path.string(), inputs_));
-    writeSurface(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), *files.back(), messages);
+    writeSurface(surface, *files.back(), messages);
     const std::string relative = (path.parent_path().filename() / path.filename()).string();
     index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + escaped(block) +
              "\" file=\"" + escaped(relative) + "\"/>\n";
