@@ -180,13 +180,54 @@ class TestField(unittest.TestCase):
             field = simple.WindingNumberField(
                 Input=growing, UseInputBounds=0, SamplingBounds=(-3, 3, -3, 3, -3, 3), Resolution=24
             )
+            following = simple.WindingNumberField(Input=growing, Resolution=22)
             for time, expected in ((0, 0), (1, 1), (0, 0)):
                 field.UpdatePipeline(time)
                 image = servermanager.Fetch(field)
                 self.assertAlmostEqual(value_at(image, (1.375, 0.125, 0.125)), expected, places=5)
+                following.UpdatePipeline(time)
+                spacing = servermanager.Fetch(following).GetSpacing()[0]
+                self.assertAlmostEqual(spacing, 0.1 * (1 + time), delta=0.01)
             executive = field.GetClientSideObject().GetExecutive()
             steps = executive.GetOutputInformation(0).Get(executive.TIME_STEPS())
             self.assertEqual(steps, (0, 1))
+
+    def test_grid_follows_animations(self):
+        sphere = unit_sphere()
+        field = simple.WindingNumberField(Input=sphere, Resolution=22)
+        surface = simple.WindingNumberSurface(Input=sphere, Resolution=22)
+        report = simple.SurfaceReport(Input=sphere)
+        track = simple.GetAnimationTrack("Radius", proxy=sphere)
+        first, last = simple.CompositeKeyFrame(), simple.CompositeKeyFrame()
+        first.KeyTime, first.KeyValues = 0, [1]
+        last.KeyTime, last.KeyValues = 1, [3]
+        track.KeyFrames = [first, last]
+        scene = simple.GetAnimationScene()
+        scene.PlayMode = "Sequence"
+        scene.StartTime, scene.EndTime = 0, 1
+        for time in (0, 1, 0.5):
+            scene.AnimationTime = time
+            radius = 1 + 2 * time
+            for proxy in (field, surface, report):
+                proxy.UpdatePipeline(time)
+            image = servermanager.Fetch(field)
+            self.assertAlmostEqual(image.GetSpacing()[0], radius / 10, delta=0.01)
+            self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, places=5)
+            self.assertAlmostEqual(value_at(image, image.GetPoint(0)), 0, places=5)
+            top = servermanager.Fetch(surface).GetBounds()[5]
+            self.assertAlmostEqual(top, radius, delta=0.05 * radius)
+            area = servermanager.Fetch(report).GetFieldData().GetArray("area").GetValue(0)
+            self.assertAlmostEqual(area, 4 * math.pi * radius**2, delta=0.1 * area)
+
+    def test_hopeless_waits_are_refused(self):
+        sphere = unit_sphere(ThetaResolution=300, PhiResolution=300)
+        field = simple.WindingNumberField(Input=sphere, Resolution=512, Method="Direct Sum")
+        errors = errors_of(field)
+        field.UpdatePipeline()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("choose the method automatic (Method; --method), or larger", errors[0])
+        self.assertIn("raise Longest Expected Time", errors[0])
+        self.assertEqual(information(field, "Status"), 1)
 
     def test_progress_and_abort(self):
         field = simple.WindingNumberField(Input=unit_sphere(), Resolution=64, NumberOfThreads=1)

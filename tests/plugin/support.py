@@ -84,9 +84,7 @@ def volume_of(surface):
 
 def errors_of(proxy):
     """Errors that the C++ filter reports from now on; observed, they are not printed."""
-    errors = reports_of(proxy, "ErrorEvent")
-    proxy.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    return errors
+    return reports_of(proxy, "ErrorEvent")
 
 
 def warnings_of(proxy):

@@ -5,7 +5,7 @@ import unittest
 from paraview import simple
 
 from support import (
-    information, result, run_tests, shown, unit_sphere, volume_of, warnings_of)
+    errors_of, information, result, run_tests, shown, unit_sphere, volume_of, warnings_of)
 
 
 class TestSurface(unittest.TestCase):
@@ -27,6 +27,24 @@ class TestSurface(unittest.TestCase):
         self.assertIn("use a larger grid", warnings[0])
         surface.CloseBorder = 1
         self.assertAlmostEqual(volume_of(result(surface)), 0.008, delta=0.001)
+
+    def test_what_does_not_fit_into_memory_is_refused(self):
+        sphere = unit_sphere(ThetaResolution=32, PhiResolution=32)
+        surface = simple.WindingNumberSurface(
+            Input=sphere, SamplingDimensions=(2000000000, 100, 100)
+        )
+        errors = errors_of(surface)
+        surface.UpdatePipeline()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("choose larger voxels: the surface needs", errors[0])
+
+    def test_faces_that_look_inward_are_told(self):
+        inverted = simple.ReverseSense(Input=unit_sphere())
+        surface = simple.WindingNumberSurface(Input=inverted)
+        warnings = warnings_of(surface)
+        self.assertEqual(result(surface).GetNumberOfCells(), 0)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("turn the faces (filter Surface Report with Fix Orientation", warnings[0])
 
     def test_panel_shows_the_level_and_no_result_arrays(self):
         surface = simple.WindingNumberSurface(Input=unit_sphere())
