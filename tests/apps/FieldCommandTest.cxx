@@ -341,6 +341,18 @@ TEST_F(FieldCommand, PiecesReportTheFiguresOfAll)
   EXPECT_GT(pieces["seconds"]["evaluate"], 0);
 }
 
+TEST_F(FieldCommand, PiecesWarnOnce)
+{
+  Mesh mesh = sphere(2);
+  mesh.points[0][0] = std::nan("");
+  const Outcome warned = runProgram({"field", folder.write("nan.off", asOff(mesh)), "-o",
+    folder.path("a.vti"), "--resolution", "8", "--pieces", "4"});
+  EXPECT_EQ(warned.status, 0) << warned;
+  const std::size_t first = warned.err.find("unusable");
+  EXPECT_NE(first, std::string::npos) << warned;
+  EXPECT_EQ(warned.err.find("unusable", first + 1), std::string::npos) << warned;
+}
+
 TEST_F(FieldCommand, Methods)
 {
   EXPECT_EQ(run("a.vti", {"--resolution", "8", "--method", "direct"}).json()["method"], "direct");

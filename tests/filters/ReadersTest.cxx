@@ -118,7 +118,7 @@ TEST(GeomviewOFFReader, NormalsAreKeptAndColoursPassedOver)
 
 TEST(GeomviewOFFReader, SpecialNumbers)
 {
-  const auto mesh = read<Off>("OFF\n2 0 0\nnan inf -inf\n1e-400 1e300 -0\n");
+  const auto mesh = read<Off>("OFF\n2 0 0\nnan inf -inf\n1e-400 +1e300 -0\n");
   const double* first = mesh->GetPoints()->GetData()->GetTuple3(0);
   EXPECT_TRUE(std::isnan(first[0]));
   EXPECT_TRUE(std::isinf(first[1]) && std::isinf(first[2]));
@@ -142,6 +142,7 @@ TEST(GeomviewOFFReader, Refusals)
     "OFF\n3 1 0\n0 0 0.000000\n1 0 0.000000\n", "promises 3 vertices but has 2", end);
   expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 zero\n3 0 1 2\n", "line 5: \"zero\"", format);
   expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: a coordinate", format);
+  expectRefusal<Off>("OFF\n1 0 0\n0 +-1 0\n", "line 3: \"+-1\"", format);
   expectRefusal<Off>(
     "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3 does not exist", format);
   expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1", format);

@@ -69,7 +69,6 @@ std::vector<Source> sources()
     {"overlapping", fieldOf(twoSpheres()), true},
     {"summed", fieldOf(icosphere(1), Method::direct), true},
     {"open sphere", fieldOf(sphere.part(0, 1000)), false},
-    {"half-turned sphere", fieldOf(halfTurned(icosphere(2))), false},
     {"soup", fieldOf(triangleSoup(100, 71)), false}, {"cloud", fieldOf(sphereCloud(400)), false}};
 }
 
@@ -123,7 +122,9 @@ constexpr InsideRule rules[] = {
 TEST(VoxelOverlap, IsCentreOrCornerInsideOrSurfaceTouched)
 {
   winding::SerialExecutor serial;
-  for (const Source& source : sources())
+  std::vector<Source> all = sources();
+  all.push_back({"half-turned sphere", fieldOf(halfTurned(icosphere(2))), false});
+  for (const Source& source : all)
   {
     const Grid grid = gridOf(*source.field, {13, 10, 9});
     const Extent extent = grid.wholeExtent();
