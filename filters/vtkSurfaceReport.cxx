@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -146,6 +147,23 @@ const char* vtkSurfaceReport::GetAdvice()
 {
   auto* advice = vtkStringArray::SafeDownCast(this->Report->GetAbstractArray("advice"));
   return advice ? advice->GetValue(0).c_str() : "";
+}
+
+const char* vtkSurfaceReport::GetAdviceInLines()
+{
+  constexpr std::size_t longest = 44;
+  std::istringstream words(this->GetAdvice());
+  this->AdviceInLines.clear();
+  std::size_t length = 0;
+  for (std::string word; words >> word; length += word.size())
+  {
+    const bool isFirst = this->AdviceInLines.empty();
+    const bool fits = length + 1 + word.size() <= longest;
+    this->AdviceInLines += isFirst ? "" : fits ? " " : "\n";
+    length = fits && !isFirst ? length + 1 : 0;
+    this->AdviceInLines += word;
+  }
+  return this->AdviceInLines.c_str();
 }
 
 bool vtkSurfaceReport::GetSourceIsSurface()

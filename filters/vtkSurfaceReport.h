@@ -113,6 +113,8 @@
 #include "vtkNew.h"                  // for the report
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for the advice in lines
+
 class vtkFieldData;
 class vtkMultiBlockDataSet;
 
@@ -147,6 +149,10 @@ public:
 
   /// The second output: the blocks that show the faults of a surface.
   vtkMultiBlockDataSet* GetFaults();
+
+  /// The advice, broken into lines of at most 44 characters, for panels that do not break them. The
+  /// text lives until the next call.
+  const char* GetAdviceInLines();
 
   /// The arrays of the report, in the order in which people read them, without those that the
   /// source had. Empty before the first execution, and after one that failed or was aborted.
@@ -212,6 +218,7 @@ protected:
   bool FixOrientation = false;
   double FaultThickness = 0;
   vtkNew<vtkFieldData> Report;
+  std::string AdviceInLines;
 };
 
 #endif

@@ -23,6 +23,7 @@
 
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -368,6 +369,24 @@ TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
   stopper.reset();
   filter->Modified();
   EXPECT_EQ(this->reportOn(source)->GetNumberOfPoints(), source->GetNumberOfPoints());
+}
+
+TEST_F(SurfaceReport, AdviceComesInLinesToo)
+{
+  vtkNew<vtkSphereSource> half;
+  half->SetEndPhi(90);
+  half->Update();
+  this->reportOn(half->GetOutput());
+  std::istringstream lines(filter->GetAdviceInLines());
+  std::string whole;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+  {
+    EXPECT_LE(line.size(), 44u) << line;
+    whole += (whole.empty() ? "" : " ") + line;
+  }
+  EXPECT_EQ(whole, filter->GetAdvice());
+  EXPECT_GT(count, 1);
 }
 
 } // namespace
