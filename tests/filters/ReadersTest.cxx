@@ -201,6 +201,7 @@ TEST(OrientedPointsReader, NormalsAfterAllPositions)
 
 TEST(OrientedPointsReader, Refusals)
 {
+  expectRefusal<Points>("1\n0 0 0\n0 0 1\n5 5 5\n", "promises 1 points, but 3 lines", format);
   expectRefusal<Points>("", "is empty", end);
   expectRefusal<Points>("# nothing\n\n", "holds no points", end);
   expectRefusal<Points>("5\n", "5", format);

@@ -1,0 +1,55 @@
+#include "vtkGeomviewOFFReader.h"
+#include "vtkImplicitWindingNumber.h"
+#include "vtkNew.h"
+#include "vtkOrientedPointsReader.h"
+#include "vtkPointAreas.h"
+#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+#include "vtkWindingNumberVoxels.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// An object is expected to print these words as it is made, such as "Resolution: 64".
+template <class Class> void expectPrinted(const std::vector<std::string>& words)
+{
+  vtkNew<Class> object;
+  std::ostringstream text;
+  object->Print(text);
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(text.str().find(word), std::string::npos) << word << "\n" << text.str();
+  }
+}
+
+} // namespace
+
+TEST(Print, HasThePropertiesOfEveryClass)
+{
+  const std::vector<std::string> ofSources = {"Method: 0", "Tolerance: 0.001", "PointAreaMethod: 0",
+    "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
+  expectPrinted<vtkWindingNumberField>(ofSources);
+  expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
+    "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",
+    "OutputAssociation: 0", "DistanceBand: 0", "GenerateInside: 0", "NumberOfThreads: 0"});
+  expectPrinted<vtkWindingNumberSurface>(ofSources);
+  expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0", "GenerateNormals:"});
+  expectPrinted<vtkWindingNumberProbe>(ofSources);
+  expectPrinted<vtkWindingNumberProbe>(
+    {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
+  expectPrinted<vtkImplicitWindingNumber>(ofSources);
+  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0"});
+  expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
+    "EstimateNormals: 0", "ResultArrayName: Area", "TotalArea: 0"});
+  expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
+  expectPrinted<vtkGeomviewOFFReader>({"FileName: (none)"});
+  expectPrinted<vtkOrientedPointsReader>({"FileName: (none)"});
+}
