@@ -115,14 +115,18 @@ TEST_F(OutputFiles, AnInputIsReplacedOnRequest)
 TEST_F(OutputFiles, AnInputAmongTheBlocksIsNotReplaced)
 {
   const std::string faults = folder.path("faults.vtm");
-  ASSERT_EQ(runProgram({"check", in, "--blocks", faults}).status, 0);
+  Mesh mesh = sphere(3);
+  mesh.triangles.pop_back();
+  const std::string open = folder.write("open.off", asOff(mesh));
+  ASSERT_EQ(runProgram({"check", open, "--blocks", faults}).status, 0);
   const std::string boundary = folder.path("faults/Boundary.vtp");
   const std::string before = contentsOf(boundary);
   const Outcome run = runProgram({"check", boundary, "--blocks", faults});
   EXPECT_EQ(run.status, 2) << run;
   EXPECT_TRUE(run.saysInOneLine({"faults.vtm", "holds the input", "--overwrite"})) << run;
   EXPECT_EQ(contentsOf(boundary), before);
-  EXPECT_EQ(runProgram({"check", in, "--blocks", faults}).status, 0) << "their own index is there";
+  EXPECT_EQ(runProgram({"check", open, "--blocks", faults}).status, 0)
+    << "their own index is there";
 }
 
 TEST_F(OutputFiles, BlocksThatAKilledRunHasLeftAreCleared)

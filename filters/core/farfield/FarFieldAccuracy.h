@@ -38,7 +38,7 @@ struct FarFieldAccuracy
     }
     if (tolerance >= 1e-3)
     {
-      return {5, 0.62f, 3e-4f, 3.7f};
+      return {5, 0.62f, 5e-4f, 3.7f};
     }
     if (tolerance >= 1e-4)
     {

@@ -45,25 +45,30 @@ OrientationCounts countOrientations(
 {
   OrientationCounts counts;
   Components components = componentsOf(surface, edges);
-  const auto countClosed = [&components]
-  {
-    return static_cast<std::size_t>(
-      std::count(components.isClosed.begin(), components.isClosed.end(), 1));
-  };
-  counts.closed = countClosed();
-  Surface closed;
-  const bool hasOpen = counts.closed < components.isClosed.size();
-  if (hasOpen)
-  {
-    closed = surface;
-    closeNearlyClosed(closed, edges, components);
-    counts.nearlyClosed = countClosed() - counts.closed;
-  }
-  for (const ClosedComponent& component :
-    closedComponents(hasOpen ? closed : surface, components, executor))
+  const std::vector<char> isClosed = components.isClosed;
+  const auto count = [&counts](const ClosedComponent& component)
   {
     counts.inverted += component.isInverted();
     counts.nestedSolids += component.isNestedSolid();
+  };
+  for (const ClosedComponent& component : closedComponents(surface, components, executor))
+  {
+    ++counts.closed;
+    count(component);
+  }
+  if (counts.closed < components.size())
+  {
+    // Nearly closed components may lie in others, but make no cavity of a closed one.
+    Surface closed = surface;
+    closeNearlyClosed(closed, edges, components);
+    for (const ClosedComponent& component : closedComponents(closed, components, executor))
+    {
+      if (!isClosed[static_cast<std::size_t>(component.component)])
+      {
+        ++counts.nearlyClosed;
+        count(component);
+      }
+    }
   }
   counts.oneSided = countOneSided(surface, edges);
   return counts;

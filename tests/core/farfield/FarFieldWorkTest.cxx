@@ -134,7 +134,7 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
     double exactPairsOfStrong;
   };
   const Expected table[] = {{1e-2, 137446, 92224, 46881024, 39339584},
-    {1e-3, 192813, 30336, 67845568, 32638400}, {1e-4, 386085, 76224, 151209408, 78100824},
+    {1e-3, 192813, 30336, 67845568, 39406208}, {1e-4, 386085, 76224, 151209408, 78100824},
     {1e-5, 334720, 23296, 127875392, 75618344}, {1e-6, 334596, 2112, 128637824, 69825088}};
   winding::SerialExecutor serial;
   const auto workWith = [&](const FarSource& source, int voxels, const FarFieldAccuracy& accuracy)

@@ -70,7 +70,7 @@ TEST(Advice, OnInvertedSolidsWithCavitiesIsToTurnAll)
   const shapes::Mesh shell =
     shapes::cube({0, 0, 0}, {3, 3, 3}).with(shapes::cube({1, 1, 1}, {2, 2, 2}).reversed());
   EXPECT_EQ(adviceOnMesh(shell), "closed: every winding number is an integer");
-  EXPECT_EQ(adviceOnMesh(shell.reversed()).rfind("closed, but inside out", 0), 0u)
+  EXPECT_EQ(adviceOnMesh(shell.reversed()).rfind("inside out: have the faces", 0), 0u)
     << adviceOnMesh(shell.reversed());
 }
 
