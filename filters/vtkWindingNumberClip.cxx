@@ -80,7 +80,7 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberClip::PartOf(
   const double share = static_cast<double>(this->SamplesDone) /
                        static_cast<double>(std::max<std::size_t>(1, this->CutDistances.size()));
   this->UpdateProgress(progressOfDistances + (1 - progressOfDistances) * share);
-  if (isAborted(this))
+  if (winding::isAborted(this))
   {
     throw winding::Interrupted();
   }

@@ -1,5 +1,6 @@
 #include "private/CutDistances.h"
 
+#include "base/DividedShare.h"
 #include "field/Field.h"
 #include "private/FreeMemory.h"
 #include "private/ProbeQueries.h"
@@ -75,12 +76,16 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
   output.doubleDistances = distances.data();
   output.rule = rule;
   output.threshold = threshold;
+  DividedShare divided(executor);
+  const double shareOfDistances = isSmoothSomewhere(field) ? 0.5 : 1;
+  divided.set(0, shareOfDistances);
   if (!field.evaluate(samples, output, executor))
   {
     throw Interrupted();
   }
   if (isSmoothSomewhere(field))
   {
+    divided.set(shareOfDistances, 1);
     gradients.resize(3 * samples.size());
     if (!field.gradient(samples, gradients.data(), executor))
     {
