@@ -73,6 +73,19 @@ def show_probe(view, scan, _):
     color_by(view, show(view, probe, 1.3, Ambient=1, Diffuse=0), "WindingNumber", 0, 1)
 
 
+def show_clip(view, scan, _):
+    box = simple.Wavelet(WholeExtent=(0, 40, 0, 40, 0, 40), Center=(20, 20, 20))
+    box = simple.Transform(Input=box)
+    box.Transform.Scale = (0.065, 0.065, 0.065)
+    box.Transform.Translate = (-1.3, -1.2, -1.3)
+    clip = simple.WindingNumberClip(Input=box, Source=scan)
+    show(view, scan, -1.3)
+    show(view, box, -1.3, GREY, Representation="Outline")
+    color_by(view, show(view, back_half(clip), 1.3, Representation="Surface With Edges",
+                        EdgeColor=(0.5, 0.5, 0.5)), "RTData", 60, 280)
+    show(view, box, 1.3, GREY, Representation="Outline")
+
+
 def show_report(view, scan, _):
     show(view, scan, -1.3)
     report = simple.SurfaceReport(Input=scan)
@@ -91,6 +104,7 @@ PICTURES = {
     "WindingNumberSurface": show_surface,
     "WindingNumberVoxels": show_voxels,
     "WindingNumberProbe": show_probe,
+    "WindingNumberClip": show_clip,
     "SurfaceReport": show_report,
     "PointAreas": show_areas,
 }

@@ -106,7 +106,19 @@ int vtkWindingNumberProbe::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-/// The output is of the very class of the queries, unless it is a part of a data set.
+vtkSmartPointer<vtkDataObject> vtkWindingNumberProbe::NewOutput(vtkDataObject* input) const
+{
+  if (this->ExtractInside && vtkPolyData::SafeDownCast(input))
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  if (this->ExtractInside && vtkDataSet::SafeDownCast(input))
+  {
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  return newInstance(input);
+}
+
 int vtkWindingNumberProbe::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -116,19 +128,7 @@ int vtkWindingNumberProbe::RequestDataObject(
   {
     return 1;
   }
-  vtkSmartPointer<vtkDataObject> fresh;
-  if (this->ExtractInside && vtkPolyData::SafeDownCast(queries))
-  {
-    fresh = vtkSmartPointer<vtkPolyData>::New();
-  }
-  else if (this->ExtractInside && vtkDataSet::SafeDownCast(queries))
-  {
-    fresh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  }
-  else
-  {
-    fresh = newInstance(queries);
-  }
+  const vtkSmartPointer<vtkDataObject> fresh = this->NewOutput(queries);
   if (!output || std::strcmp(output->GetClassName(), fresh->GetClassName()) != 0)
   {
     outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
@@ -178,7 +178,6 @@ int vtkWindingNumberProbe::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
-  const bool atCells = this->ProbeAssociation == CELLS;
   this->InsideFlags = nullptr;
   if (this->GetNumberOfInputConnections(1) == 0)
   {
@@ -192,9 +191,9 @@ int vtkWindingNumberProbe::RequestData(
   const std::string insideName = winding::textOf(this->InsideArrayName);
   options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;
   options.withInside =
-    options.withInside || options.withValues || options.withDistances || this->ExtractInside;
+    options.withInside || options.withValues || options.withDistances || this->KeepsPart();
   this->QueriesRefused = true; // unless the next line comes to its end
-  const winding::ProbeQueries queries(input, atCells, this->ExtractInside);
+  const winding::ProbeQueries queries(input, this->SamplesCells(), this->KeepsPart());
   this->QueriesRefused = false;
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);
@@ -205,6 +204,7 @@ int vtkWindingNumberProbe::RequestData(
     turnInsideOut(samples, results.inside()->GetPointer(0));
   }
   this->InsideFlags = results.inside();
+  this->FinishSamples(field, queries, results.inside()->GetPointer(0));
   this->WriteOutput(input, queries, results, output);
   return 1;
 }
@@ -214,10 +214,13 @@ void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
 {
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
+  const double progress = this->GetProgressOfSamples();
+  executor.setShare(0, progress);
   if (!field.evaluate(samples, this->OutputTo(results), executor))
   {
     throw winding::Interrupted();
   }
+  executor.setShare(progress, progress);
   this->LookAtSides(field, samples, results, executor);
 }
 
@@ -230,7 +233,6 @@ void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
   {
     return;
   }
-  executor.setShare(1, 1);
   const double threshold = this->WindingThreshold;
   winding::SideCounts sides = results.countSides(threshold);
   const bool isEmpty = this->ExtractInside && !this->InsideOut && results.hasNothingInside();
@@ -241,21 +243,41 @@ void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
   this->TellSides(field, sides, executor);
 }
 
+void vtkWindingNumberProbe::FinishSamples(
+  const winding::Field&, const winding::ProbeQueries&, const unsigned char*)
+{
+}
+
+void vtkWindingNumberProbe::AddArrays(
+  const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const
+{
+  results.addTo(ofAll);
+  if (!this->GenerateInside)
+  {
+    ofAll->RemoveArray(results.inside()->GetName());
+  }
+}
+
+vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::PartOf(
+  vtkDataSet* data, const winding::ProbeLeaf&, const unsigned char* inside)
+{
+  return winding::insidePart(data, inside, this->SamplesCells());
+}
+
 vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(
   const winding::ProbeQueries& queries, const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll)
 {
-  const bool atCells = this->ProbeAssociation == CELLS;
   auto answer = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
   answer->ShallowCopy(leaf.data);
   vtkDataSetAttributes* attributes = answer->GetPointData();
-  if (atCells)
+  if (this->SamplesCells())
   {
     attributes = answer->GetCellData();
   }
   queries.addPart(leaf, ofAll, attributes);
-  if (this->ExtractInside)
+  if (this->KeepsPart())
   {
-    answer = winding::insidePart(answer, this->InsideFlags->GetPointer(0) + leaf.first, atCells);
+    answer = this->PartOf(answer, leaf, this->InsideFlags->GetPointer(0) + leaf.first);
   }
   this->DescribeMethod(answer);
   return answer;
@@ -265,11 +287,7 @@ void vtkWindingNumberProbe::WriteOutput(vtkDataObject* input, const winding::Pro
   const winding::ResultArrays& results, vtkDataObject* output)
 {
   vtkNew<vtkPointData> ofAll;
-  results.addTo(ofAll);
-  if (!this->GenerateInside)
-  {
-    ofAll->RemoveArray(results.inside()->GetName());
-  }
+  this->AddArrays(results, ofAll);
   auto* tree = vtkDataObjectTree::SafeDownCast(input);
   if (!tree)
   {

@@ -152,6 +152,31 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
 
+  /// Whether the samples are the centres of cells rather than points.
+  virtual bool SamplesCells() const { return this->ProbeAssociation == CELLS; }
+
+  /// Whether the output is a part of the data set, so that its cells are used.
+  virtual bool KeepsPart() const { return this->ExtractInside != 0; }
+
+  /// A new output for this input: one of the same class, unless it is a part of a data set.
+  virtual vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const;
+
+  /// The progress when all samples are evaluated; what a filter does after that has the rest.
+  virtual double GetProgressOfSamples() const { return 1; }
+
+  /// What a filter does when all samples are evaluated and before any output is written: nothing,
+  /// unless a filter says otherwise. `inside` has an entry for each sample.
+  virtual void FinishSamples(
+    const winding::Field& field, const winding::ProbeQueries& queries, const unsigned char* inside);
+
+  /// Adds the arrays that the output of all samples has.
+  virtual void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const;
+
+  /// The part of a data set that is kept, with all of its arrays, if KeepsPart(). `inside` has an
+  /// entry for each sample of the leaf.
+  virtual vtkSmartPointer<vtkDataSet> PartOf(
+    vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside);
+
   int ProbeAssociation = POINTS;
   vtkTypeBool InsideOut = 0;
   vtkTypeBool ExtractInside = 0;

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceReport.h"
+#include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -80,6 +81,11 @@ TEST(MemoryOfWork, HugeQueriesAreRefused)
   probe->SetSourceConnection(source->GetOutputPort());
   EXPECT_NE(errorsOf(probe.Get()).find("probe a part of the data set"), std::string::npos);
   EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::OUT_OF_MEMORY);
+  vtkNew<vtkWindingNumberClip> clip;
+  clip->SetInputData(image);
+  clip->SetSourceConnection(source->GetOutputPort());
+  EXPECT_NE(errorsOf(clip.Get()).find("probe a part of the data set"), std::string::npos);
+  EXPECT_EQ(clip->GetStatus(), vtkWindingNumberClip::OUT_OF_MEMORY);
 }
 
 TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)

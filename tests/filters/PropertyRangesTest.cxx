@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -190,6 +191,20 @@ TEST_F(PropertyRanges, OfTheProbe)
   EXPECT_REFUSED(filter, ProbeAssociation, choices("POINTS (0) or CELLS (1)", 2));
   EXPECT_EQ(probe->IsInside(0), 0) << "there is no last result";
   expectWorking(probe);
+}
+
+TEST_F(PropertyRanges, OfTheClip)
+{
+  vtkNew<vtkSphereSource> data;
+  data->SetCenter(0.3, 0, 0);
+  vtkNew<vtkWindingNumberClip> clip;
+  clip->SetInputConnection(data->GetOutputPort());
+  clip->SetSourceConnection(sphere->GetOutputPort());
+  vtkWindingNumberClip* filter = clip;
+  expectCommonPropertiesRefused(filter);
+  EXPECT_REFUSED(filter, ProbeAssociation, choices("POINTS (0) or CELLS (1)", 2));
+  EXPECT_EQ(clip->GetStatus(), vtkWindingNumberClip::REFUSED);
+  expectWorking(clip);
 }
 
 TEST_F(PropertyRanges, OfVoxels)

@@ -65,11 +65,11 @@ class TestPanel(unittest.TestCase):
         self.assertIn("MaxError", shown(field, "Last Execution"))
 
     def test_properties_of_clouds_are_shown_for_clouds_only(self):
-        for name in ("WindingNumberField", "WindingNumberProbe"):
+        for name in ("WindingNumberField", "WindingNumberProbe", "WindingNumberClip"):
             sources = (self.mesh, self.cloud), (self.cells, self.cloud), self.blocks.values()
             for mesh, cloud in sources:
                 with self.subTest(f"{name}, {mesh.GetXMLName()}"):
-                    port = "Source" if name == "WindingNumberProbe" else "Input"
+                    port = "Input" if name == "WindingNumberField" else "Source"
                     as_points_name = port + "AsPoints"
                     proxy = getattr(simple, name)(**{"Input": self.mesh, port: mesh})
                     proxy.UpdatePipelineInformation()
@@ -108,8 +108,9 @@ class TestPanel(unittest.TestCase):
             ("WindingNumberField", "Input As Points"),
             ("WindingNumberSurface", "Input As Points"),
             ("WindingNumberProbe", "Source As Points"),
+            ("WindingNumberClip", "Source As Points"),
         ):
-            inputs = ("Input", "Source") if name == "WindingNumberProbe" else ("Input",)
+            inputs = ("Input", "Source") if label == "Source As Points" else ("Input",)
             proxy = getattr(simple, name)(**{port: self.mesh for port in inputs})
             smproperty = proxy.SMProxy.GetProperty("SourceAsPoints")
             self.assertEqual(smproperty.GetXMLLabel(), label)
@@ -156,6 +157,13 @@ class TestPanel(unittest.TestCase):
                 if proxy.GenerateInside:
                     expected.add("InsideArrayName")
                 self.assertEqual(shown(proxy, "Inside and Outside"), expected)
+
+    def test_clip_shows_what_inside_means_and_no_arrays(self):
+        proxy = simple.WindingNumberClip(Input=self.mesh, Source=self.mesh)
+        expected = {"WindingThreshold", "InsideRule", "InsideOut"}
+        self.assertEqual(shown(proxy, "Inside and Outside"), expected)
+        for heading in ("Where", "Signed Distance", "Result"):
+            self.assertTrue(shown(proxy, heading) <= {"Input"}, heading)
 
     def test_areas_show_what_their_method_needs(self):
         areas = simple.PointAreas(Input=self.cloud)

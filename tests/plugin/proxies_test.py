@@ -71,6 +71,13 @@ SETTABLE = {
         "ExtractInside": (1, "1"),
         "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
     },
+    "WindingNumberClip": {
+        **COMMON,
+        "ProbeAssociation": (1, "1"),
+        "InsideOut": (1, "1"),
+        "ExtractInside": (1, "1"),
+        "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
+    },
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),
@@ -105,6 +112,7 @@ REPORTED = {
     "WindingNumberField": GRID_REPORTED,
     "WindingNumberSurface": GRID_REPORTED,
     "WindingNumberProbe": COMMON_REPORTED,
+    "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
     "PointAreas": {"TotalArea"},
 }
@@ -116,6 +124,7 @@ INPUTS = {
     "WindingNumberField": {"Input"},
     "WindingNumberSurface": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
+    "WindingNumberClip": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
     "PointAreas": {"Input"},
 }
@@ -302,7 +311,7 @@ class TestProxies(unittest.TestCase):
                 with self.subTest(f"{name}.{port}"):
                     smproperty = new_proxy("filters", name).GetProperty(port)
                     self.assertIsNotNone(smproperty.FindDomain("vtkSMDataTypeDomain"))
-                    if "NormalsArray" in SETTABLE[name] and name != "WindingNumberProbe":
+                    if "NormalsArray" in SETTABLE[name] and "Source" not in inputs:
                         self.assertIsNotNone(smproperty.GetDomain("point_vectors"))
 
     def test_all_is_documented_in_sentences(self):
@@ -330,6 +339,7 @@ class TestProxies(unittest.TestCase):
             "WindingNumberField": "Winding Number Field",
             "WindingNumberSurface": "Winding Number Surface",
             "WindingNumberProbe": "Winding Number Probe",
+            "WindingNumberClip": "Winding Number Clip",
             "WindingNumberVoxels": "Winding Number Voxels",
             "PointAreas": "Point Areas",
         }
@@ -363,7 +373,7 @@ class TestState(unittest.TestCase):
         simple.ResetSession()
         load_plugin()
         inputs = {"Input": unit_sphere()}
-        if name == "WindingNumberProbe":
+        if "Source" in INPUTS[name]:
             inputs["Source"] = unit_sphere()
         if name == "WindingNumberVoxels":
             inputs["Input"] = simple.WindingNumberField(Input=inputs["Input"], OutputAssociation="Cells")

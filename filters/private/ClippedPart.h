@@ -1,0 +1,21 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+namespace winding
+{
+
+/**
+ * The part of a data set in which numbers at its points, interpolated along edges, are more than 0,
+ * with all arrays of the data set. Cells are cut by vtkTableBasedClipDataSet. Cells of a point that
+ * is NaN or infinite are left out. A data set without cells counts as points with a vertex each.
+ *
+ * The cells of the data set were checked (CellChecks.h); `numbers` has an entry for each point, and
+ * none is 0. Points are double where those of the data set are not stored as float.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> clippedPart(vtkDataSet* data, const double* numbers);
+
+} // namespace winding

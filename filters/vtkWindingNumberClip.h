@@ -1,0 +1,98 @@
+/**
+ * @class   vtkWindingNumberClip
+ * @brief   cuts what is inside of a source out of any data set
+ *
+ * Port 0 takes the data set to be cut, any vtkDataSet or a composite of them. Port 1 takes the
+ * source, a surface or an oriented point cloud, which need not be closed (see
+ * vtkWindingNumberAlgorithm). The output is the part of port 0 that is inside by WindingThreshold
+ * and InsideRule, or outside with InsideOut: whole cells, and pieces of the cells that the end of
+ * what is inside passes through.
+ *
+ * @code
+ *   vtkNew<vtkWindingNumberClip> clip;
+ *   clip->SetInputConnection(volume->GetOutputPort());
+ *   clip->SetSourceConnection(scan->GetOutputPort());
+ * @endcode
+ *
+ * vtkTableBasedClipDataSet cuts the cells, so the output is a vtkUnstructuredGrid for every data
+ * set, polydata included, as that of ParaView's Clip is. Cells without a table in it, such as
+ * polygons, polyhedra and cells of higher order, are cut by vtkClipDataSet, through simplices. All
+ * arrays of the data set are kept; at new points those of points are interpolated. A data set
+ * without cells counts as points, and every point that is kept gets a vertex. The output for a
+ * composite data set has the same structure.
+ *
+ * **Accuracy of the cut.** A cell is cut if one of its points is inside and another is not, so what
+ * lies between the points is not seen. The cut meets an edge where distances from the end of what is
+ * inside, taken with their signs and interpolated linearly between the two points, are 0. For a
+ * closed surface they are the distances to its triangles: the cut is exact where the surface is
+ * plane around an edge and cuts off a part of order h²/R of the edge too much or too little where
+ * it has the radius R of curvature, h being the edge's length. Beside holes and for clouds they are
+ * the smaller one of that distance and of |w − WindingThreshold| / |∇w|, which is right to the same
+ * order where w is smooth. Where another part of the source is nearer to one of the two points than
+ * what the edge crosses, as at sharp edges, in gaps that are narrower than a cell, and where
+ * surfaces overlap, the cut may be wrong by as much as an edge. Measured on grids of 40 to 100
+ * points along an axis, the mean error is 0.01 to 0.03 of an edge for closed meshes, 0.03 for open
+ * scans and 0.05 for a cloud. Interpolating w, which jumps by 1 across the surface, would give 0.14
+ * to 0.26 of an edge for all of these. The part inside and the part outside fit together: they have
+ * the same cut.
+ *
+ * The properties of vtkWindingNumberAlgorithm about result arrays (GenerateWindingNumber,
+ * GenerateInside, GenerateSignedDistance, ResultArrayName, OutputScalarType), and those of
+ * vtkWindingNumberProbe about samples and parts (ProbeAssociation, ExtractInside, InsideArrayName),
+ * have no effect. Field data that says how the result came about is added. A warning says so where
+ * the result is empty. Points that are NaN or infinite are neither inside nor outside; cells that
+ * have them are left out.
+ *
+ * **Pipeline.** w is evaluated at all points, distances and gradients at those of cells that are
+ * cut. It takes 14 bytes for each point beside the output. The abort flag is asked all the while,
+ * but not while VTK cuts the cells of one data set.
+ *
+ * @sa vtkWindingNumberProbe vtkImplicitWindingNumber vtkTableBasedClipDataSet
+ */
+#ifndef vtkWindingNumberClip_h
+#define vtkWindingNumberClip_h
+
+#include "vtkWindingNumberProbe.h"
+
+#include <vector> // for the numbers by which cells are cut
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberClip : public vtkWindingNumberProbe
+{
+public:
+  static vtkWindingNumberClip* New();
+  vtkTypeMacro(vtkWindingNumberClip, vtkWindingNumberProbe);
+
+protected:
+  vtkWindingNumberClip() = default;
+  ~vtkWindingNumberClip() override = default;
+
+  vtkWindingNumberClip(const vtkWindingNumberClip&) = delete;
+  void operator=(const vtkWindingNumberClip&) = delete;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  bool SamplesCells() const override { return false; }
+  bool KeepsPart() const override { return true; }
+  bool WantsDistances() const override { return false; }
+  winding::ResultOptions GetResultOptions() const override;
+  double GetResultBytes(vtkIdType samples) const override;
+  winding::EvaluationCost GetAdditionalCost(
+    const winding::Field& field, vtkIdType samples) override;
+
+  vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const override;
+  double GetProgressOfSamples() const override;
+  void FinishSamples(const winding::Field& field, const winding::ProbeQueries& queries,
+    const unsigned char* inside) override;
+  void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const override;
+  vtkSmartPointer<vtkDataSet> PartOf(
+    vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside) override;
+
+private:
+  void TellEmpty();
+
+  std::vector<double> CutDistances; ///< one for each sample, while the output is made
+  vtkIdType SamplesDone = 0;        ///< samples of the data sets that have been cut
+};
+
+#endif
