@@ -74,16 +74,14 @@ def show_probe(view, scan, _):
 
 
 def show_clip(view, scan, _):
-    box = simple.Wavelet(WholeExtent=(0, 40, 0, 40, 0, 40), Center=(20, 20, 20))
-    box = simple.Transform(Input=box)
-    box.Transform.Scale = (0.065, 0.065, 0.065)
-    box.Transform.Translate = (-1.3, -1.2, -1.3)
-    clip = simple.WindingNumberClip(Input=box, Source=scan)
+    grid = simple.Transform(Input=simple.Wavelet(WholeExtent=(-20, 20, -20, 20, -20, 20)))
+    grid.Transform.Scale = (0.07, 0.07, 0.07)
+    clip = simple.WindingNumberClip(Input=grid, Source=scan)
     show(view, scan, -1.3)
-    show(view, box, -1.3, GREY, Representation="Outline")
-    color_by(view, show(view, back_half(clip), 1.3, Representation="Surface With Edges",
-                        EdgeColor=(0.5, 0.5, 0.5)), "RTData", 60, 280)
-    show(view, box, 1.3, GREY, Representation="Outline")
+    half = back_half(clip)
+    half.UpdatePipeline()
+    display = show(view, half, 1.3, Representation="Surface With Edges", EdgeColor=GREY)
+    color_by(view, display, "RTData", 0, 280)
 
 
 def show_report(view, scan, _):

@@ -50,7 +50,8 @@ double vtkWindingNumberClip::GetResultBytes(vtkIdType samples) const
 {
   constexpr double bytesOfSide = 1;
   return this->Superclass::GetResultBytes(samples) +
-         (bytesOfSide + winding::bytesPerSampleOfCuts) * static_cast<double>(samples);
+         (bytesOfSide + winding::bytesPerSampleOfCuts + winding::bytesPerClippedPoint) *
+           static_cast<double>(samples);
 }
 
 winding::EvaluationCost vtkWindingNumberClip::GetAdditionalCost(

@@ -181,7 +181,7 @@ int vtkWindingNumberProbe::RequestData(
   this->InsideFlags = nullptr;
   if (this->GetNumberOfInputConnections(1) == 0)
   {
-    throw winding::Refusal("choose a Source (SetSourceConnection, SetSourceData): the probe has "
+    throw winding::Refusal("choose a Source (SetSourceConnection, SetSourceData): the filter has "
                            "none to tell winding numbers of");
   }
   this->CheckProperties();

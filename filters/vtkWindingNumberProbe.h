@@ -164,8 +164,8 @@ protected:
   /// The progress when all samples are evaluated; what a filter does after that has the rest.
   virtual double GetProgressOfSamples() const { return 1; }
 
-  /// What a filter does when all samples are evaluated and before any output is written: nothing,
-  /// unless a filter says otherwise. `inside` has an entry for each sample.
+  /// The rest of the evaluation, when all samples are evaluated and before any output is written:
+  /// nothing, unless a filter says otherwise. `inside` has an entry for each sample.
   virtual void FinishSamples(
     const winding::Field& field, const winding::ProbeQueries& queries, const unsigned char* inside);
 

@@ -44,7 +44,9 @@ vtkSmartPointer<vtkDataSet> withNumbers(vtkDataSet* data, const double* numbers)
   std::copy_n(numbers, count, array->GetPointer(0));
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
+  // VTK 9.2 makes the array active, and throws out what was active until then.
   copy->GetPointData()->AddArray(array);
+  copy->GetPointData()->SetActiveScalars(numbersName);
 
   std::vector<unsigned char> isSomewhere(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)

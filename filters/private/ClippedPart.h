@@ -8,6 +8,9 @@ class vtkUnstructuredGrid;
 namespace winding
 {
 
+/// The bytes that clippedPart() takes for each point, beside its result and what VTK takes.
+constexpr double bytesPerClippedPoint = 9;
+
 /**
  * The part of a data set in which numbers at its points, interpolated along edges, are more than 0,
  * with all arrays of the data set. Cells are cut by vtkTableBasedClipDataSet. Cells of a point that

@@ -109,7 +109,7 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
 
 EvaluationCost costOfCutDistances(const Field& field, std::size_t samples)
 {
-  constexpr double samplesPerArea = 4; // in squares of the distance between samples
+  constexpr double samplesPerArea = 4; // an area in squares of the distance between samples
   constexpr double secondsPerBoundaryEdge = 8e-9;
   const double count =
     std::min(samplesPerArea * field.sampledSource(samples).area, static_cast<double>(samples));

@@ -23,15 +23,15 @@ EvaluationCost costOfCutDistances(const Field& field, std::size_t samples);
 
 /**
  * Numbers at the points of data sets, more than 0 at those that are kept and less than 0 at the
- * others, by which a clip that interpolates along edges finds where what is kept ends. `kept` has an
- * entry for each sample.
+ * others, by which a clip that interpolates along edges finds where what is kept ends. `kept` has
+ * an entry for each sample.
  *
  * The size of a number is the distance from that end, to first order: the smaller one of the
  * distance to the source's triangles or points, where w jumps or is steep, and of
- * |w − threshold| / |∇w|, a step of Newton's method towards the level, which ends what is kept across
- * holes and between the points of a cloud. So the numbers are linear on either side of a plane end,
- * where w itself would be the same everywhere on each side, and its interpolation half way along
- * every edge.
+ * |w − threshold| / |∇w|, a step of Newton's method towards the level, which ends what is kept
+ * across holes and between the points of a cloud. So the numbers fall evenly towards a plane end. w
+ * itself is the same everywhere on either side of one, and its interpolation half way along every
+ * edge.
  *
  * Only the points of cells that are cut are evaluated; all others get 1 or −1. No number is 0.
  * Throws Interrupted, and OutOfMemory before anything is evaluated.
