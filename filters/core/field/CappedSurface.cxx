@@ -289,43 +289,48 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
   const std::size_t row =
     (static_cast<std::size_t>(k - extent[4]) * height + static_cast<std::size_t>(j - extent[2])) *
     width;
-  for (const RowRun& run : runs)
+  if (cap_.empty())
   {
-    const std::size_t first = row + static_cast<std::size_t>(run.begin - extent[0]);
-    const auto count = static_cast<std::size_t>(run.end - run.begin);
-    if (cap_.empty())
+    for (const RowRun& run : runs)
     {
-      output.fill(run.value, first, count);
-      continue;
+      output.fill(run.value, row + static_cast<std::size_t>(run.begin - extent[0]),
+        static_cast<std::size_t>(run.end - run.begin));
     }
-    for (std::size_t done = 0; done < count; done += SampleBlock::capacity)
+    return;
+  }
+  // Blocks of samples reach over the ends of runs, which may be short.
+  auto run = runs.begin();
+  for (std::size_t done = 0; done < width; done += SampleBlock::capacity)
+  {
+    const int begin = extent[0] + static_cast<int>(done);
+    SampleBlock block;
+    block.count = std::min(SampleBlock::capacity, width - done);
+    int rowValues[SampleBlock::capacity];
+    for (std::size_t n = 0; n < block.count; ++n)
     {
-      SampleBlock block;
-      block.count = std::min(SampleBlock::capacity, count - done);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        block.set(n, grid.sample(run.begin + static_cast<int>(done + n), j, k));
-      }
-      double values[SampleBlock::capacity];
-      bool isSuspect[SampleBlock::capacity];
-      const bool any = capSum_.evaluateWatching(block, values, isSuspect);
-      const int begin = run.begin + static_cast<int>(done);
-      SuspectSamples suspects;
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        values[n] = run.value - values[n];
-        if (any && isSuspect[n])
-        {
-          suspects.add(begin + static_cast<int>(n), run.value);
-        }
-      }
-      this->resolveOnCap(grid, j, k, suspects);
-      for (std::size_t n = 0; n < suspects.count; ++n)
-      {
-        values[suspects.columns[n] - begin] = suspects.values[n];
-      }
-      output.write(values, first + done, block.count);
+      const int i = begin + static_cast<int>(n);
+      run += i >= run->end;
+      rowValues[n] = run->value;
+      block.set(n, grid.sample(i, j, k));
     }
+    double values[SampleBlock::capacity];
+    bool isSuspect[SampleBlock::capacity];
+    const bool any = capSum_.evaluateWatching(block, values, isSuspect);
+    SuspectSamples suspects;
+    for (std::size_t n = 0; n < block.count; ++n)
+    {
+      values[n] = rowValues[n] - values[n];
+      if (any && isSuspect[n])
+      {
+        suspects.add(begin + static_cast<int>(n), rowValues[n]);
+      }
+    }
+    this->resolveOnCap(grid, j, k, suspects);
+    for (std::size_t n = 0; n < suspects.count; ++n)
+    {
+      values[suspects.columns[n] - begin] = suspects.values[n];
+    }
+    output.write(values, row + done, block.count);
   }
 }
 
