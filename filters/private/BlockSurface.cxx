@@ -80,8 +80,8 @@ void BlockSurface::build(vtkAlgorithm* filter)
   const int* n = sides_.dimensions;
   const vtkIdType faces = countFaces(sides_);
   quads_->AllocateExact(faces, 4 * faces);
-  voxels_->Allocate(faces);
-  points_->Allocate(faces + 2);
+  reserve(voxels_.Get(), faces);
+  reserve(points_, faces + 2);
   for (int k = 0; k <= n[2]; ++k)
   {
     filter->UpdateProgress(static_cast<double>(k) / (n[2] + 1));

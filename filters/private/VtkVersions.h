@@ -40,6 +40,23 @@ template <class Algorithm> bool isAborted(Algorithm* filter)
   return isAborted(filter, 0) || filter->GetAbortExecute() != 0;
 }
 
+///@{
+/// Makes room for so many points or ids; newer versions of VTK have another name for it.
+template <class List>
+auto reserve(List* list, vtkIdType count, int) -> decltype(list->Reserve(count), void())
+{
+  list->Reserve(count);
+}
+template <class List> void reserve(List* list, vtkIdType count, long)
+{
+  list->Allocate(count);
+}
+template <class List> void reserve(List* list, vtkIdType count)
+{
+  reserve(list, count, 0);
+}
+///@}
+
 /// The types of a grid's cells, one for each; null where there are none.
 inline vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid)
 {

@@ -1,6 +1,8 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -87,6 +89,41 @@ TEST_F(ProbeCommand, FacesThatLookInwardAreToldWhereNothingIsInside)
     EXPECT_EQ(probe(inside, out, {"--extract", "--rule", "absolute"}).err, "");
     EXPECT_EQ(probe(outside, out, {"--extract"}).err, "");
   }
+}
+
+/// VTK's writers crash where a cell has too few points for its kind.
+TEST_F(ProbeCommand, CellsWithTooFewPointsAreLeftOut)
+{
+  const std::string lines = folder.write("lines.vtk",
+    "# vtk DataFile Version 3.0\nlines\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+    "0 0 0 5 0 0 0 1 0\nLINES 4 9\n1 0\n2 0 1\n1 1\n1 2\n"
+    "CELL_DATA 4\nSCALARS number int 1\nLOOKUP_TABLE default\n10 11 12 13\n");
+  for (const char* out : {"out.vtp", "out.vtu"})
+  {
+    const Outcome run = this->probe(lines, out);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_NE(
+      run.err.find("is written without 3 cells that have too few points"), std::string::npos)
+      << run;
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("out.vtp").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 3);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfLines(), 1);
+  vtkDataArray* numbers = reader->GetOutput()->GetCellData()->GetArray("number");
+  ASSERT_NE(numbers, nullptr);
+  ASSERT_EQ(numbers->GetNumberOfTuples(), 1);
+  EXPECT_EQ(numbers->GetTuple1(0), 11) << "the data of the cell that stays";
+
+  const std::string polygons = folder.write("polygons.ply",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n1 0\n3 0 1 2\n");
+  const Outcome run = this->probe(polygons, "polygons.vtp");
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_NE(run.err.find("without 1 cell that has"), std::string::npos) << run;
 }
 
 TEST_F(ProbeCommand, TabsStayTabs)

@@ -47,8 +47,7 @@ def image_numbers(content):
         at += 24 + 8 * blocks
         for number, length in enumerate(packed):
             whole = last if last and number + 1 == blocks else size
-            data = content[at : at + length]
-            data = data if length == whole else unpacked_lz4(data, whole)
+            data = unpacked_lz4(content[at : at + length], whole)
             code = "f" if kind[1] == b"32" else "d"
             yield from struct.unpack(f"<{len(data) // struct.calcsize(code)}{code}", data)
             at += length

@@ -3,6 +3,7 @@
 #include "files/SinglePrecision.h"
 #include "files/Suffix.h"
 #include "output/OutputFile.h"
+#include "output/SmallCells.h"
 #include "output/XmlNames.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
@@ -86,6 +87,21 @@ void writeStl(vtkPolyData* surface, OutputFile& file, Messages& messages)
   run(writer.Get(), file, messages);
 }
 
+/// Polydata that VTK's writers can take; a warning says what it lacks.
+vtkSmartPointer<vtkPolyData> writable(
+  vtkPolyData* surface, const OutputFile& file, Messages& messages)
+{
+  vtkIdType dropped = 0;
+  auto result = withoutSmallCells(surface, dropped);
+  if (dropped > 0)
+  {
+    messages.warn(file.name() + ": is written without " + std::to_string(dropped) +
+                  (dropped == 1 ? " cell that has" : " cells that have") +
+                  " too few points for their kind, such as lines of one point");
+  }
+  return result;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> asUnstructuredGrid(vtkPointSet* points)
 {
   if (points->GetNumberOfCells() > 0)
@@ -116,8 +132,9 @@ void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Message
   run(writer.Get(), file, messages, check);
 }
 
-void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages)
+void writeSurface(vtkPolyData* given, OutputFile& file, Messages& messages)
 {
+  const auto surface = writable(given, file, messages);
   const std::string suffix = suffixOf(file.name());
   if (suffix == ".stl" || suffix == ".ply")
   {
@@ -151,9 +168,11 @@ void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages)
 
 void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
 {
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(points);
   if (suffixOf(file.name()) == ".vtu")
   {
-    const auto grid = asUnstructuredGrid(points);
+    const auto grid =
+      surface ? asUnstructuredGrid(writable(surface, file, messages)) : asUnstructuredGrid(points);
     prepareNamesForXml(grid);
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     configureXml(writer);
@@ -161,7 +180,6 @@ void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
     run(writer.Get(), file, messages);
     return;
   }
-  vtkPolyData* surface = vtkPolyData::SafeDownCast(points);
   if (!surface)
   {
     throw Failure(
