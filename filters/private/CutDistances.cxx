@@ -24,12 +24,6 @@ namespace
 
 constexpr double bytesPerCutSample = 72;
 
-/// The field of a closed surface changes nowhere else than at its triangles.
-bool isSmoothSomewhere(const Field& field)
-{
-  return !field.info().isSurface || field.info().netBoundaryEdges > 0;
-}
-
 /// The samples of cells that have both samples that are kept and others.
 std::vector<std::size_t> samplesOfCutCells(const ProbeQueries& queries, const unsigned char* kept)
 {
@@ -77,13 +71,13 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
   output.rule = rule;
   output.threshold = threshold;
   DividedShare divided(executor);
-  const double shareOfDistances = isSmoothSomewhere(field) ? 0.5 : 1;
+  const double shareOfDistances = field.info().jumpsOnly() ? 1 : 0.5;
   divided.set(0, shareOfDistances);
   if (!field.evaluate(samples, output, executor))
   {
     throw Interrupted();
   }
-  if (isSmoothSomewhere(field))
+  if (!field.info().jumpsOnly())
   {
     divided.set(shareOfDistances, 1);
     gradients.resize(3 * samples.size());

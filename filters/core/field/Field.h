@@ -95,6 +95,9 @@ struct FieldInfo
   Method method = Method::direct; ///< method that was chosen, never automatic
   std::string why;                ///< reason for the choice of the method, for the user
   std::string warning;            ///< note on the input that the user should read; may be empty
+
+  /// Whether w changes at triangles only, as that of a closed surface does.
+  bool jumpsOnly() const { return isSurface && netBoundaryEdges == 0; }
 };
 
 /**

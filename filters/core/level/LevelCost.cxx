@@ -11,18 +11,12 @@ namespace winding
 namespace
 {
 
-/// Whether the field changes at the triangles only, so that their crossings are all that is needed.
-bool jumpsOnly(const Field& field)
-{
-  return field.info().isSurface && field.info().netBoundaryEdges == 0;
-}
-
 /// The most memory at a time for each edge: itself, its crossings or its search, its vertex and the
 /// triangles around that. Measured at 512 and 1000 voxels along bunny_70k, maxplanck_open_90k and
 /// kitten_points_normals: 160, 275 and 200.
 double bytesPerEdge(const Field& field)
 {
-  if (jumpsOnly(field))
+  if (field.info().jumpsOnly())
   {
     return 160;
   }
@@ -43,7 +37,7 @@ double secondsOfLevelSurface(const Field& field, std::size_t samples)
   {
     return crossings - secondsPerValue * static_cast<double>(samples); // no values are written
   }
-  if (jumpsOnly(field))
+  if (field.info().jumpsOnly())
   {
     return crossings;
   }

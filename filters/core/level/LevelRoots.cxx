@@ -48,7 +48,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   , rule_(rule)
   , threshold_(threshold)
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
-  , jumpsOnly_(field.surface() && field.info().netBoundaryEdges == 0)
+  , jumpsOnly_(field.info().jumpsOnly())
   , isParity_(field.info().method == Method::parity)
   , fractions_(edges.size(), 0.5)
   , normals_(edges.size(), Eigen::Vector3f::Zero())
