@@ -71,15 +71,54 @@ bool FarField::evaluateAll(
 {
   FarFieldWork total;
   const std::vector<FarFieldTask> all = this->tasks(cells, taskLevel, &total);
-  std::vector<FarFieldWork> parts(all.size()); // one for each task, so that none waits for another
-  const bool complete = executor.run(
-    all.size(), [&](std::size_t task) { parts[task] = this->evaluate(cells, all[task], false); });
+  // Each task has its own of both, so that none waits for another.
+  std::vector<FarFieldWork> parts(all.size());
+  std::vector<std::vector<TargetCell>> toWhole(all.size());
+  const auto [first, last] = executor.share();
+  const double middle = cells.isRegular() ? last : first + 0.9 * (last - first);
+  executor.setShare(first, middle);
+  bool complete = executor.run(all.size(),
+    [&](std::size_t task)
+    {
+      const FlushToZero flush;
+      FarFieldTraversal traversal(tree_, cells);
+      parts[task] = traversal.evaluate(all[task], false, &toWhole[task]);
+    });
+  executor.setShare(middle, last);
+  complete = complete && this->evaluateWhole(cells, toWhole, executor, parts);
+  executor.setShare(first, last);
   if (work)
   {
     *work += std::accumulate(parts.begin(), parts.end(), total,
       [](FarFieldWork sum, const FarFieldWork& part) { return sum += part; });
   }
   return complete;
+}
+
+/// Gives the samples of the cells that tasks have left the sum of the whole sources, and appends
+/// the work done.
+bool FarField::evaluateWhole(const TargetCells& cells,
+  const std::vector<std::vector<TargetCell>>& toWhole, Executor& executor,
+  std::vector<FarFieldWork>& work) const
+{
+  std::vector<TargetCell> all;
+  for (const std::vector<TargetCell>& ofTask : toWhole)
+  {
+    all.insert(all.end(), ofTask.begin(), ofTask.end());
+  }
+  // Each cell has a sample at least, and few more.
+  constexpr std::size_t cellsPerBlock = SampleBlock::capacity;
+  const std::size_t blocks = (all.size() + cellsPerBlock - 1) / cellsPerBlock;
+  const std::size_t done = work.size();
+  work.resize(done + blocks);
+  return executor.run(blocks,
+    [&](std::size_t block)
+    {
+      const TargetCell* const first = all.data() + block * cellsPerBlock;
+      const TargetCell* const end = all.data() + all.size();
+      work[done + block] =
+        FarFieldTraversal(tree_, cells).evaluateWhole(first, std::min(first + cellsPerBlock, end));
+    });
 }
 
 bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,

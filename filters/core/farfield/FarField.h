@@ -85,6 +85,8 @@ private:
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   bool evaluateAll(
     const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const;
+  bool evaluateWhole(const TargetCells& cells, const std::vector<std::vector<TargetCell>>& toWhole,
+    Executor& executor, std::vector<FarFieldWork>& work) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
 
   FarFieldTree tree_;

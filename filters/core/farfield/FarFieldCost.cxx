@@ -67,7 +67,9 @@ bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t sampl
                        std::min(1.0, std::cbrt(count / 10'000)) * std::pow(places, 2.0 / 3);
   // The matrices that shift expansions are made for every evaluation: 0.1 ms at order 3, 7 at 9.
   const double shifts = 1'000 * std::pow(order, 4);
-  return pairs < tree + cells + shifts;
+  // A far field has to promise a gain, for soups it has none: their samples are near to everything.
+  constexpr double margin = 1.3;
+  return pairs < margin * (tree + cells + shifts);
 }
 
 } // namespace winding

@@ -22,6 +22,10 @@ Eigen::Vector3f offsetBetween(const Eigen::Vector3d& to, const Eigen::Vector3d& 
 /// smaller cells.
 constexpr double splitRatio = 1.2;
 
+/// A sum takes no less time for fewer samples than this. It is the number of lanes of the widest
+/// vectors on all machines, so that all of them decide alike.
+constexpr std::size_t lanesOfSums = 8;
+
 /// The approximate cost of the value of a node's moments at one sample.
 double secondsPerValue(int order)
 {
@@ -36,10 +40,17 @@ FarFieldTraversal::FarFieldTraversal(const FarFieldTree& tree, const TargetCells
 {
 }
 
-FarFieldWork FarFieldTraversal::evaluate(const FarFieldTask& task, bool watching)
+FarFieldWork FarFieldTraversal::evaluate(
+  const FarFieldTask& task, bool watching, std::vector<TargetCell>* toWhole)
 {
   watching_ = watching;
+  toWhole_ = cells_.isRegular() ? nullptr : toWhole;
   this->start(task);
+  if (toWhole_ && toWhole_->size() >= SampleBlock::capacity)
+  {
+    this->evaluateWhole(toWhole_->data(), toWhole_->data() + toWhole_->size());
+    toWhole_->clear();
+  }
   return work_;
 }
 
@@ -79,28 +90,33 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
   }
   ++work_.cells;
   const std::size_t firstKept = nodes_.size();
-  this->classify(cell, local, firstNode);
+  this->classify(cell, firstNode);
   if (tasks_ || this->isWorthCutting(cell, firstKept))
   {
+    this->addAccepted(cell, local);
     this->descendToChildren(cell, local, firstKept);
   }
   else
   {
     ++work_.leaves;
     const int order = tree_.order();
-    alignas(64) float polynomial[polynomialRows(largestOrder)];
-    multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
-      static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
     bool isWhole = false;
     if (firstKept < nodes_.size() || visitor_)
     {
       this->collectNear(cell, firstKept);
-      if (this->isCheaperWhole())
+      if (this->isCheaperWhole(cell.allSamples))
       {
         byMoments_.clear();
         exactly_ = tree_.sources->whole();
         isWhole = true;
       }
+    }
+    alignas(64) float polynomial[polynomialRows(largestOrder)];
+    if (!isWhole)
+    {
+      this->addAccepted(cell, local);
+      multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
+        static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
     }
     if (visitor_)
     {
@@ -114,6 +130,10 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
       samples += cell.samples;
       cells_.storePolynomial(cell, order, polynomial);
     }
+    else if (isWhole && toWhole_ && cell.samples < SampleBlock::capacity)
+    {
+      toWhole_->push_back(cell);
+    }
     else
     {
       this->evaluateNear(cell, isWhole ? nullptr : polynomial);
@@ -122,9 +142,9 @@ void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_
   nodes_.resize(firstKept);
 }
 
-/// Adds the nodes that act through expansions to local, and appends those left to smaller cells to
-/// nodes_.
-void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size_t firstNode)
+/// Lists the nodes that act through expansions in accepted_, and appends those left to smaller
+/// cells to nodes_.
+void FarFieldTraversal::classify(const TargetCell& cell, std::size_t firstNode)
 {
   const TargetLevel& level = cells_.level(cell.level);
   const FarFieldAccuracy& accuracy = tree_.accuracy;
@@ -163,7 +183,6 @@ void FarFieldTraversal::classify(const TargetCell& cell, Local& local, std::size
       }
     }
   }
-  this->addAccepted(cell, local);
 }
 
 /// Adds what the accepted nodes give to a cell's local expansion.
@@ -218,13 +237,17 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
 }
 
 /// Tells whether the sum of the whole sources is cheaper than what collectNear() has collected: a
-/// sample may be near to more pieces of large triangles than there are triangles.
-bool FarFieldTraversal::isCheaperWhole() const
+/// sample may be near to more pieces of large triangles than there are triangles. Few samples of an
+/// irregular cell leave the last vector of a sum half empty, but not where evaluateWhole() takes
+/// them together with others.
+bool FarFieldTraversal::isCheaperWhole(std::size_t samples) const
 {
   const double perPair = tree_.sources->secondsPerPair();
-  return static_cast<double>(itemsIn(exactly_)) * perPair +
-           static_cast<double>(byMoments_.size()) * secondsPerValue(tree_.order()) >
-         static_cast<double>(tree_.sources->wholeSize()) * perPair;
+  const double perSample = static_cast<double>(itemsIn(exactly_)) * perPair +
+                           static_cast<double>(byMoments_.size()) * secondsPerValue(tree_.order());
+  const std::size_t summed = toWhole_ ? roundUp(samples, lanesOfSums) : samples;
+  return perSample * static_cast<double>(summed) >
+         static_cast<double>(tree_.sources->wholeSize() * samples) * perPair;
 }
 
 void FarFieldTraversal::descendToChildren(
@@ -300,6 +323,7 @@ void FarFieldTraversal::countNear(const TargetCell& cell)
   work_.exactSamples += exactly_.empty() ? 0 : cell.samples;
   work_.momentValues += byMoments_.size() * cell.samples;
   work_.exactPairs += itemsIn(exactly_) * cell.samples;
+  work_.exactLanes += itemsIn(exactly_) * roundUp(cell.samples, lanesOfSums);
 }
 
 /// `polynomial` is null where nothing acts through expansions.
@@ -345,6 +369,58 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
     }
     cells_.store(cell, first, count, far, any ? isSuspect : nullptr);
   }
+}
+
+FarFieldWork FarFieldTraversal::evaluateWhole(const TargetCell* first, const TargetCell* last)
+{
+  struct Part
+  {
+    const TargetCell* cell;
+    std::size_t first, count;
+  };
+  std::vector<Part> parts;
+  SampleBlock block;
+  const std::size_t whole = tree_.sources->wholeSize();
+  const auto flush = [&]
+  {
+    work_.exactLanes += whole * roundUp(block.count, lanesOfSums);
+    double sums[SampleBlock::capacity];
+    tree_.sources->sum(tree_.sources->whole(), block, sums, nullptr);
+    float values[SampleBlock::capacity];
+    std::transform(
+      sums, sums + block.count, values, [](double sum) { return static_cast<float>(sum); });
+    const float* from = values;
+    for (const Part& part : parts)
+    {
+      cells_.store(*part.cell, part.first, part.count, from, nullptr);
+      from += part.count;
+    }
+    parts.clear();
+    block.count = 0;
+  };
+  TargetBlock own;
+  for (const TargetCell* cell = first; cell != last; ++cell)
+  {
+    ++work_.nearLeaves;
+    work_.nearSamples += cell->samples;
+    work_.exactSamples += cell->samples;
+    work_.exactPairs += whole * cell->samples;
+    for (std::size_t done = 0; done < cell->samples; done += own.samples.count)
+    {
+      cells_.fill(*cell, done, own);
+      if (block.count + own.samples.count > SampleBlock::capacity)
+      {
+        flush();
+      }
+      parts.push_back({cell, done, own.samples.count});
+      std::copy_n(own.samples.x, own.samples.count, block.x + block.count);
+      std::copy_n(own.samples.y, own.samples.count, block.y + block.count);
+      std::copy_n(own.samples.z, own.samples.count, block.z + block.count);
+      block.count += own.samples.count;
+    }
+  }
+  flush();
+  return work_;
 }
 
 } // namespace winding

@@ -32,8 +32,14 @@ class FarFieldTraversal
 public:
   FarFieldTraversal(const FarFieldTree& tree, const TargetCells& cells);
 
-  /// Evaluates the samples of a task's cell, and returns the work done.
-  FarFieldWork evaluate(const FarFieldTask& task, bool watching);
+  /// Evaluates the samples of a task's cell, and returns the work done. Irregular cells whose
+  /// samples get the sum of the whole sources are appended to `toWhole` instead, if that is given.
+  FarFieldWork evaluate(
+    const FarFieldTask& task, bool watching, std::vector<TargetCell>* toWhole = nullptr);
+
+  /// Gives the samples of some cells the sum of the whole sources, and returns the work done. Cells
+  /// that have few samples each take less time together.
+  FarFieldWork evaluateWhole(const TargetCell* first, const TargetCell* last);
 
   /// Shows the visitor all leaves of a task's cell, and evaluates nothing itself.
   void visit(const FarFieldTask& task, FarFieldLeafVisitor& visitor);
@@ -51,12 +57,12 @@ private:
 
   void start(const FarFieldTask& task);
   void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
-  void classify(const TargetCell& cell, Local& local, std::size_t firstNode);
+  void classify(const TargetCell& cell, std::size_t firstNode);
   void addAccepted(const TargetCell& cell, Local& local);
   bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
   void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
   void collectNear(const TargetCell& cell, std::size_t firstKept);
-  bool isCheaperWhole() const;
+  bool isCheaperWhole(std::size_t samples) const;
   void countNear(const TargetCell& cell);
   void evaluateNear(const TargetCell& cell, const float* polynomial);
 
@@ -64,6 +70,7 @@ private:
   const TargetCells& cells_;
   bool watching_ = false;
   FarFieldLeafVisitor* visitor_ = nullptr;
+  std::vector<TargetCell>* toWhole_ = nullptr;
   int lastLevel_ = 0; ///< level whose cells are collected rather than evaluated
   std::vector<FarFieldTask>* tasks_ = nullptr;
   FarFieldWork work_;

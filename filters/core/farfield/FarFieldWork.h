@@ -29,6 +29,7 @@ struct FarFieldWork
   std::uint64_t exactSamples = 0; ///< samples of leaves for which items were summed one by one
   std::uint64_t momentValues = 0; ///< nodes × samples, for nodes that act through their moments
   std::uint64_t exactPairs = 0;   ///< items × samples, for items that were summed one by one
+  std::uint64_t exactLanes = 0;   ///< exactPairs with samples rounded up to whole vectors
 
   /// The number of samples that were evaluated.
   std::uint64_t samples() const { return rowSamples + blockSamples + nearSamples; }
@@ -43,7 +44,7 @@ inline constexpr std::uint64_t FarFieldWork::*farFieldCounts[] = {&FarFieldWork:
   &FarFieldWork::receivers, &FarFieldWork::shifts, &FarFieldWork::leaves, &FarFieldWork::nearLeaves,
   &FarFieldWork::nearTests, &FarFieldWork::rows, &FarFieldWork::rowSamples,
   &FarFieldWork::blockSamples, &FarFieldWork::nearSamples, &FarFieldWork::exactSamples,
-  &FarFieldWork::momentValues, &FarFieldWork::exactPairs};
+  &FarFieldWork::momentValues, &FarFieldWork::exactPairs, &FarFieldWork::exactLanes};
 
 inline FarFieldWork& FarFieldWork::operator+=(const FarFieldWork& other)
 {

@@ -40,6 +40,7 @@ public:
 
   TargetCell root() const override;
   int childrenOf(const TargetCell& cell, Child (&children)[8]) const override;
+  bool isRegular() const override { return false; }
   TargetSphere sphereOf(const TargetCell& cell) const override;
   void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const override;
   void store(const TargetCell& cell, std::size_t first, std::size_t count, const float* values,

@@ -82,6 +82,10 @@ public:
   /// of level 0 has none.
   virtual int childrenOf(const TargetCell& cell, Child (&children)[8]) const = 0;
 
+  /// Whether all cells of a level hold about as many samples. Where they do not, small ones lose
+  /// time, since sums take as long for one sample as for a vector of them.
+  virtual bool isRegular() const { return true; }
+
   /// A sphere around the samples of a cell that is not cut any further.
   virtual TargetSphere sphereOf(const TargetCell& cell) const;
 

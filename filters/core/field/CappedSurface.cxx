@@ -6,82 +6,17 @@
 #include "source/SourceArea.h"
 #include "source/UnitScale.h"
 #include "surface/Cap.h"
+#include "surface/RepeatedLoops.h"
 
 #include <algorithm>
 
 namespace winding
 {
 
-namespace
-{
-
-/// Loops of which each stands there once, in ascending order of how often it was there. Loops that
-/// run along the same edges come one after the other where boundaryLoops() makes them.
-struct RepeatedLoops
-{
-  explicit RepeatedLoops(std::vector<BoundaryLoop> all)
-  {
-    std::vector<std::pair<std::int32_t, std::size_t>> runs; // lengths and first loops
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      if (i > 0 && all[i] == all[i - 1])
-      {
-        ++runs.back().first;
-      }
-      else
-      {
-        runs.emplace_back(1, i);
-      }
-    }
-    if (runs.size() == all.size())
-    {
-      loops = std::move(all);
-      return;
-    }
-    std::sort(runs.begin(), runs.end());
-    for (const auto& [count, first] : runs)
-    {
-      counts.push_back(count);
-      loops.push_back(std::move(all[first]));
-    }
-  }
-
-  /// The multiplicities of triangles, of which each loop has as many as trianglesOf(loop) says.
-  template <class TrianglesOf> Multiplicities multiplicities(const TrianglesOf& trianglesOf) const
-  {
-    Multiplicities result;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-    {
-      result.insert(result.end(), trianglesOf(loops[i]), counts[i]);
-    }
-    return result;
-  }
-
-  std::vector<BoundaryLoop> loops;
-  std::vector<std::int32_t> counts; ///< by loop; empty where each was there once
-};
-
-std::size_t trianglesOfCap(const BoundaryLoop& loop)
-{
-  return loop.size() - 2;
-}
-
-std::size_t trianglesOfFan(const BoundaryLoop& loop)
-{
-  return loop.size();
-}
-
-} // namespace
-
 CappedSurface::CappedSurface(
   const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
-  : surfaceTriangles_(surface.triangles.size())
-  , rows_(surface.vertices, surface, {cap_, capMultiplicities_})
-  , capRows_(surface.vertices, {cap_, capMultiplicities_})
-  , fanRows_(fanVertices_, {fan_, fanMultiplicities_})
-  , surfaceSum_(surface)
+  : rows_(surface.vertices, surface, {cap_, capMultiplicities_})
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
-  , fanSum_(fanVertices_, {fan_, fanMultiplicities_}, surface.bounds)
   , bounds_(surface.bounds)
   , choice_(capSum)
 {
@@ -91,9 +26,7 @@ CappedSurface::CappedSurface(
     cap_ = capOf(repeated.loops);
     capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
     capArea_ = areaOf(surface.vertices, cap_);
-    fanVertices_ = surface.vertices;
-    fan_ = fanOf(repeated.loops, fanVertices_);
-    fanMultiplicities_ = repeated.multiplicities(trianglesOfFan);
+    otherCap_ = std::make_unique<const OtherCap>(surface, repeated, cap_);
   }
   if (tolerance < FarFieldAccuracy::finest || cap_.empty())
   {
@@ -109,21 +42,6 @@ CappedSurface::CappedSurface(
 }
 
 CappedSurface::~CappedSurface() = default;
-
-/// Samples of a row that lie on the cap within rounding.
-struct CappedSurface::SuspectSamples
-{
-  std::size_t count = 0;
-  int columns[SampleBlock::capacity];
-  int rowValues[SampleBlock::capacity]; ///< χ of the surface and its cap
-  double values[SampleBlock::capacity];
-
-  void add(int column, int rowValue)
-  {
-    columns[count] = column;
-    rowValues[count++] = rowValue;
-  }
-};
 
 /**
  * All rows through cells that lie behind each other along x. A bar holds the runs of equal χ in
@@ -161,7 +79,6 @@ public:
       ++run;
     }
     float values[SampleBlock::capacity];
-    SuspectSamples suspects;
     for (std::size_t n = 0; n < count;)
     {
       const auto last = std::min(count, static_cast<std::size_t>(run->end - i));
@@ -174,19 +91,17 @@ public:
       {
         if (isSuspect[m])
         {
-          suspects.add(i + static_cast<int>(m), run->value);
+          onCap_.push_back({i + static_cast<int>(m), j, k, run->value});
         }
       }
       n = last;
       ++run;
     }
-    surface_.resolveOnCap(grid_, j, k, suspects);
-    for (std::size_t m = 0; m < suspects.count; ++m)
-    {
-      values[suspects.columns[m] - i] = static_cast<float>(suspects.values[m]);
-    }
     output_.write(values, sampleNumber(extent_, i, j, k), count);
   }
+
+  /// Writes the values of samples on the cap, after those of all rows.
+  void finish() const { surface_.resolveOnCap(grid_, extent_, onCap_, output_); }
 
 private:
   const CappedSurface& surface_;
@@ -195,6 +110,7 @@ private:
   const FieldOutput& output_;
   std::vector<std::size_t> starts_; ///< each row's first run in runs_
   std::vector<RowRun> runs_;
+  mutable std::vector<SampleOnCap> onCap_;
 };
 
 bool CappedSurface::evaluateByFarField(
@@ -244,6 +160,7 @@ bool CappedSurface::evaluateByFarField(
       {
         farField->evaluate(barCells, tasks[task], true);
       }
+      bar.finish();
     });
 }
 
@@ -274,15 +191,21 @@ bool CappedSurface::evaluate(
   // A block has enough work to be worth it, and little enough to answer an interrupt within a
   // moment.
   const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
-  return rows_.evaluate(
+  return rows_.evaluateBlocks(
     grid, extent, samplesPerBlock,
-    [&](int j, int k, const std::vector<RowRun>& runs)
-    { this->evaluateRow(grid, extent, j, k, runs, output); },
+    [&](const RowCrossings::OnGrid& onGrid, int layer, std::size_t band)
+    {
+      std::vector<SampleOnCap> onCap;
+      onGrid.evaluate(layer, band,
+        [&](int j, int k, const std::vector<RowRun>& runs)
+        { this->evaluateRow(grid, extent, j, k, runs, output, onCap); });
+      this->resolveOnCap(grid, extent, onCap, output);
+    },
     executor);
 }
 
 void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
-  const std::vector<RowRun>& runs, const FieldOutput& output) const
+  const std::vector<RowRun>& runs, const FieldOutput& output, std::vector<SampleOnCap>& onCap) const
 {
   const auto width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const auto height = static_cast<std::size_t>(extent[3] - extent[2] + 1);
@@ -316,83 +239,31 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
     double values[SampleBlock::capacity];
     bool isSuspect[SampleBlock::capacity];
     const bool any = capSum_.evaluateWatching(block, values, isSuspect);
-    SuspectSamples suspects;
     for (std::size_t n = 0; n < block.count; ++n)
     {
       values[n] = rowValues[n] - values[n];
       if (any && isSuspect[n])
       {
-        suspects.add(begin + static_cast<int>(n), rowValues[n]);
+        onCap.push_back({begin + static_cast<int>(n), j, k, rowValues[n]});
       }
-    }
-    this->resolveOnCap(grid, j, k, suspects);
-    for (std::size_t n = 0; n < suspects.count; ++n)
-    {
-      values[suspects.columns[n] - begin] = suspects.values[n];
     }
     output.write(values, row + done, block.count);
   }
 }
 
-/// Finds the values of samples on the cap. Where the surface is no larger than both caps, the
-/// definition gives them, but not on the surface: it has the mean of both sides there.
-void CappedSurface::resolveOnCap(const Grid& grid, int j, int k, SuspectSamples& samples) const
+void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
+  const std::vector<SampleOnCap>& samples, const FieldOutput& output) const
 {
-  if (samples.count == 0)
+  if (samples.empty())
   {
     return;
   }
-  SampleBlock block;
-  block.count = samples.count;
-  for (std::size_t n = 0; n < samples.count; ++n)
+  std::vector<double> values;
+  otherCap_->resolve(grid, samples, values);
+  for (std::size_t n = 0; n < samples.size(); ++n)
   {
-    block.set(n, grid.sample(samples.columns[n], j, k));
-  }
-  if (surfaceTriangles_ > cap_.size() + fan_.size())
-  {
-    this->resolveByFan(grid, j, k, block, samples);
-    return;
-  }
-  bool isOnSurface[SampleBlock::capacity];
-  surfaceSum_.evaluateWatching(block, samples.values, isOnSurface);
-  for (std::size_t n = 0; n < samples.count; ++n)
-  {
-    if (isOnSurface[n])
-    {
-      SuspectSamples single;
-      single.add(samples.columns[n], samples.rowValues[n]);
-      SampleBlock singleBlock;
-      singleBlock.count = 1;
-      singleBlock.set(0, grid.sample(samples.columns[n], j, k));
-      this->resolveByFan(grid, j, k, singleBlock, single);
-      samples.values[n] = single.values[0];
-    }
-  }
-}
-
-/// Finds values as χ of the surface and the other cap, minus the other cap's sum.
-void CappedSurface::resolveByFan(
-  const Grid& grid, int j, int k, const SampleBlock& block, SuspectSamples& samples) const
-{
-  bool isOnFan[SampleBlock::capacity];
-  fanSum_.evaluateWatching(block, samples.values, isOnFan);
-  for (std::size_t n = 0; n < samples.count; ++n)
-  {
-    const int i = samples.columns[n];
-    double& value = samples.values[n];
-    if (isOnFan[n])
-    {
-      // The sample is on both caps, so most likely on the rim: the definition itself decides.
-      SampleBlock single;
-      single.count = 1;
-      single.set(0, grid.sample(i, j, k));
-      surfaceSum_.evaluate(single, &value);
-    }
-    else
-    {
-      value = samples.rowValues[n] - capRows_.valueAt(grid, i, j, k) +
-              fanRows_.valueAt(grid, i, j, k) - value;
-    }
+    const SampleOnCap& sample = samples[n];
+    output.write(&values[n], sampleNumber(extent, sample.i, sample.j, sample.k), 1);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "field/OtherCap.h"
 #include "rays/RowCrossings.h"
 #include "source/Grid.h"
 #include "source/Surface.h"
@@ -72,26 +73,21 @@ public:
 
 private:
   class Bar;
-  struct SuspectSamples;
 
   bool evaluateByFarField(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
   void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
-    const std::vector<RowRun>& runs, const FieldOutput& output) const;
-  void resolveOnCap(const Grid& grid, int j, int k, SuspectSamples& samples) const;
-  void resolveByFan(
-    const Grid& grid, int j, int k, const SampleBlock& block, SuspectSamples& samples) const;
+    const std::vector<RowRun>& runs, const FieldOutput& output,
+    std::vector<SampleOnCap>& onCap) const;
+  void resolveOnCap(const Grid& grid, const Extent& extent, const std::vector<SampleOnCap>& samples,
+    const FieldOutput& output) const;
 
-  std::size_t surfaceTriangles_;
   std::vector<Triangle> cap_;
   Multiplicities capMultiplicities_;
   double capArea_ = 0;
-  std::vector<Eigen::Vector3d> fanVertices_;
-  std::vector<Triangle> fan_; ///< another cap, which decides where samples lie on the first
-  Multiplicities fanMultiplicities_;
-  RowCrossings rows_; ///< crossings of M + C
-  RowCrossings capRows_, fanRows_;
-  TriangleSum surfaceSum_, capSum_, fanSum_;
+  std::unique_ptr<const OtherCap> otherCap_; ///< null where there is no cap
+  RowCrossings rows_;                        ///< crossings of M + C
+  TriangleSum capSum_;
   Bounds bounds_; ///< box of the surface
   CapSum choice_;
   int order_ = 0;                                       ///< order of the cap's far field

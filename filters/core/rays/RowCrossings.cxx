@@ -210,6 +210,15 @@ std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
 bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
   const RowWork& work, Executor& executor) const
 {
+  return this->evaluateBlocks(
+    grid, extent, samplesPerBlock,
+    [&work](const OnGrid& onGrid, int k, std::size_t band) { onGrid.evaluate(k, band, work); },
+    executor);
+}
+
+bool RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
+  std::size_t samplesPerBlock, const BlockWork& work, Executor& executor) const
+{
   if (sampleCount(extent) == 0)
   {
     return true;
@@ -234,7 +243,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
     executor.setShare(first + perLayer * static_cast<double>(done),
       end == depth ? last : first + perLayer * static_cast<double>(end));
     isComplete = executor.run(bands * (end - done), [&](std::size_t block)
-      { onGrid->evaluate(slab[4] + static_cast<int>(block / bands), block % bands, work); });
+      { work(*onGrid, slab[4] + static_cast<int>(block / bands), block % bands); });
   }
   executor.setShare(first, last);
   return isComplete;
@@ -269,24 +278,6 @@ std::size_t RowCrossings::layersAtATime(
   constexpr double mostEntries = 1 << 26; // of 4 bytes for a triangle, or 8 for a place
   const double share = std::min(1.0, mostEntries / entries);
   return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(depth)));
-}
-
-int RowCrossings::valueAt(const Grid& grid, int i, int j, int k) const
-{
-  int value = 0;
-  for (const ChainView* list : {&triangles_, &cap_})
-  {
-    for (std::size_t n = 0; n < list->size(); ++n)
-    {
-      const Triangle& ids = (*list)[n];
-      const RowTriangle triangle(grid.inGridUnits(vertices_[ids[0]]),
-        grid.inGridUnits(vertices_[ids[1]]), grid.inGridUnits(vertices_[ids[2]]));
-      const int sign = triangle.crossingSign(j, k);
-      const bool isAhead = sign != 0 && triangle.firstBehind(j, k, sign, i, i) > i;
-      value += isAhead ? list->multiplicity(n) * sign : 0;
-    }
-  }
-  return value;
 }
 
 } // namespace winding

@@ -75,14 +75,17 @@ public:
   std::unique_ptr<const OnGrid> on(
     const Grid& grid, const Extent& extent, const RowBands& rows) const;
 
-  /// Calls work for all rows of an extent. A block of work has about samplesPerBlock samples, and
-  /// at least a row. Returns false when the executor was interrupted.
+  /// The work for a band of layer k, called once for each, from the executor's threads.
+  using BlockWork = std::function<void(const OnGrid& onGrid, int k, std::size_t band)>;
+
+  /// Calls work for all bands of an extent. A band has about samplesPerBlock samples, and at least
+  /// a row. Returns false when the executor was interrupted.
+  bool evaluateBlocks(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
+    const BlockWork& work, Executor& executor) const;
+
+  /// Calls work for all rows of an extent, as evaluateBlocks() comes to them.
   bool evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
     const RowWork& work, Executor& executor) const;
-
-  /// The value of a single sample, the very value that it has in its row. Takes time linear in the
-  /// triangles.
-  int valueAt(const Grid& grid, int i, int j, int k) const;
 
 private:
   static const std::vector<Triangle>& noTriangles();

@@ -17,6 +17,12 @@ namespace winding
  */
 std::vector<Triangle> capOf(const std::vector<BoundaryLoop>& loops);
 
+/// The number of triangles that capOf() makes of a loop.
+inline std::size_t trianglesOfCap(const BoundaryLoop& loop)
+{
+  return loop.size() - 2;
+}
+
 /**
  * Makes another cap, a fan, by joining each loop to one new vertex beside it. It is used where a
  * sample lies on the cap of capOf(): the new vertex is put where a second coincidence would be an
@@ -24,5 +30,11 @@ std::vector<Triangle> capOf(const std::vector<BoundaryLoop>& loops);
  */
 std::vector<Triangle> fanOf(
   const std::vector<BoundaryLoop>& loops, std::vector<Eigen::Vector3d>& vertices);
+
+/// The number of triangles that fanOf() makes of a loop.
+inline std::size_t trianglesOfFan(const BoundaryLoop& loop)
+{
+  return loop.size();
+}
 
 } // namespace winding

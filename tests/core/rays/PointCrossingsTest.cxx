@@ -5,6 +5,7 @@
 #include "base/Views.h"
 #include "core/support/Interruption.h"
 #include "core/support/LatticeSolids.h"
+#include "core/support/RowValues.h"
 #include "core/support/Shapes.h"
 #include "core/support/ShuffledThreads.h"
 #include "rays/RowCrossings.h"
@@ -342,10 +343,10 @@ TEST(PointCrossings, OnTheChainAreThoseOfRows)
   winding::SerialExecutor serial;
   const std::vector<double> values = crossings(surface, samples, serial);
   const winding::RowCrossings rows(surface.vertices, surface);
+  const std::vector<int> expected = rowValues(rows, grid, grid.wholeExtent(), 65536, serial);
   for (std::size_t n = 0; n < samples.size(); ++n)
   {
-    const Eigen::Vector3i at = winding::sampleIndex(grid.wholeExtent(), n);
-    EXPECT_EQ(values[n], rows.valueAt(grid, at[0], at[1], at[2])) << samples[n].transpose();
+    EXPECT_EQ(values[n], expected[n]) << samples[n].transpose();
   }
 }
 

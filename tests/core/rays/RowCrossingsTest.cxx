@@ -257,7 +257,8 @@ TEST(RowCrossings, OfOneSampleAreThoseOfItsRow)
     for (std::size_t n = 0; n < expected.size(); ++n)
     {
       const Eigen::Vector3i index = winding::sampleIndex(whole, n);
-      ASSERT_EQ(rows.valueAt(chain.grid(), index[0], index[1], index[2]), expected[n]) << seed;
+      const Extent alone = {index[0], index[0], index[1], index[1], index[2], index[2]};
+      ASSERT_EQ(rowValues(rows, chain.grid(), alone, 65536, serial)[0], expected[n]) << seed;
     }
   }
 }

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "rays/RowCrossings.h"
+#include "source/Grid.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
+#include "surface/RepeatedLoops.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/// A sample of a grid that lies on a surface's cap within rounding, and χ of both there.
+struct SampleOnCap
+{
+  int i, j, k;
+  int rowValue;
+};
+
+/**
+ * The values of an open surface at samples on its cap (CappedSurface.h), where rounding could make
+ * χ and w_C disagree about the side: there another cap decides, a fan that lies elsewhere. A sample
+ * on both is most likely on the rim, and gets the direct sum. Where the surface is no larger than
+ * both caps, the direct sum comes first; but a sample on the surface itself would get the mean of
+ * both sides from it, so that the fan decides about that one.
+ *
+ * Guaranteed: a sample's value has the same bits whatever other samples are resolved with it. All
+ * together cost little more than a sum over the surface for each; alone, a sample costs as much as
+ * several, since sums are vectorised over samples.
+ */
+class OtherCap
+{
+public:
+  /// Keeps a reference to the surface; `cap` is capOf() its loops.
+  OtherCap(const Surface& surface, const RepeatedLoops& repeated, const std::vector<Triangle>& cap);
+
+  /// Writes the value of each sample to values, in their order.
+  void resolve(
+    const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const;
+
+private:
+  const Surface& surface_;
+  std::vector<Eigen::Vector3d> vertices_; ///< those of the loops, and the fan's own
+  std::vector<Triangle> cap_, fan_;
+  Multiplicities capMultiplicities_, fanMultiplicities_;
+  RowCrossings capRows_, fanRows_;
+  TriangleSum surfaceSum_, fanSum_;
+};
+
+} // namespace winding

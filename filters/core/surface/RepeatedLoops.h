@@ -1,0 +1,34 @@
+#pragma once
+
+#include "source/Surface.h"
+#include "surface/Boundary.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/// Loops of which each stands there once, in ascending order of how often it was there.
+struct RepeatedLoops
+{
+  /// Takes loops as boundaryLoops() makes them: those that run along the same edges come one after
+  /// the other.
+  explicit RepeatedLoops(std::vector<BoundaryLoop> all);
+
+  /// The multiplicities of triangles, of which each loop has as many as trianglesOf(loop) says.
+  template <class TrianglesOf> Multiplicities multiplicities(const TrianglesOf& trianglesOf) const
+  {
+    Multiplicities result;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      result.insert(result.end(), trianglesOf(loops[i]), counts[i]);
+    }
+    return result;
+  }
+
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::int32_t> counts; ///< by loop; empty where each was there once
+};
+
+} // namespace winding
