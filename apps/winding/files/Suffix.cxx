@@ -1,15 +1,12 @@
 #include "files/Suffix.h"
 
-#include <algorithm>
-#include <cctype>
+#include "files/TextScanning.h"
+
 #include <filesystem>
 
 std::string suffixOf(const std::string& fileName)
 {
-  std::string suffix = std::filesystem::path(fileName).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
+  return inSmallLetters(std::filesystem::path(fileName).extension().string());
 }
 
 bool isTable(const std::string& fileName)

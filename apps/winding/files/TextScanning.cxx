@@ -1,9 +1,9 @@
 #include "files/TextScanning.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
-#include <string>
 
 namespace
 {
@@ -63,4 +63,12 @@ bool parseNumber(std::string_view word, double& value)
   char* end = nullptr;
   value = std::strtod(text.c_str(), &end);
   return !text.empty() && end == text.c_str() + text.size();
+}
+
+std::string inSmallLetters(std::string_view text)
+{
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return small;
 }

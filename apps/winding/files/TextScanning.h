@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 /// The next line from `start` on, without its end; moves `start` behind it.
@@ -13,3 +14,6 @@ bool parseInteger(std::string_view word, long long& value);
 
 /// Reads a word that is a number in any of the ways in which text files have them, nan and inf too.
 bool parseNumber(std::string_view word, double& value);
+
+/// A text with small letters for capital ones, of those that ASCII has.
+std::string inSmallLetters(std::string_view text);

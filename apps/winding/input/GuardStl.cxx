@@ -4,8 +4,6 @@
 #include "files/TextScanning.h"
 #include "program/Failure.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 
@@ -14,15 +12,6 @@ namespace
 
 constexpr std::size_t headerBytes = 84;
 constexpr std::size_t triangleBytes = 50;
-
-/// A word in small letters, since text may be in either, for VTK's reader, too.
-std::string inSmallLetters(std::string_view word)
-{
-  std::string small(word);
-  std::transform(small.begin(), small.end(), small.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return small;
-}
 
 void guardBinary(const std::string& fileName, const std::string& data)
 {
@@ -51,6 +40,7 @@ void guardBinary(const std::string& fileName, const std::string& data)
 
 bool isBinary(const std::string& data)
 {
+  // Words may be in small letters or capital ones, for VTK's reader, too.
   if (inSmallLetters(std::string_view(data).substr(0, 5)) != "solid")
   {
     return true;

@@ -14,7 +14,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace
@@ -23,11 +22,7 @@ namespace
 /// A column's name in small letters; x, y and so on for the names that ParaView has.
 std::string plainName(const std::string& column)
 {
-  std::string name;
-  for (const char letter : column)
-  {
-    name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  const std::string name = inSmallLetters(column);
   static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
     {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
   const auto other = others.find(name);
