@@ -208,7 +208,9 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
                            "function gets them one by one");
   }
   const auto executor = newExecutor();
-  const winding::Field* field = this->Internal->Source.prepare(this->Input, options, *executor);
+  winding::Ranks alone(nullptr);
+  const winding::Field* field =
+    this->Internal->Source.prepare(this->Input, options, *executor, alone, false);
   const double anywhere[3] = {0, 0, 0};
   field->prepare(winding::VectorsView(anywhere, 1), *executor);
   const winding::FieldInfo& info = field->info();

@@ -7,7 +7,9 @@
 #include "private/ErrorReports.h"
 #include "private/InputViews.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/SmpExecutor.h"
+#include "private/SourceField.h"
 #include "private/SourceMemory.h"
 #include "private/SourceProperties.h"
 #include "source/Sanitize.h"
@@ -18,6 +20,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -157,11 +160,11 @@ struct NumberedAreas
 
 /// The areas of a cloud's points for the points that these come from.
 NumberedAreas areasByNumber(const NumberedPoints& points, const winding::InputViews& input,
-  const std::vector<winding::OrientedPointsView>& views, const std::vector<double>& areasOfCloud)
+  const std::vector<winding::OrientedPointsView>& views, const double* areasOfCloud)
 {
   NumberedAreas result;
   result.areas.resize(points.size());
-  auto area = areasOfCloud.cbegin();
+  const double* area = areasOfCloud;
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     const vtkIdType* numbers = NumberedPoints::numbersOf(input.pointSets()[i]);
@@ -185,6 +188,21 @@ NumberedAreas areasByNumber(const NumberedPoints& points, const winding::InputVi
   return result;
 }
 
+/// The points of the first views that a cloud has.
+std::size_t usablePoints(const std::vector<winding::OrientedPointsView>& views, int count)
+{
+  std::size_t points = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const winding::OrientedPointsView& view = views[static_cast<std::size_t>(i)];
+    for (std::size_t j = 0; j < view.positions.size(); ++j)
+    {
+      points += winding::isUsable(view, j);
+    }
+  }
+  return points;
+}
+
 /// One value for each point.
 void addArray(const std::string& name, const double* values, vtkPointSet* pointSet)
 {
@@ -198,6 +216,7 @@ void addArray(const std::string& name, const double* values, vtkPointSet* pointS
 } // namespace
 
 vtkPointAreas::vtkPointAreas()
+  : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetResultArrayName("Area");
 }
@@ -206,6 +225,20 @@ vtkPointAreas::~vtkPointAreas()
 {
   this->SetNormalsArray(nullptr);
   this->SetResultArrayName(nullptr);
+}
+
+void vtkPointAreas::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkPointAreas::GetController() const
+{
+  return this->Controller;
 }
 
 int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
@@ -225,7 +258,14 @@ int vtkPointAreas::RequestData(
       [&]()
       {
         copyShallowly(vtkDataObject::GetData(inputs[0]), output);
-        this->AddAreas(output);
+        winding::Ranks ranks(this->Controller);
+        ranks.meet();
+        ranks.agree(
+          [&]
+          {
+            this->AddAreas(output, ranks);
+            return true;
+          });
       });
   if (outcome != winding::Outcome::done)
   {
@@ -234,7 +274,7 @@ int vtkPointAreas::RequestData(
   return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
 }
 
-void vtkPointAreas::AddAreas(vtkDataObject* data)
+void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
 {
   winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
   winding::checkCloudProperties(*this);
@@ -247,14 +287,24 @@ void vtkPointAreas::AddAreas(vtkDataObject* data)
   options.estimateNormals = this->EstimateNormals != 0;
   options.areas =
     this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
+  winding::SourceOptions properties;
+  properties.input = options;
+  properties.distribution = winding::sourceDistribution(this->SourceDistribution);
+  properties.field.neighbors = this->NumberOfNeighbors;
+  properties.field.pointArea = this->PointArea;
+  ranks.requireSame(winding::hashOf(properties));
   winding::InputViews input(data, options);
-  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas");
-  const std::vector<winding::OrientedPointsView> views = input.orientedPoints();
+  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas", ranks);
+  const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
+  input.gather(ranks, properties.distribution);
+  const std::vector<winding::OrientedPointsView> all =
+    input.isGathered() ? input.orientedPoints() : own;
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  winding::PointCloud cloud = winding::sanitize(views, executor);
+  winding::PointCloud cloud = winding::sanitize(all, executor);
   this->ChooseAreas(cloud, executor);
 
-  const auto [areas, lost] = areasByNumber(points, input, views, cloud.areas);
+  const std::size_t before = input.isGathered() ? usablePoints(all, ranks.rank()) : 0;
+  const auto [areas, lost] = areasByNumber(points, input, own, cloud.areas.data() + before);
   const std::string name = winding::textOf(this->ResultArrayName);
   for (std::size_t i = 0; i < pointSets.size(); ++i)
   {
@@ -309,5 +359,7 @@ void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
   os << indent << "TotalArea: " << this->TotalArea << "\n";
 }

@@ -12,7 +12,9 @@
  * which have the area-weighted mean of their triangles' normals where they have none of their own.
  * The leaves of composite data are one cloud, as they are one source for the other filters: where
  * scans overlap, their points share the area. In a pipeline that asks for pieces, each piece is a
- * cloud of its own.
+ * cloud of its own, but not in a parallel program: there the parts of all ranks are one cloud, and
+ * each rank gets the areas of its own points. An execution is collective then, as that of
+ * vtkWindingNumberAlgorithm is.
  *
  * The output is of the input's type and shares its arrays. The array has as many tuples as there
  * are points. The area is 0 for:
@@ -37,12 +39,15 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
 
 namespace winding
 {
 class Executor;
+class Ranks;
 struct PointCloud;
 } // namespace winding
+class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkPointAreas : public vtkPassInputTypeAlgorithm
 {
@@ -108,7 +113,16 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
-  /// The sum of all areas of the last execution; 0 if it failed.
+  ///@{
+  /// The controller of the ranks that hold the input, and the way in which they hold it; meaning,
+  /// values and defaults are those of vtkWindingNumberAlgorithm.
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  vtkSetMacro(SourceDistribution, int);
+  vtkGetMacro(SourceDistribution, int);
+  ///@}
+
+  /// The sum of all areas of the last execution, on this rank; 0 if it failed.
   vtkGetMacro(TotalArea, double);
 
 protected:
@@ -130,9 +144,11 @@ protected:
   char* ResultArrayName = nullptr;
   int NumberOfThreads = 0;
   double TotalArea = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  int SourceDistribution = 0;
 
 private:
-  void AddAreas(vtkDataObject* data);
+  void AddAreas(vtkDataObject* data, winding::Ranks& ranks);
   void ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const;
 };
 

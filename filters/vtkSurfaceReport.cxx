@@ -1,11 +1,14 @@
 #include "vtkSurfaceReport.h"
 
+#include "base/Refusal.h"
 #include "private/ErrorReports.h"
 #include "private/FaultBlocks.h"
 #include "private/InputViews.h"
 #include "private/PolygonOrientation.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/SmpExecutor.h"
+#include "private/SourceField.h"
 #include "private/SourceMemory.h"
 #include "private/SourceParts.h"
 #include "private/SourceReport.h"
@@ -17,6 +20,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -32,6 +36,7 @@
 vtkStandardNewMacro(vtkSurfaceReport);
 
 vtkSurfaceReport::vtkSurfaceReport()
+  : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -39,6 +44,20 @@ vtkSurfaceReport::vtkSurfaceReport()
 vtkSurfaceReport::~vtkSurfaceReport()
 {
   this->SetNormalsArray(nullptr);
+}
+
+void vtkSurfaceReport::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkSurfaceReport::GetController() const
+{
+  return this->Controller;
 }
 
 int vtkSurfaceReport::FillInputPortInformation(int, vtkInformation* info)
@@ -57,7 +76,8 @@ int vtkSurfaceReport::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSurfaceReport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForAll(inputs[0]->GetInformationObject(0));
+  winding::askForPart(inputs[0]->GetInformationObject(0), winding::Ranks(this->Controller),
+    static_cast<winding::SourceDistribution>(this->SourceDistribution));
   return 1;
 }
 
@@ -66,15 +86,25 @@ int vtkSurfaceReport::RequestData(
 {
   this->Report->Initialize();
   const int asked = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  if (outputs->GetInformationObject(asked)->Get(
-        vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  winding::Ranks ranks(this->Controller);
+  if (ranks.isAlone() && outputs->GetInformationObject(asked)->Get(
+                           vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   const winding::Outcome outcome = winding::reportErrors(this,
     "there is not enough memory to look at this source; look at a part of it",
-    [&]() { this->MakeReport(vtkDataObject::GetData(inputs[0]), output); });
+    [&]()
+    {
+      ranks.meet();
+      ranks.agree(
+        [&]
+        {
+          this->MakeReport(vtkDataObject::GetData(inputs[0]), output, ranks);
+          return true;
+        });
+    });
   if (outcome != winding::Outcome::done)
   {
     return outcome == winding::Outcome::interrupted;
@@ -86,7 +116,7 @@ int vtkSurfaceReport::RequestData(
   return 1;
 }
 
-void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
+void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
 {
   winding::checkRange("FaultThickness", this->FaultThickness, 0, 1);
   winding::InputOptions options;
@@ -94,7 +124,17 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
   winding::SmpExecutor executor(this, 0);
   auto views = std::make_unique<winding::InputViews>(source, options);
-  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report");
+  if (this->FixOrientation && !ranks.isAlone())
+  {
+    throw winding::Refusal("fix the orientation (Fix Orientation) in a program of one rank, before "
+                           "the faces are dealt out: the parts of others are not at hand");
+  }
+  winding::SourceOptions properties;
+  properties.input = options;
+  properties.distribution = winding::sourceDistribution(this->SourceDistribution);
+  ranks.requireSame(winding::hashOf(properties));
+  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report", ranks);
+  views->gather(ranks, properties.distribution);
   std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
   const bool fixes = this->FixOrientation && views->isSurface();
   winding::OrientedPolygons fix;
@@ -118,7 +158,10 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output)
     vtkWarningMacro(<< oneSided << (oneSided == 1 ? " part has" : " parts have")
                     << " one side only, and stay as they are");
   }
-  this->GetFaults()->ShallowCopy(report.faults);
+  if (ranks.rank() == 0)
+  {
+    this->GetFaults()->ShallowCopy(report.faults);
+  }
   output->ShallowCopy(surface);
 }
 
@@ -307,6 +350,8 @@ void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
   os << indent << "FixOrientation: " << this->FixOrientation << "\n";
   os << indent << "FaultThickness: " << this->FaultThickness << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
   os << indent << "Advice: " << this->GetAdvice() << "\n";
   os << indent << "FractionalShare: " << this->GetFractionalShare() << "\n";
 }

@@ -102,6 +102,9 @@
  *
  * Data that is no source is an error, and so is a surface whose triangles are all unusable. The
  * filter works on the whole source: where several pieces are asked for, the first has everything.
+ * In a parallel program every rank has the report on the parts of all, the first has the faults,
+ * and the first output is the part of each. Orientation is not fixed there: faces are turned before
+ * they are dealt out. An execution is collective, as that of vtkWindingNumberAlgorithm is.
  * When it is aborted, its outputs are empty.
  *
  * @sa vtkWindingNumberField
@@ -112,11 +115,17 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for the report
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
 
 #include <string> // for the advice in lines
 
+namespace winding
+{
+class Ranks;
+}
 class vtkFieldData;
 class vtkMultiBlockDataSet;
+class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkSurfaceReport : public vtkPolyDataAlgorithm
 {
@@ -145,6 +154,15 @@ public:
   /// 1, default 0.
   vtkSetMacro(FaultThickness, double);
   vtkGetMacro(FaultThickness, double);
+  ///@}
+
+  ///@{
+  /// The controller of the ranks that hold the input, and the way in which they hold it; meaning,
+  /// values and defaults are those of vtkWindingNumberAlgorithm.
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  vtkSetMacro(SourceDistribution, int);
+  vtkGetMacro(SourceDistribution, int);
   ///@}
 
   /// The second output: the blocks that show the faults of a surface.
@@ -206,7 +224,7 @@ protected:
 
   /// Sets the report and both outputs. An exception of the core passes through, and nothing is set
   /// then.
-  void MakeReport(vtkDataObject* source, vtkPolyData* output);
+  void MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks);
 
   ///@{
   /// The only value of an array of the report; 0 if the array has none.
@@ -217,6 +235,8 @@ protected:
   char* NormalsArray = nullptr;
   bool FixOrientation = false;
   double FaultThickness = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  int SourceDistribution = 0;
   vtkNew<vtkFieldData> Report;
   std::string AdviceInLines;
 };

@@ -2,10 +2,12 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
+#include "private/ContentHash.h"
 #include "private/ErrorReports.h"
 #include "private/ExpectedTimeAdvice.h"
 #include "private/InsideOutAdvice.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceField.h"
@@ -19,6 +21,7 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
@@ -65,6 +68,25 @@ int statusOf(winding::Outcome outcome)
   }
 }
 
+/// Ranks must have the same grid.
+winding::Ranks::Number hashOf(const winding::Grid& grid)
+{
+  winding::ContentHash hash;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hash.addValue(grid.dimensions[axis]);
+    hash.addValue(grid.firstSample[axis]);
+    hash.addValue(grid.spacing[axis]);
+  }
+  return hash.value();
+}
+
+/// Each rank has samples of its own.
+winding::Ranks::Number hashOf(const winding::VectorsView&)
+{
+  return 0;
+}
+
 template <class Private> constexpr bool isNumber(Private choice, int number)
 {
   return static_cast<int>(choice) == number;
@@ -84,11 +106,16 @@ static_assert(isNumber(winding::PointAreasFrom::voronoi, Filter::VORONOI));
 static_assert(isNumber(winding::PointAreasFrom::mesh, Filter::MESH));
 static_assert(isNumber(winding::PointAreasFrom::constant, Filter::CONSTANT));
 static_assert(isNumber(winding::PointAreasFrom::array, Filter::ARRAY));
+static_assert(isNumber(winding::SourceDistribution::automatic, Filter::DISTRIBUTION_AUTOMATIC));
+static_assert(isNumber(winding::SourceDistribution::distributed, Filter::DISTRIBUTED));
+static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICATED));
 
 } // namespace
 
 vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
-  : Source(std::make_unique<winding::SourceField>())
+  : Controller(vtkMultiProcessController::GetGlobalController())
+  , Ranks(std::make_unique<winding::Ranks>(nullptr))
+  , Source(std::make_unique<winding::SourceField>())
 {
   this->SetAreaArray("Area");
   this->SetResultArrayName("WindingNumber");
@@ -101,11 +128,37 @@ vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
   this->SetResultArrayName(nullptr);
 }
 
+void vtkWindingNumberAlgorithm::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkWindingNumberAlgorithm::GetController() const
+{
+  return this->Controller;
+}
+
+bool vtkWindingNumberAlgorithm::IsHelper() const
+{
+  return this->WorksOnFirstRank() && this->Ranks->rank() > 0;
+}
+
+void vtkWindingNumberAlgorithm::AskForSource(vtkInformation* source) const
+{
+  winding::askForPart(source, winding::Ranks(this->Controller),
+    winding::sourceDistribution(this->SourceDistribution));
+}
+
 vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   int (vtkWindingNumberAlgorithm::*answer)(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) = nullptr;
+  bool isTogether = false;
   const bool wantsData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
@@ -114,6 +167,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   else if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     answer = &vtkWindingNumberAlgorithm::RequestInformation;
+    isTogether = this->InformationNeedsSource();
   }
   else if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
@@ -122,6 +176,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   else if (wantsData)
   {
     answer = &vtkWindingNumberAlgorithm::RequestData;
+    isTogether = true;
   }
   else
   {
@@ -132,7 +187,17 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   const winding::Outcome outcome = winding::reportErrors(this,
     "there is not enough memory for this source and grid; choose larger voxels or write the "
     "result in pieces",
-    [&]() { isAnswered = (this->*answer)(request, inputs, outputs); });
+    [&]()
+    {
+      *this->Ranks = winding::Ranks(isTogether ? this->Controller.Get() : nullptr);
+      this->Ranks->meet();
+      this->Ranks->agree(
+        [&]
+        {
+          isAnswered = (this->*answer)(request, inputs, outputs);
+          return true;
+        });
+    });
   this->Status = statusOf(outcome);
   if (wantsData && outcome != winding::Outcome::done)
   {
@@ -166,6 +231,7 @@ void vtkWindingNumberAlgorithm::CheckProperties()
     "OutputScalarType", this->OutputScalarType, {"VTK_FLOAT", "VTK_DOUBLE"}, VTK_FLOAT);
   winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
   winding::checkRange("LongestExpectedTime", this->LongestExpectedTime, 0);
+  winding::sourceDistribution(this->SourceDistribution);
 }
 
 void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
@@ -177,7 +243,9 @@ void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 
 winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 {
-  return winding::sourceOptions(*this, !this->EvaluatesGrid());
+  winding::SourceOptions options = winding::sourceOptions(*this, !this->EvaluatesGrid());
+  options.distribution = winding::sourceDistribution(this->SourceDistribution);
+  return options;
 }
 
 const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
@@ -200,7 +268,14 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   this->LookAtSource(source);
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  const winding::Field* field = this->Source->prepare(source, this->GetSourceOptions(), executor);
+  const winding::SourceOptions options = this->GetSourceOptions();
+  this->Ranks->requireSame(winding::hashOf(options) + hashOf(samples));
+  const winding::Field* field =
+    this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
+  if (field && this->IsHelper())
+  {
+    return *field;
+  }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
   if (field)
@@ -305,7 +380,7 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
   // Bounds need no normals. What a user interface asks for before anything is executed must not
   // fail, or nobody could be asked there whether to estimate them.
   options.estimateNormals = true;
-  const winding::Bounds& found = this->Source->bounds(source, options);
+  const winding::Bounds& found = this->Source->bounds(source, options, *this->Ranks);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = found.min()[axis];
@@ -437,6 +512,8 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "LongestExpectedTime: " << this->LongestExpectedTime << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
   os << indent << "SourceKind: " << this->SourceKind << "\n";
   os << indent << "Status: " << this->Status << "\n";
   os << indent << "SourceIsInsideOut: " << this->SourceIsInsideOut << "\n";

@@ -30,6 +30,14 @@
  * NumberOfThreads 1 keep it serial. Results have the same bits for any backend and number of
  * threads.
  *
+ * **In a parallel program** (MPI) the ranks of the controller hold the source in parts, as
+ * SourceDistribution says: each asks upstream for its own piece, and gets those of all others. The
+ * result has the same bits as that of one rank with the whole source, however its primitives are
+ * dealt out; only scattered samples that a far field answers depend on the other samples of their
+ * rank, within the tolerance. An execution is collective: all ranks must execute, with the same
+ * properties. Where one refuses, all do, with the same line. Memory and threads are shared among
+ * the ranks on a machine. docs/scale.md tells more.
+ *
  * **Data that contradicts itself is refused**, in one line through vtkErrorMacro, before any class
  * of VTK follows it out of its memory: offsets out of their list of ids, ids of points that do not
  * exist, cells of unknown types or with too few points for their type, polyhedra without their
@@ -47,6 +55,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkFiltersWindingModule.h" // for export macro
+#include "vtkSmartPointer.h"         // for the controller
 
 #include <memory> // for the field of the source, which is kept
 
@@ -54,6 +63,7 @@ namespace winding
 {
 class Executor;
 class Field;
+class Ranks;
 class ResultArrays;
 class SourceField;
 class VectorsView;
@@ -68,6 +78,7 @@ struct SourceOptions;
 class vtkDataObject;
 class vtkDataSet;
 class vtkDataSetAttributes;
+class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberAlgorithm : public vtkAlgorithm
 {
@@ -101,6 +112,14 @@ public:
     MESH = 1,     ///< a third of every triangle around the point; for meshes taken as points
     CONSTANT = 2, ///< PointArea for every point
     ARRAY = 3     ///< the values of the point data array AreaArray
+  };
+
+  /// The ways in which the ranks of a parallel program may hold the source.
+  enum SourceDistributionType
+  {
+    DISTRIBUTION_AUTOMATIC = 0, ///< in parts, unless all ranks have the same data
+    DISTRIBUTED = 1,            ///< in parts, whatever they have
+    REPLICATED = 2              ///< as a whole, each of them
   };
 
   /// The kinds of sources.
@@ -265,6 +284,20 @@ public:
   ///@}
 
   ///@{
+  /// The controller of the ranks that hold the source; null for this process alone. Default: the
+  /// global one (vtkMultiProcessController::GetGlobalController()).
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
+  /// The way in which the ranks of a parallel program hold the source. A parallel source must not
+  /// be REPLICATED: each rank would take its part for the whole. Default DISTRIBUTION_AUTOMATIC.
+  vtkSetMacro(SourceDistribution, int);
+  vtkGetMacro(SourceDistribution, int);
+  ///@}
+
+  ///@{
   /// The longest time that an execution may be expected to take, in seconds, by ExpectedSeconds;
   /// longer ones are refused with what would be faster, before the work begins. An execution that
   /// is expected to take more than a minute says so in a warning. 0 stands for no limit. 0 or more,
@@ -373,7 +406,7 @@ protected:
 
   ///@{
   /// The field of a source, built or kept, and prepared for the samples of a grid or for scattered
-  /// ones; warns about faults of the source. Throws an interruption if aborted.
+  /// ones; warns about faults of the source. Throws an interruption if aborted. Collective.
   const winding::Field& PrepareField(vtkDataObject* source, const winding::Grid& grid);
   const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
   ///@}
@@ -381,7 +414,24 @@ protected:
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
   void LookAtSource(vtkDataObject* source);
 
-  /// The bounds of a source's usable primitives; false if it has none.
+  /// The ranks of the request that is being answered.
+  winding::Ranks& GetRanks() const { return *this->Ranks; }
+
+  /// Whether ranks answer a request for information together, because it needs the source. They
+  /// always do for data.
+  virtual bool InformationNeedsSource() const { return false; }
+
+  /// Whether the first rank alone makes the result. The others take part in the execution, and get
+  /// an empty field from PrepareField().
+  virtual bool WorksOnFirstRank() const { return false; }
+
+  /// Whether this is a rank that only takes part.
+  bool IsHelper() const;
+
+  /// Asks upstream for the part of the source that this rank is to have.
+  void AskForSource(vtkInformation* source) const;
+
+  /// The bounds of a source's usable primitives; false if it has none. Collective.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
   /// The result arrays that the properties want.
@@ -414,13 +464,12 @@ protected:
 
   /// The cost of what the filter does beside the field and distances of so many samples, the result
   /// arrays left out: nothing, unless a filter says otherwise. It may throw a refusal.
-  virtual winding::EvaluationCost GetAdditionalCost(
-    const winding::Field& field, vtkIdType samples);
+  virtual winding::EvaluationCost GetAdditionalCost(const winding::Field& field, vtkIdType samples);
 
   /// Warns where sides say that the source is inside out, as a whole or in part, and sets
   /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
-  void TellSides(const winding::Field& field, const winding::SideCounts& sides,
-    winding::Executor& executor);
+  void TellSides(
+    const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor);
 
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
@@ -441,6 +490,7 @@ protected:
   int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
   double LongestExpectedTime = 600;
+  int SourceDistribution = DISTRIBUTION_AUTOMATIC;
   int SourceKind = NO_SOURCE;
   int Status = DONE;
   bool SourceIsInsideOut = false;
@@ -458,6 +508,8 @@ private:
   void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
   const winding::FieldInfo& GetSourceInfo() const;
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::unique_ptr<winding::Ranks> Ranks;
   std::unique_ptr<winding::SourceField> Source;
 };
 

@@ -7,7 +7,6 @@
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
-#include "private/SourceParts.h"
 #include "private/Stopwatch.h"
 #include "private/VoxelEvaluation.h"
 #include "source/Grid.h"
@@ -59,7 +58,7 @@ void vtkWindingNumberField::UpdateSource(vtkInformation* outInfo)
   {
     request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  winding::askForAll(request);
+  this->AskForSource(request);
   request->Remove(Pipeline::WHOLE_EXTENT());
   if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
   {

@@ -138,6 +138,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  bool InformationNeedsSource() const override { return this->UseInputBounds != 0; }
 
   double GetDistanceLimit() const override;
   winding::EvaluationCost GetAdditionalCost(

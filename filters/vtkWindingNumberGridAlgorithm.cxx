@@ -5,7 +5,6 @@
 #include "level/Verify.h"
 #include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
-#include "private/SourceParts.h"
 #include "source/Grid.h"
 
 #include "vtkDataArray.h"
@@ -55,7 +54,7 @@ int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation*
 int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForAll(inputs[0]->GetInformationObject(0));
+  this->AskForSource(inputs[0]->GetInformationObject(0));
   return 1;
 }
 

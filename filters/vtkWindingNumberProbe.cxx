@@ -10,7 +10,6 @@
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
-#include "private/SourceParts.h"
 #include "private/SourceProperties.h"
 #include "private/Stopwatch.h"
 
@@ -162,7 +161,7 @@ int vtkWindingNumberProbe::RequestUpdateExtent(
 {
   if (vtkInformation* source = inputs[1]->GetInformationObject(0))
   {
-    winding::askForAll(source);
+    this->AskForSource(source);
   }
   return 1;
 }

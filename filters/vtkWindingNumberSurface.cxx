@@ -8,6 +8,7 @@
 #include "private/FreeMemory.h"
 #include "private/GridContour.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
@@ -97,7 +98,8 @@ int vtkWindingNumberSurface::RequestData(
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  const bool isPiece = outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+  if (isPiece && this->GetRanks().isAlone())
   {
     return 1;
   }
@@ -107,6 +109,10 @@ int vtkWindingNumberSurface::RequestData(
   this->CheckGrid();
   this->CheckVerification(true);
   const winding::Field& field = this->PrepareField(source, this->GetSampling());
+  if (this->IsHelper())
+  {
+    return 1;
+  }
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
   this->VerifyWholeGrid(field);

@@ -102,6 +102,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  bool WorksOnFirstRank() const override { return true; }
   bool WantsDistances() const override { return false; }
   winding::EvaluationCost GetAdditionalCost(
     const winding::Field& field, vtkIdType samples) override;

@@ -85,7 +85,7 @@ int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
 int vtkWindingNumberVoxels::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForAll(inputs[0]->GetInformationObject(0));
+  winding::askForPiece(inputs[0]->GetInformationObject(0), 0, 1);
   return 1;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace winding
 {
@@ -16,6 +17,12 @@ class ContentHash
 {
 public:
   template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
+
+  template <class T> void addNumbers(const std::vector<T>& numbers)
+  {
+    this->addValue(numbers.size());
+    this->addBytes(numbers.data(), numbers.size() * sizeof(T));
+  }
 
   void addArray(vtkDataArray* array)
   {

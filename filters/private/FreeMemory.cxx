@@ -1,5 +1,7 @@
 #include "private/FreeMemory.h"
 
+#include "private/HostShare.h"
+
 #include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ std::string inGiB(double bytes)
 
 double freeBytesOf(const HostMemory& memory)
 {
-  return std::max(0.0, memory.total - memory.used);
+  return std::max(0.0, memory.total - memory.used) / ranksOnHost();
 }
 
 } // namespace

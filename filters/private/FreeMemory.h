@@ -22,7 +22,8 @@ struct HostMemory
 /// Asks the system.
 HostMemory hostMemory();
 
-/// Whether so many bytes are free. `memory` tells what there is; less than 64 MiB is taken to be
+/// Whether so many bytes are free for this process, to which ranks of the same program on the machine
+/// leave an equal share. `memory` tells what there is; less than 64 MiB is taken to be
 /// free without asking it.
 bool isMemoryFree(double bytes, HostMemory (*memory)() = hostMemory);
 

@@ -242,6 +242,55 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
 
 std::vector<TrianglesView> InputViews::triangles()
 {
+  return isGathered_ ? gathered_.triangles() : this->ownTriangles();
+}
+
+std::vector<OrientedPointsView> InputViews::orientedPoints()
+{
+  return isGathered_ ? gathered_.orientedPoints() : this->ownOrientedPoints();
+}
+
+void InputViews::gather(Ranks& ranks, SourceDistribution distribution, bool onlyOnFirst)
+{
+  if (ranks.isAlone() || distribution == SourceDistribution::replicated)
+  {
+    return;
+  }
+  enum Kind : unsigned
+  {
+    surface = 1,
+    cloud = 2
+  };
+  std::vector<TrianglesView> triangles;
+  std::vector<OrientedPointsView> points;
+  const std::vector<Ranks::Number> kinds = ranks.exchange(
+    [&]() -> Ranks::Number
+    {
+      if (isSurface_)
+      {
+        triangles = this->ownTriangles();
+        return surface;
+      }
+      points = this->ownOrientedPoints();
+      return leaves_.empty() ? 0u : +cloud;
+    });
+  const auto has = [&kinds](Kind kind)
+  {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  if (has(surface) && has(cloud))
+  {
+    throw Refusal("extract the parts of one kind: the source is a surface on some ranks and a "
+                  "point cloud on others");
+  }
+  isSurface_ = has(surface);
+  const Gathering gathering = {distribution == SourceDistribution::automatic, onlyOnFirst};
+  isGathered_ = isSurface_ ? gathered_.gather(ranks, triangles, gathering)
+                           : gathered_.gather(ranks, points, gathering);
+}
+
+std::vector<TrianglesView> InputViews::ownTriangles()
+{
   std::vector<TrianglesView> views;
   for (vtkPointSet* leaf : leaves_)
   {
@@ -258,7 +307,7 @@ const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
   return vertices_.back();
 }
 
-std::vector<OrientedPointsView> InputViews::orientedPoints()
+std::vector<OrientedPointsView> InputViews::ownOrientedPoints()
 {
   const bool withoutNormals = this->lacksNormals();
   if (withoutNormals && !options_.estimateNormals)
@@ -319,6 +368,18 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
 std::vector<VectorsView> InputViews::points()
 {
   std::vector<VectorsView> views;
+  if (isGathered_)
+  {
+    for (const TrianglesView& view : gathered_.triangles())
+    {
+      views.push_back(view.points);
+    }
+    for (const OrientedPointsView& view : gathered_.orientedPoints())
+    {
+      views.push_back(view.positions);
+    }
+    return views;
+  }
   for (vtkPointSet* leaf : leaves_)
   {
     vtkPointSet* own = isSurface_ ? this->skinOf(leaf) : leaf;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.h"
+#include "private/SourceDistribution.h"
 #include "source/MeshVertices.h"
 
 #include "vtkSmartPointer.h"
@@ -66,6 +67,16 @@ public:
   bool isSurface() const { return isSurface_; }
   const Identity& identity() const { return identity_; }
 
+  /// Whether there is nothing to sum over: no points at all.
+  bool isEmpty() const { return leaves_.empty() && !isGathered_; }
+
+  bool isGathered() const { return isGathered_; }
+
+  /// Brings the parts of all ranks together, on all of them or on the first. From then on this is
+  /// about the whole source, but for what tells of data sets. Collective; throws the same Refusal on all ranks where one does, also
+  /// where some have surfaces and others clouds.
+  void gather(Ranks& ranks, SourceDistribution distribution, bool onlyOnFirst = false);
+
   /// A hash of all that a field is built from. Two sources with different identities may still have
   /// the same content: a reader, for example, gives new objects for every time step, though only
   /// attributes change.
@@ -90,6 +101,8 @@ private:
   ScalarsView scalarsOf(vtkDataArray* array);
   template <class View> View viewOf(vtkDataArray* array);
   TriangleIdsView idsOf(vtkCellArray* polygons);
+  std::vector<TrianglesView> ownTriangles();
+  std::vector<OrientedPointsView> ownOrientedPoints();
   bool lacksNormals() const;
   const MeshVertices& verticesOf(vtkPointSet* mesh);
   vtkPolyData* skinOf(vtkPointSet* leaf);
@@ -100,6 +113,9 @@ private:
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;
+
+  bool isGathered_ = false;
+  GatheredViews gathered_;
 
   // Views point into these where VTK's own memory would not do.
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;

@@ -1,5 +1,6 @@
 #include "private/SmpExecutor.h"
 
+#include "private/HostShare.h"
 #include "private/VtkVersions.h"
 
 #include "vtkAlgorithm.h"
@@ -34,11 +35,17 @@ std::string backendToUse()
 
 constexpr double secondsPerBatch = 0.1;
 
+int cores()
+{
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 } // namespace
 
 SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
   : filter_(filter)
-  , threads_(std::min(threads, static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))))
+  , threads_(threads == 0 && ranksOnHost() > 1 ? std::max(1, cores() / ranksOnHost())
+                                               : std::min(threads, cores()))
 {
 }
 
@@ -50,7 +57,7 @@ int SmpExecutor::threads() const
   }
   return backendToUse() == vtkSMPTools::GetBackend()
            ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
-           : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+           : cores();
 }
 
 void SmpExecutor::runBatch(

@@ -18,8 +18,8 @@ namespace winding
 class SmpExecutor final : public Executor
 {
 public:
-  /// `threads` is the largest number to use; 0 leaves it to vtkSMPTools. There are never more
-  /// threads than cores.
+  /// `threads` is the largest number to use; 0 leaves it to vtkSMPTools, or shares the cores among
+  /// the ranks of a parallel program on this machine. There are never more threads than cores.
   SmpExecutor(vtkAlgorithm* filter, int threads);
 
   /// Work that comes after this takes progress from `first` to `last`, where it is shown; at first

@@ -1,7 +1,12 @@
 #include "private/SourceField.h"
 
+#include "private/ContentHash.h"
 #include "private/SourceMemory.h"
 #include "source/Sanitize.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace winding
 {
@@ -21,34 +26,94 @@ bool SourceField::Memory::isSame(const InputViews& views, const InputOptions& op
   return same;
 }
 
-const Field* SourceField::prepare(
-  vtkDataObject* source, const SourceOptions& options, Executor& executor)
+const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& options,
+  Executor& executor, Ranks& ranks, bool onlyOnFirst)
 {
-  InputViews views(source, options.input);
-  const bool isSameSource = source_.isSame(views, options.input);
-  wasBuilt_ = !field_ || !isSameSource || !(options_ == options.field);
+  std::optional<InputViews> views;
+  const bool isKept = ranks.agree(
+    [&]
+    {
+      views.emplace(source, options.input);
+      const bool isSameSource = source_.isSame(*views, options.input);
+      return field_ && isSameSource && options_ == options.field;
+    });
+  wasBuilt_ = !isKept;
   if (wasBuilt_)
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
-    refuseHugeSource(source, options.input.asPoints, bytesOfField, "the field");
-    field_ = views.isSurface() || views.identity().empty()
-               ? Field::build(views.triangles(), options.field, executor)
-               : Field::build(views.orientedPoints(), options.field, executor);
+    refuseHugeSource(source, options.input.asPoints, bytesOfField, "the field", ranks);
+    views->gather(ranks, options.distribution, onlyOnFirst);
+    if (onlyOnFirst && ranks.rank() > 0)
+    {
+      field_ = Field::build(std::vector<TrianglesView>(), options.field, executor);
+    }
+    else
+    {
+      field_ = views->isSurface() || views->isEmpty()
+                 ? Field::build(views->triangles(), options.field, executor)
+                 : Field::build(views->orientedPoints(), options.field, executor);
+    }
     options_ = options.field;
   }
   return field_.get();
 }
 
-const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& options)
+const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& options, Ranks& ranks)
 {
-  InputViews views(source, options);
+  std::optional<InputViews> views;
   Memory memory = boundedSource_;
-  if (!memory.isSame(views, options))
+  const bool isKept = ranks.agree(
+    [&]
+    {
+      views.emplace(source, options);
+      return memory.isSame(*views, options);
+    });
+  if (!isKept)
   {
-    bounds_ = views.isSurface() ? boundsOf(views.triangles()) : boundsOf(views.orientedPoints());
+    std::vector<double> corners;
+    ranks.agree(
+      [&]
+      {
+        const Bounds own =
+          views->isSurface() ? boundsOf(views->triangles()) : boundsOf(views->orientedPoints());
+        if (!own.isEmpty())
+        {
+          corners.insert(corners.end(), own.min().data(), own.min().data() + 3);
+          corners.insert(corners.end(), own.max().data(), own.max().data() + 3);
+        }
+        return true;
+      });
+    bounds_ = Bounds();
+    const OfRanks<double> ofAll = ranks.gathered(corners, false);
+    for (std::size_t n = 0; n < ofAll.numbers.size(); n += 3)
+    {
+      bounds_.extend(Eigen::Vector3d(ofAll.numbers.data() + n));
+    }
   }
   boundedSource_ = memory; // not before: a source that is refused must be refused again
   return bounds_;
+}
+
+Ranks::Number hashOf(const SourceOptions& options)
+{
+  ContentHash hash;
+  const auto addText = [&hash](const std::string& text)
+  {
+    hash.addNumbers(std::vector<char>(text.begin(), text.end()));
+  };
+  hash.addValue(options.distribution);
+  hash.addValue(options.input.asPoints);
+  hash.addValue(options.input.estimateNormals);
+  hash.addValue(options.input.areas);
+  addText(options.input.normalsArray);
+  addText(options.input.areaArray);
+  hash.addValue(options.field.method);
+  hash.addValue(options.field.tolerance);
+  hash.addValue(options.field.pointAreaMethod);
+  hash.addValue(options.field.pointArea);
+  hash.addValue(options.field.neighbors);
+  hash.addValue(options.field.regularization);
+  return hash.value();
 }
 
 const FieldInfo& SourceField::info() const

@@ -15,7 +15,11 @@ struct SourceOptions
 {
   InputOptions input;
   FieldOptions field;
+  SourceDistribution distribution = SourceDistribution::automatic;
 };
+
+/// A hash of options, by which ranks find out whether theirs are the same.
+Ranks::Number hashOf(const SourceOptions& options);
 
 /**
  * The field of a filter's source, kept for as long as the source and the options that it depends on
@@ -25,12 +29,14 @@ class SourceField
 {
 public:
   /// Builds the field, or keeps the last one. Null when the executor was interrupted: then there is
-  /// none to keep either, and the next call builds. Throws Refusal.
-  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor);
+  /// none to keep either, and the next call builds. Where the first rank alone needs the field, the
+  /// others get an empty one. Collective. Throws Refusal.
+  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor,
+    Ranks& ranks, bool onlyOnFirst);
 
-  /// The bounds of the source's usable primitives, found without building a field, and kept for as
-  /// long as the source stays the same. Throws Refusal.
-  const Bounds& bounds(vtkDataObject* source, const InputOptions& options);
+  /// The bounds of the usable primitives of the source, those of all ranks, found without building
+  /// a field, and kept for as long as the source stays the same. Collective. Throws Refusal.
+  const Bounds& bounds(vtkDataObject* source, const InputOptions& options, Ranks& ranks);
 
   /// Information on the last field; before the first, that of an empty one.
   const FieldInfo& info() const;

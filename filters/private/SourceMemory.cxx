@@ -1,26 +1,41 @@
 #include "private/SourceMemory.h"
 
 #include "private/FreeMemory.h"
+#include "private/Ranks.h"
 #include "private/SourceParts.h"
 
 #include "vtkDataObject.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
 
 namespace winding
 {
 
 void refuseHugeSource(
-  vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what)
+  vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what, Ranks& ranks)
 {
-  if (!source)
-  {
-    return;
-  }
-  const bool isMesh = !asPoints && kindOf(source) == SourceKind::mesh;
-  const vtkIdType elements =
-    source->GetNumberOfElements(isMesh ? vtkDataObject::CELL : vtkDataObject::POINT);
-  refuseBeyondFreeMemory(static_cast<double>(elements) * (isMesh ? bytes.perCell : bytes.perPoint),
-    std::string(what) + " of " + std::to_string(elements) + (isMesh ? " cells" : " points"),
-    "take a part of the source, or fewer and larger triangles or points");
+  const bool isMesh = source && !asPoints && kindOf(source) == SourceKind::mesh;
+  const std::vector<Ranks::Number> elements = ranks.exchange(
+    [&]() -> Ranks::Number
+    {
+      return source
+               ? source->GetNumberOfElements(isMesh ? vtkDataObject::CELL : vtkDataObject::POINT)
+               : 0;
+    });
+  const bool areEqual = std::all_of(elements.begin(), elements.end(),
+    [&elements](Ranks::Number number) { return number == elements[0]; });
+  const Ranks::Number all =
+    areEqual ? elements[0] : std::accumulate(elements.begin(), elements.end(), Ranks::Number{0});
+  ranks.agree(
+    [&]
+    {
+      refuseBeyondFreeMemory(static_cast<double>(all) * (isMesh ? bytes.perCell : bytes.perPoint),
+        std::string(what) + " of " + std::to_string(all) + (isMesh ? " cells" : " points"),
+        "take a part of the source, or fewer and larger triangles or points");
+      return true;
+    });
 }
 
 } // namespace winding

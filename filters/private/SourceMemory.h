@@ -5,6 +5,8 @@ class vtkDataObject;
 namespace winding
 {
 
+class Ranks;
+
 /// The memory that work on a source takes beside the source itself, in bytes.
 struct BytesOfWork
 {
@@ -21,8 +23,9 @@ constexpr BytesOfWork bytesOfAreas = {250, 250};
 ///@}
 
 /// Throws OutOfMemory where the work on a source that InputViews has looked at does not fit into
-/// free memory, before anything is allocated. `what` names the work, as in "the report".
+/// free memory, before anything is allocated. `what` names the work, as in "the report". The source
+/// is that of all ranks together, unless they have equally much, as of copies. Collective.
 void refuseHugeSource(
-  vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what);
+  vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what, Ranks& ranks);
 
 } // namespace winding

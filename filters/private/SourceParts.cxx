@@ -10,6 +10,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkExtentTranslator.h"
 #include "vtkExtractCells.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -224,16 +225,21 @@ vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
   return blocks;
 }
 
-void askForAll(vtkInformation* source)
+void askForPiece(vtkInformation* source, int piece, int pieces)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
   source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   // A structured source, such as a curvilinear grid, is asked for by extent instead.
   if (source->Has(Pipeline::WHOLE_EXTENT()))
   {
-    source->Set(Pipeline::UPDATE_EXTENT(), source->Get(Pipeline::WHOLE_EXTENT()), 6);
+    int whole[6], extent[6];
+    source->Get(Pipeline::WHOLE_EXTENT(), whole);
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(
+      piece, pieces, 0, whole, extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    source->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   }
 }
 

@@ -56,7 +56,8 @@ vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyD
 vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
   const std::vector<vtkSmartPointer<vtkPolyData>>& leaves);
 
-/// Asks upstream for all of a source, whatever piece of the result was asked for.
-void askForAll(vtkInformation* source);
+/// Asks upstream for a piece of a source, whatever piece of the result was asked for; for all of it
+/// unless there are several pieces.
+void askForPiece(vtkInformation* source, int piece, int pieces);
 
 } // namespace winding

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace winding
+{
+
+/// The processes of an MPI program on this machine that work together, this one among them: they
+/// share its cores and its memory. 1 until Ranks has met others.
+int ranksOnHost();
+
+/// Ranks tells the number.
+void setRanksOnHost(int ranks);
+
+} // namespace winding

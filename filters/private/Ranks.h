@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace winding
+{
+
+/// Numbers of all ranks, rank by rank.
+template <class T> struct OfRanks
+{
+  std::vector<T> numbers;
+  std::vector<std::size_t> starts; ///< place of each rank's first number, and the end
+
+  const T* begin(int rank) const { return numbers.data() + starts[static_cast<std::size_t>(rank)]; }
+  std::size_t count(int rank) const
+  {
+    return starts[static_cast<std::size_t>(rank) + 1] - starts[static_cast<std::size_t>(rank)];
+  }
+};
+
+/**
+ * The processes of a parallel program, through VTK's controller for them. All functions but those
+ * that only tell something are collective: all ranks call them, in the same order. A process
+ * without a controller, or alone in it, is a single rank, for which they cost nothing.
+ *
+ * A failure of one rank must not leave the others waiting, so failures travel with exchange(): work
+ * that throws on any rank makes exchange() throw on all, with the line of the first rank that failed.
+ * Calls may be nested. A rank that fails anywhere within an outer one meets the others at the next
+ * inner one that they come to.
+ */
+class Ranks
+{
+public:
+  /// `controller` may be null. `mostNumbers` is the largest number of numbers that one exchange
+  /// may have in sum: those of MPI are counted by ints.
+  explicit Ranks(vtkMultiProcessController* controller,
+    std::size_t mostNumbers = std::numeric_limits<int>::max());
+
+  int rank() const;
+  int count() const;
+  bool isAlone() const { return this->count() == 1; }
+
+  /// A number that ranks tell each other: a count, flags or a hash.
+  using Number = unsigned long long;
+
+  /// Does work on every rank, and returns what it returned on each of them. Throws a Refusal,
+  /// OutOfMemory or Interrupted if it threw on any.
+  std::vector<Number> exchange(const std::function<Number()>& work);
+
+  /// Waits for all ranks, and tells HostShare.h how many of them are on this machine.
+  void meet();
+
+  /// Does work on every rank, as exchange() does, and returns whether it returned true on all.
+  bool agree(const std::function<bool()>& work);
+
+  /// Throws a Refusal on all ranks unless all have the same hash of their properties.
+  void requireSame(Number hashOfProperties);
+
+  /// All numbers of all ranks. Where they are wanted by the first rank only, the others get none
+  /// but their counts. T is double or int.
+  template <class T> OfRanks<T> gathered(const std::vector<T>& own, bool onlyOnFirst);
+
+private:
+  vtkMultiProcessController* controller_;
+  std::size_t mostNumbers_;
+  bool hasFailed_ = false; ///< all ranks know of a failure, and meet no more
+};
+
+} // namespace winding
