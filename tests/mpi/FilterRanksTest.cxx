@@ -181,7 +181,7 @@ TEST(FieldOnRanks, IsKeptUntilAPartChanges)
   EXPECT_EQ(field->GetNumberOfPrimitives(), static_cast<vtkIdType>(mesh.triangles.size()));
   if (rank() == ranks() - 1)
   {
-    part->SetPolys(vtkNew<vtkCellArray>());
+    part->Initialize();
   }
   // Only one part has changed, but all ranks execute together.
   field->Modified();
@@ -214,9 +214,11 @@ TEST(FieldOnRanks, WithOtherPropertiesIsRefusedOnAll)
   updatePiece(field);
   EXPECT_EQ(log.errors().empty(), ranks() == 1) << log.errors();
   field->SetTolerance(rank() == ranks() - 1 ? -1 : 1e-3);
+  field->Modified();
   updatePiece(field);
   EXPECT_NE(log.errors().find("Tolerance"), std::string::npos) << log.errors();
   field->SetTolerance(1e-3);
+  field->Modified();
   updatePiece(field);
   EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
 }
