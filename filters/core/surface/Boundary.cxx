@@ -1,6 +1,7 @@
 #include "surface/Boundary.h"
 
 #include "base/CountingSort.h"
+#include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
@@ -83,6 +84,36 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
   }
   return chain;
+}
+
+void sortByCoordinates(
+  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
+{
+  // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
+  struct Keyed
+  {
+    double x;
+    BoundaryEdge edge;
+  };
+  std::vector<Keyed> keyed;
+  keyed.reserve(edges.size());
+  for (const BoundaryEdge& edge : edges)
+  {
+    keyed.push_back({vertices[edge.from][0], edge});
+  }
+  std::sort(keyed.begin(), keyed.end(),
+    [&vertices](const Keyed& a, const Keyed& b)
+    {
+      if (a.x != b.x)
+      {
+        return a.x < b.x;
+      }
+      const int byFirst = compareCoordinates(vertices[a.edge.from], vertices[b.edge.from]);
+      return byFirst != 0 ? byFirst < 0
+                          : compareCoordinates(vertices[a.edge.to], vertices[b.edge.to]) < 0;
+    });
+  std::transform(
+    keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });
 }
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)

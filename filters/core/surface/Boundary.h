@@ -39,6 +39,11 @@ struct BoundaryChain
   std::vector<std::int32_t> crowdedVertices;
 };
 
+/// Sorts edges by the coordinates of their first, then of their second vertex: an order that does
+/// not depend on the numbers of vertices. No edge may stand there twice.
+void sortByCoordinates(
+  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices);
+
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.
 BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
 
@@ -47,6 +52,7 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
 using BoundaryLoop = std::vector<std::int32_t>;
 
 /// Splits a chain into loops, which together run along each edge as often as its multiplicity says.
+/// Nothing but the order of the chain's edges decides which loops these are, and where they begin.
 /// `vertices` is the number of vertices of the surface.
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices);
 
