@@ -27,7 +27,7 @@ struct OrientedSite
  * The sites of an oriented cloud: each place has as many as its points have different orientations.
  * Every normal is similar to that of the first point of its site, and normals of first points are
  * not similar to each other, so that a place has nine sites at most. First is the point whose normal
- * has the lowest coordinates, by x, then y, then z. Guaranteed: the sites are the same for any
+ * comes first by compareCoordinates(). Guaranteed: the sites are the same for any
  * executor, and do not depend on the order of the points.
  */
 class OrientedSites

@@ -4,16 +4,10 @@
 #include "source/UnitScale.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace winding
 {
-
-namespace
-{
-
-constexpr std::size_t leafSize = 16;
-
-} // namespace
 
 void turnToFirstOrder(Eigen::Vector3d (&corners)[3])
 {
@@ -43,38 +37,41 @@ int compareTriangles(
 }
 
 OrderedTriangles inCoordinateOrder(
-  const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain, Executor& executor)
+  const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain)
 {
-  std::vector<Triangle> turned;
-  std::vector<Eigen::Vector3d> centers;
-  turned.reserve(chain.size());
-  centers.reserve(chain.size());
-  for (const Triangle& triangle : chain.triangles())
+  // Nearly all comparisons end with the first size, which stands beside the triangle therefore.
+  struct Keyed
   {
-    const Triangle& t = turned.emplace_back(lowestFirst(vertices, triangle));
-    centers.emplace_back(vertices[t[0]] / 3 + (vertices[t[1]] / 3 + vertices[t[2]] / 3));
-  }
-  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
-  {
-    return compareTriangles(vertices, turned[a], turned[b]) < 0;
+    double size;
+    Triangle triangle;
+    std::int32_t multiplicity;
   };
-  std::vector<std::uint32_t> order = SourceTree(centers, leafSize, executor, isBefore).order();
-  OrderedTriangles ordered;
-  if (!chain.isOnceEach())
+  std::vector<Keyed> keyed;
+  keyed.reserve(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i)
   {
-    std::stable_sort(order.begin(), order.end(),
-      [&chain](std::uint32_t a, std::uint32_t b)
-      { return chain.multiplicity(a) < chain.multiplicity(b); });
-    ordered.multiplicities.reserve(order.size());
-    for (const std::uint32_t i : order)
-    {
-      ordered.multiplicities.push_back(chain.multiplicity(i));
-    }
+    const Triangle triangle = lowestFirst(vertices, chain[i]);
+    keyed.push_back({std::abs(vertices[triangle[0]][0]), triangle, chain.multiplicity(i)});
   }
-  ordered.triangles.reserve(order.size());
-  for (const std::uint32_t i : order)
+  std::sort(keyed.begin(), keyed.end(),
+    [&vertices](const Keyed& a, const Keyed& b)
+    {
+      if (a.multiplicity != b.multiplicity || a.size != b.size)
+      {
+        return a.multiplicity != b.multiplicity ? a.multiplicity < b.multiplicity : a.size < b.size;
+      }
+      return compareTriangles(vertices, a.triangle, b.triangle) < 0;
+    });
+  OrderedTriangles ordered;
+  ordered.triangles.reserve(keyed.size());
+  ordered.multiplicities.reserve(chain.isOnceEach() ? 0 : keyed.size());
+  for (const Keyed& item : keyed)
   {
-    ordered.triangles.push_back(turned[i]);
+    ordered.triangles.push_back(item.triangle);
+    if (!chain.isOnceEach())
+    {
+      ordered.multiplicities.push_back(item.multiplicity);
+    }
   }
   return ordered;
 }
@@ -92,6 +89,7 @@ std::vector<std::uint32_t> coordinateOrder(
     const std::vector<double>& lengths = cloud.regularizationLengths;
     return !lengths.empty() && lengths[a] < lengths[b];
   };
+  constexpr std::size_t leafSize = 16;
   return SourceTree(cloud.positions, leafSize, executor, isBefore).order();
 }
 

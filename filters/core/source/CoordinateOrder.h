@@ -18,8 +18,8 @@
 namespace winding
 {
 
-/// Turns a triangle so that its lowest corner comes first: the three ways to write an oriented
-/// triangle become one. No two vertices may be equal.
+/// Turns a triangle so that its lowest corner, by compareCoordinates(), comes first: the three ways
+/// to write an oriented triangle become one. No two vertices may be equal.
 inline Triangle lowestFirst(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle)
 {
   const auto isBefore = [&](int i, int j)
@@ -49,13 +49,10 @@ struct OrderedTriangles
   Multiplicities multiplicities;
 };
 
-/**
- * The triangles of a chain, each with its lowest corner first: by ascending multiplicity, and those
- * of one multiplicity in an order that depends on their coordinates alone. Triangles near to each
- * other mostly stand near to each other. Takes the time of a SourceTree. Throws Interrupted.
- */
+/// The triangles of a chain, each with its lowest corner first: by ascending multiplicity, and those
+/// of one multiplicity by compareTriangles(). Takes O(n log n) time on one thread.
 OrderedTriangles inCoordinateOrder(
-  const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain, Executor& executor);
+  const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain);
 
 /**
  * The numbers of a cloud's points in an order that depends on their positions, normals, areas and

@@ -31,8 +31,8 @@ struct SourceNode
  * number of threads; (2) every item lies in exactly one leaf, and a node's items are those of its
  * children; (3) leaves hold up to `leafSize` items, and more only if their centres are equal;
  * (4) parents stand before their children, and nodes of one depth stand together; (5) the items of
- * a leaf stand in the order of their centres, by x, then y, then z, and items with equal centres in
- * an order of the caller's or, without one, of their numbers. So the tree depends on the set of
+ * a leaf stand in the order of their centres (CompareCoordinates.h), and items with equal centres
+ * in an order of the caller's or, without one, of their numbers. So the tree depends on the set of
  * centres, not on the order in which they are given, if the caller tells apart what differs.
  *
  * Building takes a time of items × depth and 32 bytes per item.

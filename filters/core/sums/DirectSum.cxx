@@ -60,12 +60,7 @@ void TriangleSum::multiply(const std::vector<Triangle>& triangles, std::size_t f
 /// Sums all triangles, run by run of equal multiplicity. isSuspect may be null.
 void TriangleSum::sum(const SampleBlock& block, double* values, bool* isSuspect) const
 {
-  std::call_once(areOrdered_,
-    [this]
-    {
-      SerialExecutor serial;
-      ordered_ = inCoordinateOrder(vertices_, triangles_, serial);
-    });
+  std::call_once(areOrdered_, [this] { ordered_ = inCoordinateOrder(vertices_, triangles_); });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   MultipleAngles sums(scaled.count, values, isSuspect);

@@ -5,6 +5,7 @@
 #include "surface/Edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace winding
@@ -89,28 +90,34 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
 void sortByCoordinates(
   std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
 {
-  // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
+  // Nearly all comparisons end with the first size, which stands beside the edge therefore.
   struct Keyed
   {
-    double x;
+    double size;
+    std::int32_t lower, higher;
     BoundaryEdge edge;
+  };
+  const auto compare = [&vertices](std::int32_t a, std::int32_t b)
+  {
+    return compareCoordinates(vertices[a], vertices[b]);
   };
   std::vector<Keyed> keyed;
   keyed.reserve(edges.size());
   for (const BoundaryEdge& edge : edges)
   {
-    keyed.push_back({vertices[edge.from][0], edge});
+    const auto [lower, higher] = compare(edge.from, edge.to) < 0 ? std::pair(edge.from, edge.to)
+                                                                 : std::pair(edge.to, edge.from);
+    keyed.push_back({std::abs(vertices[lower][0]), lower, higher, edge});
   }
   std::sort(keyed.begin(), keyed.end(),
-    [&vertices](const Keyed& a, const Keyed& b)
+    [&compare](const Keyed& a, const Keyed& b)
     {
-      if (a.x != b.x)
+      if (a.size != b.size)
       {
-        return a.x < b.x;
+        return a.size < b.size;
       }
-      const int byFirst = compareCoordinates(vertices[a.edge.from], vertices[b.edge.from]);
-      return byFirst != 0 ? byFirst < 0
-                          : compareCoordinates(vertices[a.edge.to], vertices[b.edge.to]) < 0;
+      const int byLower = compare(a.lower, b.lower);
+      return byLower != 0 ? byLower < 0 : compare(a.higher, b.higher) < 0;
     });
   std::transform(
     keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });

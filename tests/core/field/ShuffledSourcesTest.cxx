@@ -29,7 +29,7 @@ struct Numbers
   Numbers(const winding::Field& field, const Grid& grid, const std::vector<Point>& samples,
     winding::Executor& executor)
   {
-    const std::size_t onGrid = sampleCount(grid.wholeExtent()), count = onGrid + samples.size();
+    const std::size_t onGrid = winding::sampleCount(grid.wholeExtent()), count = onGrid + samples.size();
     values.resize(count);
     distances.resize(count);
     inside.resize(count);
