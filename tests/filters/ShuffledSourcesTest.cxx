@@ -1,6 +1,6 @@
 #include "filters/ReadMesh.h"
 
-#include "core/support/Shuffled.h"
+#include "core/support/ShuffledNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -21,8 +21,9 @@
 
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace
@@ -39,10 +40,10 @@ struct Shuffled
 /// their corners; other polygons keep their first, from which they are cut.
 Shuffled shuffledCopyOf(vtkPolyData* original, unsigned seed)
 {
-  shapes::Random random(seed);
+  std::mt19937_64 random(seed);
   const auto below = [&random](std::size_t count)
   {
-    return static_cast<std::size_t>(random.bits() % count);
+    return static_cast<std::size_t>(random() % count);
   };
   const vtkIdType count = original->GetNumberOfPoints();
   Shuffled result = {vtkSmartPointer<vtkPolyData>::New(),
@@ -215,8 +216,7 @@ TEST_P(ShuffledSharedData, GivesFieldsOfTheSameBits)
     field->GenerateInsideOn();
     field->GenerateSignedDistanceOn();
     field->SetEstimateNormals(isCloud_);
-    this->compare(field.GetPointer(),
-      [](vtkImageData* found, vtkImageData* expected)
+    this->compare(field.GetPointer(), [](vtkImageData* found, vtkImageData* expected)
       { expectSameArrays(found->GetPointData(), expected->GetPointData()); });
   }
 }
@@ -263,9 +263,9 @@ TEST_P(ShuffledSharedData, GivesPointsTheSameAreas)
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, ShuffledSharedData,
-  testing::Values("bunny_10k.obj", "maxplanck_open_90k.obj", "truck_soup.obj",
-    "conrod_flipped.stl", "aneurysm_open.stl", "bunny_res2_nonmanifold.ply", "self_intersectA.obj",
-    "tray_thin_cad.stl", "teapot.obj", "kitten_points_normals.ply", "bunny_noised_points.ply"),
+  testing::Values("bunny_10k.obj", "maxplanck_open_90k.obj", "truck_soup.obj", "conrod_flipped.stl",
+    "aneurysm_open.stl", "bunny_res2_nonmanifold.ply", "self_intersectA.obj", "tray_thin_cad.stl",
+    "teapot.obj", "kitten_points_normals.ply", "bunny_noised_points.ply"),
   [](const auto& mesh)
   {
     std::string name = mesh.param;

@@ -27,13 +27,20 @@ void turnToFirstOrder(Eigen::Vector3d (&corners)[3])
 int compareTriangles(
   const std::vector<Eigen::Vector3d>& vertices, const Triangle& a, const Triangle& b)
 {
+  const auto compare = [&vertices](std::int32_t i, std::int32_t j)
+  {
+    return i == j ? 0 : compareCoordinates(vertices[i], vertices[j]);
+  };
+  // Corners are compared in ascending order, so that reversed triangles stand in the same order.
+  const bool isUpward = compare(a[1], a[2]) < 0, isOtherUpward = compare(b[1], b[2]) < 0;
+  const Triangle sorted = isUpward ? a : Triangle{a[0], a[2], a[1]};
+  const Triangle other = isOtherUpward ? b : Triangle{b[0], b[2], b[1]};
   int result = 0;
   for (std::size_t corner = 0; result == 0 && corner < 3; ++corner)
   {
-    result =
-      a[corner] == b[corner] ? 0 : compareCoordinates(vertices[a[corner]], vertices[b[corner]]);
+    result = compare(sorted[corner], other[corner]);
   }
-  return result;
+  return result != 0 ? result : int(isOtherUpward) - int(isUpward);
 }
 
 OrderedTriangles inCoordinateOrder(

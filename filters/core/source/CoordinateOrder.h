@@ -37,8 +37,9 @@ inline Triangle lowestFirst(const std::vector<Eigen::Vector3d>& vertices, const 
 /// lowestFirst() does, but corners may be equal.
 void turnToFirstOrder(Eigen::Vector3d (&corners)[3]);
 
-/// Compares two triangles corner by corner, as compareCoordinates() does; both stand with their
-/// lowest corners first.
+/// Compares two triangles by their corners in ascending order, then by their sense, as
+/// compareCoordinates() does; both stand with their lowest corners first. Reversing all triangles
+/// does not change the order of those that differ in more than their sense.
 int compareTriangles(
   const std::vector<Eigen::Vector3d>& vertices, const Triangle& a, const Triangle& b);
 

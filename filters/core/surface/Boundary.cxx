@@ -1,11 +1,9 @@
 #include "surface/Boundary.h"
 
 #include "base/CountingSort.h"
-#include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace winding
@@ -90,34 +88,34 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
 void sortByCoordinates(
   std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
 {
-  // Nearly all comparisons end with the first size, which stands beside the edge therefore.
+  // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
   struct Keyed
   {
-    double size;
+    double x;
     std::int32_t lower, higher;
     BoundaryEdge edge;
   };
-  const auto compare = [&vertices](std::int32_t a, std::int32_t b)
+  const auto isBefore = [&vertices](std::int32_t a, std::int32_t b)
   {
-    return compareCoordinates(vertices[a], vertices[b]);
+    const Eigen::Vector3d &p = vertices[a], &q = vertices[b];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   };
   std::vector<Keyed> keyed;
   keyed.reserve(edges.size());
   for (const BoundaryEdge& edge : edges)
   {
-    const auto [lower, higher] = compare(edge.from, edge.to) < 0 ? std::pair(edge.from, edge.to)
-                                                                 : std::pair(edge.to, edge.from);
-    keyed.push_back({std::abs(vertices[lower][0]), lower, higher, edge});
+    const auto [lower, higher] =
+      isBefore(edge.from, edge.to) ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
+    keyed.push_back({vertices[lower][0], lower, higher, edge});
   }
   std::sort(keyed.begin(), keyed.end(),
-    [&compare](const Keyed& a, const Keyed& b)
+    [&isBefore](const Keyed& a, const Keyed& b)
     {
-      if (a.size != b.size)
+      if (a.x != b.x || a.lower == b.lower)
       {
-        return a.size < b.size;
+        return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
       }
-      const int byLower = compare(a.lower, b.lower);
-      return byLower != 0 ? byLower < 0 : compare(a.higher, b.higher) < 0;
+      return isBefore(a.lower, b.lower);
     });
   std::transform(
     keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });

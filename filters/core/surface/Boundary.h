@@ -39,9 +39,9 @@ struct BoundaryChain
   std::vector<std::int32_t> crowdedVertices;
 };
 
-/// Sorts edges by the coordinates of their lower, then of their higher end (CompareCoordinates.h):
-/// an order that depends neither on the numbers of vertices nor on the directions of edges. Each
-/// undirected edge may stand there once at most.
+/// Sorts edges by the coordinates of their lower, then of their higher end, by x, y and z: an order
+/// that depends neither on the numbers of vertices nor on the directions of edges, and stays where
+/// the source is moved. Each undirected edge may stand there once at most.
 void sortByCoordinates(
   std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices);
 

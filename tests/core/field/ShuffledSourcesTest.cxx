@@ -29,7 +29,8 @@ struct Numbers
   Numbers(const winding::Field& field, const Grid& grid, const std::vector<Point>& samples,
     winding::Executor& executor)
   {
-    const std::size_t onGrid = winding::sampleCount(grid.wholeExtent()), count = onGrid + samples.size();
+    const std::size_t onGrid = winding::sampleCount(grid.wholeExtent()),
+                      count = onGrid + samples.size();
     values.resize(count);
     distances.resize(count);
     inside.resize(count);
@@ -103,8 +104,8 @@ void checkMesh(const Mesh& mesh, const Grid& grid, unsigned seed)
     const Point t = random.point(-0.3, 1.3);
     samples.push_back(bounds.min() + t.cwiseProduct(bounds.sizes()));
   }
-  for (const Method method : {Method::automatic, Method::rows, Method::hierarchical,
-         Method::direct, Method::parity})
+  for (const Method method :
+    {Method::automatic, Method::rows, Method::hierarchical, Method::direct, Method::parity})
   {
     for (const double tolerance : {1e-3, 1e-6})
     {
@@ -126,10 +127,10 @@ void checkMesh(const Mesh& mesh, const Grid& grid, unsigned seed)
       const std::size_t cut = below(mesh.triangles.size() + 1);
       const Mesh first = other.part(0, cut);
       const Mesh second = withoutSharedPoints(other.part(cut, other.triangles.size()));
-      expectSameBits(
-        Numbers(*winding::Field::build(
-                  std::vector<winding::TrianglesView>{second.view(), first.view()}, options, serial),
-          grid, samples, serial),
+      expectSameBits(Numbers(*winding::Field::build(
+                               std::vector<winding::TrianglesView>{second.view(), first.view()},
+                               options, serial),
+                       grid, samples, serial),
         expected);
     }
   }
@@ -186,7 +187,8 @@ TEST(ShuffledSources, MeshesHaveTheSameBits)
   checkMesh(sphere, gridOver(boundsOf(sphere.points), 14), 2182);
   checkMesh(icosphere(3), gridOver(boundsOf(sphere.points), 14), 2183);
   checkMesh(soup, gridOver(boundsOf(soup.points), 12), 2184);
-  const Mesh copies = copiesOf(latticeSoup(60, 3, 2185), 3).with(latticeSoup(100, 3, 2186).reversed());
+  const Mesh copies =
+    copiesOf(latticeSoup(60, 3, 2185), 3).with(latticeSoup(100, 3, 2186).reversed());
   checkMesh(copies, gridOver(boundsOf(copies.points), 10), 2186);
 }
 
@@ -275,8 +277,8 @@ TEST(ShuffledSources, VerticesOfMeshesHaveTheSameNormalsAndAreas)
   other.triangles = inOrder(mesh.triangles, shuffledNumbers(mesh.triangles.size(), below));
   for (auto& triangle : other.triangles)
   {
-    std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(below(3)),
-      triangle.end());
+    std::rotate(
+      triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(below(3)), triangle.end());
   }
   const winding::MeshVertices expected = winding::meshVertices({mesh.view()}, mesh.points.size());
   const winding::MeshVertices found = winding::meshVertices({other.view()}, mesh.points.size());

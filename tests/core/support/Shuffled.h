@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/support/Shapes.h"
+#include "core/support/ShuffledNumbers.h"
 
-#include <numeric>
-#include <utility>
 #include <vector>
 
 /**
@@ -13,19 +12,6 @@
  */
 namespace shapes
 {
-
-/// The numbers 0 … count − 1 in random order.
-template <class Below>
-std::vector<std::size_t> shuffledNumbers(std::size_t count, const Below& below)
-{
-  std::vector<std::size_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  for (std::size_t i = count; i > 1; --i)
-  {
-    std::swap(numbers[i - 1], numbers[below(i)]);
-  }
-  return numbers;
-}
 
 template <class T>
 std::vector<T> inOrder(const std::vector<T>& items, const std::vector<std::size_t>& order)
