@@ -24,32 +24,30 @@ void turnToFirstOrder(Eigen::Vector3d (&corners)[3])
   std::rotate(corners, corners + (isBefore(2, lower) ? 2 : lower), corners + 3);
 }
 
-int compareTriangles(
-  const std::vector<Eigen::Vector3d>& vertices, const Triangle& a, const Triangle& b)
-{
-  const auto compare = [&vertices](std::int32_t i, std::int32_t j)
-  {
-    return i == j ? 0 : compareCoordinates(vertices[i], vertices[j]);
-  };
-  // Corners are compared in ascending order, so that reversed triangles stand in the same order.
-  const bool isUpward = compare(a[1], a[2]) < 0, isOtherUpward = compare(b[1], b[2]) < 0;
-  const Triangle sorted = isUpward ? a : Triangle{a[0], a[2], a[1]};
-  const Triangle other = isOtherUpward ? b : Triangle{b[0], b[2], b[1]};
-  int result = 0;
-  for (std::size_t corner = 0; result == 0 && corner < 3; ++corner)
-  {
-    result = compare(sorted[corner], other[corner]);
-  }
-  return result != 0 ? result : int(isOtherUpward) - int(isUpward);
-}
-
 OrderedTriangles inCoordinateOrder(
   const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain)
 {
-  // Nearly all comparisons end with the first size, which stands beside the triangle therefore.
+  Bounds bounds;
+  for (const Triangle& triangle : chain.triangles())
+  {
+    for (const std::int32_t vertex : triangle)
+    {
+      bounds.extend(vertices[vertex]);
+    }
+  }
+  const Eigen::Vector3d middle = bounds.isEmpty()
+                                   ? Eigen::Vector3d(0, 0, 0)
+                                   : Eigen::Vector3d(0.5 * bounds.min() + 0.5 * bounds.max());
+  const auto compare = [&](std::int32_t i, std::int32_t j)
+  {
+    const Eigen::Vector3d &p = vertices[i], &q = vertices[j];
+    const int order = compareCoordinates((p - middle).cwiseAbs(), (q - middle).cwiseAbs());
+    return order != 0 ? order : compareCoordinates(p, q);
+  };
+  // Nearly all comparisons end with the first distance, which stands beside the triangle therefore.
   struct Keyed
   {
-    double size;
+    double distance;
     Triangle triangle;
     std::int32_t multiplicity;
   };
@@ -57,17 +55,19 @@ OrderedTriangles inCoordinateOrder(
   keyed.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i)
   {
-    const Triangle triangle = lowestFirst(vertices, chain[i]);
-    keyed.push_back({std::abs(vertices[triangle[0]][0]), triangle, chain.multiplicity(i)});
+    const Triangle triangle = lowestFirst(chain[i], compare);
+    const double distance = std::abs(vertices[triangle[0]][0] - middle[0]);
+    keyed.push_back({distance, triangle, chain.multiplicity(i)});
   }
   std::sort(keyed.begin(), keyed.end(),
-    [&vertices](const Keyed& a, const Keyed& b)
+    [&compare](const Keyed& a, const Keyed& b)
     {
-      if (a.multiplicity != b.multiplicity || a.size != b.size)
+      if (a.multiplicity != b.multiplicity || a.distance != b.distance)
       {
-        return a.multiplicity != b.multiplicity ? a.multiplicity < b.multiplicity : a.size < b.size;
+        return a.multiplicity != b.multiplicity ? a.multiplicity < b.multiplicity
+                                                : a.distance < b.distance;
       }
-      return compareTriangles(vertices, a.triangle, b.triangle) < 0;
+      return compareTriangles(a.triangle, b.triangle, compare) < 0;
     });
   OrderedTriangles ordered;
   ordered.triangles.reserve(keyed.size());

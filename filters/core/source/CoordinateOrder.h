@@ -18,30 +18,54 @@
 namespace winding
 {
 
-/// Turns a triangle so that its lowest corner, by compareCoordinates(), comes first: the three ways
-/// to write an oriented triangle become one. No two vertices may be equal.
+/// Turns a triangle so that its lowest corner comes first: the three ways to write an oriented
+/// triangle become one. compare(i, j) compares two vertices, no two of which may be equal.
+template <class Compare> Triangle lowestFirst(const Triangle& triangle, const Compare& compare)
+{
+  const auto [a, b, c] = triangle;
+  if (compare(b, a) < 0)
+  {
+    return compare(c, b) < 0 ? Triangle{c, a, b} : Triangle{b, c, a};
+  }
+  return compare(c, a) < 0 ? Triangle{c, a, b} : triangle;
+}
+
+/// Turns a triangle so that its lowest corner comes first, by the coordinates of the vertices.
 inline Triangle lowestFirst(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle)
 {
-  const auto isBefore = [&](int i, int j)
-  {
-    return compareCoordinates(vertices[triangle[i]], vertices[triangle[j]]) < 0;
-  };
-  const int lower = isBefore(1, 0) ? 1 : 0;
-  const int first = isBefore(2, lower) ? 2 : lower;
-  return first == 0   ? triangle
-         : first == 1 ? Triangle{triangle[1], triangle[2], triangle[0]}
-                      : Triangle{triangle[2], triangle[0], triangle[1]};
+  return lowestFirst(triangle, [&vertices](std::int32_t i, std::int32_t j)
+    { return compareCoordinates(vertices[i], vertices[j]); });
 }
 
 /// Turns a triangle so that its corners stand in the first of their three orders. It does what
 /// lowestFirst() does, but corners may be equal.
 void turnToFirstOrder(Eigen::Vector3d (&corners)[3]);
 
-/// Compares two triangles by their corners in ascending order, then by their sense, as
-/// compareCoordinates() does; both stand with their lowest corners first. Reversing all triangles
-/// does not change the order of those that differ in more than their sense.
-int compareTriangles(
-  const std::vector<Eigen::Vector3d>& vertices, const Triangle& a, const Triangle& b);
+/// Compares two triangles by their corners in ascending order, then by their sense; both stand with
+/// their lowest corners first. Reversing all triangles does not change the order of those that
+/// differ in more than their sense. compare(i, j) compares two vertices.
+template <class Compare>
+int compareTriangles(const Triangle& a, const Triangle& b, const Compare& compare)
+{
+  const bool isUpward = compare(a[1], a[2]) < 0, isOtherUpward = compare(b[1], b[2]) < 0;
+  const Triangle sorted = isUpward ? a : Triangle{a[0], a[2], a[1]};
+  const Triangle other = isOtherUpward ? b : Triangle{b[0], b[2], b[1]};
+  int result = 0;
+  for (std::size_t corner = 0; result == 0 && corner < 3; ++corner)
+  {
+    result = compare(sorted[corner], other[corner]);
+  }
+  return result != 0 ? result : static_cast<int>(isOtherUpward) - static_cast<int>(isUpward);
+}
+
+/// Compares two triangles by the coordinates of the vertices.
+inline int compareTriangles(
+  const std::vector<Eigen::Vector3d>& vertices, const Triangle& a, const Triangle& b)
+{
+  return compareTriangles(a, b,
+    [&vertices](std::int32_t i, std::int32_t j)
+    { return compareCoordinates(vertices[i], vertices[j]); });
+}
 
 /// Triangles with their multiplicities, as ChainView refers to them.
 struct OrderedTriangles
@@ -50,8 +74,14 @@ struct OrderedTriangles
   Multiplicities multiplicities;
 };
 
-/// The triangles of a chain, each with its lowest corner first: by ascending multiplicity, and those
-/// of one multiplicity by compareTriangles(). Takes O(n log n) time on one thread.
+/**
+ * The triangles of a chain, each with its lowest corner first: by ascending multiplicity, and those
+ * of one multiplicity in an order that depends on their coordinates alone.
+ *
+ * The order goes by the distances of corners from the middle of the chain, along x, y and z: that
+ * of a mirrored chain is the same, unless the chain mirrors itself. Takes O(n log n) time on one
+ * thread.
+ */
 OrderedTriangles inCoordinateOrder(
   const std::vector<Eigen::Vector3d>& vertices, const ChainView& chain);
 

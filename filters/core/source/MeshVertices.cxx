@@ -37,6 +37,14 @@ Eigen::Vector3d areaVectorOf(const TrianglesView& view, const Ids& ids)
   return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
+/// The length of a vector of any size. The bits of Eigen's stableNorm() depend on where in memory
+/// the vector stands.
+double lengthOf(const Eigen::Vector3d& vector)
+{
+  const double largest = vector.cwiseAbs().maxCoeff();
+  return largest > 0 ? largest * (vector / largest).norm() : 0;
+}
+
 } // namespace
 
 MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t points)
@@ -72,7 +80,7 @@ MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t p
     for (const Eigen::Vector3d* vector = around.begin(point); vector != around.end(point); ++vector)
     {
       normal += *vector;
-      vertices.areas[point] += vector->stableNorm() / 3;
+      vertices.areas[point] += lengthOf(*vector) / 3;
     }
   }
   return vertices;

@@ -1,6 +1,7 @@
 #include "surface/Boundary.h"
 
 #include "base/CountingSort.h"
+#include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
@@ -97,8 +98,7 @@ void sortByCoordinates(
   };
   const auto isBefore = [&vertices](std::int32_t a, std::int32_t b)
   {
-    const Eigen::Vector3d &p = vertices[a], &q = vertices[b];
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    return compareCoordinates(vertices[a], vertices[b]) < 0;
   };
   std::vector<Keyed> keyed;
   keyed.reserve(edges.size());
