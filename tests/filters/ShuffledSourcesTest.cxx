@@ -224,7 +224,7 @@ TEST_P(ShuffledSharedData, GivesFieldsOfTheSameBits)
 TEST_P(ShuffledSharedData, GivesSmoothSurfacesOfTheSameBits)
 {
   vtkNew<vtkWindingNumberSurface> surface;
-  surface->SetResolution(40);
+  surface->SetResolution(std::string(GetParam()) == "tray_thin_cad.stl" ? 160 : 40); // it is thin
   surface->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   surface->SetEstimateNormals(isCloud_);
   this->compare(surface.GetPointer(), expectSameMesh);
