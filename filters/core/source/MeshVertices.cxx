@@ -2,9 +2,14 @@
 
 #include "source/CoordinateOrder.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <optional>
 
 namespace winding
@@ -15,11 +20,11 @@ namespace
 
 using Ids = std::array<std::size_t, 3>;
 
-/// A triangle's area vector, and its area; an area below 0 marks a triangle that is left out.
+/// A triangle's area vector, and its area.
 struct Share
 {
   Eigen::Vector3d areaVector;
-  double area = -1;
+  double area;
 };
 
 std::optional<Ids> validIds(const TrianglesView& view, std::size_t triangle, std::size_t points)
@@ -49,17 +54,25 @@ double lengthOf(const Eigen::Vector3d& vector)
   return largest > 0 ? largest * (vector / largest).norm() : 0;
 }
 
+/// The share of a triangle, whichever of its corners it begins with; an area that is not finite
+/// where the area vector is not.
 Share shareOf(const TrianglesView& view, const Ids& ids)
 {
   Eigen::Vector3d corners[3] = {view.points[ids[0]], view.points[ids[1]], view.points[ids[2]]};
-  turnToFirstOrder(corners);
-  Share share;
-  share.areaVector = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (share.areaVector.allFinite())
+  const double x = corners[0][0], y = corners[1][0], z = corners[2][0];
+  if (x == y || y == z || z == x)
   {
-    const double area = lengthOf(share.areaVector);
-    share.area = std::isfinite(area) ? area : -1;
+    turnToFirstOrder(corners);
   }
+  const bool areApart = x != y && y != z && z != x;
+  const int first = !areApart ? 0 : y < x ? (z < y ? 2 : 1) : (z < x ? 2 : 0);
+  const Eigen::Vector3d& a = corners[first];
+  const Eigen::Vector3d u = corners[first < 2 ? first + 1 : 0] - a;
+  const Eigen::Vector3d v = corners[first > 0 ? first - 1 : 2] - a;
+  Share share;
+  share.areaVector = 0.5 * u.cross(v);
+  share.area = share.areaVector.allFinite() ? lengthOf(share.areaVector)
+                                            : std::numeric_limits<double>::infinity();
   return share;
 }
 
@@ -73,30 +86,37 @@ class PointSum
 public:
   void announce(double area)
   {
-    largest_ = std::max(largest_, area);
-    ++count_;
+    // Ascending numbers of 0 or more have ascending bits.
+    std::int64_t bits;
+    std::memcpy(&bits, &area, sizeof bits);
+    sums_[0] = std::max(sums_[0], bits);
+    ++sums_[1];
   }
 
   void chooseUnit()
   {
+    double largest;
+    std::memcpy(&largest, &sums_[0], sizeof largest);
     constexpr int bits = 62, smallest = -1000; // 2^1000 is a number, too
     int bitsOfCount = 0;
-    while (count_ >> bitsOfCount != 0)
+    while (sums_[1] >> bitsOfCount != 0)
     {
       ++bitsOfCount;
     }
-    const int exponent = largest_ > 0 ? std::ilogb(largest_) + 1 + bitsOfCount - bits : 0;
-    unit_ = std::max(exponent, smallest);
-    perUnit_ = std::ldexp(1.0, -unit_);
+    const int exponent = largest > 0 ? std::ilogb(largest) + 1 + bitsOfCount - bits : 0;
+    unit_ = std::ldexp(1.0, std::max(exponent, smallest));
+    perUnit_ = 1 / unit_;
+    sums_ = {};
   }
 
   void add(const Share& share)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      sums_[axis] += this->inUnits(share.areaVector[static_cast<Eigen::Index>(axis)]);
+      sums_[axis] +=
+        static_cast<std::int64_t>(share.areaVector[static_cast<Eigen::Index>(axis)] * perUnit_);
     }
-    sums_[3] += this->inUnits(share.area);
+    sums_[3] += static_cast<std::int64_t>(share.area * perUnit_);
   }
 
   Eigen::Vector3d areaVector() const
@@ -106,13 +126,12 @@ public:
   double area() const { return this->valueOf(sums_[3]); }
 
 private:
-  std::int64_t inUnits(double value) const { return static_cast<std::int64_t>(value * perUnit_); }
-  double valueOf(std::int64_t sum) const { return std::ldexp(static_cast<double>(sum), unit_); }
+  double valueOf(std::int64_t sum) const { return static_cast<double>(sum) * unit_; }
 
-  double largest_ = 0, perUnit_ = 0;
-  std::uint32_t count_ = 0;
-  int unit_ = 0; ///< exponent of the unit
+  /// The sums, in units; before the unit is known, the bits of the largest area and the number of
+  /// shares.
   std::array<std::int64_t, 4> sums_ = {};
+  double unit_ = 0, perUnit_ = 0;
 };
 
 /// Calls visit(view, ids) for all triangles with valid ids.
@@ -136,13 +155,19 @@ void forEachTriangle(
 
 MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t points)
 {
-  std::vector<PointSum> sums(points);
+  std::size_t triangles = 0;
+  for (const TrianglesView& view : views)
+  {
+    triangles += view.triangles.size();
+  }
   std::vector<Share> shares;
+  shares.reserve(triangles);
+  std::vector<PointSum> sums(points);
   forEachTriangle(views, points,
     [&](const TrianglesView& view, const Ids& ids)
     {
       const Share& share = shares.emplace_back(shareOf(view, ids));
-      for (std::size_t i = 0; share.area >= 0 && i < 3; ++i)
+      for (std::size_t i = 0; std::isfinite(share.area) && i < 3; ++i)
       {
         sums[ids[i]].announce(share.area);
       }
@@ -152,7 +177,7 @@ MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t p
   forEachTriangle(views, points,
     [&](const TrianglesView&, const Ids& ids)
     {
-      for (std::size_t i = 0; share->area >= 0 && i < 3; ++i)
+      for (std::size_t i = 0; std::isfinite(share->area) && i < 3; ++i)
       {
         sums[ids[i]].add(*share);
       }
