@@ -76,63 +76,71 @@ Share shareOf(const TrianglesView& view, const Ids& ids)
   return share;
 }
 
+/// 2^exponent, for exponents from −1022 to 1023; std::ldexp() is a call.
+double powerOfTwo(int exponent)
+{
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+/// The exponent of a positive number, −1023 for those below the normal ones.
+int exponentOf(double number)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  return static_cast<int>(bits >> 52) - 1023;
+}
+
 /**
- * The sum of the shares of the triangles around a point, in integers: it is the same in any order.
- * The unit is a power of two, so small that the rounding of a share is 2⁻⁵⁶ of the largest share at
- * most, times the number of shares, and so large that no sum leaves the range.
+ * The unit in which the shares around a point are summed as integers, so that their order does not
+ * matter: a power of two, so small that rounding a share is 2⁻⁵⁶ of the largest share at most, times
+ * the number of shares, and so large that no sum leaves the range.
  */
-class PointSum
+class Unit
 {
 public:
   void announce(double area)
   {
-    // Ascending numbers of 0 or more have ascending bits.
-    std::int64_t bits;
-    std::memcpy(&bits, &area, sizeof bits);
-    sums_[0] = std::max(sums_[0], bits);
-    ++sums_[1];
+    exponent_ = std::max(exponent_, exponentOf(area));
+    ++count_;
   }
 
-  void chooseUnit()
+  void choose()
   {
-    double largest;
-    std::memcpy(&largest, &sums_[0], sizeof largest);
-    constexpr int bits = 62, smallest = -1000; // 2^1000 is a number, too
+    constexpr int bits = 62;
     int bitsOfCount = 0;
-    while (sums_[1] >> bitsOfCount != 0)
+    while (count_ >> bitsOfCount != 0)
     {
       ++bitsOfCount;
     }
-    const int exponent = largest > 0 ? std::ilogb(largest) + 1 + bitsOfCount - bits : 0;
-    unit_ = std::ldexp(1.0, std::max(exponent, smallest));
-    perUnit_ = 1 / unit_;
-    sums_ = {};
+    exponent_ = std::max(exponent_ + 1 + bitsOfCount - bits, lowest);
   }
 
-  void add(const Share& share)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      sums_[axis] +=
-        static_cast<std::int64_t>(share.areaVector[static_cast<Eigen::Index>(axis)] * perUnit_);
-    }
-    sums_[3] += static_cast<std::int64_t>(share.area * perUnit_);
-  }
-
-  Eigen::Vector3d areaVector() const
-  {
-    return {this->valueOf(sums_[0]), this->valueOf(sums_[1]), this->valueOf(sums_[2])};
-  }
-  double area() const { return this->valueOf(sums_[3]); }
+  /// The unit, or its inverse; both are powers of two, and so exact.
+  double size() const { return powerOfTwo(exponent_); }
+  double inverse() const { return powerOfTwo(-exponent_); }
 
 private:
-  double valueOf(std::int64_t sum) const { return static_cast<double>(sum) * unit_; }
+  static constexpr int lowest = -1000; ///< 2^1000 is a number, too
 
-  /// The sums, in units; before the unit is known, the bits of the largest area and the number of
-  /// shares.
-  std::array<std::int64_t, 4> sums_ = {};
-  double unit_ = 0, perUnit_ = 0;
+  int exponent_ = lowest; ///< that of the largest area, until the unit is chosen
+  std::uint32_t count_ = 0;
 };
+
+/// The sums of area vectors and of areas around a point, in units.
+using PointSum = std::array<std::int64_t, 4>;
+
+void add(const Share& share, double inverseUnit, PointSum& sum)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double value = share.areaVector[static_cast<Eigen::Index>(axis)];
+    sum[axis] += static_cast<std::int64_t>(value * inverseUnit);
+  }
+  sum[3] += static_cast<std::int64_t>(share.area * inverseUnit);
+}
 
 /// Calls visit(view, ids) for all triangles with valid ids.
 template <class Visit>
@@ -162,24 +170,25 @@ MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t p
   }
   std::vector<Share> shares;
   shares.reserve(triangles);
-  std::vector<PointSum> sums(points);
+  std::vector<Unit> units(points);
   forEachTriangle(views, points,
     [&](const TrianglesView& view, const Ids& ids)
     {
       const Share& share = shares.emplace_back(shareOf(view, ids));
       for (std::size_t i = 0; std::isfinite(share.area) && i < 3; ++i)
       {
-        sums[ids[i]].announce(share.area);
+        units[ids[i]].announce(share.area);
       }
     });
-  std::for_each(sums.begin(), sums.end(), [](PointSum& sum) { sum.chooseUnit(); });
+  std::for_each(units.begin(), units.end(), [](Unit& unit) { unit.choose(); });
+  std::vector<PointSum> sums(points, PointSum{});
   auto share = shares.cbegin();
   forEachTriangle(views, points,
     [&](const TrianglesView&, const Ids& ids)
     {
       for (std::size_t i = 0; std::isfinite(share->area) && i < 3; ++i)
       {
-        sums[ids[i]].add(*share);
+        add(*share, units[ids[i]].inverse(), sums[ids[i]]);
       }
       ++share;
     });
@@ -188,8 +197,12 @@ MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t p
   vertices.areas.resize(points);
   for (std::size_t point = 0; point < points; ++point)
   {
-    Eigen::Map<Eigen::Vector3d>(&vertices.normals[3 * point]) = sums[point].areaVector();
-    vertices.areas[point] = sums[point].area() / 3;
+    const double unit = units[point].size();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      vertices.normals[3 * point + axis] = static_cast<double>(sums[point][axis]) * unit;
+    }
+    vertices.areas[point] = static_cast<double>(sums[point][3]) * unit / 3;
   }
   return vertices;
 }
