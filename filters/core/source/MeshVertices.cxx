@@ -95,8 +95,8 @@ int exponentOf(double number)
 
 /**
  * The unit in which the shares around a point are summed as integers, so that their order does not
- * matter: a power of two, so small that rounding a share is 2⁻⁵⁶ of the largest share at most, times
- * the number of shares, and so large that no sum leaves the range.
+ * matter: a power of two, so small that rounding a share is 2⁻⁵⁶ of the largest share at most,
+ * times the number of shares, and so large that no sum leaves the range.
  */
 class Unit
 {

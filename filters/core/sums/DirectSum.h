@@ -68,9 +68,9 @@ private:
 
 /**
  * The direct sum over all points of a cloud, in double, and that of their gradients; the guarantees
- * are those of TriangleSum, the order taking 4 bytes per point. Points are spread over the lengths that the cloud has, if any
- * (SolidAngle.h). No point adds to the value at its own place, and a point that is not spread adds
- * nothing to the gradient there, either.
+ * are those of TriangleSum, the order taking 4 bytes per point. Points are spread over the lengths
+ * that the cloud has, if any (SolidAngle.h). No point adds to the value at its own place, and a
+ * point that is not spread adds nothing to the gradient there, either.
  */
 class DipoleSum final : public Evaluator, public GradientEvaluator
 {

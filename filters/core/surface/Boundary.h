@@ -24,7 +24,8 @@ struct BoundaryEdge
 
 struct BoundaryChain
 {
-  /// The edges stand in the order of (lower vertex, higher vertex); each undirected edge occurs
+  /// The edges stand in the order of (lower vertex, higher vertex), which depends on the numbers of
+  /// vertices; sortByCoordinates() gives them one that does not. Each undirected edge occurs
   /// once at most. At every vertex as many edges leave as arrive, counted with multiplicity.
   std::vector<BoundaryEdge> edges;
 

@@ -28,8 +28,8 @@ namespace winding
  * not depend on the samples beside it; (7) errors are roundings: some 1e-16/d in all, d being the
  * distance to the boundary (measured: 2.2e-16/d at random samples of seven meshes), and beside an
  * edge of length L up to 1e-16 L/d of its share; (8) the bits depend on the set of edges, not on
- * their order and the numbers of vertices: edges are sorted by coordinates first. Not guaranteed: the same bits on machines with and
- * without fused multiply-add.
+ * their order and the numbers of vertices: edges are sorted by coordinates first. Not guaranteed:
+ * the same bits on machines with and without fused multiply-add.
  *
  * Each sample costs a sum over all boundary edges.
  */
