@@ -30,7 +30,8 @@
  * PointArea that does not exist. Points that are all at one place have area 0, with a warning.
  *
  * The filter takes its threads as vtkWindingNumberAlgorithm does; areas have the same bits for any
- * number of them. When it is aborted, its output is empty.
+ * number of them, and for any order of the points and triangles. When it is aborted, its output is
+ * empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberProbe
  */

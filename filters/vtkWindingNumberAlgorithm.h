@@ -28,7 +28,7 @@
  * Work is shared among the threads of vtkSMPTools. Where its backend is Sequential only because VTK
  * was built so (as in ParaView), STDThread is used instead; VTK_SMP_BACKEND_IN_USE=Sequential or
  * NumberOfThreads 1 keep it serial. Results have the same bits for any backend and number of
- * threads.
+ * threads, and for any order of the source's triangles, points and blocks.
  *
  * **In a parallel program** (MPI) the ranks of the controller hold the source in parts, as
  * SourceDistribution says: each asks upstream for its own piece, and gets those of all others. The

@@ -28,10 +28,10 @@
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
  * the whole: where several pieces are asked for, the first has everything. Progress and abort are
- * those of vtkWindingNumberField. The result has the same bits for any number of threads. It takes
- * the memory of the triangles and 13 bytes for each row of the grid. For a source that is not
- * closed the field passes through memory in slabs of about 100 MB; it is kept as a whole only to be
- * verified.
+ * those of vtkWindingNumberField. The result has the same bits for any number of threads, and for
+ * any order of the source's triangles and points. It takes the memory of the triangles and 13 bytes
+ * for each row of the grid. For a source that is not closed the field passes through memory in
+ * slabs of about 100 MB; it is kept as a whole only to be verified.
  *
  * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and grids with
  * only one voxel along an axis.

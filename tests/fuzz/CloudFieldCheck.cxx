@@ -5,6 +5,7 @@
 #include "base/Pi.h"
 #include "base/Refusal.h"
 #include "core/support/NaiveDistance.h"
+#include "core/support/Shuffled.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
@@ -16,7 +17,8 @@
 /**
  * @file
  * The direct sum of a cloud is compared with the definition in long double, and the far field with
- * the direct sum. Samples that lie on a point as far as coordinates can tell must be finite only.
+ * the direct sum; either with itself on the same points in another order, to the bit. Samples that
+ * lie on a point as far as coordinates can tell must be finite only.
  */
 namespace fuzz
 {
@@ -126,6 +128,18 @@ std::string checkCloud(const PointCloud& cloud)
   return areGood ? std::string() : "areas or normals of the cloud are not what they should be";
 }
 
+/// The same points in another order.
+RandomCloud shuffled(const RandomCloud& random, Choices& choices)
+{
+  const std::vector<std::size_t> order = shapes::shuffledNumbers(
+    random.cloud.positions.size(), [&](std::size_t count) { return choices.below(count); });
+  const auto inOrder = [&order](const auto& items)
+  {
+    return items.empty() ? items : shapes::inOrder(items, order);
+  };
+  return {{inOrder(random.cloud.positions), inOrder(random.cloud.normals)}, inOrder(random.areas)};
+}
+
 } // namespace
 
 std::string checkCloudField(Choices& choices)
@@ -198,7 +212,12 @@ std::string checkCloudField(Choices& choices)
   {
     failure = failure.empty() ? found : failure;
   }
-  return failure;
+  if (!failure.empty())
+  {
+    return failure;
+  }
+  const auto other = Field::build(viewsOf(shuffled(random, choices)), options, serial);
+  return checkShuffled(*other, grid, grids, samples, others);
 }
 
 } // namespace fuzz

@@ -2,6 +2,7 @@
 
 #include "RandomSources.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -170,6 +171,27 @@ std::string checkBits(Choices& choices, const winding::Field& field, const windi
     return "the distance of a sample alone has other bits";
   }
   return {};
+}
+
+std::string checkShuffled(const winding::Field& shuffled, const winding::Grid& grid,
+  const FieldValues& onGrid, const std::vector<Point>& samples, const FieldValues& atSamples)
+{
+  BackwardExecutor backward;
+  const bool withDistances = !onGrid.distances.empty();
+  const FieldValues grids = valuesOf(shuffled, grid, grid.wholeExtent(), withDistances, backward);
+  const FieldValues others = valuesOf(shuffled, samples, withDistances, backward);
+  const auto areSame = [](const std::vector<double>& a, const std::vector<double>& b)
+  {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
+  };
+  const std::string name = nameOf(shuffled.info().method);
+  if (!areSame(grids.values, onGrid.values) || !areSame(grids.distances, onGrid.distances))
+  {
+    return name + " gives other bits on the grid for the same source shuffled";
+  }
+  return areSame(others.values, atSamples.values) && areSame(others.distances, atSamples.distances)
+           ? std::string()
+           : name + " gives other bits at samples for the same source shuffled";
 }
 
 std::string checkGradients(const winding::Field& field, const std::vector<Point>& samples)

@@ -61,6 +61,11 @@ std::string checkBits(Choices& choices, const winding::Field& field, const windi
   const FieldValues& onGrid, const std::vector<shapes::Point>& samples,
   const FieldValues& atSamples);
 
+/// Whether the field of the same set of primitives, written in another way, gives the same bits.
+std::string checkShuffled(const winding::Field& shuffled, const winding::Grid& grid,
+  const FieldValues& onGrid, const std::vector<shapes::Point>& samples,
+  const FieldValues& atSamples);
+
 /// Whether gradients are finite, and NaN at samples that are not finite.
 std::string checkGradients(const winding::Field& field, const std::vector<shapes::Point>& samples);
 

@@ -5,6 +5,7 @@
 #include "base/Pi.h"
 #include "base/Refusal.h"
 #include "core/support/NaiveDistance.h"
+#include "core/support/Shuffled.h"
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
 
@@ -14,8 +15,9 @@
 
 /**
  * @file
- * Every method is compared with the definition in long double. Samples that lie on a triangle as
- * far as coordinates can tell must be finite only.
+ * Every method is compared with the definition in long double, and with itself on the same
+ * triangles, written in another way, to the bit. Samples that lie on a triangle as far as
+ * coordinates can tell must be finite only.
  */
 namespace fuzz
 {
@@ -165,14 +167,18 @@ std::string checkIntegers(const std::vector<double>& values)
   return areIntegers ? std::string() : "rows of a closed surface give values that are no integers";
 }
 
+/// All that a field gives on a grid and at scattered samples.
+struct FoundValues
+{
+  FieldValues onGrid, atSamples;
+};
+
 /// Compares a method's field with the definition, on a grid and at scattered samples.
 std::string checkMethod(Choices& choices, const Field& field, const Grid& grid,
-  const Samples& onGrid, const Samples& scattered, double tolerance)
+  const Samples& onGrid, const Samples& scattered, double tolerance, const FoundValues& found)
 {
   const Surface& surface = *field.surface();
-  SerialExecutor serial;
-  const FieldValues grids = valuesOf(field, grid, grid.wholeExtent(), true, serial);
-  const FieldValues others = valuesOf(field, scattered.positions, true, serial);
+  const FieldValues &grids = found.onGrid, &others = found.atSamples;
   for (const std::string& failure : {grids.failure, others.failure,
          compareDistances(onGrid, grids.distances), compareDistances(scattered, others.distances),
          compareWithDefinition(field, surface, onGrid, grids.values, tolerance, " on the grid"),
@@ -188,6 +194,16 @@ std::string checkMethod(Choices& choices, const Field& field, const Grid& grid,
   return field.info().method == Method::rows && field.info().netBoundaryEdges == 0
            ? checkIntegers(grids.values) + checkIntegers(others.values)
            : std::string();
+}
+
+/// Compares a field with that of the same triangles, written in another way.
+std::string checkOrder(Choices& choices, const Mesh& mesh, Method method, double tolerance,
+  const Grid& grid, const std::vector<Point>& samples, const FoundValues& found)
+{
+  const Mesh other =
+    shapes::shuffled(mesh, [&](std::size_t count) { return choices.below(count); });
+  const auto field = build(other, method, tolerance);
+  return checkShuffled(*field, grid, found.onGrid, samples, found.atSamples);
 }
 
 /// A surface announced for scattered samples: closed ones have rows, open ones refuse them.
@@ -231,10 +247,11 @@ std::string checkSurfaceField(Choices& choices)
   const double tolerance = randomTolerance(choices);
   const Method methods[] = {
     Method::direct, Method::rows, Method::hierarchical, Method::automatic, Method::parity};
+  const Method method = choices.oneOf(methods);
   std::shared_ptr<const Field> field;
   try
   {
-    field = build(mesh, choices.oneOf(methods), tolerance);
+    field = build(mesh, method, tolerance);
   }
   catch (const Refusal& refusal)
   {
@@ -258,10 +275,18 @@ std::string checkSurfaceField(Choices& choices)
   scattered.positions = randomSamples(choices, surface.vertices, 1 + choices.below(24));
   measure(surface, onGrid);
   measure(surface, scattered);
-  const std::string failure = checkMethod(choices, *field, grid, onGrid, scattered, tolerance);
+  SerialExecutor serial;
+  const FoundValues found = {valuesOf(*field, grid, grid.wholeExtent(), true, serial),
+    valuesOf(*field, scattered.positions, true, serial)};
+  std::string failure = checkMethod(choices, *field, grid, onGrid, scattered, tolerance, found);
   const bool isClosed = field->info().netBoundaryEdges == 0;
-  return failure.empty() && choices.oneIn(3) ? checkScattered(mesh, scattered, isClosed, tolerance)
-                                             : failure;
+  if (failure.empty() && choices.oneIn(3))
+  {
+    failure = checkScattered(mesh, scattered, isClosed, tolerance);
+  }
+  return failure.empty()
+           ? checkOrder(choices, mesh, method, tolerance, grid, scattered.positions, found)
+           : failure;
 }
 
 } // namespace fuzz

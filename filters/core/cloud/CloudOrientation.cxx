@@ -2,6 +2,7 @@
 
 #include "base/FieldOutput.h"
 #include "farfield/FarField.h"
+#include "source/CoordinateOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,10 @@ double median(std::vector<float>& values)
   return *middle;
 }
 
-/// Chooses points at equal steps of area, so that thousands at one place count no more than one
-/// elsewhere.
-std::vector<std::size_t> evenlyChosen(const std::vector<double>& areas)
+/// Chooses points at equal steps of area along an order, so that thousands at one place count no
+/// more than one elsewhere.
+std::vector<std::size_t> evenlyChosen(
+  const std::vector<double>& areas, const std::vector<std::uint32_t>& order)
 {
   // Areas are taken in units of the largest, so that their sum stays within range.
   const double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
@@ -49,14 +51,14 @@ std::vector<std::size_t> evenlyChosen(const std::vector<double>& areas)
     return chosen;
   }
   double sum = 0;
-  for (const double area : areas)
+  for (const std::uint32_t point : order)
   {
-    sum += area / largest;
+    sum += areas[point] / largest;
   }
   constexpr std::size_t most = 2000;
   const std::size_t steps = std::min(areas.size(), most);
   double passed = 0;
-  for (std::size_t point = 0; point < areas.size(); ++point)
+  for (const std::uint32_t point : order)
   {
     const auto stepAt = [&](double area)
     {
@@ -83,7 +85,8 @@ CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
 {
   CloudOrientation orientation;
   constexpr double spacings = 2;
-  const std::vector<std::size_t> chosen = evenlyChosen(cloud.areas);
+  const std::vector<std::size_t> chosen =
+    evenlyChosen(cloud.areas, coordinateOrder(cloud, cloud.areas, executor));
   const std::size_t count = chosen.size();
   if (count == 0)
   {

@@ -38,7 +38,7 @@ struct CloudOrientation
  * Evaluates the field at two spacings (square roots of the area) behind and before two thousand
  * points at most, evenly chosen by their areas. The cloud needs normals and areas; nothing is found
  * where all areas are 0. It takes a fraction of the time that a field of the cloud takes, and the
- * result is the same for any executor. Throws Interrupted.
+ * result is the same for any executor and any order of the points. Throws Interrupted.
  */
 CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor);
 

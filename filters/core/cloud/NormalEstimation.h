@@ -26,7 +26,8 @@ namespace winding
  * neighbors is the number of nearest points that are looked at, at least 3. Points at one place
  * have one normal. All normals are finite and of unit length. Points on a line get any normals
  * across it, points at one place any normals. The work takes O(n log n) time, in part on the
- * executor's threads, and the bits are the same for any executor. Throws Interrupted.
+ * executor's threads, and the bits are the same for any executor and any order of the
+ * points. Throws Interrupted.
  */
 std::vector<Eigen::Vector3d> estimateNormals(
   const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);

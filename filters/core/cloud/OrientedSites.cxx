@@ -1,7 +1,27 @@
 #include "cloud/OrientedSites.h"
 
+#include "source/CompareCoordinates.h"
+
+#include <algorithm>
+
 namespace winding
 {
+
+namespace
+{
+
+/// Sets `points` to the points of a place, in an order that their normals alone decide.
+const std::vector<std::uint32_t>& inOrderOfNormals(const PointCloud& cloud,
+  const DistinctPoints& places, std::size_t place, std::vector<std::uint32_t>& points)
+{
+  points.assign(places.begin(place), places.end(place));
+  std::sort(points.begin(), points.end(),
+    [&cloud](std::uint32_t a, std::uint32_t b)
+    { return compareCoordinates(cloud.normals[a], cloud.normals[b]) < 0; });
+  return points;
+}
+
+} // namespace
 
 OrientedSites::OrientedSites(
   const PointCloud& cloud, const DistinctPoints& places, Executor& executor)
@@ -15,23 +35,23 @@ OrientedSites::OrientedSites(
     places.size(), placesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      std::vector<std::uint32_t> founders;
+      std::vector<std::uint32_t> founders, points;
       for (std::size_t place = first; place < last; ++place)
       {
         founders.clear();
-        for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+        for (const std::uint32_t point : inOrderOfNormals(cloud, places, place, points))
         {
           std::uint32_t group = 0;
           while (group < founders.size() &&
-                 !areSimilar(cloud.normals[founders[group]], cloud.normals[*point]))
+                 !areSimilar(cloud.normals[founders[group]], cloud.normals[point]))
           {
             ++group;
           }
           if (group == founders.size())
           {
-            founders.push_back(*point);
+            founders.push_back(point);
           }
-          siteOf_[*point] = group;
+          siteOf_[point] = group;
         }
         starts_[place + 1] = static_cast<std::uint32_t>(founders.size());
       }
@@ -46,13 +66,14 @@ OrientedSites::OrientedSites(
     places.size(), placesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
+      std::vector<std::uint32_t> points;
       for (std::size_t place = first; place < last; ++place)
       {
-        for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+        for (const std::uint32_t point : inOrderOfNormals(cloud, places, place, points))
         {
-          siteOf_[*point] += starts_[place];
-          OrientedSite& site = sites_[siteOf_[*point]];
-          site.normal += cloud.normals[*point];
+          siteOf_[point] += starts_[place];
+          OrientedSite& site = sites_[siteOf_[point]];
+          site.normal += cloud.normals[point];
           ++site.points;
         }
         for (std::size_t site = this->begin(place); site < this->end(place); ++site)

@@ -26,13 +26,15 @@ struct OrientedSite
 /**
  * The sites of an oriented cloud: each place has as many as its points have different orientations.
  * Every normal is similar to that of the first point of its site, and normals of first points are
- * not similar to each other, so that a place has nine sites at most. Guaranteed: the sites are the
- * same for any executor.
+ * not similar to each other, so that a place has nine sites at most. First is the point whose
+ * normal comes first by compareCoordinates(). Guaranteed: the sites are the same for any executor,
+ * and do not depend on the order of the points.
  */
 class OrientedSites
 {
 public:
-  /// Takes linear time; 36 bytes per site and place, and 4 per point. Throws Interrupted.
+  /// Takes linear time where few points are at one place; 36 bytes per site and place, and 4 per
+  /// point. Throws Interrupted.
   OrientedSites(const PointCloud& cloud, const DistinctPoints& places, Executor& executor);
 
   ///@{

@@ -44,7 +44,8 @@ constexpr int defaultNeighbors = 20;
  * Strays have large areas of their own.
  *
  * The work takes O(n log n) time, most of it on the executor's threads, and about 150 bytes per
- * point while it runs. The bits are the same for any executor. Throws Interrupted.
+ * point while it runs. The bits are the same for any executor and any order of the points. Throws
+ * Interrupted.
  */
 std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors);
 

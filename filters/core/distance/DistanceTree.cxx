@@ -1,8 +1,10 @@
 #include "distance/DistanceTree.h"
 
+#include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
+#include <array>
 
 namespace winding
 {
@@ -25,9 +27,9 @@ std::vector<Eigen::Vector3d> centersOf(const Surface& surface, double scale, Exe
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const Triangle& t = surface.triangles[i];
-        centers[i] = scale / 3 * surface.vertices[t[0]] + scale / 3 * surface.vertices[t[1]] +
-                     scale / 3 * surface.vertices[t[2]];
+        const Triangle t = lowestFirst(surface.vertices, surface.triangles[i]);
+        centers[i] = scale / 3 * surface.vertices[t[0]] +
+                     (scale / 3 * surface.vertices[t[1]] + scale / 3 * surface.vertices[t[2]]);
       }
     },
     executor);
@@ -46,13 +48,21 @@ std::vector<Eigen::Vector3d> centersOf(const PointCloud& cloud, double scale)
 
 DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
   : scale_(unitScale(surface.bounds))
-  , tree_(centersOf(surface, scale_, executor), trianglesPerLeaf, executor)
+  , tree_(centersOf(surface, scale_, executor), trianglesPerLeaf, executor,
+      [&surface](std::uint32_t a, std::uint32_t b)
+      {
+        const std::vector<Eigen::Vector3d>& vertices = surface.vertices;
+        return compareTriangles(vertices, lowestFirst(vertices, surface.triangles[a]),
+                 lowestFirst(vertices, surface.triangles[b])) < 0;
+      })
   , triangles_(surface.triangles.size())
 {
-  const auto corner = [&](std::size_t place, std::size_t number) -> Eigen::Vector3d
+  using Corners = std::array<Eigen::Vector3d, 3>;
+  const auto cornersOf = [&](std::size_t place) -> Corners
   {
-    const Triangle& triangle = surface.triangles[tree_.order()[place]];
-    return scale_ * surface.vertices[triangle[number]];
+    const Triangle t = lowestFirst(surface.vertices, surface.triangles[tree_.order()[place]]);
+    return {scale_ * surface.vertices[t[0]], scale_ * surface.vertices[t[1]],
+      scale_ * surface.vertices[t[2]]};
   };
   runBlocks(
     triangles_.size(), itemsPerBlock,
@@ -60,15 +70,17 @@ DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        triangles_[i] = nearTriangle(corner(i, 0), corner(i, 1), corner(i, 2));
+        const Corners corners = cornersOf(i);
+        triangles_[i] = nearTriangle(corners[0], corners[1], corners[2]);
       }
     },
     executor);
   this->makeBoxes(
     [&](std::size_t place)
     {
-      Bounds box(corner(place, 0));
-      return box.extend(corner(place, 1)).extend(corner(place, 2));
+      const Corners corners = cornersOf(place);
+      Bounds box(corners[0]);
+      return box.extend(corners[1]).extend(corners[2]);
     },
     executor);
 }

@@ -16,7 +16,9 @@ namespace winding
  * The triangles of a surface or the points of a cloud in a hierarchy of boxes, to find the one that
  * is nearest to a sample. Immutable once built; all queries may run on several threads at once.
  *
- * Coordinates are those of the source times scale(), which changes nothing but exponents. The tree
+ * Coordinates are those of the source times scale(), which changes nothing but exponents. Nothing
+ * depends on the order of the triangles or points, and on which corner a triangle begins with. The
+ * tree
  * takes about bytesFor() of memory.
  */
 class DistanceTree

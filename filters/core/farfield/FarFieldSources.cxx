@@ -2,6 +2,7 @@
 
 #include "base/Pi.h"
 #include "farfield/BulkBounds.h"
+#include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
 #include "sums/MultipleAngles.h"
 #include "sums/RegularizedKernels.h"
@@ -86,6 +87,14 @@ public:
       centers.emplace_back(Vector(item.position));
     }
     return centers;
+  }
+
+  bool isBefore(std::uint32_t item, std::uint32_t other) const override
+  {
+    const int byMoment =
+      compareCoordinates(Vector(items_[item].moment), Vector(items_[other].moment));
+    return byMoment != 0 ? byMoment < 0
+                         : this->isSpread() && inverseLengths_[item] < inverseLengths_[other];
   }
 
   void arrange(const std::vector<std::uint32_t>& order, bool inSingle) override
@@ -275,7 +284,7 @@ public:
     };
     const auto addWhole = [&](std::size_t i)
     {
-      const Triangle& t = triangles[i];
+      const Triangle t = lowestFirst(vertices, triangles[i]);
       add({vertices[t[0]], vertices[t[1]], vertices[t[2]], i, false});
     };
     if (rule == SplitRule())
@@ -303,17 +312,29 @@ public:
     centers.reserve(treeItems_);
     std::for_each(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(treeItems_),
       [&](const KernelTriangle& item)
-      { centers.emplace_back((Vector(item.a) + Vector(item.b) + Vector(item.c)) / 3); });
+      { centers.emplace_back((Vector(item.a) + (Vector(item.b) + Vector(item.c))) / 3); });
     return centers;
   }
 
-  /// Puts the items of the tree in order; the triangles behind them stay.
+  bool isBefore(std::uint32_t item, std::uint32_t other) const override
+  {
+    const KernelTriangle &t = items_[item], &u = items_[other];
+    int order = compareCoordinates(Vector(t.a), Vector(u.a));
+    order = order != 0 ? order : compareCoordinates(Vector(t.b), Vector(u.b));
+    order = order != 0 ? order : compareCoordinates(Vector(t.c), Vector(u.c));
+    order = order != 0 ? order : this->multiplicity(item) - this->multiplicity(other);
+    return order != 0 ? order < 0 : isCut_[item] < isCut_[other];
+  }
+
+  /// Puts the items of the tree in order; the triangles behind them are sorted by themselves.
   void arrange(const std::vector<std::uint32_t>& order, bool) override
   {
     std::vector<std::uint32_t> all = order;
     all.resize(items_.size());
-    std::iota(all.begin() + static_cast<std::ptrdiff_t>(treeItems_), all.end(),
-      static_cast<std::uint32_t>(treeItems_));
+    const auto behind = all.begin() + static_cast<std::ptrdiff_t>(treeItems_);
+    std::iota(behind, all.end(), static_cast<std::uint32_t>(treeItems_));
+    std::sort(
+      behind, all.end(), [this](std::uint32_t a, std::uint32_t b) { return this->isBefore(a, b); });
     rearrange(items_, all);
     rearrange(isCut_, all);
     if (!multiplicities_.empty())

@@ -37,6 +37,10 @@ public:
 
   virtual std::vector<Eigen::Vector3d> centers() const = 0;
 
+  /// Whether an item stands before another one with an equal centre: by all of its numbers, so that
+  /// items that stand in no order are equal. Valid until the items are arranged.
+  virtual bool isBefore(std::uint32_t item, std::uint32_t other) const = 0;
+
   /// Items that together are the whole field, as few as can be: all points, or all triangles, with
   /// those that were cut as they were before. Valid once the items are arranged.
   const std::vector<ItemRange>& whole() const { return whole_; }

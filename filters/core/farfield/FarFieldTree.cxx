@@ -39,7 +39,8 @@ FarFieldTree::FarFieldTree(std::unique_ptr<FarFieldSources> sourcesToArrange,
   const FarFieldAccuracy& wanted, Executor& executor)
   : sources(std::move(sourcesToArrange))
   , accuracy(wanted)
-  , hierarchy(sources->centers(), sources->leafSize(), executor)
+  , hierarchy(sources->centers(), sources->leafSize(), executor,
+      [this](std::uint32_t a, std::uint32_t b) { return sources->isBefore(a, b); })
   , moments(hierarchy, arranged(*sources, hierarchy, accuracy), accuracy, executor)
   , toPolynomial(polynomialColumns(accuracy.order))
 {

@@ -1,5 +1,7 @@
 #include "farfield/SplitTriangles.h"
 
+#include "source/CoordinateOrder.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -114,7 +116,7 @@ void forEachPiece(const SplitRule& rule, const std::vector<Eigen::Vector3d>& ver
     {
       if (triangles.multiplicity(i) > 0)
       {
-        const Triangle& t = triangles[i];
+        const Triangle t = lowestFirst(vertices, triangles[i]);
         const Longest triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
         visitPieces(rule, relaxed, triangle, i, false, call);
       }

@@ -22,7 +22,10 @@ CappedSurface::CappedSurface(
 {
   if (!chain.edges.empty())
   {
-    const RepeatedLoops repeated(boundaryLoops(chain, surface.vertices.size()));
+    BoundaryChain ordered;
+    ordered.edges = chain.edges;
+    sortByCoordinates(ordered.edges, surface.vertices);
+    const RepeatedLoops repeated(boundaryLoops(ordered, surface.vertices.size()));
     cap_ = capOf(repeated.loops);
     capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
     capArea_ = areaOf(surface.vertices, cap_);

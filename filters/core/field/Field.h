@@ -110,7 +110,13 @@ struct FieldInfo
  * sample's position only, except that a far field makes it depend, within the tolerance, on the
  * other samples, if there are any; (3) a position has the same value as a sample of a grid and as a
  * scattered sample, up to rounding and the tolerance, and to the bit with method direct or parity;
- * (4) a field without primitives is 0 everywhere.
+ * (4) a field without primitives is 0 everywhere; (5) the source is the set of its primitives, each
+ * as often as it is there: the bits on grids and at scattered samples, those of distances and
+ * gradients too, depend neither on the order of triangles, of points and of views, nor on the
+ * corner that a triangle begins with, nor on whether triangles share points or have equal ones
+ * (CoordinateOrder.h). A polygon that is cut into other triangles is another source. Estimates of
+ * costs, the mean area in FieldInfo, reference() and pointOnSource() are left out of (5): they may
+ * differ by rounding, or give other points, for another order.
  *
  * Method automatic is to take no more than 1.5 times as long as method direct, and 10 ms, for any
  * triangles; one of 10 000 random soups still took 2 ms longer, where crossings had to be decided

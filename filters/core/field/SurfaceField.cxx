@@ -7,6 +7,7 @@
 #include "farfield/GridCells.h"
 #include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
+#include "source/CoordinateOrder.h"
 #include "source/DistinctTriangles.h"
 #include "source/Sanitize.h"
 #include "source/SourceArea.h"
@@ -81,6 +82,17 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
     merged_.vertices = surface_.vertices;
     merged_.triangles = std::move(distinct->triangles);
     merged_.multiplicities = std::move(distinct->multiplicities);
+    // Any of the triangles that cancel entirely may stand for them, and so may either sense: the
+    // coordinates choose one.
+    for (std::size_t i = 0; i < merged_.triangles.size() && merged_.multiplicities[i] == 0; ++i)
+    {
+      Triangle& triangle = merged_.triangles[i];
+      triangle = lowestFirst(merged_.vertices, triangle);
+      if (compareCoordinates(merged_.vertices[triangle[2]], merged_.vertices[triangle[1]]) < 0)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
     merged_.bounds = surface_.bounds;
     distinct_ = &merged_;
   }

@@ -2,6 +2,7 @@
 
 #include "base/BucketSort.h"
 #include "rays/RowTriangle.h"
+#include "source/CoordinateOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +189,8 @@ EdgeCrossings::EdgeCrossings(
       for (std::size_t i = first; i < last; ++i)
       {
         const auto& [ids, multiplicity] = firstTriangle[i];
-        const Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
+        Eigen::Vector3d corners[3] = {vertices[ids[0]], vertices[ids[1]], vertices[ids[2]]};
+        turnToFirstOrder(corners);
         lines.cross(corners, multiplicity, crossings);
       }
     },
@@ -205,15 +207,21 @@ EdgeCrossings::EdgeCrossings(
         }
       }
     });
+  // Crossings at one place stand in an order by all of their numbers, so that the order of the
+  // triangles does not matter.
   const auto isBefore = [](const Crossing& a, const Crossing& b)
   {
-    return a.fraction < b.fraction;
+    if (a.fraction != b.fraction || a.change != b.change)
+    {
+      return a.fraction != b.fraction ? a.fraction < b.fraction : a.change < b.change;
+    }
+    return compareCoordinates(a.normal.cast<double>(), b.normal.cast<double>()) < 0;
   };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
     if (crossings_.end(edge) - crossings_.begin(edge) > 1)
     {
-      std::stable_sort(crossings_.begin(edge), crossings_.end(edge), isBefore);
+      std::sort(crossings_.begin(edge), crossings_.end(edge), isBefore);
     }
   }
 }

@@ -16,7 +16,8 @@ namespace winding
  * Guaranteed: (1) an edge whose line crosses the surface between its two samples has that crossing,
  * whatever the rounding; where the line meets an edge or a vertex of the surface, one of the
  * triangles there has it; (2) the place of a crossing is right up to rounding, or anywhere on the
- * triangle where that lies along the line; (3) the bits are the same for any executor.
+ * triangle where that lies along the line; (3) the bits are the same for any executor, and depend
+ * on the set of oriented triangles, not on their order.
  *
  * A sample on the surface is counted to one of its sides along each axis (RowTriangle.h), so that a
  * crossing there belongs to one of the two edges that meet there; the other edge has it, too, as

@@ -1,6 +1,7 @@
 #include "level/TouchedVoxels.h"
 
 #include "base/CountingSort.h"
+#include "source/CoordinateOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,10 +162,11 @@ private:
     Polygon polygon;
     if (triangles_)
     {
-      for (const std::int32_t id : (*triangles_)[number])
-      {
-        polygon.add(vertices_[static_cast<std::size_t>(id)]);
-      }
+      // Rounding depends on the corner that the polygon begins with, which must not be an accident.
+      const Triangle& ids = (*triangles_)[number];
+      Eigen::Vector3d corners[3] = {vertices_[ids[0]], vertices_[ids[1]], vertices_[ids[2]]};
+      turnToFirstOrder(corners);
+      std::for_each(corners, corners + 3, [&](const Eigen::Vector3d& c) { polygon.add(c); });
     }
     else
     {

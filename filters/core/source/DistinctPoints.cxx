@@ -15,30 +15,9 @@ DistinctPoints::DistinctPoints(
   std::transform(positions.begin(), positions.end(), scaled.begin(),
     [scale](const Eigen::Vector3d& position) { return Eigen::Vector3d(position * scale); });
 
-  // Equal points share a leaf, and sorting the leaf puts them side by side.
-  constexpr std::size_t leafSize = 16, nodesPerBlock = 256;
-  const SourceTree tree(scaled, leafSize, executor);
-  points_ = tree.order();
-  const auto isBefore = [&scaled](std::uint32_t a, std::uint32_t b)
-  {
-    const Eigen::Vector3d &p = scaled[a], &q = scaled[b];
-    return p == q ? a < b
-                  : std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  };
-  runBlocks(
-    tree.nodes().size(), nodesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const SourceNode& node = tree.nodes()[i];
-        if (node.children == 0)
-        {
-          std::sort(points_.begin() + node.begin, points_.begin() + node.end, isBefore);
-        }
-      }
-    },
-    executor);
+  // Equal points share a leaf and stand side by side there, in the order of their numbers.
+  constexpr std::size_t leafSize = 16;
+  points_ = SourceTree(scaled, leafSize, executor).order();
 
   positions_.reserve(points_.size());
   starts_.reserve(points_.size() + 1);

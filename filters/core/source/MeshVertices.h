@@ -2,6 +2,8 @@
 
 #include "base/Views.h"
 
+#include <cstddef>
+
 #include <vector>
 
 namespace winding
@@ -19,8 +21,9 @@ struct MeshVertices
 };
 
 /// Normals and areas from triangles of several views over the same points, of which there are
-/// `points`. Triangles with invalid ids or corners that are not finite are left out. Takes linear
-/// time.
+/// `points`. Triangles with invalid ids or corners that are not finite are left out. The bits
+/// depend on the set of oriented triangles around each point, not on their order: they are summed
+/// in integers. Takes linear time, and 40 bytes per point and 32 per triangle while it runs.
 MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t points);
 
 } // namespace winding

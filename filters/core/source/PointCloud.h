@@ -9,7 +9,7 @@ namespace winding
 {
 
 /// A clean oriented cloud, as sanitize() makes it: finite positions, unit normals, finite
-/// non-negative areas.
+/// non-negative areas; −0 does not occur.
 struct PointCloud
 {
   std::vector<Eigen::Vector3d> positions;

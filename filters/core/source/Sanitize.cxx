@@ -422,17 +422,19 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
             {
               continue;
             }
-            cloud.positions[kept] = view.positions[i];
+            // Adding 0 turns −0 into 0, which compares equal but has other bits.
+            cloud.positions[kept] = view.positions[i].array() + 0.0;
             if (withNormals)
             {
               // Dividing by the largest component first keeps the square of a very long or short
               // normal in the range of double.
               const Eigen::Vector3d normal = view.normals[i];
-              cloud.normals[kept] = (normal / normal.cwiseAbs().maxCoeff()).normalized();
+              cloud.normals[kept] =
+                (normal / normal.cwiseAbs().maxCoeff()).normalized().array() + 0.0;
             }
             if (withAreas)
             {
-              cloud.areas[kept] = view.areas[i];
+              cloud.areas[kept] = view.areas[i] + 0.0;
             }
             ofBlock.extend(cloud.positions[kept]);
             ++kept;

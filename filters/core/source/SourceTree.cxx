@@ -1,5 +1,7 @@
 #include "source/SourceTree.h"
 
+#include "source/CompareCoordinates.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -62,10 +64,21 @@ std::size_t cutInFour(Item* first, Item* last, std::size_t leafSize, std::array<
   return runs;
 }
 
+/// Sorts the items of a leaf.
+void sortLeaf(Item* first, Item* last, const SourceTree::IsBefore& isBefore)
+{
+  std::sort(first, last,
+    [&isBefore](const Item& a, const Item& b)
+    {
+      const int byCenter = compareCoordinates(a.center, b.center);
+      return byCenter != 0 ? byCenter < 0 : isBefore(a.number, b.number);
+    });
+}
+
 } // namespace
 
-SourceTree::SourceTree(
-  const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor)
+SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize,
+  Executor& executor, const IsBefore& isBefore)
 {
   std::vector<Item> items(centers.size());
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -89,15 +102,20 @@ SourceTree::SourceTree(
     const std::size_t perBlock = count < 8 * nodesPerBlock ? 1 : nodesPerBlock;
     runBlocks(
       count, perBlock,
-      [&](std::size_t, std::size_t begin, std::size_t end)
+      [&](std::size_t, std::size_t firstOfBlock, std::size_t lastOfBlock)
       {
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = firstOfBlock; i < lastOfBlock; ++i)
         {
           SourceNode& node = nodes_[first + i];
+          Item* const begin = items.data() + node.begin;
+          Item* const end = items.data() + node.end;
           if (node.size() > leafSize)
           {
-            node.children = static_cast<std::uint32_t>(
-              cutInFour(items.data() + node.begin, items.data() + node.end, leafSize, limits[i]));
+            node.children = static_cast<std::uint32_t>(cutInFour(begin, end, leafSize, limits[i]));
+          }
+          if (node.children == 0)
+          {
+            sortLeaf(begin, end, isBefore);
           }
         }
       },

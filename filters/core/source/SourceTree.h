@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace winding
@@ -29,15 +30,23 @@ struct SourceNode
  * levels, and n equal items are one leaf. Guaranteed: (1) the tree is the same for any executor and
  * number of threads; (2) every item lies in exactly one leaf, and a node's items are those of its
  * children; (3) leaves hold up to `leafSize` items, and more only if their centres are equal;
- * (4) parents stand before their children, and nodes of one depth stand together.
+ * (4) parents stand before their children, and nodes of one depth stand together; (5) the items of
+ * a leaf stand in the order of their centres (CompareCoordinates.h), and items with equal centres
+ * in an order of the caller's or, without one, of their numbers. So the tree depends on the set of
+ * centres, not on the order in which they are given, if the caller tells apart what differs.
  *
  * Building takes a time of items × depth and 32 bytes per item.
  */
 class SourceTree
 {
 public:
-  /// Up to 2³² − 1 centres, all finite. Throws Interrupted when the executor is.
-  SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor);
+  /// Whether an item stands before another one with an equal centre; given their numbers.
+  using IsBefore = std::function<bool(std::uint32_t, std::uint32_t)>;
+
+  /// Up to 2³² − 1 centres, all finite. isBefore may be called from several threads. Throws
+  /// Interrupted when the executor is.
+  SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize, Executor& executor,
+    const IsBefore& isBefore = std::less<std::uint32_t>());
 
   /// The nodes; node 0 is the root. There are none without items.
   const std::vector<SourceNode>& nodes() const { return nodes_; }

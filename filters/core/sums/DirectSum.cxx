@@ -32,8 +32,8 @@ TriangleSum::TriangleSum(
 }
 
 /// Multiplies the factors of triangles first … last − 1, each once.
-void TriangleSum::multiply(std::size_t first, std::size_t last, const SampleBlock& scaled,
-  AngleProducts& products, bool watching) const
+void TriangleSum::multiply(const std::vector<Triangle>& triangles, std::size_t first,
+  std::size_t last, const SampleBlock& scaled, AngleProducts& products, bool watching) const
 {
   // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
   // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
@@ -43,7 +43,7 @@ void TriangleSum::multiply(std::size_t first, std::size_t last, const SampleBloc
     const std::size_t count = std::min(kernelChunk, last - first);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Triangle& triangle = triangles_[first + i];
+      const Triangle& triangle = triangles[first + i];
       const Eigen::Vector3d a = vertices_[triangle[0]] * scale_;
       const Eigen::Vector3d b = vertices_[triangle[1]] * scale_;
       const Eigen::Vector3d c = vertices_[triangle[2]] * scale_;
@@ -60,16 +60,18 @@ void TriangleSum::multiply(std::size_t first, std::size_t last, const SampleBloc
 /// Sums all triangles, run by run of equal multiplicity. isSuspect may be null.
 void TriangleSum::sum(const SampleBlock& block, double* values, bool* isSuspect) const
 {
+  std::call_once(areOrdered_, [this] { ordered_ = inCoordinateOrder(vertices_, triangles_); });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   MultipleAngles sums(scaled.count, values, isSuspect);
-  triangles_.forEachRun(
-    [&](std::size_t first, std::size_t last, std::int32_t multiplicity)
-    {
-      AngleProducts products(scaled.count);
-      this->multiply(first, last, scaled, products, isSuspect != nullptr);
-      sums.add(products, multiplicity);
-    });
+  ChainView(ordered_.triangles, ordered_.multiplicities)
+    .forEachRun(
+      [&](std::size_t first, std::size_t last, std::int32_t multiplicity)
+      {
+        AngleProducts products(scaled.count);
+        this->multiply(ordered_.triangles, first, last, scaled, products, isSuspect != nullptr);
+        sums.add(products, multiplicity);
+      });
 }
 
 void TriangleSum::evaluate(const SampleBlock& block, double* values) const
@@ -94,6 +96,12 @@ DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
 /// the pointer to the lengths is null for pure dipoles.
 template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
 {
+  std::call_once(areOrdered_,
+    [this]
+    {
+      SerialExecutor serial;
+      order_ = coordinateOrder(cloud_, areas_, serial);
+    });
   KernelDipole chunk[kernelChunk];
   double inverseLengths[kernelChunk];
   const std::vector<double>& lengths = cloud_.regularizationLengths;
@@ -104,10 +112,11 @@ template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk)
     for (std::size_t i = 0; i < count; ++i)
     {
       // The two factors of scale come one after the other: their product alone may leave the range.
-      const double weight = areas_[first + i] * scale_ * scale_ / (4 * pi);
-      store(cloud_.positions[first + i] * scale_, chunk[i].position);
-      store(cloud_.normals[first + i] * weight, chunk[i].moment);
-      inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[first + i] * scale_);
+      const std::uint32_t point = order_[first + i];
+      const double weight = areas_[point] * scale_ * scale_ / (4 * pi);
+      store(cloud_.positions[point] * scale_, chunk[i].position);
+      store(cloud_.normals[point] * weight, chunk[i].moment);
+      inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[point] * scale_);
     }
     addChunk(chunk, lengths.empty() ? nullptr : inverseLengths, count);
   }

@@ -2,8 +2,13 @@
 
 #include "base/Bounds.h"
 #include "base/Evaluator.h"
+#include "source/CoordinateOrder.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
 
 namespace winding
 {
@@ -21,7 +26,10 @@ struct AngleProducts;
  * other samples are evaluated with it; (3) values are finite for finite samples, also of surfaces
  * and clouds with coordinates of size 1e±100; (4) values equal referenceSum<long double> within
  * 1e-8 (measured: 8e-15 on 70 k triangles of a scan, 1.3e-9 on a torus squeezed to a thousandth,
- * whose samples lie within rounding of its triangles' planes).
+ * whose samples lie within rounding of its triangles' planes); (5) the bits depend on the set of
+ * oriented triangles and how often each counts, not on the order of triangles, vertices or corners:
+ * they are summed in an order by coordinates (CoordinateOrder.h), which the first value waits for
+ * and which is kept, 12 bytes per triangle.
  * Not guaranteed: the same bits on machines with and without fused multiply-add (they differ by
  * rounding, as in (4)).
  */
@@ -48,19 +56,21 @@ public:
 
 private:
   void sum(const SampleBlock& block, double* values, bool* isSuspect) const;
-  void multiply(std::size_t first, std::size_t last, const SampleBlock& scaled,
-    AngleProducts& products, bool watching) const;
+  void multiply(const std::vector<Triangle>& triangles, std::size_t first, std::size_t last,
+    const SampleBlock& scaled, AngleProducts& products, bool watching) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
   ChainView triangles_;
+  mutable std::once_flag areOrdered_;
+  mutable OrderedTriangles ordered_; ///< the triangles, once a value was asked for
   double scale_; ///< a power of two that brings the surface to about unit size, without rounding
 };
 
 /**
  * The direct sum over all points of a cloud, in double, and that of their gradients; the guarantees
- * are those of TriangleSum. Points are spread over the lengths that the cloud has, if any
- * (SolidAngle.h). No point adds to the value at its own place, and a point that is not spread adds
- * nothing to the gradient there, either.
+ * are those of TriangleSum, the order taking 4 bytes per point. Points are spread over the lengths
+ * that the cloud has, if any (SolidAngle.h). No point adds to the value at its own place, and a
+ * point that is not spread adds nothing to the gradient there, either.
  */
 class DipoleSum final : public Evaluator, public GradientEvaluator
 {
@@ -76,6 +86,8 @@ private:
 
   const PointCloud& cloud_;
   const std::vector<double>& areas_;
+  mutable std::once_flag areOrdered_;
+  mutable std::vector<std::uint32_t> order_; ///< numbers of the points, once a value was asked for
   double scale_;
 };
 

@@ -1,6 +1,7 @@
 #include "surface/Boundary.h"
 
 #include "base/CountingSort.h"
+#include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
@@ -83,6 +84,41 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
   }
   return chain;
+}
+
+void sortByCoordinates(
+  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
+{
+  // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
+  struct Keyed
+  {
+    double x;
+    std::int32_t lower, higher;
+    BoundaryEdge edge;
+  };
+  const auto isBefore = [&vertices](std::int32_t a, std::int32_t b)
+  {
+    return compareCoordinates(vertices[a], vertices[b]) < 0;
+  };
+  std::vector<Keyed> keyed;
+  keyed.reserve(edges.size());
+  for (const BoundaryEdge& edge : edges)
+  {
+    const auto [lower, higher] =
+      isBefore(edge.from, edge.to) ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
+    keyed.push_back({vertices[lower][0], lower, higher, edge});
+  }
+  std::sort(keyed.begin(), keyed.end(),
+    [&isBefore](const Keyed& a, const Keyed& b)
+    {
+      if (a.x != b.x || a.lower == b.lower)
+      {
+        return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
+      }
+      return isBefore(a.lower, b.lower);
+    });
+  std::transform(
+    keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });
 }
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)

@@ -24,7 +24,8 @@ struct BoundaryEdge
 
 struct BoundaryChain
 {
-  /// The edges stand in the order of (lower vertex, higher vertex); each undirected edge occurs
+  /// The edges stand in the order of (lower vertex, higher vertex), which depends on the numbers of
+  /// vertices; sortByCoordinates() gives them one that does not. Each undirected edge occurs
   /// once at most. At every vertex as many edges leave as arrive, counted with multiplicity.
   std::vector<BoundaryEdge> edges;
 
@@ -39,6 +40,12 @@ struct BoundaryChain
   std::vector<std::int32_t> crowdedVertices;
 };
 
+/// Sorts edges by the coordinates of their lower, then of their higher end, by x, y and z: an order
+/// that depends neither on the numbers of vertices nor on the directions of edges, and stays where
+/// the source is moved. Each undirected edge may stand there once at most.
+void sortByCoordinates(
+  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices);
+
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.
 BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
 
@@ -47,6 +54,7 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
 using BoundaryLoop = std::vector<std::int32_t>;
 
 /// Splits a chain into loops, which together run along each edge as often as its multiplicity says.
+/// Nothing but the order of the chain's edges decides which loops these are, and where they begin.
 /// `vertices` is the number of vertices of the surface.
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices);
 

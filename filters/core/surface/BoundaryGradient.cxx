@@ -19,6 +19,7 @@ BoundaryGradient::BoundaryGradient(const Surface& surface, std::vector<BoundaryE
 
 void BoundaryGradient::evaluateGradients(const SampleBlock& block, double* gradients) const
 {
+  std::call_once(areOrdered_, [this] { sortByCoordinates(edges_, surface_.vertices); });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   GradientSums sums;

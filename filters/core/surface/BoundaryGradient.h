@@ -4,6 +4,9 @@
 #include "source/Surface.h"
 #include "surface/Boundary.h"
 
+#include <mutex>
+#include <vector>
+
 namespace winding
 {
 
@@ -24,8 +27,9 @@ namespace winding
  * gradient is smooth across triangles; (5) it is finite for finite samples; (6) a sample's bits do
  * not depend on the samples beside it; (7) errors are roundings: some 1e-16/d in all, d being the
  * distance to the boundary (measured: 2.2e-16/d at random samples of seven meshes), and beside an
- * edge of length L up to 1e-16 L/d of its share. Not guaranteed: the same bits on machines with and
- * without fused multiply-add.
+ * edge of length L up to 1e-16 L/d of its share; (8) the bits depend on the set of edges, not on
+ * their order and the numbers of vertices: edges are sorted by coordinates first. Not guaranteed:
+ * the same bits on machines with and without fused multiply-add.
  *
  * Each sample costs a sum over all boundary edges.
  */
@@ -40,8 +44,9 @@ public:
 
 private:
   const Surface& surface_;
-  std::vector<BoundaryEdge> edges_;
-  double scale_; ///< brings the surface to about unit size (UnitScale.h)
+  mutable std::once_flag areOrdered_;
+  mutable std::vector<BoundaryEdge> edges_; ///< by coordinates, once a gradient was asked for
+  double scale_;                            ///< brings the surface to about unit size (UnitScale.h)
 };
 
 } // namespace winding

@@ -1,6 +1,7 @@
 #include "cloud/OrientedSites.h"
 
 #include "core/support/ShuffledThreads.h"
+#include "source/CompareCoordinates.h"
 #include "source/PointCloud.h"
 
 #include <gtest/gtest.h>
@@ -58,13 +59,18 @@ TEST(OrientedSites, GroupThePointsOfEachPlaceByTheirFirst)
     std::size_t next = 0;
     for (std::size_t place = 0; place < places.size(); ++place)
     {
-      // By definition a point joins the first site whose first point is similar, or begins one.
+      // By definition a point joins the first site whose first point is similar, or begins one; the
+      // points come in the order of their normals.
+      std::vector<std::uint32_t> points(places.begin(place), places.end(place));
+      std::sort(points.begin(), points.end(),
+        [&cloud](std::uint32_t a, std::uint32_t b)
+        { return winding::compareCoordinates(cloud.normals[a], cloud.normals[b]) < 0; });
       std::vector<Point> firsts, sums;
       std::vector<std::uint32_t> counts;
       EXPECT_EQ(sites.begin(place), next);
-      for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+      for (const std::uint32_t point : points)
       {
-        const Point& normal = cloud.normals[*point];
+        const Point& normal = cloud.normals[point];
         const auto found = std::find_if(firsts.begin(), firsts.end(),
           [&normal](const Point& first) { return areSimilar(first, normal); });
         const auto site = static_cast<std::size_t>(found - firsts.begin());
@@ -76,7 +82,7 @@ TEST(OrientedSites, GroupThePointsOfEachPlaceByTheirFirst)
         }
         sums[site] += normal;
         ++counts[site];
-        EXPECT_EQ(sites.siteOf(*point), sites.begin(place) + site);
+        EXPECT_EQ(sites.siteOf(point), sites.begin(place) + site);
       }
       ASSERT_EQ(sites.end(place) - sites.begin(place), firsts.size());
       EXPECT_LE(firsts.size(), 9u);
