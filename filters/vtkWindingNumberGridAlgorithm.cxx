@@ -151,6 +151,13 @@ void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
 void vtkWindingNumberGridAlgorithm::Verify(
   const winding::Field& field, const int* samples, vtkDataArray* values)
 {
+  this->Verify(field, samples,
+    [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); });
+}
+
+void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field, const int* samples,
+  const std::function<double(std::size_t)>& valueOf)
+{
   winding::Verification found;
   if (this->VerifySamples > 0)
   {
@@ -158,9 +165,7 @@ void vtkWindingNumberGridAlgorithm::Verify(
     winding::Extent extent;
     std::copy_n(samples, 6, extent.begin());
     winding::SmpExecutor executor(this, this->NumberOfThreads);
-    found = winding::verify(
-      field, *this->Sampling, extent,
-      [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); },
+    found = winding::verify(field, *this->Sampling, extent, valueOf,
       static_cast<std::size_t>(this->VerifySamples), seed, executor);
   }
   this->MaxError = found.everywhere.max;

@@ -21,6 +21,9 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
+#include <cstddef>    // for std::size_t
+#include <functional> // for the values to verify
+
 namespace winding
 {
 struct GridRequest;
@@ -142,8 +145,13 @@ protected:
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;
 
-  /// Verifies the values of an extent, if VerifySamples asks for it.
+  ///@{
+  /// Verifies the values of an extent, if VerifySamples asks for it. valueOf(n) is the value of its
+  /// n-th sample.
   void Verify(const winding::Field& field, const int samples[6], vtkDataArray* values);
+  void Verify(const winding::Field& field, const int samples[6],
+    const std::function<double(std::size_t)>& valueOf);
+  ///@}
 
   int Resolution = 64;
   double VoxelSize = 0;

@@ -1,9 +1,8 @@
 #include "private/VoxelEvaluation.h"
 
-#include "base/Executor.h"
+#include "base/DividedShare.h"
 #include "level/CoverageFractions.h"
 #include "level/VoxelOverlap.h"
-#include "private/SmpExecutor.h"
 
 #include <algorithm>
 
@@ -24,8 +23,9 @@ EvaluationCost VoxelEvaluation::additionalCost(const Field& field, std::size_t v
 }
 
 void VoxelEvaluation::run(
-  const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const
+  const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
 {
+  DividedShare share(executor);
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
   const bool hasCenters =
@@ -35,34 +35,33 @@ void VoxelEvaluation::run(
                      : coverage == Coverage::center ? 1
                      : coverage == Coverage::any    ? 0.5
                                                     : 0.1;
-  executor.setShare(0, end);
+  share.set(0, end);
   if (hasCenters && !field.evaluate(grid, extent, atCenters, executor))
   {
     throw Interrupted();
   }
   if (coverage == Coverage::any)
   {
-    executor.setShare(end, 1);
+    share.set(end, 1);
     addOverlap(field, grid, extent, output.rule, output.threshold, output.inside, executor);
   }
   if (coverage == Coverage::fraction)
   {
-    this->evaluateFractions(field, grid, extent, end, executor);
+    share.set(end, 1);
+    this->evaluateFractions(field, grid, extent, executor);
   }
 }
 
-void VoxelEvaluation::evaluateFractions(const Field& field, const Grid& grid, const Extent& extent,
-  double firstProgress, SmpExecutor& executor) const
+void VoxelEvaluation::evaluateFractions(
+  const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
 {
+  DividedShare share(executor);
   const CoverageFractions sampling(
     field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions);
-  const auto progressAt = [&](int part)
-  {
-    return firstProgress + (1 - firstProgress) * part / sampling.parts();
-  };
+  const double parts = sampling.parts();
   for (int part = 0; part < sampling.parts(); ++part)
   {
-    executor.setShare(progressAt(part), progressAt(part + 1));
+    share.set(part / parts, (part + 1) / parts);
     sampling.evaluate(part, executor);
   }
   std::transform(fractions, fractions + sampleCount(extent), output.inside,

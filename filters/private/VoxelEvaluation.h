@@ -5,8 +5,6 @@
 namespace winding
 {
 
-class SmpExecutor;
-
 /// The rules by which a voxel is inside; see vtkWindingNumberField::CoverageType.
 enum class Coverage
 {
@@ -26,12 +24,12 @@ struct VoxelEvaluation
   /// The cost that is expected in addition to that of the field of so many voxels.
   EvaluationCost additionalCost(const Field& field, std::size_t voxels) const;
 
-  /// Takes the executor's progress from 0 to 1. Throws Interrupted.
-  void run(const Field& field, const Grid& grid, const Extent& extent, SmpExecutor& executor) const;
+  /// Takes the executor's progress through its share. Throws Interrupted.
+  void run(const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;
 
 private:
-  void evaluateFractions(const Field& field, const Grid& grid, const Extent& extent,
-    double firstProgress, SmpExecutor& executor) const;
+  void evaluateFractions(
+    const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;
 };
 
 } // namespace winding

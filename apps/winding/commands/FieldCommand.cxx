@@ -2,6 +2,8 @@
 #include "commands/FieldRun.h"
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
+#include "commands/HyperTreeRun.h"
+#include "files/Suffix.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 
@@ -10,6 +12,11 @@
 
 void runField(const Options& options, Messages& messages)
 {
+  if (suffixOf(options.output) == ".htg")
+  {
+    runHyperTree(options, false, messages);
+    return;
+  }
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);

@@ -67,8 +67,17 @@ void FieldRun::write(vtkPolyData* surface, OutputFile& file)
   writeSurface(surface, file, messages_);
   file.commit();
   writeSeconds_ = writing.seconds();
-  surface_ = {{"file", file.name()}, {"points", surface->GetNumberOfPoints()},
+  output_ = {{"file", file.name()}, {"points", surface->GetNumberOfPoints()},
     {"cells", surface->GetNumberOfCells()}};
+}
+
+void FieldRun::write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile& file)
+{
+  const Stopwatch writing;
+  writeHyperTrees(trees, file, messages_);
+  file.commit();
+  writeSeconds_ = writing.seconds();
+  output_ = {{"file", file.name()}, {"cells", leaves}};
 }
 
 void FieldRun::print() const
@@ -222,9 +231,9 @@ Json FieldRun::report() const
   {
     this->addErrors(report);
   }
-  if (!surface_.is_null())
+  if (!output_.is_null())
   {
-    report["output"] = surface_;
+    report["output"] = output_;
   }
   return report;
 }
@@ -271,8 +280,7 @@ std::string FieldRun::summary(const Json& report) const
   if (options_.verify > 0)
   {
     text += this->errorsInWords(report) + "\n";
-    const std::string all =
-      std::to_string(verified_ + nearVerified_ + onSurface_ + besidePoints_);
+    const std::string all = std::to_string(verified_ + nearVerified_ + onSurface_ + besidePoints_);
     if (besidePoints_ > 0)
     {
       text += std::to_string(besidePoints_) + " of " + all +
@@ -291,9 +299,11 @@ std::string FieldRun::summary(const Json& report) const
     }
   }
   text += "wrote " + options_.output;
-  if (!surface_.is_null())
+  if (!output_.is_null())
   {
-    text += ": " + surface_["points"].dump() + " points, " + surface_["cells"].dump() + " faces";
+    text += ": " + (output_.contains("points")
+                       ? output_["points"].dump() + " points, " + output_["cells"].dump() + " faces"
+                       : output_["cells"].dump() + " cells");
   }
   return text;
 }

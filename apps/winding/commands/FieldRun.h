@@ -8,6 +8,7 @@
 class Messages;
 class OutputFile;
 struct Options;
+class vtkHyperTreeGrid;
 class vtkPolyData;
 
 /**
@@ -31,6 +32,9 @@ public:
 
   /// Writes a surface that was made of the field or by the filter.
   void write(vtkPolyData* surface, OutputFile& file);
+
+  /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves.
+  void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile& file);
 
   /// Prints the report, as JSON or for people, once the output is written.
   void print() const;
@@ -59,7 +63,7 @@ private:
   int status_ = vtkWindingNumberAlgorithm::DONE;
   double readSeconds_ = 0;
   double writeSeconds_ = 0;
-  Json surface_; ///< describes the surface that was written; null where there is none
+  Json output_; ///< describes what was written, unless it is an image; null then
   Stopwatch execution_;
   // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
   // errors are maxima, and expectations are of the whole.

@@ -4,6 +4,7 @@
 #include "program/Messages.h"
 
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
@@ -52,6 +53,13 @@ void applyImage(const Options& options, vtkWindingNumberField* filter)
   filter->SetDistanceBand(options.distanceBand);
 }
 
+void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter)
+{
+  filter->SetCoverage(options.coverage);
+  filter->SetCoverageSamples(options.coverageSamples);
+  filter->SetMergeTolerance(options.mergeTolerance);
+}
+
 void warnOfIdleOptions(
   const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages)
 {
@@ -71,4 +79,11 @@ void warnOfIdleOptions(
                     " is for points and the input is a surface; --points takes its vertices");
     }
   }
+}
+
+void warnOfNothingInside(const char* result, const Options& options, Messages& messages)
+{
+  const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
+  messages.warn(options.input + ": no voxel is inside, so " + result + " is empty" +
+                (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
 }

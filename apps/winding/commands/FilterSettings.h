@@ -6,6 +6,7 @@ class vtkPointSet;
 class vtkWindingNumberAlgorithm;
 class vtkWindingNumberField;
 class vtkWindingNumberGridAlgorithm;
+class vtkWindingNumberHyperTree;
 
 /// Hands on to a filter how to make winding numbers and what to make of them: method, areas,
 /// threshold, arrays, threads.
@@ -18,6 +19,12 @@ void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter);
 /// reach.
 void applyImage(const Options& options, vtkWindingNumberField* filter);
 
+/// Hands on what makes a voxel inside, and which voxels may share a cell.
+void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter);
+
 /// Warns of options for points where the filter's source, which it has looked at, is a surface.
 void warnOfIdleOptions(
   const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages);
+
+/// Warns that no voxel is inside, so that `result` is empty, and says what to do.
+void warnOfNothingInside(const char* result, const Options& options, Messages& messages);

@@ -2,6 +2,8 @@
 #include "commands/FieldRun.h"
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
+#include "commands/HyperTreeRun.h"
+#include "files/Suffix.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Interrupt.h"
@@ -21,6 +23,11 @@ void runVoxels(const Options& given, Messages& messages)
   // numbers; but alone it is made from floats, and only winding numbers can be verified.
   options.inside = true;
   options.insideOnly = !options.asDouble && options.verify == 0;
+  if (suffixOf(options.output) == ".htg")
+  {
+    runHyperTree(options, true, messages);
+    return;
+  }
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);
@@ -43,9 +50,7 @@ void runVoxels(const Options& given, Messages& messages)
   vtkPolyData* surface = voxels->GetOutput();
   if (surface->GetNumberOfCells() == 0 && !field->GetSourceIsInsideOut())
   {
-    const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
-    messages.warn(options.input + ": no voxel is inside, so the surface is empty" +
-                  (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
+    warnOfNothingInside("the surface", options, messages);
   }
   run.write(surface, output);
   run.print();

@@ -22,7 +22,7 @@ CLI::App* addCommand(
 void addField(CLI::App& app, Options& options)
 {
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
-  addOutput(field, options, ".vti");
+  addOutput(field, options, ".vti, or .htg, which holds voxels with the same numbers as one cell");
   addThreshold(field, options);
   addCoverage(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
@@ -35,7 +35,10 @@ void addField(CLI::App& app, Options& options)
   addArrayName(field, options);
   CLI::Option* asDouble =
     field->add_flag("--double", options.asDouble, "Numbers in double precision, not float");
-  for (CLI::Option* option : {insideOnly, band, asDouble})
+  CLI::Option* merge = field->add_option("--merge-tolerance", options.mergeTolerance,
+    "For .htg: voxels whose winding numbers differ by no more than this share a cell, where they "
+    "are no integers (0.01)");
+  for (CLI::Option* option : {insideOnly, band, asDouble, merge})
   {
     option->group("Output");
   }
@@ -72,7 +75,8 @@ void addSurface(CLI::App& app, Options& options)
 void addVoxels(CLI::App& app, Options& options)
 {
   CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
-  addOutput(voxels, options, surfaceFormats);
+  addOutput(voxels, options,
+    std::string(surfaceFormats) + "; or .htg, the voxels themselves as a hyper tree grid");
   addThreshold(voxels, options);
   addCoverage(voxels, options);
   voxels

@@ -127,6 +127,23 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
     "--distance-band is for --distance; say that, too, or leave it out");
 }
 
+void checkHyperTree(const Options& options, const WasGiven& wasGiven)
+{
+  const bool isHyperTree = suffixOf(options.output) == ".htg";
+  requireUsage(options.mergeTolerance >= 0 && std::isfinite(options.mergeTolerance),
+    "--merge-tolerance is " + shown(options.mergeTolerance) + "; give 0 (none) or more");
+  requireUsage(isHyperTree || !wasGiven("--merge-tolerance"),
+    "--merge-tolerance is for outputs .htg; leave it out");
+  requireUsage(!options.insideOnly || !wasGiven("--merge-tolerance"),
+    "--merge-tolerance is for winding numbers, which --inside-only does not make; leave one out");
+  requireUsage(!isHyperTree || !options.distance,
+    "--distance needs an image, which .htg is not; give the output the suffix .vti or leave it "
+    "out");
+  requireUsage(!isHyperTree || !wasGiven("--pieces"),
+    "--pieces is for images; a .htg is always made a few bricks of voxels at a time, so leave it "
+    "out");
+}
+
 } // namespace
 
 void checkOptions(const Options& options, const WasGiven& wasGiven)
@@ -149,14 +166,20 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   }
   else if (options.command == "field")
   {
-    checkOutput(options.output, options.command, {".vti"});
+    checkOutput(options.output, options.command, {".vti", ".htg"});
     checkFieldOptions(options, wasGiven);
     checkCoverage(options, wasGiven);
     checkDistanceBand(options, wasGiven);
+    checkHyperTree(options, wasGiven);
   }
   else
   {
-    checkOutput(options.output, options.command, surfaceSuffixes);
+    std::vector<std::string> suffixes = surfaceSuffixes;
+    if (options.command == "voxels")
+    {
+      suffixes.emplace_back(".htg");
+    }
+    checkOutput(options.output, options.command, suffixes);
     checkFieldOptions(options, wasGiven);
     if (options.command == "voxels")
     {

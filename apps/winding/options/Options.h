@@ -54,6 +54,7 @@ struct Options
   bool extract = false;
   bool distance = false;
   double distanceBand = 0;
+  double mergeTolerance = 0.01;
   bool closeBorder = false;
   bool asDouble = false;
   std::string array = "WindingNumber";

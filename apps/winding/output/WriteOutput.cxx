@@ -2,6 +2,7 @@
 
 #include "files/SinglePrecision.h"
 #include "files/Suffix.h"
+#include "output/HyperTreeWriter.h"
 #include "output/OutputFile.h"
 #include "output/SmallCells.h"
 #include "output/XmlNames.h"
@@ -13,6 +14,7 @@
 #include "vtkAppendFilter.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
@@ -130,6 +132,15 @@ void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Message
   writer->SetInputConnection(image);
   writer->SetNumberOfPieces(pieces);
   run(writer.Get(), file, messages, check);
+}
+
+void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& messages)
+{
+  vtkNew<HyperTreeWriter> writer;
+  writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToLZ4();
+  writer->SetInputData(grid);
+  run(writer.Get(), file, messages);
 }
 
 void writeSurface(vtkPolyData* given, OutputFile& file, Messages& messages)

@@ -5,6 +5,7 @@
 class Messages;
 class OutputFile;
 class vtkAlgorithmOutput;
+class vtkHyperTreeGrid;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -18,6 +19,9 @@ class vtkPolyData;
 /// throws where the pieces could not be made.
 void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
   const std::function<void()>& check);
+
+/// Writes the result of vtkWindingNumberHyperTree (.htg).
+void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& messages);
 
 /// Writes a surface: .vtp .ply .stl .obj.
 void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages);

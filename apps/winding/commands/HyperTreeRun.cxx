@@ -1,0 +1,29 @@
+#include "commands/HyperTreeRun.h"
+
+#include "commands/FieldRun.h"
+#include "commands/FilesToKeep.h"
+#include "commands/FilterSettings.h"
+#include "options/Options.h"
+#include "output/OutputFile.h"
+
+#include "vtkHyperTreeGrid.h"
+#include "vtkNew.h"
+#include "vtkWindingNumberHyperTree.h"
+
+void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
+{
+  Options options = given;
+  options.cells = true; // as the report says
+  OutputFile output(options.output, filesToKeep(options));
+  vtkNew<vtkWindingNumberHyperTree> field;
+  applyTrees(options, field);
+  field->SetMaskOutside(masksOutside);
+  FieldRun run(*field, options, messages);
+  run.update();
+  if (masksOutside && field->GetNumberOfLeaves() == 0 && !field->GetSourceIsInsideOut())
+  {
+    warnOfNothingInside("the grid", options, messages);
+  }
+  run.write(field->GetOutput(), field->GetNumberOfLeaves(), output);
+  run.print();
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "vtkXMLHyperTreeGridWriter.h"
+
+/**
+ * Writes .htg files of hyper tree grids whose trees are breadth first and have their numbers one
+ * behind the other, as those of vtkWindingNumberHyperTree are.
+ *
+ * VTK's own writer brings any trees into that order, by a list that takes 8 bytes for each vertex
+ * and as much again while it grows: 1 GB for 4096³ voxels, which are 0.2 GB themselves. It also
+ * writes several arrays to one place in appended mode (VTK 9.1), so data are inline here.
+ */
+class HyperTreeWriter : public vtkXMLHyperTreeGridWriter
+{
+public:
+  static HyperTreeWriter* New();
+  vtkTypeMacro(HyperTreeWriter, vtkXMLHyperTreeGridWriter);
+
+protected:
+  HyperTreeWriter();
+  int WriteData() override;
+
+private:
+  void WriteTrees(vtkIndent indent);
+};

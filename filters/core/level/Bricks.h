@@ -1,0 +1,38 @@
+#pragma once
+
+#include "source/Grid.h"
+
+namespace winding
+{
+
+/**
+ * A grid cut into cubes of voxels, whose sides are a power of two. They begin at the grid's first
+ * voxel, and the last ones along an axis may reach beyond the grid. Bricks are numbered as samples
+ * are: along x first, then y, then z.
+ */
+struct Bricks
+{
+  int depth = 0;                                    ///< a side has 2^depth voxels
+  Eigen::Vector3i counts = Eigen::Vector3i::Zero(); ///< bricks per axis
+
+  int side() const { return 1 << depth; }
+  std::size_t size() const;
+
+  /// The bricks of a grid, as an extent of which each sample is a brick.
+  Extent whole() const;
+
+  /// The voxels of the grid that lie in an extent of bricks.
+  Extent voxelsOf(const Extent& bricks, const Grid& grid) const;
+
+  /// The voxels of the grid that lie in one brick.
+  Extent voxelsOf(const Eigen::Vector3i& brick, const Grid& grid) const;
+};
+
+/**
+ * The bricks that suit a grid: the smallest with at least 16 voxels a side of which there are at
+ * most 32 768. Larger ones have fewer vertices in all; smaller ones need less memory while they are
+ * made. Throws Refusal for a grid too large for bricks whose voxels can be numbered.
+ */
+Bricks bricksOf(const Grid& grid);
+
+} // namespace winding
