@@ -39,20 +39,26 @@ Extent Bricks::voxelsOf(const Eigen::Vector3i& brick, const Grid& grid) const
 Bricks bricksOf(const Grid& grid)
 {
   constexpr int leastDepth = 4;
-  constexpr int mostDepth = 10; // 2^30 voxels of a brick can be numbered as vertices of a tree
-  constexpr std::size_t mostBricks = 1 << 15;
+  constexpr int mostDepth = 10; // a tree numbers its vertices, 2^30 voxels among them, by 32 bits
+  constexpr double wantedBricks = 1 << 12, mostBricks = 1 << 20;
   Bricks bricks;
-  for (bricks.depth = leastDepth; bricks.depth <= mostDepth; ++bricks.depth)
+  double count = 0;
+  for (bricks.depth = leastDepth;; ++bricks.depth)
   {
     bricks.counts = ((grid.dimensions.array() - 1) / bricks.side() + 1).matrix();
-    if (bricks.size() <= mostBricks)
+    count = bricks.counts.cast<double>().prod(); // more than integers can count
+    if (count <= wantedBricks || bricks.depth == mostDepth)
     {
-      return bricks;
+      break;
     }
   }
-  throw Refusal("choose larger voxels: a grid of " + std::to_string(grid.dimensions[0]) + " x " +
-                std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]) +
-                " voxels has too many for a hyper tree grid");
+  if (count > mostBricks)
+  {
+    throw Refusal("choose larger voxels: a grid of " + std::to_string(grid.dimensions[0]) + " x " +
+                  std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]) +
+                  " voxels has too many for a hyper tree grid");
+  }
+  return bricks;
 }
 
 } // namespace winding

@@ -30,8 +30,9 @@ struct Bricks
 
 /**
  * The bricks that suit a grid: the smallest with at least 16 voxels a side of which there are at
- * most 32 768. Larger ones have fewer vertices in all; smaller ones need less memory while they are
- * made. Throws Refusal for a grid too large for bricks whose voxels can be numbered.
+ * most 4096, but none with more than 1024 voxels a side. Trees of larger bricks have fewer vertices
+ * in all; smaller bricks need less memory while their trees are made. Throws Refusal for grids of
+ * more than a million of the largest bricks.
  */
 Bricks bricksOf(const Grid& grid);
 

@@ -85,12 +85,13 @@ double cubesOfSmoothField(
         const auto range = ranges[{1, {i, j, k}}];
         const double difference =
           static_cast<double>(range.largest) - static_cast<double>(range.least);
-        // The two samples along an axis are half as far from each other as the cube's sides.
-        double variation = 2 * difference, parts = 1;
-        for (int n = 0; n <= level && difference < leastJump && variation > options.tolerance; ++n)
+        // Between the two samples of the coarse grid along an axis lie 2^level steps of the grid,
+        // and between the first and the last voxel of a cube of it one less than it has voxels.
+        double parts = 1;
+        for (int n = level + 1; n > 0 && difference < leastJump; --n)
         {
-          cubes += parts;
-          variation /= 2;
+          const double variation = difference * (std::ldexp(1, n) - 1) / std::ldexp(1, level);
+          cubes += variation > options.tolerance ? parts : 0;
           parts *= 8;
         }
       }

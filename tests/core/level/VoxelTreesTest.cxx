@@ -1,0 +1,314 @@
+#include "level/VoxelTrees.h"
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "core/support/Interruption.h"
+#include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+#include "level/RunsOfLayers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+
+using namespace shapes;
+using namespace winding;
+
+Grid gridOf(int nx, int ny, int nz)
+{
+  Grid grid;
+  grid.dimensions = {nx, ny, nz};
+  grid.spacing = Eigen::Vector3d::Constant(2.2).cwiseQuotient(grid.dimensions.cast<double>());
+  grid.firstSample = Eigen::Vector3d::Constant(-1.1) + 0.5 * grid.spacing;
+  return grid;
+}
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
+{
+  SerialExecutor serial;
+  FieldOptions options;
+  options.method = method;
+  return Field::build(std::vector<TrianglesView>{mesh.view()}, options, serial);
+}
+
+/// The arrays of an extent, as the field has them.
+VoxelTrees::Evaluate evaluationOf(
+  const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
+{
+  return [&](const Extent& extent, const VoxelArrays& arrays)
+  {
+    FieldOutput output;
+    output.values = arrays.values;
+    output.doubleValues = arrays.doubleValues;
+    output.inside = arrays.inside;
+    output.rule = options.rule;
+    output.threshold = options.threshold;
+    if (!field.evaluate(grid, extent, output, executor))
+    {
+      throw Interrupted();
+    }
+  };
+}
+
+std::vector<VoxelTree> treesOf(
+  const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
+{
+  VoxelTrees trees(field, grid, options, evaluationOf(field, grid, options, executor));
+  std::vector<VoxelTree> all;
+  while (!trees.isDone())
+  {
+    EXPECT_LT(trees.progress(), trees.nextProgress());
+    for (VoxelTree& tree : trees.advance(executor))
+    {
+      all.push_back(std::move(tree));
+    }
+  }
+  EXPECT_EQ(all.size(), trees.bricks().size());
+  EXPECT_EQ(trees.progress(), 1);
+  return all;
+}
+
+/// The vertex of a tree that is the leaf of a voxel of its brick.
+std::size_t leafOf(const VoxelTree& tree, const Eigen::Vector3i& voxel, int depth)
+{
+  // Each parent's children come behind those of the parents before it.
+  std::vector<std::size_t> firstChild(tree.size());
+  std::size_t next = 1;
+  for (std::size_t vertex = 0; vertex < tree.isParent.size(); ++vertex)
+  {
+    firstChild[vertex] = next;
+    next += tree.isParent[vertex] ? 8 : 0;
+  }
+  std::size_t vertex = 0;
+  while (vertex < tree.isParent.size() && tree.isParent[vertex])
+  {
+    --depth;
+    const Eigen::Vector3i half = voxel.unaryExpr([depth](int i) { return i >> depth & 1; });
+    vertex = firstChild[vertex] + static_cast<std::size_t>(half[0] + 2 * half[1] + 4 * half[2]);
+  }
+  return vertex;
+}
+
+/// Compares each voxel's leaf with the field. Returns the largest difference of values.
+double expectTheField(const std::vector<VoxelTree>& trees, const Field& field, const Grid& grid,
+  const VoxelTreeOptions& options)
+{
+  const Extent whole = grid.wholeExtent();
+  std::vector<float> values(sampleCount(whole));
+  std::vector<unsigned char> inside(values.size());
+  FieldOutput output;
+  output.values = values.data();
+  output.inside = inside.data();
+  output.rule = options.rule;
+  output.threshold = options.threshold;
+  SerialExecutor serial;
+  EXPECT_TRUE(field.evaluate(grid, whole, output, serial));
+  const Bricks bricks = bricksOf(grid);
+  double largest = 0;
+  std::size_t wrongSides = 0;
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    const Eigen::Vector3i voxel = sampleIndex(whole, n);
+    const Eigen::Vector3i brick = voxel / bricks.side();
+    const VoxelTree& tree = trees[sampleNumber(bricks.whole(), brick)];
+    const std::size_t leaf = leafOf(tree, voxel - brick * bricks.side(), bricks.depth);
+    EXPECT_FALSE(tree.isBeyond[leaf]);
+    wrongSides += tree.inside[leaf] != inside[n];
+    if (options.withValues)
+    {
+      largest = std::max(largest, std::abs(tree.values[leaf] - double{values[n]}));
+    }
+  }
+  EXPECT_EQ(wrongSides, 0u);
+  return largest;
+}
+
+TEST(VoxelTrees, BricksCoverAGridAndNoMore)
+{
+  for (const auto& [nx, ny, nz, depth] : {std::array{1, 1, 1, 4}, std::array{64, 51, 64, 4},
+         std::array{257, 3, 1, 4}, std::array{512, 512, 512, 5}, std::array{4096, 3259, 4064, 8},
+         std::array{1 << 20, 1 << 20, 1, 10}})
+  {
+    const Grid grid = gridOf(nx, ny, nz);
+    const Bricks bricks = bricksOf(grid);
+    EXPECT_EQ(bricks.depth, depth);
+    EXPECT_EQ(bricks.voxelsOf(bricks.whole(), grid), grid.wholeExtent());
+    const Extent last = bricks.voxelsOf(bricks.counts - Eigen::Vector3i::Ones(), grid);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(
+        last[2 * static_cast<std::size_t>(axis)], last[2 * static_cast<std::size_t>(axis) + 1]);
+    }
+  }
+  const int most = std::numeric_limits<int>::max() - 1;
+  EXPECT_THROW(bricksOf(gridOf(most, 1, 1)), Refusal);
+  EXPECT_THROW(bricksOf(gridOf(most, most, most)), Refusal);
+}
+
+TEST(VoxelTrees, RunsTellWhetherCubesAreOfOneValue)
+{
+  const Mesh ball = icosphere(2);
+  const auto field = fieldOf(ball.with(ball.mapped([](const Point& p) -> Point { return p / 2; })));
+  const Grid grid = gridOf(23, 19, 21);
+  SerialExecutor serial;
+  const auto same = [](int value)
+  {
+    return value;
+  };
+  const RunsOfLayers runs(*field->integerRows(), grid, 3, 17, same, 0.5, serial);
+  Extent extent = grid.wholeExtent();
+  extent[4] = 3;
+  extent[5] = 17;
+  std::vector<float> values(sampleCount(extent));
+  FieldOutput output;
+  output.values = values.data();
+  ASSERT_TRUE(field->evaluate(grid, extent, output, serial));
+  const auto valueAt = [&](int i, int j, int k)
+  {
+    return values[sampleNumber(extent, i, j, k)];
+  };
+  for (int size : {1, 2, 4})
+  {
+    for (int k = 3; k + size <= 18; ++k)
+    {
+      for (int j = 0; j + size <= 19; ++j)
+      {
+        for (int i = 0; i + size <= 23; ++i)
+        {
+          bool areEqual = true;
+          for (int n = 0; n < size * size * size; ++n)
+          {
+            areEqual &=
+              valueAt(i + n % size, j + n / size % size, k + n / size / size) == valueAt(i, j, k);
+          }
+          ASSERT_EQ(runs.areEqual(i, j, k, size), areEqual);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(runs.label(11, 9, 10), 2);
+  EXPECT_EQ(runs.sides().samples, values.size());
+  EXPECT_EQ(runs.sides().inside, static_cast<std::size_t>(std::count_if(values.begin(),
+                                   values.end(), [](float value) { return value >= 0.5F; })));
+}
+
+TEST(VoxelTrees, HaveTheFieldAtEveryVoxel)
+{
+  const Mesh ball = icosphere(3);
+  const Mesh nested =
+    ball.with(ball.mapped([](const Point& p) -> Point { return 0.5 * p + Point(0.1, 0.2, 0.3); }));
+  struct Case
+  {
+    std::shared_ptr<const Field> field;
+    bool isLossless;
+  };
+  const Case cases[] = {{fieldOf(nested), true}, {fieldOf(ball.part(0, 1000)), false},
+    {fieldOf(nested, Method::hierarchical), false}, {fieldOf(Mesh()), true}};
+  SerialExecutor serial;
+  for (const Case& c : cases)
+  {
+    for (const Grid& grid : {gridOf(40, 33, 16), gridOf(7, 50, 1), gridOf(32, 32, 32)})
+    {
+      for (const bool withValues : {true, false})
+      {
+        for (const bool asDouble : {false, true})
+        {
+          VoxelTreeOptions options;
+          options.withValues = withValues;
+          options.asDouble = asDouble;
+          options.tolerance = 0.02;
+          const double largest =
+            expectTheField(treesOf(*c.field, grid, options, serial), *c.field, grid, options);
+          EXPECT_LE(largest, c.isLossless ? 0 : 0.01 + 1e-6);
+        }
+      }
+    }
+  }
+}
+
+TEST(VoxelTrees, AFieldThatIsSmoothIsDividedByTheTolerance)
+{
+  const auto field = fieldOf(icosphere(3).part(0, 1000));
+  const Grid grid = gridOf(40, 40, 40);
+  SerialExecutor serial;
+  std::size_t before = std::numeric_limits<std::size_t>::max();
+  for (const double tolerance : {0.0, 0.01, 0.1, 1.0})
+  {
+    VoxelTreeOptions options;
+    options.tolerance = tolerance;
+    const std::vector<VoxelTree> trees = treesOf(*field, grid, options, serial);
+    EXPECT_LE(expectTheField(trees, *field, grid, options), tolerance / 2 + 1e-6);
+    std::size_t vertices = 0;
+    for (const VoxelTree& tree : trees)
+    {
+      vertices += tree.size();
+    }
+    EXPECT_LT(vertices, before);
+    before = vertices;
+  }
+}
+
+TEST(VoxelTrees, LevelsAndParentsAgree)
+{
+  const auto field = fieldOf(icosphere(3));
+  SerialExecutor serial;
+  for (const VoxelTree& tree : treesOf(*field, gridOf(50, 40, 33), {}, serial))
+  {
+    std::size_t first = 0, count = 1;
+    for (int level = 0; level < tree.levels; ++level)
+    {
+      std::size_t parents = 0;
+      for (std::size_t vertex = first; vertex < first + count; ++vertex)
+      {
+        parents += vertex < tree.isParent.size() && tree.isParent[vertex];
+      }
+      first += count;
+      count = 8 * parents;
+    }
+    EXPECT_EQ(count, 0u);
+    EXPECT_EQ(first, tree.size());
+    EXPECT_EQ(tree.inside.size(), tree.size());
+    EXPECT_EQ(tree.isBeyond.size(), tree.size());
+    EXPECT_LT(tree.isParent.size(), tree.size()) << "the last level is left out";
+    EXPECT_TRUE(tree.isParent.empty() || tree.levels > 1);
+  }
+}
+
+TEST(VoxelTrees, DoNotDependOnThreads)
+{
+  const Grid grid = gridOf(70, 60, 50);
+  for (const auto& field : {fieldOf(icosphere(3)), fieldOf(icosphere(3).part(0, 900))})
+  {
+    SerialExecutor serial;
+    VoxelTreeOptions options;
+    options.tolerance = 0.01;
+    const std::vector<VoxelTree> one = treesOf(*field, grid, options, serial);
+    ShuffledThreads threads(3);
+    const std::vector<VoxelTree> several = treesOf(*field, grid, options, threads);
+    for (std::size_t n = 0; n < one.size(); ++n)
+    {
+      EXPECT_TRUE(one[n].values == several[n].values && one[n].inside == several[n].inside &&
+                  one[n].isParent == several[n].isParent && one[n].isBeyond == several[n].isBeyond);
+    }
+  }
+}
+
+TEST(VoxelTrees, AreInterrupted)
+{
+  const Grid grid = gridOf(70, 60, 50);
+  for (const auto& field : {fieldOf(icosphere(3)), fieldOf(icosphere(3).part(0, 900))})
+  {
+    const VoxelTreeOptions options;
+    for (int runs = 0; runs < 2; ++runs)
+    {
+      Interruption executor(runs);
+      VoxelTrees trees(*field, grid, options, evaluationOf(*field, grid, options, executor));
+      EXPECT_THROW(trees.advance(executor), Interrupted);
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkHyperTreeGrid;
+class vtkWindingNumberGridAlgorithm;
+
+/// The leaf of a hyper tree grid that each voxel of a filter's grid lies in, along x first, then y,
+/// then z, found by the places of the cells; −1 where the voxel lies in none that is not masked.
+/// Expects that cells are as large as voxels are or larger by powers of two, and that none overlap
+/// or reach beyond the grid.
+std::vector<vtkIdType> leavesOfVoxels(
+  vtkHyperTreeGrid* trees, const vtkWindingNumberGridAlgorithm* filter);
