@@ -64,6 +64,14 @@ SETTABLE = {
         "GenerateNormals": (0, "0"),
         "OutputPointsPrecision": (1, "1"),
     },
+    "WindingNumberHyperTree": {
+        **COMMON,
+        **GRID,
+        "Coverage": (2, "2"),
+        "CoverageSamples": (2, "2"),
+        "MergeTolerance": (0.125, "0.125"),
+        "MaskOutside": (1, "1"),
+    },
     "WindingNumberProbe": {
         **COMMON,
         "ProbeAssociation": (1, "1"),
@@ -111,18 +119,21 @@ REPORTED = {
     "SurfaceReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED,
     "WindingNumberSurface": GRID_REPORTED,
+    "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
     "PointAreas": {"TotalArea"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
-            "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut"}
+            "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
+            "NumberOfVertices"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
     "WindingNumberSurface": {"Input"},
+    "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberClip": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "SelectInputScalars"},
@@ -168,6 +179,7 @@ RANGES = {
     "VerifySamples": (0, None),
     "CoverageSamples": (1, 10),
     "DistanceBand": (0, None),
+    "MergeTolerance": (0, None),
 }
 
 
@@ -338,6 +350,7 @@ class TestProxies(unittest.TestCase):
             "SurfaceReport": "Surface Report",
             "WindingNumberField": "Winding Number Field",
             "WindingNumberSurface": "Winding Number Surface",
+            "WindingNumberHyperTree": "Winding Number Hyper Tree",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberClip": "Winding Number Clip",
             "WindingNumberVoxels": "Winding Number Voxels",
