@@ -23,8 +23,8 @@ def show(view, source, shift=0.0, color=SHELL, **properties):
     return display
 
 
-def color_by(view, display, array, low, high, preset="Cool to Warm"):
-    simple.ColorBy(display, ("POINTS", array))
+def color_by(view, display, array, low, high, preset="Cool to Warm", association="POINTS"):
+    simple.ColorBy(display, (association, array))
     colors = simple.GetColorTransferFunction(array)
     colors.ApplyPreset(preset, True)
     colors.RescaleTransferFunction(low, high)
@@ -64,6 +64,17 @@ def show_voxels(view, scan, _):
          EdgeColor=(0.7, 0.68, 0.64))
 
 
+def show_hyper_tree(view, scan, _):
+    show(view, scan, -1.3)
+    trees = simple.WindingNumberHyperTree(Input=scan, Resolution=64, MergeTolerance=0.05)
+    cells = simple.HyperTreeGridToUnstructuredGrid(Input=trees)
+    cut = middle_slice(cells)
+    cut.SliceType.Origin = (0, 0, 0.01)
+    display = show(view, cut, 1.3, Ambient=1, Diffuse=0, Representation="Surface With Edges",
+                   EdgeColor=GREY)
+    color_by(view, display, "WindingNumber", 0, 1, association="CELLS")
+
+
 def show_probe(view, scan, _):
     plane = simple.Plane(Origin=(-1.3, -1.3, 0), Point1=(1.3, -1.3, 0), Point2=(-1.3, 1.5, 0),
                          XResolution=160, YResolution=160)
@@ -101,6 +112,7 @@ PICTURES = {
     "WindingNumberField": show_field,
     "WindingNumberSurface": show_surface,
     "WindingNumberVoxels": show_voxels,
+    "WindingNumberHyperTree": show_hyper_tree,
     "WindingNumberProbe": show_probe,
     "WindingNumberClip": show_clip,
     "SurfaceReport": show_report,

@@ -102,7 +102,9 @@ winding::EvaluationCost vtkWindingNumberHyperTree::GetAdditionalCost(
   winding::refuseBeyondFreeMemory(static_cast<double>(cost.bytes),
     "the hyper tree grid of " + std::to_string(samples) + " voxels",
     options.withValues && !field.integerRows()
-      ? "choose larger voxels, a larger merge tolerance, or Inside alone"
+      ? "choose larger voxels, a larger tolerance of cells (Merge Tolerance; --merge-tolerance), "
+        "or "
+        "Inside alone (Generate Winding Number; --inside-only)"
       : "choose larger voxels");
   winding::VoxelEvaluation voxels;
   voxels.coverage = static_cast<winding::Coverage>(this->Coverage);

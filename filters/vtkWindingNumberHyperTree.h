@@ -38,8 +38,10 @@
  * behaviour on the surface are those of vtkWindingNumberField. The result has the same bits for any
  * number of threads. Memory is that of the result, and about 130 MB for voxels at work.
  *
- * VTK's writer, vtkXMLHyperTreeGridWriter, takes 8 bytes more for each cell, and before VTK 9.2
- * writes files with several arrays that no reader can read, unless its data mode is binary.
+ * **Files.** vtkXMLHyperTreeGridWriter takes up to 16 bytes of memory for each vertex. Before VTK 9.3
+ * it writes files with several arrays that nobody can read, unless SetDataModeToBinary() is called,
+ * and it crashes for vtkUniformHyperTreeGrid, which this is not. Readers before VTK 9.4 leave the
+ * field data out.
  *
  * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField. Results larger
  * than the free memory are refused by an estimate before anything is allocated.

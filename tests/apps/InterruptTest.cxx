@@ -15,11 +15,12 @@ namespace
 using namespace std::chrono_literals;
 
 /// Starts a run that would take minutes, waits until it has begun to write, and stops it.
-void interruptRun(int signal, const std::vector<std::string>& more)
+void interruptRun(
+  int signal, const std::vector<std::string>& more, const std::string& output = "out.vti")
 {
   const TemporaryFolder folder;
   const std::string in = folder.write("in.off", asOff(sphere(5)));
-  std::vector<std::string> arguments = {"field", in, "-o", folder.path("out.vti"), "--threads", "1",
+  std::vector<std::string> arguments = {"field", in, "-o", folder.path(output), "--threads", "1",
     "--resolution", "500", "--method", "direct"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const int process = startProgram(arguments);
@@ -137,6 +138,11 @@ TEST(Interrupt, HangupThatIsIgnoredStaysIgnored)
 TEST(Interrupt, FieldInMemory)
 {
   interruptRun(SIGINT, {});
+}
+
+TEST(Interrupt, FieldAsHyperTrees)
+{
+  interruptRun(SIGINT, {}, "out.htg");
 }
 
 TEST(Interrupt, FieldInPieces)

@@ -31,6 +31,8 @@ DIALOG = f"{WINDOW}/SelectInputDialog"
 INPUTS = {"WindingNumberVoxels": "WindingNumberField1"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
 COLORS = {"PointAreas": "Area"}
+# The filters whose results have cells and no points.
+WITHOUT_POINTS = {"WindingNumberHyperTree"}
 
 # A picture differs from another one if this share of its blocks of 8 by 8 pixels differs by so much
 # of 255.
@@ -175,7 +177,8 @@ class TestWindow(unittest.TestCase):
             with self.subTest(name):
                 facts = json.loads((PICTURES / f"{name}.json").read_text(encoding="ascii"))
                 self.assertEqual(facts["proxy"], proxy)
-                self.assertGreater(facts["points"], 1000)
+                if name not in WITHOUT_POINTS:
+                    self.assertGreater(facts["points"], 1000)
                 self.assertGreater(facts["cells"], 1000)
 
     def test_pictures_are_as_they_were(self):

@@ -65,8 +65,7 @@ TEST(VoxelTreesCost, VerticesOfOpenSurfacesAreForetold)
     {
       VoxelTreeOptions options;
       options.tolerance = tolerance;
-      const double ratio = ratioOf(*field, gridOf(resolution), options);
-      std::printf("RATIO %g\n", ratio);
+      const double ratio = ratioOf(*field, gridOf(resolution), options); // measured: 1.03 to 1.35
       EXPECT_LT(ratio, 1.5) << resolution << " " << tolerance;
       EXPECT_GT(ratio, 1 / 1.5) << resolution << " " << tolerance;
     }
