@@ -17,11 +17,11 @@
  *   writer->SetInputConnection(field->GetOutputPort());
  * @endcode
  *
- * **Cells.** Values belong to cells. The smallest cells are the voxels of the grid, the boxes of one
- * spacing around the samples; larger ones are cubes of 8, 64, 512 … voxels. The grid is cut into
- * bricks, cubes with a power of two voxels a side, of which each is a tree with branch factor 2. The
- * last bricks may reach beyond the grid: what lies there is masked. Grids whose dimensions are
- * multiples of 32 need the fewest cells for that; grids of one voxel along an axis are welcome.
+ * **Cells.** Values belong to cells. The smallest cells are the voxels of the grid, the boxes of
+ * one spacing around the samples; larger ones are cubes of 8, 64, 512 … voxels. The grid is cut
+ * into bricks, cubes with a power of two voxels a side, of which each is a tree with branch factor
+ * 2. The last bricks may reach beyond the grid: what lies there is masked. Grids whose dimensions
+ * are multiples of 32 need the fewest cells for that; grids of one voxel along an axis are welcome.
  *
  * **Values.** "Inside" and "Coverage" are those of vtkWindingNumberField at every voxel. So is w,
  * bit for bit, where it is an integer everywhere: for a closed surface with method ROWS, which is
@@ -33,15 +33,15 @@
  *
  * There are no signed distances, which have no equal neighbours: GenerateSignedDistance is refused.
  *
- * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on the
- * whole: where several pieces are asked for, the first has everything. Progress, abort and the
+ * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
+ * the whole: where several pieces are asked for, the first has everything. Progress, abort and the
  * behaviour on the surface are those of vtkWindingNumberField. The result has the same bits for any
  * number of threads. Memory is that of the result, and about 130 MB for voxels at work.
  *
- * **Files.** vtkXMLHyperTreeGridWriter takes up to 16 bytes of memory for each vertex. Before VTK 9.3
- * it writes files with several arrays that nobody can read, unless SetDataModeToBinary() is called,
- * and it crashes for vtkUniformHyperTreeGrid, which this is not. Readers before VTK 9.4 leave the
- * field data out.
+ * **Files.** vtkXMLHyperTreeGridWriter takes up to 16 bytes of memory for each vertex. Before VTK
+ * 9.3 it writes files with several arrays that nobody can read, unless SetDataModeToBinary() is
+ * called, and it crashes for vtkUniformHyperTreeGrid, which this is not. Readers before VTK 9.4
+ * leave the field data out.
  *
  * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField. Results larger
  * than the free memory are refused by an estimate before anything is allocated.
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /// The rule by which a voxel is inside, one of vtkWindingNumberField::CoverageType. Default
-  /// CENTER (0). ANY (1) and FRACTION (2) add the array "Inside", and FRACTION the array "Coverage".
+  /// CENTER (0). ANY (1) and FRACTION (2) add the array "Inside", FRACTION also "Coverage".
   vtkSetMacro(Coverage, int);
   vtkGetMacro(Coverage, int);
   ///@}

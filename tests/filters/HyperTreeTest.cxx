@@ -443,7 +443,7 @@ TEST_F(HyperTree, WhatDoesNotFitIntoMemoryIsRefusedAtOnce)
   ErrorLog log(trees);
   trees->Update();
   EXPECT_EQ(trees->GetStatus(), Filter::OUT_OF_MEMORY) << log.errors();
-  EXPECT_NE(log.errors().find("Merge Tolerance; --merge-tolerance"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("Merge Tolerance; --merge"), std::string::npos) << log.errors();
   EXPECT_NE(log.errors().find("GiB of memory"), std::string::npos) << log.errors();
 }
 

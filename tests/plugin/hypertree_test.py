@@ -31,7 +31,8 @@ class TestHyperTree(unittest.TestCase):
                  for i in range(grid.GetCellData().GetNumberOfArrays())}
         self.assertEqual(names, {"WindingNumber", "Inside"})
         self.assertEqual(information(self.trees, "MethodUsed"), "rows")
-        self.assertEqual(information(self.trees, "NumberOfLeaves"), sum(cells_of(self.trees).values()))
+        cells = sum(cells_of(self.trees).values())
+        self.assertEqual(information(self.trees, "NumberOfLeaves"), cells)
 
     def test_threshold_and_mask_leave_the_voxels_inside(self):
         counts = cells_of(self.trees)

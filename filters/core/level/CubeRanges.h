@@ -8,8 +8,8 @@
 namespace winding
 {
 
-/// The least and the largest number in each cube of a brick, for all cubes that lie in the grid as a
-/// whole. Memory: two numbers for each eight voxels, and a seventh more.
+/// The least and the largest number in each cube of a brick, for all cubes that lie in the grid as
+/// a whole. Memory: two numbers for each eight voxels, and a seventh more.
 template <class Number> class CubeRanges
 {
 public:

@@ -15,7 +15,7 @@ namespace winding
 class RunsOfLayers
 {
 public:
-  /// What runs are told apart by: neighbours of a row with the same label make one run.
+  /// The label of a value; neighbours of a row with the same label make one run.
   using LabelOf = std::function<int(int value)>;
 
   /// Finds the runs of layers `first` to `last`. Throws Interrupted.

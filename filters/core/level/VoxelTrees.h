@@ -37,19 +37,19 @@ struct VoxelArrays
 };
 
 /**
- * The voxels of a grid as octrees, a group of bricks after the other, in the order of their numbers:
- * never are all voxels in memory.
+ * The voxels of a grid as octrees, a group of bricks after the other, in the order of their
+ * numbers: never are all voxels in memory.
  *
- * Guaranteed: (1) a voxel has the same side in its leaf as in the field, and the same coverage;
- * (2) it has the same winding number where whole rows of the field are integers
- * (Field::integerRows()) or the tolerance is 0, to the bit; (3) elsewhere all voxels of a leaf lie
- * within one interval as long as the tolerance, and the leaf has its middle, so that it differs from
- * theirs by half the tolerance at most; (4) the trees depend on the source, the grid and the options
- * only.
+ * Guaranteed: (1) a voxel has the same side in its leaf as in the field, and the same coverage; (2)
+ * it has the same winding number where whole rows of the field are integers (Field::integerRows())
+ * or the tolerance is 0, to the bit; (3) elsewhere all voxels of a leaf lie within one interval as
+ * long as the tolerance, and the leaf has its middle, so that it differs from theirs by half the
+ * tolerance at most; (4) the trees depend on the source, the grid and the options only.
  *
- * Where whole rows are integers and centres tell what is inside, leaves follow from the runs of rows
- * (RunsOfLayers.h), and no voxel is looked at: the time is that of the rows, and of the surface in
- * voxels. Any other field is evaluated in extents of about 128 MB, or one brick where that is more.
+ * Where whole rows are integers and centres tell what is inside, leaves follow from the runs of
+ * rows (RunsOfLayers.h), and no voxel is looked at: the time is that of the rows, and of the
+ * surface in voxels. Any other field is evaluated in extents of about 128 MB, or one brick where
+ * that is more.
  */
 class VoxelTrees
 {

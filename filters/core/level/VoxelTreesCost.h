@@ -8,13 +8,14 @@ namespace winding
 {
 
 /**
- * The number of vertices that the trees of a grid's voxels are expected to have, leaves and parents.
+ * The number of vertices that the trees of a grid's voxels are expected to have, leaves and
+ * parents.
  *
  * A cube of s³ voxels has different sides where the surface passes between its samples: of E edges
  * of the grid that it crosses (levelEdgesByArea()), E (s − 1)/s³ lie in such cubes, whatever the
  * direction of the surface. Where the grid ends within cubes, these are divided, too. Where w is
- * smooth but not constant, a coarser grid of at most 64 samples along each axis tells how many cubes
- * it varies in by more than the tolerance. Throws Interrupted.
+ * smooth but not constant, a coarser grid of at most 64 samples along each axis tells how many
+ * cubes it varies in by more than the tolerance. Throws Interrupted.
  */
 double expectedVertices(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor);
