@@ -5,6 +5,7 @@
 #include "vtkPointAreas.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -42,6 +43,9 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "OutputAssociation: 0", "DistanceBand: 0", "GenerateInside: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0", "GenerateNormals:"});
+  expectPrinted<vtkWindingNumberHyperTree>(ofSources);
+  expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
+    "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});
   expectPrinted<vtkWindingNumberProbe>(ofSources);
   expectPrinted<vtkWindingNumberProbe>(
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});

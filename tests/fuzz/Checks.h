@@ -34,6 +34,9 @@ std::string checkOrientation(Choices& choices);
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
+/// The trees of voxels: VoxelTreesCheck.cxx.
+std::string checkVoxelTrees(Choices& choices);
+
 /// The time of method automatic beside that of the direct sum: TimeCheck.cxx. The check takes far
 /// longer than the others.
 std::string checkTime(Choices& choices);
@@ -42,7 +45,8 @@ std::string checkTime(Choices& choices);
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
-    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel}};
+    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel},
+    {"voxel_trees", checkVoxelTrees}};
 }
 
 } // namespace fuzz

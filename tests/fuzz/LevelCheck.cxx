@@ -2,7 +2,6 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
-#include "base/Refusal.h"
 #include "level/LevelRoots.h"
 
 #include <algorithm>
@@ -21,35 +20,9 @@ namespace
 {
 
 using namespace winding;
-using shapes::Mesh;
 
 /// Rounds after which a search for roots does not end.
 constexpr int mostRounds = 100;
-
-std::shared_ptr<const Field> randomField(Choices& choices)
-{
-  FieldOptions options;
-  const Method methods[] = {
-    Method::automatic, Method::rows, Method::direct, Method::hierarchical, Method::parity};
-  options.method = choices.oneOf(methods);
-  options.tolerance = randomTolerance(choices);
-  SerialExecutor serial;
-  try
-  {
-    if (choices.oneIn(4))
-    {
-      const RandomCloud cloud = randomCloud(choices, 20);
-      options.method = choices.oneIn(2) ? Method::automatic : Method::hierarchical;
-      return Field::build(viewsOf(cloud), options, serial);
-    }
-    const Mesh mesh = randomMesh(choices, 16);
-    return Field::build(viewsOf(mesh), options, serial);
-  }
-  catch (const Refusal&)
-  {
-    return nullptr;
-  }
-}
 
 /// The edges between samples on different sides, counted one by one.
 std::size_t countChanges(const Grid& grid, const std::vector<unsigned char>& inside, bool border)

@@ -1,5 +1,7 @@
 #include "RandomSources.h"
 
+#include "base/Refusal.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -392,6 +394,32 @@ std::vector<winding::TrianglesView> viewsOf(const Mesh& mesh)
 std::vector<winding::OrientedPointsView> viewsOf(const RandomCloud& cloud)
 {
   return {cloud.view()};
+}
+
+std::shared_ptr<const winding::Field> randomField(Choices& choices)
+{
+  using namespace winding;
+  FieldOptions options;
+  const Method methods[] = {
+    Method::automatic, Method::rows, Method::direct, Method::hierarchical, Method::parity};
+  options.method = choices.oneOf(methods);
+  options.tolerance = randomTolerance(choices);
+  SerialExecutor serial;
+  try
+  {
+    if (choices.oneIn(4))
+    {
+      const RandomCloud cloud = randomCloud(choices, 20);
+      options.method = choices.oneIn(2) ? Method::automatic : Method::hierarchical;
+      return Field::build(viewsOf(cloud), options, serial);
+    }
+    const shapes::Mesh mesh = randomMesh(choices, 16);
+    return Field::build(viewsOf(mesh), options, serial);
+  }
+  catch (const Refusal&)
+  {
+    return nullptr;
+  }
 }
 
 } // namespace fuzz

@@ -5,6 +5,7 @@
 #include "field/Field.h"
 #include "source/Grid.h"
 
+#include <memory>
 #include <vector>
 
 /**
@@ -33,6 +34,9 @@ struct RandomCloud
 
 /// A cloud of 1 to `mostPoints` points.
 RandomCloud randomCloud(Choices& choices, int mostPoints);
+
+/// The field of a random mesh or cloud by any method; null where it is refused.
+std::shared_ptr<const winding::Field> randomField(Choices& choices);
 
 /// A grid of at most 6 samples along each axis, about the bounds of a source, which must not be
 /// empty. Often its planes go through vertices.

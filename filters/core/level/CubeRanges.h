@@ -25,23 +25,16 @@ public:
     , stepOfRow_(static_cast<std::size_t>(extent[1] - extent[0] + 1))
     , stepOfLayer_(stepOfRow_ * static_cast<std::size_t>(extent[3] - extent[2] + 1))
   {
-    Eigen::Vector3i counts(
+    const Eigen::Vector3i counts(
       brick[1] - brick[0] + 1, brick[3] - brick[2] + 1, brick[5] - brick[4] + 1);
-    for (int level = 1; (counts /= 2).minCoeff() > 0; ++level)
+    if (counts.minCoeff() > 1)
     {
-      Level made{counts, {}};
-      made.ranges.reserve(static_cast<std::size_t>(counts.prod()));
-      for (int k = 0; k < counts[2]; ++k)
-      {
-        for (int j = 0; j < counts[1]; ++j)
-        {
-          for (int i = 0; i < counts[0]; ++i)
-          {
-            made.ranges.push_back(this->ofChildren({level, {i, j, k}}));
-          }
-        }
-      }
-      levels_.push_back(std::move(made));
+      this->addLevel(counts / 2, [this](int j, int k) { return this->row(j, k); });
+    }
+    while (!levels_.empty() && levels_.back().counts.minCoeff() > 1)
+    {
+      this->addLevel(
+        levels_.back().counts / 2, [this](int j, int k) { return this->levels_.back().row(j, k); });
     }
   }
 
@@ -50,14 +43,10 @@ public:
     const Eigen::Vector3i& at = cube.index;
     if (cube.level == 0)
     {
-      const Number number =
-        first_[static_cast<std::size_t>(at[2]) * stepOfLayer_ +
-               static_cast<std::size_t>(at[1]) * stepOfRow_ + static_cast<std::size_t>(at[0])];
+      const Number number = this->row(at[1], at[2])[at[0]];
       return {number, number};
     }
-    const Level& level = levels_[static_cast<std::size_t>(cube.level) - 1];
-    return level.ranges[static_cast<std::size_t>(
-      (at[2] * level.counts[1] + at[1]) * level.counts[0] + at[0])];
+    return levels_[static_cast<std::size_t>(cube.level) - 1].row(at[1], at[2])[at[0]];
   }
 
 private:
@@ -65,20 +54,50 @@ private:
   {
     Eigen::Vector3i counts;
     std::vector<Range> ranges;
+
+    const Range* row(int j, int k) const
+    {
+      return ranges.data() + static_cast<std::ptrdiff_t>((k * counts[1] + j) * counts[0]);
+    }
   };
 
-  Range ofChildren(const VoxelCube& cube) const
+  const Number* row(int j, int k) const
   {
-    const VoxelCube first = {cube.level - 1, 2 * cube.index};
-    Range range = (*this)[first];
-    for (int child = 1; child < 8; ++child)
+    return first_ + static_cast<std::size_t>(k) * stepOfLayer_ +
+           static_cast<std::size_t>(j) * stepOfRow_;
+  }
+
+  static Number leastOf(Number number) { return number; }
+  static Number leastOf(const Range& range) { return range.least; }
+  static Number largestOf(Number number) { return number; }
+  static Number largestOf(const Range& range) { return range.largest; }
+
+  /// Adds a level of cubes, each of the eight of the level below that rowOf(j, k) has.
+  template <class RowOf> void addLevel(const Eigen::Vector3i& counts, const RowOf& rowOf)
+  {
+    Level level{counts, std::vector<Range>(static_cast<std::size_t>(counts.prod()))};
+    Range* range = level.ranges.data();
+    for (int k = 0; k < counts[2]; ++k)
     {
-      const Eigen::Vector3i step(child & 1, child >> 1 & 1, child >> 2);
-      const Range other = (*this)[{first.level, first.index + step}];
-      range.least = std::min(range.least, other.least);
-      range.largest = std::max(range.largest, other.largest);
+      for (int j = 0; j < counts[1]; ++j)
+      {
+        const auto* const a = rowOf(2 * j, 2 * k);
+        const auto* const b = rowOf(2 * j + 1, 2 * k);
+        const auto* const c = rowOf(2 * j, 2 * k + 1);
+        const auto* const d = rowOf(2 * j + 1, 2 * k + 1);
+        for (int i = 0; i < counts[0]; ++i, ++range)
+        {
+          range->least = leastOf(a[2 * i]);
+          range->largest = largestOf(a[2 * i]);
+          for (const auto* const two : {a + 2 * i, b + 2 * i, c + 2 * i, d + 2 * i})
+          {
+            range->least = std::min({range->least, leastOf(two[0]), leastOf(two[1])});
+            range->largest = std::max({range->largest, largestOf(two[0]), largestOf(two[1])});
+          }
+        }
+      }
     }
-    return range;
+    levels_.push_back(std::move(level));
   }
 
   const Number* first_;

@@ -125,7 +125,7 @@ EvaluationCost costOfVoxelTrees(
   // beside it, have a number of 4 bytes.
   const double bytesPerVertex = 1 + 2.5 + (options.withValues ? (options.asDouble ? 8 : 4) : 0) +
                                 (options.withCoverage ? sizeof(float) : 0);
-  constexpr double bytesPerTree = 500, secondsPerVertex = 50e-9;
+  constexpr double bytesPerTree = 500, secondsPerVertex = 90e-9;
   const double bytes = vertices * bytesPerVertex +
                        bytesPerTree * static_cast<double>(bricksOf(grid).size()) +
                        VoxelTrees::bytesAtWork(field, grid, options);

@@ -4,6 +4,7 @@
 #include "core/support/Interruption.h"
 #include "core/support/Shapes.h"
 #include "core/support/ShuffledThreads.h"
+#include "core/support/VoxelLeaves.h"
 #include "level/RunsOfLayers.h"
 
 #include <gtest/gtest.h>
@@ -69,27 +70,6 @@ std::vector<VoxelTree> treesOf(
   EXPECT_EQ(all.size(), trees.bricks().size());
   EXPECT_EQ(trees.progress(), 1);
   return all;
-}
-
-/// The vertex of a tree that is the leaf of a voxel of its brick.
-std::size_t leafOf(const VoxelTree& tree, const Eigen::Vector3i& voxel, int depth)
-{
-  // Each parent's children come behind those of the parents before it.
-  std::vector<std::size_t> firstChild(tree.size());
-  std::size_t next = 1;
-  for (std::size_t vertex = 0; vertex < tree.isParent.size(); ++vertex)
-  {
-    firstChild[vertex] = next;
-    next += tree.isParent[vertex] ? 8 : 0;
-  }
-  std::size_t vertex = 0;
-  while (vertex < tree.isParent.size() && tree.isParent[vertex])
-  {
-    --depth;
-    const Eigen::Vector3i half = voxel.unaryExpr([depth](int i) { return i >> depth & 1; });
-    vertex = firstChild[vertex] + static_cast<std::size_t>(half[0] + 2 * half[1] + 4 * half[2]);
-  }
-  return vertex;
 }
 
 /// Compares each voxel's leaf with the field. Returns the largest difference of values.

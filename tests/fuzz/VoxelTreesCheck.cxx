@@ -1,0 +1,117 @@
+#include "Checks.h"
+#include "FieldValues.h"
+#include "RandomSources.h"
+
+#include "core/support/VoxelLeaves.h"
+#include "level/VoxelTrees.h"
+
+#include <cmath>
+
+/**
+ * @file
+ * The leaf of each voxel is compared with the field: sides are the same, winding numbers too where
+ * whole rows are integers, and within half the tolerance elsewhere.
+ */
+namespace fuzz
+{
+
+namespace
+{
+
+using namespace winding;
+
+std::vector<VoxelTree> treesOf(
+  const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
+{
+  VoxelTrees trees(field, grid, options,
+    [&](const Extent& extent, const VoxelArrays& arrays)
+    {
+      FieldOutput output;
+      output.values = arrays.values;
+      output.doubleValues = arrays.doubleValues;
+      output.inside = arrays.inside;
+      output.rule = options.rule;
+      output.threshold = options.threshold;
+      field.evaluate(grid, extent, output, executor);
+    });
+  std::vector<VoxelTree> all;
+  while (!trees.isDone())
+  {
+    for (VoxelTree& tree : trees.advance(executor))
+    {
+      all.push_back(std::move(tree));
+    }
+  }
+  return all;
+}
+
+} // namespace
+
+std::string checkVoxelTrees(Choices& choices)
+{
+  const auto field = randomField(choices);
+  if (!field || field->info().primitives == 0)
+  {
+    return {};
+  }
+  Grid grid = randomGrid(choices, field->info().bounds);
+  if (choices.oneIn(3))
+  {
+    // Bricks have 16 voxels a side; more of them make several.
+    grid.dimensions[choices.below(3)] += 16;
+  }
+  VoxelTreeOptions options;
+  const InsideRule rules[] = {
+    InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
+  options.rule = choices.oneOf(rules);
+  options.threshold = choices.oneIn(3) ? choices.between(0.05, 1.5) : 0.5;
+  options.withValues = !choices.oneIn(3);
+  options.asDouble = choices.oneIn(3);
+  options.tolerance = choices.oneIn(4) ? 0 : choices.between(0.001, 1);
+  SerialExecutor serial;
+  BackwardExecutor backward;
+  const std::vector<VoxelTree> trees = treesOf(*field, grid, options, serial);
+  const std::vector<VoxelTree> again = treesOf(*field, grid, options, backward);
+
+  const Extent whole = grid.wholeExtent();
+  std::vector<unsigned char> inside(sampleCount(whole));
+  std::vector<float> values(inside.size());
+  std::vector<double> doubleValues(options.asDouble ? inside.size() : 0);
+  FieldOutput output;
+  output.values = values.data();
+  output.doubleValues = options.asDouble ? doubleValues.data() : nullptr;
+  output.inside = inside.data();
+  output.rule = options.rule;
+  output.threshold = options.threshold;
+  field->evaluate(grid, whole, output, serial);
+  const Bricks bricks = bricksOf(grid);
+  const double tolerance = field->integerRows() ? 0 : options.tolerance;
+  for (std::size_t n = 0; n < inside.size(); ++n)
+  {
+    const Eigen::Vector3i voxel = sampleIndex(whole, n);
+    const Eigen::Vector3i brick = voxel / bricks.side();
+    const std::size_t number = sampleNumber(bricks.whole(), brick);
+    const VoxelTree& tree = trees[number];
+    const std::size_t leaf = leafOf(tree, voxel - brick * bricks.side(), bricks.depth);
+    const double value = options.asDouble ? doubleValues[n] : double{values[n]};
+    // The middle is rounded to the precision of the array.
+    const double rounding = tolerance == 0 ? 0 : 1e-7 * std::abs(value);
+    if (tree.isBeyond[leaf] || tree.inside[leaf] != inside[n])
+    {
+      return "voxel " + std::to_string(n) + " has another side than its leaf";
+    }
+    if (options.withValues &&
+        !(std::abs(tree.values[leaf] - value) <= tolerance / 2 * (1 + 1e-6) + rounding))
+    {
+      return "voxel " + std::to_string(n) + " has the value " + std::to_string(value) +
+             ", and its leaf " + std::to_string(tree.values[leaf]);
+    }
+    if (tree.values != again[number].values || tree.isParent != again[number].isParent)
+    {
+      return "trees depend on the executor";
+    }
+  }
+  return {};
+}
+
+} // namespace fuzz
