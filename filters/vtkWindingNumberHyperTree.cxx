@@ -5,6 +5,7 @@
 #include "level/VoxelTreesCost.h"
 #include "private/FreeMemory.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
 #include "private/Stopwatch.h"
@@ -119,7 +120,7 @@ int vtkWindingNumberHyperTree::RequestData(
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkHyperTreeGrid* output = vtkHyperTreeGrid::GetData(outInfo);
   output->Initialize();
-  if (outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  if (outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0 && this->GetRanks().isAlone())
   {
     return 1;
   }
@@ -128,6 +129,10 @@ int vtkWindingNumberHyperTree::RequestData(
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
   const winding::Field& field = this->PrepareField(source, this->GetSampling());
+  if (this->IsHelper())
+  {
+    return 1;
+  }
   this->MakeTrees(field, output);
   this->DescribeMethod(output);
   this->TellTolerance(field, output);

@@ -122,6 +122,7 @@ protected:
   void CheckProperties() override;
 
   bool WantsDistances() const override { return false; }
+  bool WorksOnFirstRank() const override { return true; }
   double GetResultBytes(vtkIdType samples) const override;
   winding::EvaluationCost GetAdditionalCost(
     const winding::Field& field, vtkIdType samples) override;
