@@ -92,6 +92,7 @@ protected:
     ASSERT_EQ(
       trees->GetCellData()->GetNumberOfArrays(), image->GetPointData()->GetNumberOfArrays());
     EXPECT_EQ(report["grid"]["association"], "cells");
+    EXPECT_EQ(report["output"]["merge_tolerance"] > 0, tolerance > 0);
     for (int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(report["grid"]["dimensions"][axis], image->GetDimensions()[axis]);

@@ -375,6 +375,17 @@ TEST_F(HyperTree, ThreadsDoNotChangeTheBits)
   }
 }
 
+TEST_F(HyperTree, TheGridFollowsTheSource)
+{
+  setInput(closed());
+  trees->Update();
+  const double before = trees->GetOutput()->GetBounds()[1];
+  sphere->SetRadius(2);
+  setInput(closed());
+  EXPECT_EQ(expectTheFieldInMemoryAndInFiles(0), 0);
+  EXPECT_NEAR(trees->GetOutput()->GetBounds()[1], 4 * before, 1e-6);
+}
+
 TEST_F(HyperTree, TheFirstPieceHasEverything)
 {
   setInput(closed());

@@ -265,6 +265,7 @@ COMMANDS = [
     "field a.off -o b.vti --coverage fraction --coverage-samples 3",
     "field a.csv -o b.vti --dims 4 5 6 --bounds 0 1 0 1 0 1 --regularization 1 --pieces 3",
     "field a.csv -o b.vti --areas constant --area 0.5",
+    "field a.off -o b.htg --merge-tolerance 0.1",
     "surface a.ply -o b.stl --voxel-size 0.1 --threshold 0.4 --rule absolute",
     "surface a.ply -o b.stl --close-border --double --json",
     "voxels a.stl -o b.vtp --padding 0.1 --method rows --tolerance 1e-4 --threads 2 --quiet",

@@ -13,6 +13,9 @@
 #include "program/Threads.h"
 
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -77,7 +80,9 @@ void FieldRun::write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile& file
   writeHyperTrees(trees, file, messages_);
   file.commit();
   writeSeconds_ = writing.seconds();
-  output_ = {{"file", file.name()}, {"cells", leaves}};
+  vtkDataArray* const tolerance = trees->GetFieldData()->GetArray("MergeTolerance");
+  output_ = {{"file", file.name()}, {"cells", leaves},
+    {"merge_tolerance", tolerance ? tolerance->GetTuple1(0) : 0}};
 }
 
 void FieldRun::print() const
