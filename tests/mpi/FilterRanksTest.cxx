@@ -2,8 +2,10 @@
 #include "mpi/Deals.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
@@ -15,6 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 
@@ -287,6 +290,34 @@ TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
       found->GetOutput()->GetPoints()->GetData(), expected->GetOutput()->GetPoints()->GetData());
     expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
       expected->GetOutput()->GetPolys()->GetConnectivityArray());
+  }
+}
+
+TEST(HyperTreeOnRanks, IsThatOfOneRankOnTheFirst)
+{
+  for (const auto& [name, mesh] : meshes())
+  {
+    SCOPED_TRACE(name);
+    const auto treesOf = [](vtkPolyData* source, bool isAlone)
+    {
+      auto trees = filterOf<vtkWindingNumberHyperTree>(source, isAlone);
+      trees->SetResolution(20);
+      trees->GenerateWindingNumberOff();
+      trees->GenerateInsideOn();
+      return trees;
+    };
+    const auto expected = treesOf(partOf(mesh, whole, 0, 1), true);
+    expected->Update();
+    const auto found = treesOf(partOf(mesh, deals()[0], rank(), ranks()), false);
+    updatePiece(found);
+    if (rank() > 0)
+    {
+      EXPECT_EQ(found->GetOutput()->GetNumberOfNonEmptyTrees(), 0);
+      continue;
+    }
+    ASSERT_GT(expected->GetOutput()->GetNumberOfNonEmptyTrees(), 0);
+    expectSame(found->GetOutput()->GetCellData()->GetArray("Inside"),
+      expected->GetOutput()->GetCellData()->GetArray("Inside"));
   }
 }
 
