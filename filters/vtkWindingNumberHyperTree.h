@@ -39,9 +39,8 @@
  * number of threads. Memory is that of the result, and about 130 MB for voxels at work.
  *
  * **Files.** vtkXMLHyperTreeGridWriter takes up to 16 bytes of memory for each vertex. Before VTK
- * 9.3 it writes files with several arrays that nobody can read, unless SetDataModeToBinary() is
- * called, and it crashes for vtkUniformHyperTreeGrid, which this is not. Readers before VTK 9.4
- * leave the field data out.
+ * 9.3 nobody can read what it writes of several arrays in appended mode, which is its default: call
+ * SetDataModeToBinary(). Readers before VTK 9.4 leave the field data out.
  *
  * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField. Results larger
  * than the free memory are refused by an estimate before anything is allocated.

@@ -22,7 +22,7 @@ public:
   RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first, int last,
     const LabelOf& labelOf, double threshold, Executor& executor);
 
-  /// Whether all of the cubes's voxels, `size` along each axis from (i, j, k) on, have one label.
+  /// Whether all of the cube's voxels, `size` along each axis from (i, j, k) on, have one label.
   bool areEqual(int i, int j, int k, int size) const;
 
   /// The label of a voxel.

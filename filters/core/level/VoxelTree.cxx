@@ -1,5 +1,7 @@
 #include "level/VoxelTree.h"
 
+#include <utility>
+
 namespace winding
 {
 

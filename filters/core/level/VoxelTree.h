@@ -52,9 +52,9 @@ public:
   /// The root has 2^depth voxels a side, of which those below `ends` lie in the grid.
   VoxelTreeBuilder(int depth, const Eigen::Vector3i& ends);
 
-  /// The tree of which leaves are cubes that isUniform(cube) says so of, whose numbers
-  /// stateOf(cube) gives, and voxels. Both are asked about cubes that lie in the grid only, and
-  /// isUniform not about single voxels.
+  /// Makes the tree. Its leaves are single voxels, and larger cubes where isUniform(cube) is true;
+  /// stateOf(cube) gives the numbers of a leaf. Both are asked only about cubes that lie in the
+  /// grid as a whole.
   template <class IsUniform, class StateOf>
   VoxelTree build(const IsUniform& isUniform, const StateOf& stateOf)
   {
