@@ -19,6 +19,13 @@ void setColorDefaults()
                      0.5, 0.865003, 0.865003, 0.865003,
                      1.0, 0.705882, 0.0156863, 0.14902 ],
       "ScalarRangeInitialized": 1
+    } },
+    "FaultKind": { "PVLookupTable": {
+      "IndexedLookup": 1,
+      "Annotations": [ "0", "caps", "1", "boundary",
+                       "2", "non-manifold edges", "3", "inconsistent edges" ],
+      "IndexedColors": [ 1.0, 0.85, 0.4, 0.8, 0.1, 0.1, 0.1, 0.6, 0.2, 0.15, 0.35, 0.9 ],
+      "IndexedOpacities": [ 1.0, 1.0, 1.0, 1.0 ]
     } } }
   })";
   vtkSMSettings* const settings = vtkSMSettings::GetInstance();

@@ -61,6 +61,19 @@ class TestColors(unittest.TestCase):
         for display.Representation in ("Outline", "Surface", "Volume", "Slice"):
             simple.Render(self.view)
 
+    def test_faults_are_colored_by_kind_with_a_legend_in_words(self):
+        report = simple.SurfaceReport(Input=simple.Sphere(EndPhi=90))
+        display = simple.Show(simple.OutputPort(report, 1), self.view)
+        self.assertEqual(list(display.ColorArrayName), ["CELLS", "FaultKind"])
+        colors = simple.GetColorTransferFunction("FaultKind")
+        self.assertTrue(colors.InterpretValuesAsCategories)
+        words = ["caps", "boundary", "non-manifold edges", "inconsistent edges"]
+        self.assertEqual(list(colors.Annotations[1::2]), words)
+        self.assertEqual(list(colors.Annotations[::2]), ["0", "1", "2", "3"])
+        self.assertEqual(len(colors.IndexedColors), 3 * len(words))
+        display.SetScalarBarVisibility(self.view, True)
+        simple.Render(self.view)
+
     def test_other_images_look_as_ever(self):
         display = simple.Show(simple.Wavelet(), self.view)
         self.assertEqual(display.Representation, "Outline")
