@@ -26,9 +26,11 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -183,8 +185,14 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
     return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
 
-  int isAnswered = 0;
-  const winding::Outcome outcome = winding::reportErrors(this,
+  const bool isAboutInformation = answer == &vtkWindingNumberAlgorithm::RequestInformation;
+  if (wantsData && this->InformationStatus != DONE)
+  {
+    answer = &vtkWindingNumberAlgorithm::RepeatRefusal;
+  }
+  int isAnswered = 1;
+  const winding::Outcome outcome = winding::reportErrors(
+    this,
     "there is not enough memory for this source and grid; choose larger voxels or write the "
     "result in pieces",
     [&]()
@@ -197,23 +205,55 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
           isAnswered = (this->*answer)(request, inputs, outputs);
           return true;
         });
-    });
+    },
+    [&]() { return this->IsNewError(inputs); });
   this->Status = statusOf(outcome);
-  if (wantsData && outcome != winding::Outcome::done)
+  if (isAboutInformation)
   {
-    vtkDataObject::GetData(outputs)->Initialize();
+    this->InformationStatus = this->Status;
   }
-  if (outcome == winding::Outcome::interrupted)
+  else if (wantsData && this->InformationStatus != DONE)
   {
-    return 1;
+    this->Status = this->InformationStatus;
   }
-  if (!isAnswered)
+  if (this->Status == DONE && wantsData)
   {
+    this->TimeOfLastError = 0;
+  }
+  if (this->Status != DONE)
+  {
+    if (wantsData)
+    {
+      vtkDataObject::GetData(outputs)->Initialize();
+    }
     // The pipeline would add an extent that failed to the next one that is asked for.
     outputs->GetInformationObject(0)->Remove(
       vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
   return isAnswered;
+}
+
+/// The answer to requests for data where that for information was refused: the same once more, for
+/// other ranks to hear of, which is not reported again.
+int vtkWindingNumberAlgorithm::RepeatRefusal(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  if (this->InformationStatus == ABORTED)
+  {
+    throw winding::Interrupted();
+  }
+  throw winding::Refusal("look at the error before this one first: there is no grid");
+}
+
+bool vtkWindingNumberAlgorithm::IsNewError(vtkInformationVector** inputs)
+{
+  vtkMTimeType time = this->GetMTime();
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataObject* data = vtkDataObject::GetData(inputs[port]);
+    time = std::max(time, data ? data->GetMTime() : 0);
+  }
+  return std::exchange(this->TimeOfLastError, time) != time;
 }
 
 int vtkWindingNumberAlgorithm::RequestDataObject(

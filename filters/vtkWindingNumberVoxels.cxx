@@ -97,10 +97,10 @@ int vtkWindingNumberVoxels::RequestData(
   {
     return 1;
   }
-  const winding::Outcome outcome = winding::reportErrors(this,
+  winding::reportErrors(this,
     "there is not enough memory for the surface of so many voxels",
     [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
-  return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
+  return 1;
 }
 
 vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& association)
