@@ -26,7 +26,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <string>
@@ -206,7 +205,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
           return true;
         });
     },
-    [&]() { return this->IsNewError(inputs); });
+    [&]() { return this->IsNewError(); });
   this->Status = statusOf(outcome);
   if (isAboutInformation)
   {
@@ -245,14 +244,11 @@ int vtkWindingNumberAlgorithm::RepeatRefusal(
   throw winding::Refusal("look at the error before this one first: there is no grid");
 }
 
-bool vtkWindingNumberAlgorithm::IsNewError(vtkInformationVector** inputs)
+bool vtkWindingNumberAlgorithm::IsNewError()
 {
-  vtkMTimeType time = this->GetMTime();
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    vtkDataObject* data = vtkDataObject::GetData(inputs[port]);
-    time = std::max(time, data ? data->GetMTime() : 0);
-  }
+  // The time of the pipeline, and not that of the input: sources run again for another piece.
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  const vtkMTimeType time = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
   return std::exchange(this->TimeOfLastError, time) != time;
 }
 

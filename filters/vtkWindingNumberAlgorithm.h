@@ -371,7 +371,8 @@ public:
   ///@}
 
   /// Answers the pipeline. What the core throws becomes an error, a Status and an empty output, and
-  /// the request counts as answered. An error is reported once, until this or its input changes.
+  /// the request counts as answered. An error is reported once, until this or the pipeline before
+  /// it changes.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -510,13 +511,13 @@ private:
   const winding::FieldInfo& GetSourceInfo() const;
   int RepeatRefusal(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
-  bool IsNewError(vtkInformationVector** inputs);
+  bool IsNewError();
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<winding::Ranks> Ranks;
   std::unique_ptr<winding::SourceField> Source;
   int InformationStatus = DONE;     ///< how the last request for information ended
-  vtkMTimeType TimeOfLastError = 0; ///< of this and its inputs when an error was reported; 0: none
+  vtkMTimeType TimeOfLastError = 0; ///< of the pipeline when an error was reported; 0: none
 };
 
 #endif

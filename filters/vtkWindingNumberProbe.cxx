@@ -192,6 +192,7 @@ int vtkWindingNumberProbe::RequestData(
   this->CheckProperties();
 
   winding::ResultOptions options = this->GetResultOptions();
+  options.remedy = this->GetWords().remedy;
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
   const std::string insideName = winding::textOf(this->InsideArrayName);
   options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;

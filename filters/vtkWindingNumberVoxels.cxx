@@ -97,8 +97,7 @@ int vtkWindingNumberVoxels::RequestData(
   {
     return 1;
   }
-  winding::reportErrors(this,
-    "there is not enough memory for the surface of so many voxels",
+  winding::reportErrors(this, "there is not enough memory for the surface of so many voxels",
     [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
   return 1;
 }
@@ -152,10 +151,10 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
-    throw winding::Refusal("the array '" + winding::textOf(values->GetName()) + "' has " +
+    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
+                           winding::textOf(values->GetName()) + "' has " +
                            std::to_string(values->GetNumberOfTuples()) + " values for " +
-                           std::to_string(voxelCount) +
-                           " voxels; choose an array of the points or the cells");
+                           std::to_string(voxelCount) + " voxels");
   }
 
   const char* advice = "choose larger voxels, or extract a part of the image";
