@@ -194,7 +194,7 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   winding::SourceOptions options = winding::sourceOptions(*this, true);
   if (!this->Input)
   {
-    throw winding::Refusal("there is no input; set a surface or a point cloud");
+    throw winding::Refusal("set a surface or a point cloud (SetInput): there is no input");
   }
   if (options.field.method == winding::Method::automatic)
   {

@@ -271,7 +271,7 @@ int vtkPointAreas::RequestData(
   {
     output->Initialize();
   }
-  return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
+  return 1;
 }
 
 void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)

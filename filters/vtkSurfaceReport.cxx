@@ -107,7 +107,7 @@ int vtkSurfaceReport::RequestData(
     });
   if (outcome != winding::Outcome::done)
   {
-    return outcome == winding::Outcome::interrupted;
+    return 1;
   }
   for (int i = 0; i < this->Report->GetNumberOfArrays(); ++i)
   {

@@ -23,6 +23,8 @@
  * - NonManifoldEdges: lines, with the cell data Triangles, the number of triangles that meet there.
  * - InconsistentEdges: lines.
  *
+ * All cells have the cell data FaultKind, the place of their block from 0 on, as active scalars.
+ *
  * FixOrientation turns polygons of a surface round so that it has an outside. The report and both
  * outputs are then about the surface that comes out. It works in two steps:
  * -# Polygons that share an edge with no third one are made to agree about it. A connected part

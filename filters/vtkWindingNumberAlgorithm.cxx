@@ -29,6 +29,7 @@
 #include <chrono>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -183,8 +184,14 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
     return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
 
-  int isAnswered = 0;
-  const winding::Outcome outcome = winding::reportErrors(this,
+  const bool isAboutInformation = answer == &vtkWindingNumberAlgorithm::RequestInformation;
+  if (wantsData && this->InformationStatus != DONE)
+  {
+    answer = &vtkWindingNumberAlgorithm::RepeatRefusal;
+  }
+  int isAnswered = 1;
+  const winding::Outcome outcome = winding::reportErrors(
+    this,
     "there is not enough memory for this source and grid; choose larger voxels or write the "
     "result in pieces",
     [&]()
@@ -197,23 +204,52 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
           isAnswered = (this->*answer)(request, inputs, outputs);
           return true;
         });
-    });
+    },
+    [&]() { return this->IsNewError(); });
   this->Status = statusOf(outcome);
-  if (wantsData && outcome != winding::Outcome::done)
+  if (isAboutInformation)
   {
-    vtkDataObject::GetData(outputs)->Initialize();
+    this->InformationStatus = this->Status;
   }
-  if (outcome == winding::Outcome::interrupted)
+  else if (wantsData && this->InformationStatus != DONE)
   {
-    return 1;
+    this->Status = this->InformationStatus;
   }
-  if (!isAnswered)
+  if (this->Status == DONE && wantsData)
   {
+    this->TimeOfLastError = 0;
+  }
+  if (this->Status != DONE)
+  {
+    if (wantsData)
+    {
+      vtkDataObject::GetData(outputs)->Initialize();
+    }
     // The pipeline would add an extent that failed to the next one that is asked for.
     outputs->GetInformationObject(0)->Remove(
       vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
   return isAnswered;
+}
+
+/// The answer to requests for data where that for information was refused: the same once more, for
+/// other ranks to hear of, which is not reported again.
+int vtkWindingNumberAlgorithm::RepeatRefusal(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  if (this->InformationStatus == ABORTED)
+  {
+    throw winding::Interrupted();
+  }
+  throw winding::Refusal("look at the error before this one first: there is no grid");
+}
+
+bool vtkWindingNumberAlgorithm::IsNewError()
+{
+  // The time of the pipeline, and not that of the input: sources run again for another piece.
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  const vtkMTimeType time = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+  return std::exchange(this->TimeOfLastError, time) != time;
 }
 
 int vtkWindingNumberAlgorithm::RequestDataObject(

@@ -370,7 +370,9 @@ public:
   vtkIdType GetNumberOfCapTriangles() const;
   ///@}
 
-  /// Answers the pipeline; what the core throws becomes an error, a Status and a failed request.
+  /// Answers the pipeline. What the core throws becomes an error, a Status and an empty output, and
+  /// the request counts as answered. An error is reported once, until this or the pipeline before
+  /// it changes.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -507,10 +509,15 @@ private:
   void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
   void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
   const winding::FieldInfo& GetSourceInfo() const;
+  int RepeatRefusal(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool IsNewError();
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<winding::Ranks> Ranks;
   std::unique_ptr<winding::SourceField> Source;
+  int InformationStatus = DONE;     ///< how the last request for information ended
+  vtkMTimeType TimeOfLastError = 0; ///< of the pipeline when an error was reported; 0: none
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "private/ClippedPart.h"
 #include "private/CutDistances.h"
 #include "private/ProbeQueries.h"
+#include "private/ProbeWords.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
@@ -40,6 +41,11 @@ double vtkWindingNumberClip::GetProgressOfSamples() const
   return progressOfSamples;
 }
 
+const winding::ProbeWords& vtkWindingNumberClip::GetWords() const
+{
+  return winding::wordsOfClip;
+}
+
 /// The array of w tells whether the source is inside out.
 winding::ResultOptions vtkWindingNumberClip::GetResultOptions() const
 {
@@ -57,7 +63,12 @@ double vtkWindingNumberClip::GetResultBytes(vtkIdType samples) const
 winding::EvaluationCost vtkWindingNumberClip::GetAdditionalCost(
   const winding::Field& field, vtkIdType samples)
 {
-  return winding::costOfCutDistances(field, static_cast<std::size_t>(samples));
+  winding::EvaluationCost cost =
+    winding::costOfCutDistances(field, static_cast<std::size_t>(samples));
+  // VTK cuts cells on one thread, and the sum is divided by all of them.
+  const int threads = winding::SmpExecutor(this, this->NumberOfThreads).threads();
+  cost.seconds += winding::secondsPerClippedCell * static_cast<double>(this->CellsToCut) * threads;
+  return cost;
 }
 
 void vtkWindingNumberClip::FinishSamples(
@@ -92,6 +103,7 @@ int vtkWindingNumberClip::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->CutDistances = {};
+  this->CellsToCut = vtkDataObject::GetData(inputs[0])->GetNumberOfElements(vtkDataObject::CELL);
   const int isDone = this->Superclass::RequestData(request, inputs, outputs);
   const bool hadSamples = !this->CutDistances.empty();
   this->CutDistances = {};

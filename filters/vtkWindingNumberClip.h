@@ -76,6 +76,7 @@ protected:
   bool SamplesCells() const override { return false; }
   bool KeepsPart() const override { return true; }
   bool WantsDistances() const override { return false; }
+  const winding::ProbeWords& GetWords() const override;
   winding::ResultOptions GetResultOptions() const override;
   double GetResultBytes(vtkIdType samples) const override;
   winding::EvaluationCost GetAdditionalCost(
@@ -93,6 +94,7 @@ private:
   void TellEmpty();
 
   std::vector<double> CutDistances; ///< one for each sample, while the output is made
+  vtkIdType CellsToCut = 0;         ///< cells of the input
   vtkIdType SamplesDone = 0;        ///< samples of the data sets that have been cut
 };
 

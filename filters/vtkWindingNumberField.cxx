@@ -81,6 +81,8 @@ int vtkWindingNumberField::RequestInformation(
   // It would stay where this filter has no grid to tell of.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
+  const int nothing[6] = {0, -1, 0, -1, 0, -1};
+  outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
   if (this->UseInputBounds)
   {
     this->UpdateSource(outInfo);
@@ -141,10 +143,7 @@ int vtkWindingNumberField::RequestData(
   this->CheckProperties();
   if (!outInfo->Has(vtkDataObject::ORIGIN()) || !outInfo->Has(Pipeline::UPDATE_EXTENT()))
   {
-    // Some pipelines, ParaView's among them, ask for data even where the information failed. Trying
-    // again says why it did.
-    this->LayOutGrid(vtkDataObject::GetData(inputs[0]));
-    throw winding::Refusal("look at the error before this one first: there is no grid");
+    throw winding::Refusal("ask for information and an extent first: there is no grid");
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);

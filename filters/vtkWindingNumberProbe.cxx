@@ -7,6 +7,7 @@
 #include "level/InsideOut.h"
 #include "private/InsidePart.h"
 #include "private/ProbeQueries.h"
+#include "private/ProbeWords.h"
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
 #include "private/SmpExecutor.h"
@@ -166,6 +167,11 @@ int vtkWindingNumberProbe::RequestUpdateExtent(
   return 1;
 }
 
+const winding::ProbeWords& vtkWindingNumberProbe::GetWords() const
+{
+  return winding::wordsOfProbe;
+}
+
 void vtkWindingNumberProbe::CheckProperties()
 {
   this->Superclass::CheckProperties();
@@ -186,13 +192,15 @@ int vtkWindingNumberProbe::RequestData(
   this->CheckProperties();
 
   winding::ResultOptions options = this->GetResultOptions();
+  options.remedy = this->GetWords().remedy;
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
   const std::string insideName = winding::textOf(this->InsideArrayName);
   options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;
   options.withInside =
     options.withInside || options.withValues || options.withDistances || this->KeepsPart();
   this->QueriesRefused = true; // unless the next line comes to its end
-  const winding::ProbeQueries queries(input, this->SamplesCells(), this->KeepsPart());
+  const winding::ProbeQueries queries(
+    input, this->SamplesCells(), this->KeepsPart(), this->GetWords());
   this->QueriesRefused = false;
   const winding::VectorsView samples = queries.samples();
   const winding::ResultArrays results(queries.size(), options);

@@ -56,6 +56,7 @@ class VectorsView;
 class ProbeQueries;
 class SmpExecutor;
 struct ProbeLeaf;
+struct ProbeWords;
 } // namespace winding
 class vtkDataSet;
 class vtkUnsignedCharArray;
@@ -157,6 +158,9 @@ protected:
 
   /// Whether the output is a part of the data set, so that its cells are used.
   virtual bool KeepsPart() const { return this->ExtractInside != 0; }
+
+  /// How refusals speak of what the filter does.
+  virtual const winding::ProbeWords& GetWords() const;
 
   /// A new output for this input: one of the same class, unless it is a part of a data set.
   virtual vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const;

@@ -97,10 +97,9 @@ int vtkWindingNumberVoxels::RequestData(
   {
     return 1;
   }
-  const winding::Outcome outcome = winding::reportErrors(this,
-    "there is not enough memory for the surface of so many voxels",
+  winding::reportErrors(this, "there is not enough memory for the surface of so many voxels",
     [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
-  return outcome == winding::Outcome::done || outcome == winding::Outcome::interrupted;
+  return 1;
 }
 
 vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& association)
@@ -152,10 +151,10 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
-    throw winding::Refusal("the array '" + winding::textOf(values->GetName()) + "' has " +
+    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
+                           winding::textOf(values->GetName()) + "' has " +
                            std::to_string(values->GetNumberOfTuples()) + " values for " +
-                           std::to_string(voxelCount) +
-                           " voxels; choose an array of the points or the cells");
+                           std::to_string(voxelCount) + " voxels");
   }
 
   const char* advice = "choose larger voxels, or extract a part of the image";

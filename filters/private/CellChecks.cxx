@@ -25,7 +25,7 @@ namespace
 
 [[noreturn]] void refuse(const std::string& name, const std::string& fault)
 {
-  throw Refusal(name + " " + fault + "; mend the data set");
+  throw Refusal("mend the data set: " + name + " " + fault);
 }
 
 [[noreturn]] void refuseCell(const std::string& name, vtkIdType cell, const std::string& fault)

@@ -1,10 +1,14 @@
 #include "private/ClippedPart.h"
 
 #include "private/InsidePart.h"
+#include "private/ProbeWords.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -14,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -63,6 +68,46 @@ vtkSmartPointer<vtkDataSet> withNumbers(vtkDataSet* data, const double* numbers)
   return copy;
 }
 
+double bytesPerTuple(vtkDataSetAttributes* attributes)
+{
+  double bytes = 0;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    bytes += array->GetNumberOfComponents() * array->GetDataTypeSize();
+  }
+  return bytes;
+}
+
+/// Throws OutOfMemory where the part would not fit. Cells that are cut count as if they were whole.
+void refuseHugePart(vtkDataSet* data, const double* numbers, HostMemory (*memory)())
+{
+  constexpr double bytesPerCell = 9, bytesPerId = 8, bytesPerPoint = 24;
+  const double bytesOfCell = bytesPerCell + bytesPerTuple(data->GetCellData());
+  const double bytesOfPoint = bytesPerPoint + bytesPerTuple(data->GetPointData());
+  const vtkIdType cells = data->GetNumberOfCells(), points = data->GetNumberOfPoints();
+  const double most =
+    bytesOfPoint * static_cast<double>(points) +
+    (bytesOfCell + bytesPerId * data->GetMaxCellSize()) * static_cast<double>(cells);
+  if (isMemoryFree(most, memory))
+  {
+    return;
+  }
+  double bytes = bytesOfPoint * static_cast<double>(std::count_if(
+                                  numbers, numbers + points, [](double x) { return x > 0; }));
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    data->GetCellPoints(cell, ids);
+    if (std::any_of(ids->begin(), ids->end(), [numbers](vtkIdType id) { return numbers[id] > 0; }))
+    {
+      bytes += bytesOfCell + bytesPerId * static_cast<double>(ids->GetNumberOfIds());
+    }
+  }
+  refuseBeyondFreeMemory(
+    bytes, "the clipped part of " + std::to_string(cells) + " cells", wordsOfClip.remedy, memory);
+}
+
 int precisionOf(vtkDataSet* data)
 {
   auto* points = vtkPointSet::SafeDownCast(data);
@@ -73,7 +118,8 @@ int precisionOf(vtkDataSet* data)
 
 } // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> clippedPart(vtkDataSet* data, const double* numbers)
+vtkSmartPointer<vtkUnstructuredGrid> clippedPart(
+  vtkDataSet* data, const double* numbers, HostMemory (*memory)())
 {
   auto* points = vtkPointSet::SafeDownCast(data);
   if (points && data->GetNumberOfCells() == 0)
@@ -82,6 +128,7 @@ vtkSmartPointer<vtkUnstructuredGrid> clippedPart(vtkDataSet* data, const double*
     std::transform(numbers, numbers + kept.size(), kept.begin(), [](double x) { return x > 0; });
     return vtkUnstructuredGrid::SafeDownCast(insidePart(pointsOf(points), kept.data(), false));
   }
+  refuseHugePart(data, numbers, memory);
   vtkNew<vtkTableBasedClipDataSet> clip;
   clip->SetInputData(withNumbers(data, numbers));
   clip->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, numbersName);

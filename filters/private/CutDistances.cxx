@@ -4,6 +4,7 @@
 #include "field/Field.h"
 #include "private/FreeMemory.h"
 #include "private/ProbeQueries.h"
+#include "private/ProbeWords.h"
 
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
@@ -127,7 +128,7 @@ std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries
   const unsigned char* kept, InsideRule rule, double threshold, Executor& executor)
 {
   const auto size = static_cast<std::size_t>(queries.size());
-  const std::string advice = "clip a part of the data set";
+  const std::string advice = wordsOfClip.remedy;
   refuseBeyondFreeMemory(bytesPerSampleOfCuts * static_cast<double>(size),
     "the clip of " + std::to_string(size) + " points", advice);
   const std::vector<std::size_t> cut = samplesOfCutCells(queries, kept);

@@ -3,60 +3,22 @@
 #include "base/Executor.h"
 #include "private/FreeMemory.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkCommand.h"
-#include "vtkExecutive.h"
-#include "vtkOutputWindow.h"
-#include "vtkSmartPointer.h"
+#include "vtkObject.h"
 
-#include <cstring>
 #include <new>
 
 namespace winding
 {
 
-namespace
+Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
+  const std::function<void()>& work, const std::function<bool()>& isNew)
 {
-
-/// Takes the line of an executive that says no more than that its algorithm failed, once. All other
-/// errors go where they would go without it.
-class FailureNote : public vtkCommand
-{
-public:
-  static FailureNote* New() { return new FailureNote; }
-
-  void Execute(vtkObject* executive, unsigned long, void* data) override
+  const auto report = [object, &isNew](const std::string& text)
   {
-    executive->RemoveObserver(this);
-    const char* text = static_cast<const char*>(data);
-    if (text && !std::strstr(text, "returned failure for request"))
+    if (!isNew || isNew())
     {
-      vtkOutputWindowDisplayErrorText(text);
+      vtkErrorWithObjectMacro(object, << text);
     }
-  }
-};
-
-/// An algorithm that fails has said why; a second error about it tells the user nothing.
-void takeFailureNote(vtkObject* object)
-{
-  auto* algorithm = vtkAlgorithm::SafeDownCast(object);
-  vtkExecutive* executive = algorithm ? algorithm->GetExecutive() : nullptr;
-  if (executive && !executive->HasObserver(vtkCommand::ErrorEvent))
-  {
-    const auto note = vtkSmartPointer<FailureNote>::New();
-    executive->AddObserver(vtkCommand::ErrorEvent, note);
-  }
-}
-
-} // namespace
-
-Outcome reportErrors(
-  vtkObject* object, const std::string& withoutMemory, const std::function<void()>& work)
-{
-  const auto report = [object](const std::string& text)
-  {
-    vtkErrorWithObjectMacro(object, << text);
-    takeFailureNote(object);
   };
   try
   {

@@ -18,11 +18,15 @@ enum class Outcome
 };
 
 /**
- * Does work for a VTK object, and reports an exception as an error of this object, in one line: an
- * algorithm's executive adds none of its own, unless somebody observes its errors.
- * An interruption is no error. `withoutMemory` is the line that tells of a failed allocation.
+ * Does work for a VTK object, and reports an exception as an error of this object, in one line. An
+ * interruption is no error. `withoutMemory` is the line that tells of a failed allocation. Where
+ * `isNew` is given, it is asked whether the error is to be reported.
+ *
+ * An algorithm answers the pipeline afterwards as if it had done its work, and leaves its output
+ * empty. Where a request fails, the executive and filters behind add errors of their own, and
+ * ParaView asks again with every picture.
  */
-Outcome reportErrors(
-  vtkObject* object, const std::string& withoutMemory, const std::function<void()>& work);
+Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
+  const std::function<void()>& work, const std::function<bool()>& isNew = {});
 
 } // namespace winding

@@ -8,6 +8,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -199,6 +200,18 @@ vtkSmartPointer<vtkPolyData> tubes(vtkPolyData* lines, double radius)
   return filter->GetOutput();
 }
 
+/// Every cell of a block gets the number of its kind, by which views colour unless told otherwise.
+void addKind(vtkPolyData* block, int kind)
+{
+  constexpr const char* name = "FaultKind";
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName(name);
+  kinds->SetNumberOfValues(block->GetNumberOfCells());
+  kinds->FillValue(kind);
+  block->GetCellData()->AddArray(kinds);
+  block->GetCellData()->SetActiveScalars(name);
+}
+
 /// Whether every edge has two triangles that agree about it, so that there is no boundary to look
 /// for.
 bool allPairUp(const SurfaceEdges& edges)
@@ -224,7 +237,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
       return;
     }
     const bool isThick = radius > 0 && block->GetNumberOfLines() > 0;
-    blocks->SetBlock(place, isThick ? tubes(block, radius) : vtkSmartPointer<vtkPolyData>(block));
+    auto shown = isThick ? tubes(block, radius) : vtkSmartPointer<vtkPolyData>(block);
+    addKind(shown, static_cast<int>(place));
+    blocks->SetBlock(place, shown);
     blocks->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name);
   };
   set(0, "Caps", capBlock(surface, loops, shape.pointType));

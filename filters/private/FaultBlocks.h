@@ -33,6 +33,8 @@ struct FaultShape
  *   the number of triangles that use the edge.
  * - InconsistentEdges: the edges that two triangles use in the same direction, as lines.
  *
+ * Every block has the cell data FaultKind, its place among the blocks, as its active scalars.
+ *
  * The points of a block are the vertices that it uses, in their order. Throws Interrupted.
  */
 vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(

@@ -21,6 +21,16 @@
 namespace winding
 {
 
+namespace
+{
+
+std::string nameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "";
+}
+
+} // namespace
+
 InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
   : options_(options)
 {
@@ -114,19 +124,19 @@ vtkDataArray* InputViews::findArray(
   vtkDataArray* array = name.empty() ? data->GetNormals() : data->GetArray(name.c_str());
   if (array && array->GetNumberOfComponents() != components)
   {
-    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
-                  "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
-                  std::to_string(components) + "; choose another array");
+    throw Refusal("choose another array: the point array '" + nameOf(array) + "' has " +
+                  std::to_string(array->GetNumberOfComponents()) + " components, not " +
+                  std::to_string(components));
   }
   if (array && array->GetNumberOfTuples() < leaf->GetNumberOfPoints())
   {
-    throw Refusal("the point array '" + std::string(array->GetName() ? array->GetName() : "") +
-                  "' has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-                  std::to_string(leaf->GetNumberOfPoints()) + " points; choose another array");
+    throw Refusal("choose another array: the point array '" + nameOf(array) + "' has " +
+                  std::to_string(array->GetNumberOfTuples()) + " values for " +
+                  std::to_string(leaf->GetNumberOfPoints()) + " points");
   }
   if (!array && !name.empty())
   {
-    throw Refusal("there is no point array '" + name + "'; choose another array");
+    throw Refusal("choose another array: there is no point array '" + name + "'");
   }
   return array;
 }

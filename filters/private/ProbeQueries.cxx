@@ -2,6 +2,7 @@
 
 #include "private/CellChecks.h"
 #include "private/FreeMemory.h"
+#include "private/ProbeWords.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -100,12 +101,13 @@ std::vector<vtkDataSet*> dataSetsOf(vtkDataObject* queries)
 
 } // namespace
 
-ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUsed)
+ProbeQueries::ProbeQueries(
+  vtkDataObject* queries, bool atCells, bool areCellsUsed, const ProbeWords& words)
 {
   for (vtkDataSet* data : dataSetsOf(queries))
   {
-    (atCells || areCellsUsed ? checkCells : checkUnusedCells)(data, "the data set to be probed");
-    checkArrays(data, "the data set to be probed");
+    (atCells || areCellsUsed ? checkCells : checkUnusedCells)(data, words.dataSet);
+    checkArrays(data, words.dataSet);
     const vtkIdType count = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
     leaves_.push_back({data, size_, count});
     size_ += count;
@@ -117,8 +119,7 @@ ProbeQueries::ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUs
   if (samples_.empty())
   {
     refuseBeyondFreeMemory(3.0 * sizeof(double) * static_cast<double>(size_),
-      "the positions of " + std::to_string(size_) + " samples",
-      "probe a part of the data set, or fewer samples");
+      "the positions of " + std::to_string(size_) + " samples", words.remedy);
     positions_.resize(3 * static_cast<std::size_t>(size_));
     for (const ProbeLeaf& leaf : leaves_)
     {

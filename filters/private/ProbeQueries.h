@@ -13,6 +13,8 @@ class vtkDataSetAttributes;
 namespace winding
 {
 
+struct ProbeWords;
+
 /// A data set, and its part of all samples.
 struct ProbeLeaf
 {
@@ -30,7 +32,7 @@ public:
   /// Cells have their samples at their parametric centres; the sample of an empty cell is NaN. The
   /// object keeps the data. Throws Refusal for data sets that contradict themselves (CellChecks.h).
   /// areCellsUsed: whether anything is done with cells, as there is for a part that is extracted.
-  ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUsed);
+  ProbeQueries(vtkDataObject* queries, bool atCells, bool areCellsUsed, const ProbeWords& words);
 
   vtkIdType size() const { return size_; }
   const std::vector<ProbeLeaf>& leaves() const { return leaves_; }

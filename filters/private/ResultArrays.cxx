@@ -75,7 +75,7 @@ void checkNames(const Names& names)
   {
     if (exists && !taken.insert(name).second)
     {
-      throw Refusal("two arrays of the result have the name '" + name + "'; rename one of them");
+      throw Refusal("rename one of two arrays of the result: both have the name '" + name + "'");
     }
   }
 }
@@ -96,16 +96,15 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
     throw Refusal(
-      "neither the winding number nor Inside nor the signed distance is to be generated; "
-      "turn one of them on");
+      "turn on one of Generate Winding Number, Generate Inside and Generate Signed Distance: "
+      "nothing is to be generated");
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},
     {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
   refuseBeyondFreeMemory(
     static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
-    "the result of " + std::to_string(samples) + " samples",
-    "choose larger voxels or write it in pieces");
+    "the result of " + std::to_string(samples) + " samples", options.remedy);
   if (options.withValues)
   {
     values_ = makeArray(options.scalarType, name, samples);

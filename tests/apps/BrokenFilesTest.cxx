@@ -158,7 +158,9 @@ TEST(BadIds, OfQueriesAreRefused)
       {
         const Outcome run = runProgram({"probe", good, file, "-o", folder.path(out), more});
         EXPECT_EQ(run.status, 2) << run;
-        EXPECT_TRUE(run.saysInOneLine({"queries.vtp: cell 0", "refers to point " + id})) << run;
+        EXPECT_TRUE(
+          run.saysInOneLine({"queries.vtp: mend the data set: cell 0", "refers to point " + id}))
+          << run;
       }
     }
     const Outcome source = runProgram({"check", file, "--json"});

@@ -269,6 +269,37 @@ TEST_F(CheckCommand, WritesFaultsAsBlocks)
   EXPECT_EQ(namesIn(blocks).size(), 3u);
 }
 
+TEST_F(CheckCommand, BlocksOfAnEarlierRunThatAreNoMoreAreRemoved)
+{
+  Mesh mesh = sphere(3);
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  const std::string turned = folder.write("turned.off", asOff(mesh));
+  mesh = sphere(3);
+  mesh.triangles.erase(mesh.triangles.begin() + 40);
+  const std::string open = folder.write("open.off", asOff(mesh));
+  const std::string closed = folder.write("closed.off", asOff(sphere(3)));
+  const std::string out = folder.path("faults & more.vtm"), blocks = folder.path("faults & more");
+  using Names = std::vector<std::string>;
+  ASSERT_EQ(runProgram({"check", turned, "--blocks", out}).status, 0);
+  EXPECT_EQ(namesIn(blocks), (Names{"Boundary.vtp", "Caps.vtp", "InconsistentEdges.vtp"}));
+  folder.write("faults & more/mine.vtp", "no block");
+  for (const bool overwrites : {false, true})
+  {
+    Names command = {"check", open, "--blocks", out};
+    if (overwrites)
+    {
+      command.emplace_back("--overwrite");
+    }
+    const Outcome run = runProgram(command);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err.find("warning"), std::string::npos) << run;
+    EXPECT_EQ(namesIn(blocks), (Names{"Boundary.vtp", "Caps.vtp", "mine.vtp"}));
+  }
+  ASSERT_EQ(runProgram({"check", closed, "--blocks", out}).status, 0);
+  EXPECT_EQ(namesIn(blocks), Names{"mine.vtp"});
+  EXPECT_EQ(contentsOf(blocks + "/mine.vtp"), "no block");
+}
+
 TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
 {
   const std::string in = folder.write("in.off", asOff(sphere(2)));

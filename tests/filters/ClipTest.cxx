@@ -1,6 +1,7 @@
 #include "filters/ErrorLog.h"
 #include "filters/ProgressLog.h"
 #include "filters/SphereCloud.h"
+#include "private/ClippedPart.h"
 
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
@@ -31,6 +32,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -429,6 +431,38 @@ TEST_F(Clip, EmptyResultsAreAnnounced)
   clip->Update();
   EXPECT_NE(log.errors().find("choose a Source"), std::string::npos) << log.errors();
   EXPECT_EQ(clip->GetStatus(), vtkWindingNumberAlgorithm::REFUSED);
+}
+
+TEST_F(Clip, TimeThatCellsTakeIsExpected)
+{
+  // Tetrahedra are five for each voxel, at the same points.
+  const vtkSmartPointer<vtkImageData> image = imageOf(41, 1);
+  clip->SetNumberOfThreads(1);
+  this->clipped(image);
+  const double secondsOfVoxels = clip->GetExpectedSeconds();
+  this->clipped(tetrahedraOf(image));
+  EXPECT_NEAR(clip->GetExpectedSeconds() - secondsOfVoxels, (5 - 1) * 64'000 * 6e-7, 0.001);
+}
+
+TEST_F(Clip, PartsThatDoNotFitAreRefusedBeforeTheyAreCut)
+{
+  const auto noneFree = []()
+  {
+    return winding::HostMemory{1e9, 1e9};
+  };
+  const vtkSmartPointer<vtkImageData> image = imageOf(101, 1);
+  std::vector<double> numbers(101 * 101 * 101, -1);
+  EXPECT_EQ(winding::clippedPart(image, numbers.data(), noneFree)->GetNumberOfCells(), 0);
+  std::fill(numbers.begin(), numbers.end(), 1);
+  try
+  {
+    winding::clippedPart(image, numbers.data(), noneFree);
+    FAIL();
+  }
+  catch (const winding::OutOfMemory& refusal)
+  {
+    EXPECT_NE(std::string(refusal.what()).find("clip a part of the data set"), std::string::npos);
+  }
 }
 
 TEST_F(Clip, ProgressRisesAndWorkCanBeAborted)

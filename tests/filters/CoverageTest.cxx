@@ -307,7 +307,8 @@ TEST_F(Coverage, NameOfItsArrayIsTaken)
   field->Update();
   EXPECT_EQ(field->GetStatus(), Filter::REFUSED);
   EXPECT_NE(
-    log.errors().find("two arrays of the result have the name 'Coverage'"), std::string::npos)
+    log.errors().find("rename one of two arrays of the result: both have the name 'Coverage'"),
+    std::string::npos)
     << log.errors();
   field->SetCoverageToAny();
   field->Update();

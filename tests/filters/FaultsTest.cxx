@@ -194,6 +194,27 @@ TEST_F(Faults, OfHolesAreLoopsAndTheirCaps)
   EXPECT_EQ(this->uncancelledEdgesWithCaps(source), 0u);
 }
 
+TEST_F(Faults, KnowTheirKindsAndAreColouredByThem)
+{
+  this->reportOn(damaged(sphere(), {30}, {100}, {250}));
+  for (const double thickness : {0.0, 0.01})
+  {
+    filter->SetFaultThickness(thickness);
+    filter->Update();
+    const char* const names[] = {"Caps", "Boundary", "NonManifoldEdges", "InconsistentEdges"};
+    for (int kind = 0; kind < 4; ++kind)
+    {
+      vtkPolyData* block = this->block(names[kind]);
+      vtkDataArray* kinds = block->GetCellData()->GetScalars();
+      ASSERT_NE(kinds, nullptr) << names[kind];
+      EXPECT_STREQ(kinds->GetName(), "FaultKind");
+      ASSERT_EQ(kinds->GetNumberOfTuples(), block->GetNumberOfCells());
+      EXPECT_EQ(kinds->GetRange()[0], kind);
+      EXPECT_EQ(kinds->GetRange()[1], kind);
+    }
+  }
+}
+
 TEST_F(Faults, OfTurnedAndRepeatedTrianglesAreEdges)
 {
   auto source = damaged(sphere(), {}, {100}, {250});

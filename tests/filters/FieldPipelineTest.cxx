@@ -351,10 +351,13 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
       }
       fresh->SetResolution(isProperty ? 0 : 6);
       fresh->SetVoxelSize(isProperty ? 0 : 1e-10);
+      const char* const fault = isProperty ? "Resolution is 0" : "choose larger voxels";
       {
         ErrorLog informationLog(fresh);
         fresh->UpdateInformation();
         fresh->RemoveAllObservers();
+        EXPECT_NE(informationLog.errors().find(fault), std::string::npos)
+          << informationLog.errors();
       }
       vtkInformation* info = fresh->GetOutputInformation(0);
       EXPECT_FALSE(info->Has(vtkDataObject::ORIGIN()) || info->Has(vtkDataObject::SPACING()));
@@ -364,9 +367,10 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
       vtkExecutive* executive = fresh->GetExecutive();
       EXPECT_EQ(fresh->ProcessRequest(
                   request, executive->GetInputInformation(), executive->GetOutputInformation()),
-        0);
-      const char* const fault = isProperty ? "Resolution is 0" : "choose larger voxels";
-      EXPECT_NE(log.errors().find(fault), std::string::npos) << log.errors();
+        1);
+      EXPECT_EQ(log.errors(), "") << "which has been said";
+      EXPECT_EQ(fresh->GetStatus(), vtkWindingNumberField::REFUSED);
+      EXPECT_EQ(fresh->GetOutput()->GetNumberOfPoints(), 0);
     }
   }
 }

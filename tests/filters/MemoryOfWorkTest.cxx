@@ -84,7 +84,7 @@ TEST(MemoryOfWork, HugeQueriesAreRefused)
   vtkNew<vtkWindingNumberClip> clip;
   clip->SetInputData(image);
   clip->SetSourceConnection(source->GetOutputPort());
-  EXPECT_NE(errorsOf(clip.Get()).find("probe a part of the data set"), std::string::npos);
+  EXPECT_NE(errorsOf(clip.Get()).find("clip a part of the data set"), std::string::npos);
   EXPECT_EQ(clip->GetStatus(), vtkWindingNumberClip::OUT_OF_MEMORY);
 }
 

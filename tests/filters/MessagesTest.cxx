@@ -2,6 +2,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
+#include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointSource.h"
@@ -125,14 +126,42 @@ TEST(Messages, OtherErrorsOfAnExecutiveArePassedOn)
   EXPECT_NE(testing::internal::GetCapturedStderr().find("has 0 connections"), std::string::npos);
 }
 
-TEST(Messages, AnObserverOfTheExecutiveHearsOfFailures)
+/// ParaView updates filters behind with every picture. Neither these nor executives add anything.
+TEST(Messages, AnErrorIsReportedOnceUntilSomethingChanges)
 {
-  vtkNew<vtkPointSource> points;
-  vtkNew<vtkWindingNumberSurface> surface;
-  surface->SetInputConnection(points->GetOutputPort());
-  ErrorLog ofFilter(surface), ofExecutive(surface->GetExecutive());
-  surface->Update();
-  EXPECT_NE(ofExecutive.errors().find("returned failure for request"), std::string::npos);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkWindingNumberField> refusedByInformation, refusedByData;
+  refusedByInformation->SetVoxelSize(1e-10);
+  refusedByData->SetMethod(vtkWindingNumberField::PARITY);
+  refusedByData->SetVerifySamples(10);
+  for (vtkWindingNumberField* field : {refusedByInformation.Get(), refusedByData.Get()})
+  {
+    field->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkGeometryFilter> behind;
+    behind->SetInputConnection(field->GetOutputPort());
+    for (const bool sourceChanges : {false, true})
+    {
+      ErrorLog ofField(field), ofExecutive(field->GetExecutive()), ofBehind(behind);
+      testing::internal::CaptureStderr();
+      for (int picture = 0; picture < 3; ++picture)
+      {
+        behind->Modified();
+        behind->Update();
+        EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+        EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
+      }
+      EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+      EXPECT_NE(ofField.errors(), "") << sourceChanges;
+      EXPECT_EQ(ofField.errors().find("ERROR"), ofField.errors().rfind("ERROR"));
+      EXPECT_EQ(ofExecutive.errors() + ofBehind.errors(), "");
+      sphere->Modified();
+    }
+    field->SetVoxelSize(0);
+    field->SetVerifySamples(0);
+    field->Update();
+    EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+    EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
+  }
 }
 
 TEST(Messages, FacesThatAreTurnedOnRequestAreNoWarning)

@@ -429,7 +429,8 @@ TEST_F(ProbeExtraction, NeedsNoArrays)
   ErrorLog log(probe);
   probe->ExtractInsideOff();
   probe->Update();
-  EXPECT_NE(log.errors().find("turn one of them on"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("turn on one of Generate Winding Number"), std::string::npos)
+    << log.errors();
 }
 
 } // namespace

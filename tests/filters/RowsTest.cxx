@@ -215,7 +215,8 @@ TEST_F(Rows, NothingToGenerateIsRefused)
   ErrorLog log(field);
   field->GenerateWindingNumberOff();
   field->Update();
-  EXPECT_NE(log.errors().find("neither"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("turn on one of Generate Winding Number"), std::string::npos)
+    << log.errors();
   field->GenerateInsideOn();
   field->SetVerifySamples(5);
   field->Update();

@@ -230,6 +230,7 @@ TEST(SelectedPoints, AreTheActiveScalarsDownstream)
   select->SetResultArrayName("SelectedPoints");
   ErrorLog log(select);
   select->Update();
-  EXPECT_NE(log.errors().find("rename one of them"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("rename one of two arrays of the result"), std::string::npos)
+    << log.errors();
   EXPECT_EQ(select->GetStatus(), vtkWindingNumberProbe::REFUSED);
 }

@@ -310,12 +310,12 @@ TEST_F(SignedDistance, BadOptionsAreRefusedInOneLine)
   expectRefused("DistanceBand is inf;");
   field->SetDistanceBand(0);
   field->SetResultArrayName("SignedDistance");
-  expectRefused("two arrays of the result have the name 'SignedDistance'");
+  expectRefused("rename one of two arrays of the result: both have the name 'SignedDistance'");
   field->GenerateWindingNumberOff();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE) << "there is one of that name only";
   field->GenerateSignedDistanceOff();
-  expectRefused("neither the winding number nor Inside nor the signed distance");
+  expectRefused("turn on one of Generate Winding Number, Generate Inside and Generate Signed");
 }
 
 TEST_F(SignedDistance, MemoryIsExpectedAndRefused)

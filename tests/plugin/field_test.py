@@ -249,6 +249,22 @@ class TestField(unittest.TestCase):
         self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, places=6)
         self.assertEqual(information(field, "Status"), 0)
 
+    def test_all_filters_can_be_aborted(self):
+        sphere = unit_sphere(ThetaResolution=200, PhiResolution=200)
+        wavelet = simple.Wavelet(WholeExtent=[-40, 40] * 3)
+        for proxy in (
+            simple.WindingNumberField(Input=sphere, Resolution=128),
+            simple.WindingNumberSurface(Input=sphere, Resolution=128),
+            simple.WindingNumberProbe(Input=wavelet, Source=sphere),
+            simple.WindingNumberClip(Input=wavelet, Source=sphere),
+        ):
+            with self.subTest(proxy.GetXMLName()):
+                vtk_object = proxy.GetClientSideObject()
+                vtk_object.AddObserver("ProgressEvent", lambda *_: vtk_object.SetAbortExecute(1))
+                proxy.UpdatePipeline()
+                self.assertEqual(information(proxy, "Status"), 3)
+                self.assertEqual(servermanager.Fetch(proxy).GetNumberOfPoints(), 0)
+
 
 if __name__ == "__main__":
     run_tests()

@@ -29,6 +29,18 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(arrays["nonmanifold_edges"].GetRange(), (0, 0))
         self.assertIn("advice", arrays.keys())
 
+    def test_the_spreadsheet_has_the_counts(self):
+        report = simple.SurfaceReport(Input=simple.Sphere(EndPhi=90))
+        view = simple.CreateView("SpreadSheetView")
+        simple.Show(report, view)
+        view.FieldAssociation = "Field Data"
+        simple.Render(view)
+        sheet = view.GetClientSideObject()
+        self.assertEqual(sheet.GetNumberOfRows(), 1)
+        self.assertEqual(sheet.GetValueByName(0, "boundary_edges").ToInt(), 8)
+        advice = sheet.GetValueByName(0, "advice").ToString()
+        self.assertTrue(advice.startswith("open: 8 boundary edges in 1 loop"), advice)
+
     def test_clouds_and_composite_input(self):
         points = points_source((0, 0, 0), (1, 0, 0), (1, 2, 0))
         data = result(simple.SurfaceReport(Input=points))

@@ -5,6 +5,7 @@
 #include "output/WriteOutput.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
+#include "program/Messages.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+
+#include <unistd.h> // access
 
 namespace
 {
@@ -45,13 +48,49 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-/// Whether a file is an index that another run has left, whose blocks may be replaced.
-bool isIndex(const std::string& name)
+/// The beginning of a file, which is all of an index; empty where there is no file.
+std::string indexText(const std::string& name)
 {
   std::ifstream file(name, std::ios::binary);
-  std::string text(200, ' ');
+  std::string text(10000, ' ');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+/// Whether a text is an index that another run has left, whose blocks may be replaced.
+bool isIndex(const std::string& text)
+{
   return text.find("vtkMultiBlockDataSet") != std::string::npos;
+}
+
+/// How an index names a block's file.
+std::string reference(const std::string& folder, const std::string& block)
+{
+  const std::filesystem::path path = std::filesystem::path(folder).filename() / (block + ".vtp");
+  return "name=\"" + escaped(block) + "\" file=\"" + escaped(path.string()) + "\"";
+}
+
+/// Removes the files of blocks that an index named and another one does not name any more. Says so
+/// where a file, such as a write-protected one, stays.
+void removeStale(
+  const std::string& folder, const std::string& before, const std::string& now, Messages& messages)
+{
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+  {
+    const std::string named = reference(folder, entry.path().stem().string());
+    const bool isStale = entry.path().extension() == ".vtp" &&
+                         before.find(named) != std::string::npos &&
+                         now.find(named) == std::string::npos;
+    if (isStale &&
+        (access(entry.path().c_str(), W_OK) != 0 || !std::filesystem::remove(entry.path(), error)))
+    {
+      messages.warn("remove " + entry.path().string() +
+                    " yourself, which cannot be removed: it is of an earlier run, and this one "
+                    "found no such fault");
+    }
+  }
 }
 
 /// A folder that is removed again if it is new and empty.
@@ -108,7 +147,7 @@ BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& 
   const Folder folder(folder_, name);
   TemporaryFile::clear(folder_);
   std::error_code error;
-  if (!folder.isNew() && !std::filesystem::is_empty(folder_, error) && !isIndex(name))
+  if (!folder.isNew() && !std::filesystem::is_empty(folder_, error) && !isIndex(indexText(name)))
   {
     throw Failure(REFUSED, name,
       "needs the folder " + folder_ +
@@ -129,6 +168,7 @@ BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& 
 void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
 {
   const Folder folder(folder_, name_);
+  const std::string before = indexText(name_);
   std::vector<std::unique_ptr<OutputFile>> files;
   std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" "
                       "version=\"1.0\" byte_order=\"LittleEndian\">\n  <vtkMultiBlockDataSet>\n";
@@ -143,9 +183,8 @@ void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
     const std::filesystem::path path = std::filesystem::path(folder_) / (block + ".vtp");
     files.push_back(std::make_unique<OutputFile>(path.string(), inputs_));
     writeSurface(surface, *files.back(), messages);
-    const std::string relative = (path.parent_path().filename() / path.filename()).string();
-    index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + escaped(block) +
-             "\" file=\"" + escaped(relative) + "\"/>\n";
+    index +=
+      "    <DataSet index=\"" + std::to_string(i) + "\" " + reference(folder_, block) + "/>\n";
   }
   index += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
   files.push_back(std::make_unique<OutputFile>(name_, inputs_));
@@ -162,4 +201,5 @@ void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
   {
     file->commit();
   }
+  removeStale(folder_, before, index, messages);
 }

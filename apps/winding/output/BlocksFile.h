@@ -9,7 +9,7 @@ class vtkMultiBlockDataSet;
 /**
  * A .vtm file: an index of blocks, which are files of their own in a folder beside it that has its
  * name without the suffix. They take their names when all of them are complete (OutputFile.h), the
- * index last.
+ * index last. Then files are removed that the index of an earlier run named and this one does not.
  */
 class BlocksFile
 {
@@ -19,7 +19,7 @@ public:
   BlocksFile(const std::string& name, const std::vector<std::string>& inputs);
 
   /// Writes blocks, which are named polydata. Throws Failure when that fails or the program is
-  /// interrupted.
+  /// interrupted. Warns of files of an earlier run that it cannot remove.
   void write(vtkMultiBlockDataSet* blocks, Messages& messages) const;
 
 private:

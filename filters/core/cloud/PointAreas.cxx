@@ -294,8 +294,9 @@ void checkPointArea(double pointArea)
 {
   if (!(pointArea >= 0) || !std::isfinite(pointArea))
   {
-    throw Refusal("the point area is " + std::to_string(pointArea) +
-                  "; it must be more than 0, or 0 to be estimated");
+    throw Refusal("give a point area of more than 0, or 0 to have it estimated (Point Area; "
+                  "--area): it is " +
+                  std::to_string(pointArea));
   }
 }
 

@@ -53,7 +53,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
 {
   if (view.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
-    throw Refusal("there are more than 2147483647 samples; evaluate them in parts");
+    throw Refusal("evaluate the samples in parts: there are more than 2147483647");
   }
   constexpr std::size_t samplesPerBlock = 1 << 14;
   const std::size_t blocks = (view.size() + samplesPerBlock - 1) / samplesPerBlock;

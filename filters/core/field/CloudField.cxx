@@ -49,16 +49,17 @@ CloudField::CloudField(
   }
   if (options.neighbors < 3)
   {
-    throw Refusal("the number of neighbours is " + std::to_string(options.neighbors) +
-                  "; 3 at least tell the area or the normal of a point");
+    throw Refusal("take 3 neighbours or more (Number Of Neighbors; --neighbors): " +
+                  std::to_string(options.neighbors) +
+                  " tell neither the area nor the normal of a point");
   }
   info_.normalsAreEstimated = cloud_.normals.size() < cloud_.positions.size();
   if (info_.normalsAreEstimated)
   {
     if (!options.estimateNormals)
     {
-      throw Refusal("the points have no normals, and without them nothing tells inside from "
-                    "outside; have them estimated");
+      throw Refusal("have normals estimated (Estimate Normals; --estimate-normals): the points "
+                    "have none, and without them nothing tells inside from outside");
     }
     cloud_.normals = estimateNormals(cloud_.positions, options.neighbors, executor);
   }

@@ -25,8 +25,8 @@ void checkBounds(const Bounds& bounds)
   if (!low.allFinite() || !high.allFinite() || (low.array() > high.array()).any() ||
       !(high - low).allFinite())
   {
-    refuse("the bounds ", low[0], " ", high[0], " ", low[1], " ", high[1], " ", low[2], " ",
-      high[2], " are inverted or not finite; give min <= max for each axis");
+    refuse("give bounds with min <= max for each axis (Sampling Bounds; --bounds): ", low[0], " ",
+      high[0], " ", low[1], " ", high[1], " ", low[2], " ", high[2], " are inverted or not finite");
   }
 }
 
@@ -42,8 +42,8 @@ int countVoxels(double length, double voxelSize)
   const double count = std::max(1.0, std::ceil(exact * (1 - 1e-12)));
   if (!(count <= mostVoxels))
   {
-    refuse("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
-      mostVoxels, "; choose larger voxels");
+    refuse("choose larger voxels: a side of ", length, " needs ", count, " voxels of size ",
+      voxelSize, ", more than ", mostVoxels);
   }
   return static_cast<int>(count);
 }
@@ -53,8 +53,8 @@ void checkSampleCount(const Grid& grid)
   const double samples = grid.dimensions.cast<double>().prod();
   if (samples > 9e18)
   {
-    refuse("a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ", grid.dimensions[2],
-      " voxels has more samples than can be counted; choose larger voxels");
+    refuse("choose larger voxels: a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
+      grid.dimensions[2], " voxels has more samples than can be counted");
   }
 }
 
@@ -68,14 +68,15 @@ void checkRange(const Grid& grid)
   {
     if (!(grid.spacing[axis] >= smallestVoxel))
     {
-      refuse("the voxels have a side of ", grid.spacing[axis], "; it must be ", smallestVoxel,
-        " at least");
+      refuse("choose larger voxels, or scale the source up: the voxels have a side of ",
+        grid.spacing[axis], ", and it must be ", smallestVoxel, " at least");
     }
     for (const double face : {low[axis], low[axis] + sides[axis]})
     {
       if (!(std::abs(face) <= farthest))
       {
-        refuse("the grid reaches to ", face, "; it may reach to ", farthest, " at most");
+        refuse("scale the source down: the grid reaches to ", face, ", and it may reach to ",
+          farthest, " at most");
       }
     }
   }
@@ -149,8 +150,9 @@ Grid layOutGrid(const GridRequest& request)
     }
     if (!((request.isCubic ? longest : sides.minCoeff()) > 0))
     {
-      refuse("the bounds have sides ", sides[0], " ", sides[1], " ", sides[2],
-        "; with given dimensions each must be more than 0");
+      refuse("give larger bounds (Sampling Bounds; --bounds) or a padding: the bounds have sides ",
+        sides[0], " ", sides[1], " ", sides[2],
+        ", and with given dimensions each must be more than 0");
     }
     grid.dimensions = request.dimensions;
     grid.spacing = sides.cwiseQuotient(grid.dimensions.cast<double>());
@@ -171,7 +173,8 @@ Grid layOutGrid(const GridRequest& request)
     }
     if (request.voxelSize == 0 && !(longest > 0))
     {
-      refuse("the bounds are a single point; give a voxel size or larger bounds");
+      refuse("give a voxel size (Voxel Size; --voxel-size) or larger bounds (Sampling Bounds; "
+             "--bounds): the bounds are a single point");
     }
     const double size =
       request.voxelSize > 0 ? request.voxelSize : sides.maxCoeff() / request.resolution;
@@ -197,8 +200,8 @@ Grid layOutGrid(const GridRequest& request)
         !(grid.firstSample[axis] + grid.spacing[axis] > grid.firstSample[axis] &&
           last[axis] - grid.spacing[axis] < last[axis]))
     {
-      refuse("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
-        grid.firstSample[axis], " in double precision; move the data towards the origin");
+      refuse("move the data towards the origin: voxels of size ", grid.spacing[axis],
+        " cannot be told apart at coordinate ", grid.firstSample[axis], " in double precision");
     }
   }
   return grid;

@@ -213,7 +213,7 @@ bool allOrNone(
   if (any && !all)
   {
     throw Refusal(
-      "some parts of the cloud have " + what + " and others have none; give " + what + " to all");
+      "give " + what + " to all parts of the cloud: some have them and others have none");
   }
   return any;
 }
@@ -264,9 +264,9 @@ void checkLengths(const OrientedPointsView& view)
   if ((!view.normals.empty() && view.normals.size() != points) ||
       (!view.areas.empty() && view.areas.size() != points))
   {
-    throw Refusal("the cloud has " + std::to_string(points) + " points but " +
-                  std::to_string(view.normals.size()) + " normals and " +
-                  std::to_string(view.areas.size()) + " areas; give one of each to every point");
+    throw Refusal("give a normal and an area to every point: the cloud has " +
+                  std::to_string(points) + " points but " + std::to_string(view.normals.size()) +
+                  " normals and " + std::to_string(view.areas.size()) + " areas");
   }
 }
 
@@ -278,7 +278,7 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
   surface.inputTriangles = triangles.size();
   if (triangles.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    throw Refusal("the surface has more than 2147483647 triangles; split it");
+    throw Refusal("split the surface: it has more than 2147483647 triangles");
   }
   Weld weld(views);
   std::vector<FaultCounts> faults(blocksOf(triangles.size()));
@@ -317,10 +317,11 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
   surface.collapsedTriangles = sumOf(faults, TriangleFault::collapsed);
   if (surface.inputTriangles > 0 && surface.dropped() == surface.inputTriangles)
   {
-    throw Refusal(
-      "all " + std::to_string(surface.inputTriangles) + " triangles are unusable: " +
-      std::to_string(surface.nonFiniteTriangles) + " with NaN or infinite coordinates, " +
-      std::to_string(surface.invalidIdTriangles) + " with ids of points that do not exist");
+    throw Refusal("mend the surface: all " + std::to_string(surface.inputTriangles) +
+                  " triangles are unusable, " + std::to_string(surface.nonFiniteTriangles) +
+                  " with NaN or infinite coordinates, " +
+                  std::to_string(surface.invalidIdTriangles) +
+                  " with ids of points that do not exist");
   }
 
   weld.makeVertices(surface, executor);
@@ -395,10 +396,11 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
   cloud.badAreaPoints = sumOf(faults, PointFault::badArea);
   if (cloud.inputPoints > 0 && cloud.dropped() == cloud.inputPoints)
   {
-    throw Refusal("all " + std::to_string(cloud.inputPoints) + " points are unusable: " +
-                  std::to_string(cloud.nonFinitePoints) + " with NaN or infinite values, " +
-                  std::to_string(cloud.zeroNormalPoints) + " with normals of length 0, " +
-                  std::to_string(cloud.badAreaPoints) + " with negative areas");
+    throw Refusal("mend the cloud: all " + std::to_string(cloud.inputPoints) +
+                  " points are unusable, " + std::to_string(cloud.nonFinitePoints) +
+                  " with NaN or infinite values, " + std::to_string(cloud.zeroNormalPoints) +
+                  " with normals of length 0, " + std::to_string(cloud.badAreaPoints) +
+                  " with negative areas");
   }
 
   const std::vector<std::size_t> starts = startsOfKept(faults);

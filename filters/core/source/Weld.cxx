@@ -83,7 +83,7 @@ Weld::Weld(const std::vector<TrianglesView>& views)
 {
   if (points_.size() > std::numeric_limits<std::uint32_t>::max())
   {
-    throw Refusal("the surface has more than 4294967295 points; split it");
+    throw Refusal("split the surface: it has more than 4294967295 points");
   }
   states_.reset(new std::atomic<unsigned char>[points_.size()]()); // all of them unused
 }
@@ -136,7 +136,7 @@ void Weld::makeVertices(Surface& surface, Executor& executor)
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   if (starts.back() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    throw Refusal("the surface has more than 2147483647 vertices; split it");
+    throw Refusal("split the surface: it has more than 2147483647 vertices");
   }
 
   surface.vertices.resize(starts.back());
