@@ -73,8 +73,8 @@ public:
   bool isGathered() const { return isGathered_; }
 
   /// Brings the parts of all ranks together, on all of them or on the first. From then on this is
-  /// about the whole source, but for what tells of data sets. Collective; throws the same Refusal on all ranks where one does, also
-  /// where some have surfaces and others clouds.
+  /// about the whole source, but for what tells of data sets. Collective; throws the same Refusal
+  /// on all ranks where one does, also where some have surfaces and others clouds.
   void gather(Ranks& ranks, SourceDistribution distribution, bool onlyOnFirst = false);
 
   /// A hash of all that a field is built from. Two sources with different identities may still have

@@ -29,9 +29,9 @@ template <class T> struct OfRanks
  * without a controller, or alone in it, is a single rank, for which they cost nothing.
  *
  * A failure of one rank must not leave the others waiting, so failures travel with exchange(): work
- * that throws on any rank makes exchange() throw on all, with the line of the first rank that failed.
- * Calls may be nested. A rank that fails anywhere within an outer one meets the others at the next
- * inner one that they come to.
+ * that throws on any rank makes exchange() throw on all, with the line of the first rank that
+ * failed. Calls may be nested. A rank that fails anywhere within an outer one meets the others at
+ * the next inner one that they come to.
  */
 class Ranks
 {

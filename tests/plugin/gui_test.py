@@ -124,7 +124,6 @@ REFUSED = {
     "make a surface of the lines first": ("Winding Number Surface", "simple.Line()", ""),
     "have normals estimated": (
         "Winding Number Field", "simple.PointSource(NumberOfPoints=9, Radius=1)", ""),
-    "give a voxel size": ("Winding Number Field", "simple.PointSource()", ""),
     "choose larger voxels: the surface": (
         "Winding Number Surface", "simple.Sphere(PhiResolution=32)",
         "SamplingDimensions=(2000000000, 100, 100)"),
