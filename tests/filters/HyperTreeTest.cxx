@@ -428,7 +428,6 @@ TEST_F(HyperTree, ProgressRisesAndAbortIsObeyed)
     ProgressLog log(trees, 0.3);
     trees->Update();
     EXPECT_EQ(trees->GetStatus(), Filter::ABORTED);
-    EXPECT_LT(log.last(), 1);
     EXPECT_EQ(trees->GetOutput()->GetCellData()->GetNumberOfArrays(), 0);
     EXPECT_EQ(trees->GetOutput()->GetNumberOfNonEmptyTrees(), 0);
     trees->SetAbortExecute(0);

@@ -33,6 +33,7 @@ COMMON = {
     "OutputScalarType": (11, "11"),
     "NumberOfThreads": (3, "3"),
     "LongestExpectedTime": (30, "30"),
+    "SourceDistribution": (2, "2"),
 }
 GRID = {
     "Resolution": (17, "17"),
@@ -48,6 +49,7 @@ SETTABLE = {
         "NormalsArray": ("Orientation", "Orientation"),
         "FixOrientation": (1, "1"),
         "FaultThickness": (0.25, "0.25"),
+        "SourceDistribution": (1, "1"),
     },
     "WindingNumberField": {
         **COMMON,
@@ -98,6 +100,7 @@ SETTABLE = {
         "EstimateNormals": (1, "1"),
         "ResultArrayName": ("a", "a"),
         "NumberOfThreads": (3, "3"),
+        "SourceDistribution": (1, "1"),
     },
 }
 
@@ -127,7 +130,7 @@ REPORTED = {
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
-            "NumberOfVertices"}
+            "NumberOfVertices", "Controller"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},
