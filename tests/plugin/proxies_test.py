@@ -158,6 +158,7 @@ ENUMERATIONS = {
     "OutputAssociation": {"Points at Voxel Centers": 0, "Cells": 1},
     "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centers": 1},
+    "SourceDistribution": {"Automatic": 0, "Distributed": 1, "Replicated": 2},
 }
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
