@@ -16,6 +16,7 @@ namespace
 {
 
 volatile std::sig_atomic_t signalled = 0;
+volatile std::sig_atomic_t silent = 0;
 
 // The handler may run on any thread and at any moment, so that what it reads changes in one step: a
 // pointer to a name.
@@ -25,9 +26,12 @@ static_assert(std::atomic<const char*>::is_always_lock_free);
 void leave(int)
 {
   removeTemporaryFiles();
-  const char message[] = "winding: interrupted\n";
-  const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
-  static_cast<void>(ignored);
+  if (!silent)
+  {
+    const char message[] = "winding: interrupted\n";
+    const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
+    static_cast<void>(ignored);
+  }
   removeTemporaryFiles(); // another thread may just have opened, and made, one of them again
   _exit(INTERRUPTED);
 }
@@ -58,6 +62,11 @@ void install()
   {
     sigaction(SIGHUP, &action, nullptr);
   }
+}
+
+void leaveSilently()
+{
+  silent = 1;
 }
 
 bool requested()

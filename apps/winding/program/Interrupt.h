@@ -15,6 +15,9 @@ namespace interrupt
 /// Handles signals in this way from now on.
 void install();
 
+/// From now on the signal handler leaves without a line, which another rank prints.
+void leaveSilently();
+
 /// Whether a signal has come.
 bool requested();
 
