@@ -1,5 +1,6 @@
 #include "bench/BenchCommand.h"
 #include "commands/Commands.h"
+#include "files/Suffix.h"
 #include "options/CommandLine.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
@@ -60,6 +61,9 @@ void adaptToRanks(Options& options)
     options.command == "field" || options.command == "probe" || options.command == "surface",
     "start it without mpirun: " + options.command +
       " works on one rank; field, probe and surface work on several");
+  requireUsage(options.pieces == 1 || suffixOf(options.output) == ".pvti",
+    "give the output the suffix .pvti, or leave --pieces out: several ranks gather the field for a "
+    ".vti file");
   if (options.threads == 0)
   {
     options.threads = std::max(1, threadsUsed(0) / parallel::countOnHost());

@@ -8,7 +8,6 @@
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"
-#include "program/Failure.h"
 #include "program/ParallelRun.h"
 
 #include "vtkNew.h"
@@ -60,8 +59,5 @@ void runField(const Options& options, Messages& messages)
     writePieces(*field, options, messages);
     return;
   }
-  requireUsage(parallel::isAlone() || options.pieces == 1,
-    "give the output the suffix .pvti, or leave --pieces out: several ranks gather the field for a "
-    ".vti file");
   writeOneFile(*field, options, messages);
 }
