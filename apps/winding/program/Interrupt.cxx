@@ -7,6 +7,7 @@
 #include <csignal>
 #include <list>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace interrupt
@@ -16,7 +17,8 @@ namespace
 {
 
 volatile std::sig_atomic_t signalled = 0;
-volatile std::sig_atomic_t silent = 0;
+volatile std::sig_atomic_t isSilent = 0;
+volatile std::sig_atomic_t isOneOfSeveral = 0;
 
 // The handler may run on any thread and at any moment, so that what it reads changes in one step: a
 // pointer to a name.
@@ -26,7 +28,7 @@ static_assert(std::atomic<const char*>::is_always_lock_free);
 void leave(int)
 {
   removeTemporaryFiles();
-  if (!silent)
+  if (!isSilent)
   {
     const char message[] = "winding: interrupted\n";
     const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
@@ -43,6 +45,12 @@ void ask(int number)
     leave(number);
   }
   signalled = 1;
+  if (isOneOfSeveral)
+  {
+    const struct itimerval halfSecond = {{0, 0}, {0, 500000}};
+    setitimer(ITIMER_REAL, &halfSecond, nullptr);
+    return;
+  }
   alarm(1);
 }
 
@@ -64,9 +72,10 @@ void install()
   }
 }
 
-void leaveSilently()
+void joinRanks(bool isFirst)
 {
-  silent = 1;
+  isSilent = !isFirst;
+  isOneOfSeveral = 1;
 }
 
 bool requested()

@@ -15,8 +15,10 @@ namespace interrupt
 /// Handles signals in this way from now on.
 void install();
 
-/// From now on the signal handler leaves without a line, which another rank prints.
-void leaveSilently();
+/// The program is one of several ranks from now on. The launcher sends them a signal and kills them
+/// a second later, so the signal handler waits for half a second only; and it leaves without a line
+/// unless the rank is the first.
+void joinRanks(bool isFirst);
 
 /// Whether a signal has come.
 bool requested();

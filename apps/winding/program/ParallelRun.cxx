@@ -115,10 +115,7 @@ void start(int& argc, char**& argv)
     const double own = hostNumber();
     const std::vector<double> hosts = ofAll(own);
     ranksOnHost = static_cast<int>(std::count(hosts.begin(), hosts.end(), own));
-    if (!isFirst())
-    {
-      interrupt::leaveSilently();
-    }
+    interrupt::joinRanks(isFirst());
   }
 #else
   static_cast<void>(argc);
