@@ -90,7 +90,10 @@ def test_fields(runs):
         expected = image_of(runs.folder / "one.vti")
         for output in (["all.vti"], ["all.pvti"], ["all.pvti", "--pieces", "3"]):
             run = runs.of_ranks("field", source, "-o", *output, *options)
-            assert run.stdout.count("wrote") == 1 and not run.stderr, (run.stdout, run.stderr)
+            assert run.stdout.count("wrote") == 1, run.stdout
+            # A grid of few layers cannot be cut into three pieces for each rank.
+            is_flat = "--dims" in options and "--pieces" in output
+            assert len(own_lines(run)) <= is_flat, run.stderr
             require_same(image_of(runs.folder / output[0]), expected, same_bits)
         if same_bits:
             assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
@@ -119,6 +122,7 @@ def test_probe_and_surface(runs):
                           (["probe", "closed.obj", "cloud.xyz", "--inside-out"], ".vtp"),
                           (["probe", "scan.obj", "points.csv", "--method", "direct"], ".csv"),
                           (["surface", "closed.obj"], ".vtp"),
+                          (["field", "closed.obj", "--resolution", "20"], ".htg"),
                           (["surface", "closed.obj", "--verify", "100"], ".ply")):
         runs.alone(*words, "-o", "one" + suffix)
         run = runs.of_ranks(*words, "-o", "all" + suffix)

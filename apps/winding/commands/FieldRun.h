@@ -37,12 +37,12 @@ public:
   /// Makes and writes the field in pieces, as many on each rank as the options ask for.
   void write(const PiecesFile& file);
 
-  /// Makes the field, a slab on each rank, and writes it to one file, which is null on all ranks but
-  /// the first.
+  /// Makes the field, a slab on each rank, and writes it to one file, which is null on all ranks
+  /// but the first.
   void writeGathered(OutputFile* file);
 
-  /// Writes a surface that was made of the field or by the filter. The file is null on all ranks but
-  /// the first.
+  /// Writes a surface that was made of the field or by the filter. The file is null on all ranks
+  /// but the first.
   void write(vtkPolyData* surface, OutputFile* file);
 
   /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves. The file

@@ -49,7 +49,7 @@ void addField(CLI::App& app, Options& options)
   addFieldOptions(field, options);
   field
     ->add_option("--pieces", options.pieces,
-      "Make and write the field in this many pieces, to save memory; each rank of MPI that many (1)")
+      "Make and write the field in this many pieces, to save memory; each rank that many (1)")
     ->group("Run");
   addThreads(field, options);
   addLongestTime(field, options);
