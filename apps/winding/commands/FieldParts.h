@@ -10,8 +10,8 @@ class vtkImageData;
 
 /**
  * The image of a whole grid on the first rank, put together of slabs without a layer in common
- * (Slabs.h): the n-th is the image of rank n, whose own is null where there are fewer slabs. Null on
- * the other ranks. Throws Failure where the whole does not fit into memory. Collective.
+ * (Slabs.h): the n-th is the image of rank n, whose own is null where there are fewer slabs. The
+ * other ranks get null. Throws Failure where the whole does not fit into memory. Collective.
  */
 vtkSmartPointer<vtkImageData> gatheredImage(
   vtkImageData* own, const std::vector<SlabExtent>& slabs);

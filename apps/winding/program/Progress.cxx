@@ -1,7 +1,6 @@
 #include "program/Progress.h"
 
 #include "program/Interrupt.h"
-#include "program/ParallelRun.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -21,7 +20,7 @@ bool barStands = false;
 Progress::Progress(vtkAlgorithm* algorithm, const std::string& label, bool quiet)
   : algorithm_(algorithm)
   , label_(label)
-  , visible_(!quiet && parallel::isFirst() && isatty(STDERR_FILENO))
+  , visible_(!quiet && isatty(STDERR_FILENO))
   , drawn_(std::chrono::steady_clock::now()) // work of a moment needs no bar
 {
   observer_ = algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Progress::follow);
