@@ -1,15 +1,19 @@
 #include "bench/BenchCommand.h"
 #include "commands/Commands.h"
+#include "files/Suffix.h"
 #include "options/CommandLine.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/LastResort.h"
 #include "program/Messages.h"
+#include "program/ParallelRun.h"
 #include "program/Threads.h"
 
+#include <algorithm>
 #include <csignal>
 #include <map>
 #include <new>
+#include <optional>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,10 +21,53 @@
 namespace
 {
 
-int fail(ExitStatus status, const std::string& message)
+void tell(const Failure& failure)
 {
-  printLine("winding: " + (status == INTERRUPTED ? message : "error: " + message));
-  return status;
+  const std::string message = failure.what();
+  printLine("winding: " + (failure.status == INTERRUPTED ? message : "error: " + message));
+}
+
+/// The end of a failure that all ranks know of.
+int endTogether(const AgreedFailure& failure)
+{
+  if (parallel::isFirst())
+  {
+    tell(failure);
+  }
+  parallel::finish();
+  return failure.status;
+}
+
+/// The end of a rank whose failure others do not know of and may wait for. mpirun sees that it ends
+/// without ending MPI, and ends the others.
+int endAlone(const Failure& failure)
+{
+  tell(failure);
+  if (!parallel::isAlone())
+  {
+    _exit(failure.status);
+  }
+  return failure.status;
+}
+
+/// Refuses what works on one rank only, and shares the threads of a machine among its ranks.
+void adaptToRanks(Options& options)
+{
+  if (parallel::isAlone())
+  {
+    return;
+  }
+  requireUsage(
+    options.command == "field" || options.command == "probe" || options.command == "surface",
+    "start it without mpirun: " + options.command +
+      " works on one rank; field, probe and surface work on several");
+  requireUsage(options.pieces == 1 || suffixOf(options.output) == ".pvti",
+    "give the output the suffix .pvti, or leave --pieces out: several ranks gather the field for a "
+    ".vti file");
+  if (options.threads == 0)
+  {
+    options.threads = std::max(1, threadsUsed(0) / parallel::countOnHost());
+  }
 }
 
 void run(const Options& options)
@@ -28,7 +75,7 @@ void run(const Options& options)
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
     {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck},
     {"bench", runBench}};
-  Messages& messages = Messages::install(options.quiet);
+  Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
   limitThreads(options.threads);
   try
   {
@@ -65,15 +112,31 @@ int main(int argc, char** argv)
   std::signal(SIGPIPE, SIG_IGN);
   try
   {
-    if (const auto options = parseCommandLine(argc, argv))
+    parallel::start(argc, argv);
+    std::optional<Options> options;
+    parallel::agree(
+      [&]
+      {
+        options = parseCommandLine(argc, argv);
+        if (options)
+        {
+          adaptToRanks(*options);
+        }
+      });
+    if (options)
     {
       run(*options);
     }
+    parallel::finish();
     return DONE;
+  }
+  catch (const AgreedFailure& failure)
+  {
+    return endTogether(failure);
   }
   catch (const Failure& failure)
   {
-    return fail(failure.status, failure.what());
+    return endAlone(failure);
   }
   catch (const std::bad_alloc&)
   {
@@ -81,6 +144,6 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& error)
   {
-    return fail(REFUSED, std::string("unexpected: ") + error.what());
+    return endAlone({REFUSED, std::string("unexpected: ") + error.what()});
   }
 }

@@ -3,12 +3,47 @@
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
 #include "commands/HyperTreeRun.h"
+#include "commands/OpenOnFirstRank.h"
 #include "files/Suffix.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "output/PiecesFile.h"
+#include "program/ParallelRun.h"
 
 #include "vtkNew.h"
 #include "vtkWindingNumberField.h"
+
+namespace
+{
+
+void writePieces(vtkWindingNumberField& field, const Options& options, Messages& messages)
+{
+  const PiecesFile output(options.output, filesToKeep(options));
+  FieldRun run(field, options, messages);
+  run.write(output);
+  run.print();
+}
+
+void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages& messages)
+{
+  const auto output = openOnFirstRank(options);
+  FieldRun run(field, options, messages);
+  if (!parallel::isAlone())
+  {
+    run.writeGathered(output.get());
+  }
+  else
+  {
+    if (options.pieces == 1)
+    {
+      run.update();
+    }
+    run.write(*output);
+  }
+  run.print();
+}
+
+} // namespace
 
 void runField(const Options& options, Messages& messages)
 {
@@ -17,14 +52,12 @@ void runField(const Options& options, Messages& messages)
     runHyperTree(options, false, messages);
     return;
   }
-  OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyImage(options, field);
-  FieldRun run(*field, options, messages);
-  if (options.pieces == 1)
+  if (suffixOf(options.output) == ".pvti")
   {
-    run.update();
+    writePieces(*field, options, messages);
+    return;
   }
-  run.write(output);
-  run.print();
+  writeOneFile(*field, options, messages);
 }

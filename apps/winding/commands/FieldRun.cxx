@@ -1,14 +1,17 @@
 #include "commands/FieldRun.h"
 
+#include "commands/FieldParts.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
+#include "commands/ReadOnFirstRank.h"
 #include "commands/ReportParts.h"
-#include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "output/PiecesFile.h"
 #include "output/WriteOutput.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
+#include "program/ParallelRun.h"
 #include "program/Progress.h"
 #include "program/Threads.h"
 
@@ -16,6 +19,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkImageData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -28,15 +32,20 @@ FieldRun::FieldRun(
   , messages_(messages)
   , filter_(&filter)
 {
-  const auto input = readInput(options.input, messages);
+  const auto input = readOnFirstRank(options.input, messages);
   readSeconds_ = stopwatch_.seconds();
   filter_->SetInputDataObject(input);
+  filter_->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
   applyMethod(options, filter_);
   applyGrid(options, filter_);
   startObserver_ = filter_->AddObserver(vtkCommand::StartEvent, this, &FieldRun::startExecution);
   endObserver_ = filter_->AddObserver(vtkCommand::EndEvent, this, &FieldRun::addExecution);
-  filter_->UpdateInformation();
-  this->check();
+  parallel::agree(
+    [this]
+    {
+      filter_->UpdateInformation();
+      this->check();
+    });
   warnOfIdleOptions(options, *filter_, messages);
 }
 
@@ -49,8 +58,12 @@ FieldRun::~FieldRun()
 void FieldRun::update()
 {
   const Progress progress(filter_, "field", messages_.isQuiet());
-  filter_->Update();
-  this->check();
+  parallel::agree(
+    [this]
+    {
+      filter_->Update();
+      this->check();
+    });
 }
 
 void FieldRun::write(OutputFile& file)
@@ -64,38 +77,140 @@ void FieldRun::write(OutputFile& file)
   writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
 }
 
-void FieldRun::write(vtkPolyData* surface, OutputFile& file)
+void FieldRun::write(const PiecesFile& file)
 {
   const Stopwatch writing;
-  writeSurface(surface, file, messages_);
-  file.commit();
-  writeSeconds_ = writing.seconds();
-  output_ = {{"file", file.name()}, {"points", surface->GetNumberOfPoints()},
-    {"cells", surface->GetNumberOfCells()}};
+  const double before = executionSeconds_;
+  const auto perRank = static_cast<std::size_t>(options_.pieces);
+  const std::vector<SlabExtent> slabs =
+    this->slabs(perRank * static_cast<std::size_t>(parallel::count()), true);
+  // Every rank makes as many slabs, for an execution is collective. A rank's own follow each other.
+  const std::size_t ranks = static_cast<std::size_t>(parallel::count());
+  const std::size_t rounds = (slabs.size() + ranks - 1) / ranks;
+  const std::size_t first = rounds * static_cast<std::size_t>(parallel::rank());
+  SlabExtent whole = slabs.front();
+  whole[5] = slabs.back()[5];
+  file.write(
+    whole, slabs, first, rounds,
+    [&](std::size_t round) { return this->makeSlab(slabs, first + round); }, messages_);
+  writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
 }
 
-void FieldRun::write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile& file)
+void FieldRun::writeGathered(OutputFile* file)
 {
   const Stopwatch writing;
-  writeHyperTrees(trees, file, messages_);
-  file.commit();
-  writeSeconds_ = writing.seconds();
-  vtkDataArray* const tolerance = trees->GetFieldData()->GetArray("MergeTolerance");
-  output_ = {{"file", file.name()}, {"cells", leaves},
-    {"merge_tolerance", tolerance ? tolerance->GetTuple1(0) : 0}};
+  const double before = executionSeconds_;
+  const std::vector<SlabExtent> slabs =
+    this->slabs(static_cast<std::size_t>(parallel::count()), false);
+  vtkImageData* const own = this->makeSlab(slabs, static_cast<std::size_t>(parallel::rank()));
+  const vtkSmartPointer<vtkImageData> whole = gatheredImage(own, slabs);
+  parallel::agreeOnFirst(
+    [&]
+    {
+      writeImage(whole, *file, messages_);
+      file->commit();
+    });
+  writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
 }
 
-void FieldRun::print() const
+void FieldRun::write(vtkPolyData* surface, OutputFile* file)
 {
-  const Json report = this->report();
-  if (options_.json)
+  const Stopwatch writing;
+  parallel::agreeOnFirst(
+    [&]
+    {
+      writeSurface(surface, *file, messages_);
+      file->commit();
+      output_ = {{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
+        {"cells", surface->GetNumberOfCells()}};
+    });
+  writeSeconds_ = writing.seconds();
+}
+
+void FieldRun::write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file)
+{
+  const Stopwatch writing;
+  parallel::agreeOnFirst(
+    [&]
+    {
+      writeHyperTrees(trees, *file, messages_);
+      file->commit();
+      vtkDataArray* const tolerance = trees->GetFieldData()->GetArray("MergeTolerance");
+      output_ = {{"file", file->name()}, {"cells", leaves},
+        {"merge_tolerance", tolerance ? tolerance->GetTuple1(0) : 0}};
+    });
+  writeSeconds_ = writing.seconds();
+}
+
+void FieldRun::print()
+{
+  this->gatherFigures();
+  parallel::agreeOnFirst(
+    [this]
+    {
+      const Json report = this->report();
+      if (options_.json)
+      {
+        ::print(report);
+      }
+      else if (!options_.quiet)
+      {
+        ::print(this->summary(report));
+      }
+    });
+}
+
+/// Times and errors become the largest of all ranks, counts their sums.
+void FieldRun::gatherFigures()
+{
+  totalSeconds_ = stopwatch_.seconds();
+  for (double* figure : {&readSeconds_, &prepareSeconds_, &evaluateSeconds_, &verifySeconds_,
+         &writeSeconds_, &totalSeconds_, &maxError_, &nearMaxError_, &maxErrorBesidePoints_})
   {
-    ::print(report);
+    *figure = parallel::maximum(*figure);
   }
-  else if (!options_.quiet)
+  for (vtkIdType* number : {&verified_, &nearVerified_, &onSurface_, &besidePoints_})
   {
-    ::print(this->summary(report));
+    *number = static_cast<vtkIdType>(parallel::sum(static_cast<double>(*number)));
   }
+  sumOfSquares_ = parallel::sum(sumOfSquares_);
+  peakMemories_ = parallel::ofAll(static_cast<double>(peakMemory()));
+}
+
+/// The image of a slab, or null if there are fewer. Then this rank takes part in the execution with
+/// a single voxel.
+vtkImageData* FieldRun::makeSlab(const std::vector<SlabExtent>& slabs, std::size_t number)
+{
+  isIdle_ = number >= slabs.size();
+  const int last = options_.cells ? 1 : 0;
+  const SlabExtent extent = isIdle_ ? SlabExtent{0, last, 0, last, 0, last} : slabs[number];
+  // The memory is free for the next slab; and the filter executes even if the last one had it all.
+  filter_->GetOutputDataObject(0)->ReleaseData();
+  {
+    const Progress progress(filter_, "field", messages_.isQuiet());
+    parallel::agree(
+      [&]
+      {
+        filter_->UpdateExtent(extent.data());
+        this->check();
+      });
+  }
+  return isIdle_ ? nullptr : vtkImageData::SafeDownCast(filter_->GetOutputDataObject(0));
+}
+
+std::vector<SlabExtent> FieldRun::slabs(std::size_t wanted, bool overlap) const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_->GetGrid(voxels, firstSample, spacing);
+  const std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
+  if (slabs.size() < wanted && options_.pieces > 1)
+  {
+    messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) +
+                   " is more than the grid can be cut into; it is written in " +
+                   std::to_string(slabs.size()));
+  }
+  return slabs;
 }
 
 void FieldRun::check()
@@ -121,6 +236,10 @@ void FieldRun::addExecution()
 {
   const double seconds = execution_.seconds();
   executionSeconds_ += seconds;
+  if (isIdle_)
+  {
+    return;
+  }
   if (status_ == vtkWindingNumberAlgorithm::DONE)
   {
     status_ = filter_->GetStatus();
@@ -216,13 +335,14 @@ Json FieldRun::report() const
     seconds["verify"] = verifySeconds_;
   }
   seconds["write"] = writeSeconds_;
-  seconds["total"] = stopwatch_.seconds();
+  seconds["total"] = totalSeconds_;
   Json report = {{"input", describeInput(options_.input, *filter_)},
     {"method", filter_->GetMethodUsed()}, {"why", filter_->GetMethodReason()},
     {"tolerance", options_.tolerance}, {"grid", this->describeGrid()},
     {"expected", {{"seconds", expectedSeconds_}, {"memory", expectedMemory_}}},
-    {"seconds", seconds}, {"peak_memory", peakMemory()},
+    {"seconds", seconds}, {"peak_memory", largestMemory(peakMemories_)},
     {"threads", threadsUsed(options_.threads)}};
+  addRanks(report, peakMemories_);
   if (report["method"] == "rows")
   {
     report["cap_triangles"] = filter_->GetNumberOfCapTriangles();

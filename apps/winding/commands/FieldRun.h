@@ -1,5 +1,6 @@
 #pragma once
 
+#include "commands/Slabs.h"
 #include "program/Print.h"
 #include "program/Stopwatch.h"
 
@@ -7,14 +8,17 @@
 
 class Messages;
 class OutputFile;
+class PiecesFile;
 struct Options;
 class vtkHyperTreeGrid;
+class vtkImageData;
 class vtkPolyData;
 
 /**
  * One run of a filter that samples a grid over the input of a command, with the figures that it
  * reports: the commands field, surface and voxels are made of it. Its functions throw Failure for
- * whatever keeps them from being done.
+ * whatever keeps them from being done. They are collective (ParallelRun.h): the first rank reads,
+ * prints and writes what is one file, and has the only pointers to files.
  */
 class FieldRun
 {
@@ -30,14 +34,23 @@ public:
   /// called. Warns where the grid cannot be cut into as many pieces as the options ask for.
   void write(OutputFile& file);
 
-  /// Writes a surface that was made of the field or by the filter.
-  void write(vtkPolyData* surface, OutputFile& file);
+  /// Makes and writes the field in pieces, as many on each rank as the options ask for.
+  void write(const PiecesFile& file);
 
-  /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves.
-  void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile& file);
+  /// Makes the field, a slab on each rank, and writes it to one file, which is null on all ranks
+  /// but the first.
+  void writeGathered(OutputFile* file);
 
-  /// Prints the report, as JSON or for people, once the output is written.
-  void print() const;
+  /// Writes a surface that was made of the field or by the filter. The file is null on all ranks
+  /// but the first.
+  void write(vtkPolyData* surface, OutputFile* file);
+
+  /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves. The file
+  /// is null on all ranks but the first.
+  void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file);
+
+  /// Prints the report on all ranks, as JSON or for people, once the output is written.
+  void print();
 
 private:
   void check();
@@ -47,6 +60,9 @@ private:
   Json report() const;
   Json describeGrid() const;
   int pieces() const;
+  std::vector<SlabExtent> slabs(std::size_t wanted, bool overlap) const;
+  vtkImageData* makeSlab(const std::vector<SlabExtent>& slabs, std::size_t number);
+  void gatherFigures();
   double distanceBand() const;
   void addErrors(Json& report) const;
   std::string errorsInWords(const Json& report) const;
@@ -61,8 +77,10 @@ private:
 
   /// Status of the first execution that was not DONE.
   int status_ = vtkWindingNumberAlgorithm::DONE;
+  bool isIdle_ = false; ///< whether the execution is for the other ranks only
   double readSeconds_ = 0;
   double writeSeconds_ = 0;
+  double totalSeconds_ = 0;
   Json output_; ///< describes what was written, unless it is an image; null then
   Stopwatch execution_;
   // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
@@ -81,4 +99,5 @@ private:
   vtkIdType onSurface_ = 0; ///< samples that were not compared
   vtkIdType besidePoints_ = 0;
   double maxErrorBesidePoints_ = 0;
+  std::vector<double> peakMemories_; ///< of all ranks, in bytes
 };

@@ -1,8 +1,8 @@
 #include "commands/HyperTreeRun.h"
 
 #include "commands/FieldRun.h"
-#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
+#include "commands/OpenOnFirstRank.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 
@@ -14,7 +14,7 @@ void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
 {
   Options options = given;
   options.cells = true; // as the report says
-  OutputFile output(options.output, filesToKeep(options));
+  const auto output = openOnFirstRank(options);
   vtkNew<vtkWindingNumberHyperTree> field;
   applyTrees(options, field);
   field->SetMaskOutside(masksOutside);
@@ -24,6 +24,6 @@ void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
   {
     warnOfNothingInside("the grid", options, messages);
   }
-  run.write(field->GetOutput(), field->GetNumberOfLeaves(), output);
+  run.write(field->GetOutput(), field->GetNumberOfLeaves(), output.get());
   run.print();
 }

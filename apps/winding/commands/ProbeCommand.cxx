@@ -1,7 +1,9 @@
 #include "commands/Commands.h"
-#include "commands/FilesToKeep.h"
+#include "commands/DealtProbe.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
+#include "commands/OpenOnFirstRank.h"
+#include "commands/ReadOnFirstRank.h"
 #include "commands/ReportParts.h"
 #include "files/Suffix.h"
 #include "input/ReadInput.h"
@@ -11,7 +13,7 @@
 #include "output/WriteOutput.h"
 #include "program/Failure.h"
 #include "program/Messages.h"
-#include "program/Progress.h"
+#include "program/ParallelRun.h"
 #include "program/Stopwatch.h"
 #include "program/Threads.h"
 
@@ -25,12 +27,20 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace
 {
+
+/// Times in seconds, the largest of all ranks, and the peaks of their memory in bytes.
+struct Figures
+{
+  double read, prepare, evaluate, total;
+  std::vector<double> peakMemories;
+};
 
 /// The points asked about, and the table that they come from, if they come from one.
 struct Queries
@@ -152,9 +162,9 @@ std::string asField(const std::string& name, char separator)
 /// Writes the rows that came in unchanged, or the coordinates of points that came in otherwise,
 /// with a column more for each result: all of them, or with --extract those that are inside.
 void writeTable(
-  const Queries& queries, vtkWindingNumberProbe& probe, const Options& options, OutputFile& file)
+  const Queries& queries, const ProbeAnswer& probed, const Options& options, OutputFile& file)
 {
-  vtkDataSet* answer = probe.GetOutput();
+  vtkDataSet* answer = probed.data;
   const char own = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
   const char separator = queries.table ? queries.table->separator() : own;
   const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
@@ -176,7 +186,7 @@ void writeTable(
   stream << lineEnd;
   for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
   {
-    if (options.extract && !probe.IsInside(i))
+    if (options.extract && !probed.inside[static_cast<std::size_t>(i)])
     {
       continue;
     }
@@ -203,26 +213,24 @@ void writeTable(
   }
 }
 
-void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType queries,
-  double readSeconds, double totalSeconds)
+void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,
+  const Figures& figures)
 {
-  vtkIdType taken = 0;
-  for (vtkIdType i = 0; i < queries; ++i)
-  {
-    taken += probe.IsInside(i);
-  }
+  const auto queries = static_cast<vtkIdType>(probed.inside.size());
+  const vtkIdType taken = std::accumulate(probed.inside.begin(), probed.inside.end(), vtkIdType(0));
+  const double prepare = figures.prepare, evaluate = figures.evaluate, read = figures.read;
+  const double total = figures.total;
   const char* const side = options.insideOut ? "outside" : "inside";
-  const double prepare = probe.GetPrepareSeconds(), evaluate = probe.GetEvaluateSeconds();
-  const Json report = {{"input", describeInput(options.input, probe)},
-    {"method", probe.GetMethodUsed()}, {"why", probe.GetMethodReason()},
-    {"tolerance", options.tolerance},
+  Json report = {{"input", describeInput(options.input, probe)}, {"method", probe.GetMethodUsed()},
+    {"why", probe.GetMethodReason()}, {"tolerance", options.tolerance},
     {"expected", {{"seconds", probe.GetExpectedSeconds()}, {"memory", probe.GetExpectedMemory()}}},
     {"queries", {{"file", options.queries}, {"count", queries}, {side, taken}}},
     {"output", {{"file", options.output}}},
-    {"seconds", {{"read", readSeconds}, {"prepare", prepare}, {"evaluate", evaluate},
-                  {"write", std::max(0.0, totalSeconds - readSeconds - prepare - evaluate)},
-                  {"total", totalSeconds}}},
-    {"peak_memory", peakMemory()}, {"threads", threadsUsed(options.threads)}};
+    {"seconds", {{"read", read}, {"prepare", prepare}, {"evaluate", evaluate},
+                  {"write", std::max(0.0, total - read - prepare - evaluate)}, {"total", total}}},
+    {"peak_memory", largestMemory(figures.peakMemories)},
+    {"threads", threadsUsed(options.threads)}};
+  addRanks(report, figures.peakMemories);
   if (options.json)
   {
     print(report);
@@ -231,7 +239,7 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
   {
     print(options.input + ": method " + probe.GetMethodUsed() + " (" + probe.GetMethodReason() +
           "), " + std::to_string(queries) + " queries, " + std::to_string(taken) + " " + side +
-          ", " + shown(totalSeconds, 3) + " s\nwrote " + options.output);
+          ", " + shown(total, 3) + " s\nwrote " + options.output);
   }
 }
 
@@ -240,36 +248,39 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, vtkIdType
 void runProbe(const Options& options, Messages& messages)
 {
   const Stopwatch stopwatch;
-  OutputFile output(options.output, filesToKeep(options));
-  const Queries queries = readQueries(options, messages);
-  const auto source = readInput(options.input, messages);
+  const auto output = openOnFirstRank(options);
+  Queries queries;
+  queries.points = vtkSmartPointer<vtkPolyData>::New();
+  parallel::agreeOnFirst([&] { queries = readQueries(options, messages); });
+  const auto source = readOnFirstRank(options.input, messages);
   const double readSeconds = stopwatch.seconds();
 
   vtkNew<vtkWindingNumberProbe> probe;
-  probe->SetInputDataObject(queries.points);
   probe->SetSourceData(source);
+  probe->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
   applyMethod(options, probe);
   probe->GenerateInsideOn();
   probe->SetOutputScalarTypeToDouble();
   probe->SetInsideOut(options.insideOut);
   probe->SetExtractInside(
     options.extract && !isTable(options.output)); // writeTable() extracts rows
-  {
-    const Progress progress(probe, "probe", messages.isQuiet());
-    probe->Update();
-  }
-  checkFilter(
-    probe->GetStatus(), probe->GetQueriesWereRefused() ? options.queries : options.input, messages);
+  const ProbeAnswer probed = probeOnAllRanks(*probe, queries.points, options, messages);
   warnOfIdleOptions(options, *probe, messages);
-  if (isTable(options.output))
-  {
-    writeTable(queries, *probe, options, output);
-  }
-  else
-  {
-    writePoints(vtkPointSet::SafeDownCast(probe->GetOutput()), output, messages);
-  }
-  output.commit();
-  printReport(
-    options, *probe, queries.points->GetNumberOfPoints(), readSeconds, stopwatch.seconds());
+  parallel::agreeOnFirst(
+    [&]
+    {
+      if (isTable(options.output))
+      {
+        writeTable(queries, probed, options, *output);
+      }
+      else
+      {
+        writePoints(vtkPointSet::SafeDownCast(probed.data), *output, messages);
+      }
+      output->commit();
+    });
+  const Figures figures = {parallel::maximum(readSeconds),
+    parallel::maximum(probe->GetPrepareSeconds()), parallel::maximum(probe->GetEvaluateSeconds()),
+    parallel::maximum(stopwatch.seconds()), parallel::ofAll(static_cast<double>(peakMemory()))};
+  parallel::agreeOnFirst([&] { printReport(options, *probe, probed, figures); });
 }

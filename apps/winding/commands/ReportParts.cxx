@@ -33,3 +33,21 @@ long long peakMemory()
   getrusage(RUSAGE_CHILDREN, &readers);
   return 1024LL * std::max(own.ru_maxrss, readers.ru_maxrss); // Linux gives KiB
 }
+
+long long largestMemory(const std::vector<double>& peaks)
+{
+  return static_cast<long long>(*std::max_element(peaks.begin(), peaks.end()));
+}
+
+void addRanks(Json& report, const std::vector<double>& peaks)
+{
+  if (peaks.size() > 1)
+  {
+    report["ranks"] = peaks.size();
+    report["peak_memory_of_ranks"] = Json::array();
+    for (const double peak : peaks)
+    {
+      report["peak_memory_of_ranks"].push_back(static_cast<long long>(peak));
+    }
+  }
+}

@@ -3,6 +3,7 @@
 #include "program/Print.h"
 
 #include <string>
+#include <vector>
 
 class vtkWindingNumberAlgorithm;
 
@@ -17,3 +18,9 @@ Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm&
 /// The most memory that the program, or a process that it reads files in, has held so far, in
 /// bytes.
 long long peakMemory();
+
+/// The largest of the peaks of memory of all ranks.
+long long largestMemory(const std::vector<double>& peaks);
+
+/// Adds the number of ranks and the peak of each, where there are several.
+void addRanks(Json& report, const std::vector<double>& peaks);

@@ -1,6 +1,6 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesToKeep.h"
+#include "commands/OpenOnFirstRank.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"
@@ -13,13 +13,13 @@ void runSurface(const Options& given, Messages& messages)
 {
   Options options = given;
   options.cells = false; // the filter draws its surface between samples that are points
-  OutputFile output(options.output, filesToKeep(options));
+  const auto output = openOnFirstRank(options);
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
   filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);
   run.update();
-  run.write(filter->GetOutput(), output);
+  run.write(filter->GetOutput(), output.get());
   run.print();
 }

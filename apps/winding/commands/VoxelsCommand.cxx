@@ -52,6 +52,6 @@ void runVoxels(const Options& given, Messages& messages)
   {
     warnOfNothingInside("the surface", options, messages);
   }
-  run.write(surface, output);
+  run.write(surface, &output);
   run.print();
 }

@@ -3,6 +3,7 @@
 #include "options/OptionChecks.h"
 #include "options/OptionGroups.h"
 #include "program/Failure.h"
+#include "program/ParallelRun.h"
 
 #include <algorithm>
 
@@ -22,7 +23,8 @@ CLI::App* addCommand(
 void addField(CLI::App& app, Options& options)
 {
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
-  addOutput(field, options, ".vti, or .htg, which holds voxels with the same numbers as one cell");
+  addOutput(
+    field, options, ".vti, .pvti, or .htg, which holds voxels with the same numbers as one cell");
   addThreshold(field, options);
   addCoverage(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
@@ -47,7 +49,7 @@ void addField(CLI::App& app, Options& options)
   addFieldOptions(field, options);
   field
     ->add_option("--pieces", options.pieces,
-      "Make and write the field in this many pieces, to save memory (1)")
+      "Make and write the field in this many pieces, to save memory; each rank that many (1)")
     ->group("Run");
   addThreads(field, options);
   addLongestTime(field, options);
@@ -215,7 +217,10 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   catch (const CLI::Success& wish)
   {
-    app.exit(wish); // prints the help or the version
+    if (parallel::isFirst())
+    {
+      app.exit(wish); // prints the help or the version
+    }
     return {};
   }
   catch (const CLI::ParseError& error)

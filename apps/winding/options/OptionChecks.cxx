@@ -166,7 +166,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   }
   else if (options.command == "field")
   {
-    checkOutput(options.output, options.command, {".vti", ".htg"});
+    checkOutput(options.output, options.command, {".vti", ".pvti", ".htg"});
     checkFieldOptions(options, wasGiven);
     checkCoverage(options, wasGiven);
     checkDistanceBand(options, wasGiven);

@@ -1,9 +1,10 @@
 #include "output/BlocksFile.h"
 
+#include "output/Folder.h"
 #include "output/OutputFile.h"
 #include "output/TemporaryFile.h"
 #include "output/WriteOutput.h"
-#include "program/Failure.h"
+#include "output/XmlNames.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
 
@@ -20,33 +21,6 @@
 
 namespace
 {
-
-/// Text for an attribute of XML.
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for (const char c : text)
-  {
-    switch (c)
-    {
-    case '&':
-      result += "&amp;";
-      break;
-    case '<':
-      result += "&lt;";
-      break;
-    case '>':
-      result += "&gt;";
-      break;
-    case '"':
-      result += "&quot;";
-      break;
-    default:
-      result += c;
-    }
-  }
-  return result;
-}
 
 /// The beginning of a file, which is all of an index; empty where there is no file.
 std::string indexText(const std::string& name)
@@ -68,7 +42,7 @@ bool isIndex(const std::string& text)
 std::string reference(const std::string& folder, const std::string& block)
 {
   const std::filesystem::path path = std::filesystem::path(folder).filename() / (block + ".vtp");
-  return "name=\"" + escaped(block) + "\" file=\"" + escaped(path.string()) + "\"";
+  return "name=\"" + escapedForXml(block) + "\" file=\"" + escapedForXml(path.string()) + "\"";
 }
 
 /// Removes the files of blocks that an index named and another one does not name any more. Says so
@@ -93,49 +67,6 @@ void removeStale(
   }
 }
 
-/// A folder that is removed again if it is new and empty.
-class Folder
-{
-public:
-  /// Makes the folder, unless it is there. Throws Failure, about the file, where that is not
-  /// allowed.
-  Folder(const std::string& folder, const std::string& file)
-    : folder_(folder)
-  {
-    std::error_code error;
-    isNew_ = std::filesystem::create_directory(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-    {
-      throw Failure(REFUSED, file,
-        "needs the folder " + folder + " for its blocks, which cannot be made: " + error.message() +
-          "; give another name");
-    }
-  }
-  ~Folder()
-  {
-    if (isNew_)
-    {
-      std::error_code error;
-      std::filesystem::remove(folder_, error); // a folder that has files stays
-    }
-  }
-  Folder(const Folder&) = delete;
-  void operator=(const Folder&) = delete;
-
-  bool isNew() const { return isNew_; }
-
-private:
-  std::string folder_;
-  bool isNew_;
-};
-
-bool isInFolder(const std::string& file, const std::string& folder)
-{
-  std::error_code error;
-  const std::filesystem::path path = std::filesystem::canonical(file, error);
-  return !error && std::filesystem::equivalent(path.parent_path(), folder, error);
-}
-
 } // namespace
 
 BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& inputs)
@@ -144,30 +75,20 @@ BlocksFile::BlocksFile(const std::string& name, const std::vector<std::string>& 
   , inputs_(inputs)
 {
   // The folder and the file go away again here: a run that is killed before it writes leaves none.
-  const Folder folder(folder_, name);
+  const Folder folder(folder_, name, "blocks");
   TemporaryFile::clear(folder_);
   std::error_code error;
   if (!folder.isNew() && !std::filesystem::is_empty(folder_, error) && !isIndex(indexText(name)))
   {
-    throw Failure(REFUSED, name,
-      "needs the folder " + folder_ +
-        " for its blocks, which is there and holds other files; give another name");
+    folder.refuseOtherFiles();
   }
-  for (const std::string& input : inputs)
-  {
-    if (isInFolder(input, folder_))
-    {
-      throw Failure(REFUSED, name,
-        "needs the folder " + folder_ + " for its blocks, which holds the input " + input +
-          "; give another name, or say --overwrite");
-    }
-  }
+  folder.refuseInputs(inputs);
   const OutputFile index(name, inputs);
 }
 
 void BlocksFile::write(vtkMultiBlockDataSet* blocks, Messages& messages) const
 {
-  const Folder folder(folder_, name_);
+  const Folder folder(folder_, name_, "blocks");
   const std::string before = indexText(name_);
   std::vector<std::unique_ptr<OutputFile>> files;
   std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" "

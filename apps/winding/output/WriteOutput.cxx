@@ -15,6 +15,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
@@ -141,6 +142,14 @@ void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& message
   // LZ4 takes as long to write and to read here, and its files are three times as large.
   writer->SetCompressorTypeToZLib();
   writer->SetInputData(grid);
+  run(writer.Get(), file, messages);
+}
+
+void writeImage(vtkImageData* image, OutputFile& file, Messages& messages)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  configureXml(writer);
+  writer->SetInputData(image);
   run(writer.Get(), file, messages);
 }
 

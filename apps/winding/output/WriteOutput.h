@@ -6,6 +6,7 @@ class Messages;
 class OutputFile;
 class vtkAlgorithmOutput;
 class vtkHyperTreeGrid;
+class vtkImageData;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -22,6 +23,8 @@ void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Message
 
 /// Writes the result of vtkWindingNumberHyperTree (.htg).
 void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& messages);
+/// Writes an image that is there, or a part of one, with the extent that it has.
+void writeImage(vtkImageData* image, OutputFile& file, Messages& messages);
 
 /// Writes a surface: .vtp .ply .stl .obj.
 void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages);

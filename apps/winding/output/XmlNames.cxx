@@ -77,6 +77,32 @@ void prepare(vtkFieldData* arrays)
 
 } // namespace
 
+std::string escapedForXml(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+    case '&':
+      result += "&amp;";
+      break;
+    case '<':
+      result += "&lt;";
+      break;
+    case '>':
+      result += "&gt;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
+    }
+  }
+  return result;
+}
+
 void prepareNamesForXml(vtkDataSet* data)
 {
   prepare(data->GetPointData());

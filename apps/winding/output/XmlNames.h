@@ -1,6 +1,11 @@
 #pragma once
 
+#include <string>
+
 class vtkDataSet;
+
+/// Text for an attribute of XML.
+std::string escapedForXml(const std::string& text);
 
 /**
  * Gives the arrays of a data set names, and names of components, that come back as they were when

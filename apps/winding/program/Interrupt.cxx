@@ -7,6 +7,7 @@
 #include <csignal>
 #include <list>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace interrupt
@@ -16,6 +17,8 @@ namespace
 {
 
 volatile std::sig_atomic_t signalled = 0;
+volatile std::sig_atomic_t isSilent = 0;
+volatile std::sig_atomic_t isOneOfSeveral = 0;
 
 // The handler may run on any thread and at any moment, so that what it reads changes in one step: a
 // pointer to a name.
@@ -25,9 +28,12 @@ static_assert(std::atomic<const char*>::is_always_lock_free);
 void leave(int)
 {
   removeTemporaryFiles();
-  const char message[] = "winding: interrupted\n";
-  const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
-  static_cast<void>(ignored);
+  if (!isSilent)
+  {
+    const char message[] = "winding: interrupted\n";
+    const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
+    static_cast<void>(ignored);
+  }
   removeTemporaryFiles(); // another thread may just have opened, and made, one of them again
   _exit(INTERRUPTED);
 }
@@ -39,6 +45,12 @@ void ask(int number)
     leave(number);
   }
   signalled = 1;
+  if (isOneOfSeveral)
+  {
+    const struct itimerval halfSecond = {{0, 0}, {0, 500000}};
+    setitimer(ITIMER_REAL, &halfSecond, nullptr);
+    return;
+  }
   alarm(1);
 }
 
@@ -58,6 +70,12 @@ void install()
   {
     sigaction(SIGHUP, &action, nullptr);
   }
+}
+
+void joinRanks(bool isFirst)
+{
+  isSilent = !isFirst;
+  isOneOfSeveral = 1;
 }
 
 bool requested()

@@ -15,6 +15,11 @@ namespace interrupt
 /// Handles signals in this way from now on.
 void install();
 
+/// The program is one of several ranks from now on. The launcher sends them a signal and kills them
+/// a second later, so the signal handler waits for half a second only; and it leaves without a line
+/// unless the rank is the first.
+void joinRanks(bool isFirst);
+
 /// Whether a signal has come.
 bool requested();
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class Messages;
+struct Options;
+class vtkDataSet;
+class vtkPointSet;
+class vtkWindingNumberProbe;
+
+/// The answer to queries.
+struct ProbeAnswer
+{
+  vtkSmartPointer<vtkDataSet> data;  ///< the queries, or the part that is inside, with the results
+  std::vector<unsigned char> inside; ///< of each query: whether it is inside
+};
+
+/**
+ * Executes a probe, which has all properties and its source, on queries that the first rank has;
+ * only that one gets the answer, which is in their order. The queries are dealt out to all ranks as
+ * bare points, unless the probe extracts what is inside: then the first rank answers for all.
+ * Throws Failure on all ranks. Collective.
+ */
+ProbeAnswer probeOnAllRanks(
+  vtkWindingNumberProbe& probe, vtkPointSet* queries, const Options& options, Messages& messages);

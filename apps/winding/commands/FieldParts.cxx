@@ -1,0 +1,137 @@
+#include "commands/FieldParts.h"
+
+#include "program/Failure.h"
+#include "program/ParallelRun.h"
+#include "program/Print.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+/// The memory in bytes that the machine can give without taking it from other programs; infinite
+/// where it does not tell.
+double freeMemory()
+{
+  std::ifstream file("/proc/meminfo");
+  std::string name, rest;
+  for (double kilobytes = 0; file >> name >> kilobytes && std::getline(file, rest);)
+  {
+    if (name == "MemAvailable:")
+    {
+      return 1024 * kilobytes;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+bool hasCells(vtkImageData* image)
+{
+  return image->GetCellData()->GetNumberOfArrays() > 0;
+}
+
+vtkDataSetAttributes* arraysOf(vtkImageData* image)
+{
+  if (hasCells(image))
+  {
+    return image->GetCellData();
+  }
+  return image->GetPointData();
+}
+
+std::size_t bytesOfValue(vtkDataArray* array)
+{
+  return static_cast<std::size_t>(array->GetDataTypeSize());
+}
+
+std::size_t bytesOf(vtkDataArray* array)
+{
+  return static_cast<std::size_t>(array->GetNumberOfValues()) * bytesOfValue(array);
+}
+
+/// An image of the whole with arrays like those of a slab, whose values are not set.
+vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<SlabExtent>& slabs)
+{
+  SlabExtent whole = slabs.front();
+  whole[5] = slabs.back()[5];
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(whole.data());
+  image->SetOrigin(slab->GetOrigin());
+  image->SetSpacing(slab->GetSpacing());
+  image->GetFieldData()->ShallowCopy(slab->GetFieldData());
+  const bool asCells = hasCells(slab);
+  const vtkIdType samples = asCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  vtkDataSetAttributes* const from = arraysOf(slab);
+  vtkDataSetAttributes* to = image->GetPointData();
+  if (asCells)
+  {
+    to = image->GetCellData();
+  }
+  double bytes = 0;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    bytes += static_cast<double>(samples) * static_cast<double>(bytesOfValue(from->GetArray(i)));
+  }
+  if (bytes > freeMemory())
+  {
+    throw Failure(NO_MEMORY,
+      "give the output the suffix .pvti, which every rank writes a part of: a .vti file needs " +
+        shown(1e-9 * bytes, 3) + " GB on the first rank");
+  }
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = from->GetArray(i);
+    const auto all = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    all->SetName(array->GetName());
+    all->SetNumberOfTuples(samples);
+    to->AddArray(all);
+  }
+  if (from->GetScalars())
+  {
+    to->SetActiveScalars(from->GetScalars()->GetName());
+  }
+  return image;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> gatheredImage(vtkImageData* own, const std::vector<SlabExtent>& slabs)
+{
+  vtkSmartPointer<vtkImageData> whole;
+  parallel::agreeOnFirst([&] { whole = emptyImage(own, slabs); });
+  const int arrays =
+    own ? arraysOf(own)->GetNumberOfArrays() : 0; // the same on all ranks that have a slab
+  for (int i = 0; i < arrays; ++i)
+  {
+    vtkDataArray* const part = arraysOf(own)->GetArray(i);
+    if (!parallel::isFirst())
+    {
+      parallel::send(part->GetVoidPointer(0), bytesOf(part), 0);
+      continue;
+    }
+    // The layers of a slab follow those of the slab before it.
+    auto* to = static_cast<unsigned char*>(arraysOf(whole)->GetArray(i)->GetVoidPointer(0));
+    std::memcpy(to, part->GetVoidPointer(0), bytesOf(part));
+    to += bytesOf(part);
+    const auto layers = [&](std::size_t slab)
+    {
+      return static_cast<std::size_t>(slabs[slab][5] - slabs[slab][4] + (hasCells(own) ? 0 : 1));
+    };
+    const std::size_t bytesOfLayer = bytesOf(part) / layers(0);
+    for (std::size_t rank = 1; rank < slabs.size(); ++rank)
+    {
+      parallel::receive(to, layers(rank) * bytesOfLayer, static_cast<int>(rank));
+      to += layers(rank) * bytesOfLayer;
+    }
+  }
+  return whole;
+}

@@ -1,0 +1,230 @@
+"""The program `winding` under mpirun: results are those of one rank, and failures are one line.
+
+Usage: program_test.py <the program winding> <mpirun> <number of ranks>. Prints what it runs, and
+fails at the first fault.
+"""
+
+import filecmp
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPImageDataReader
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "docs"))
+import inputs  # noqa: E402
+
+# Whether fields of open surfaces and clouds have the bits of one rank, too, not only closed ones.
+OPEN_SOURCES_HAVE_SAME_BITS = False
+TOLERANCE = 1e-3  # of winding numbers, the default of the program
+LONGEST_END = 20  # seconds until all ranks have ended after one was killed; 2.3 to 4.1 measured
+
+
+class Runs:
+    def __init__(self, program, mpirun, ranks, folder):
+        self.program, self.mpirun, self.ranks, self.folder = program, mpirun, ranks, folder
+
+    def command(self, words, ranks):
+        launcher = [self.mpirun, "--oversubscribe", "-np", str(ranks)] if ranks else []
+        return [*launcher, self.program, *words]
+
+    def run(self, words, ranks=0, status=0):
+        """Runs the program with so many ranks, 0 for one without mpirun."""
+        print(ranks, "ranks: winding", *words, flush=True)
+        run = subprocess.run(self.command(words, ranks), cwd=self.folder, capture_output=True,
+                             text=True, timeout=120)
+        assert run.returncode == status, (run.returncode, run.stderr)
+        return run
+
+    def of_ranks(self, *words, status=0):
+        return self.run(words, self.ranks, status)
+
+    def alone(self, *words):
+        return self.run(words)
+
+
+def own_lines(run):
+    """What the program says on standard error, without the words of mpirun."""
+    return [line for line in run.stderr.splitlines() if line.startswith("winding:")]
+
+
+def image_of(path):
+    reader = vtkXMLPImageDataReader() if path.suffix == ".pvti" else vtkXMLImageDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def require_same(image, other, same_bits):
+    assert image.GetExtent() == other.GetExtent(), (image.GetExtent(), other.GetExtent())
+    assert image.GetOrigin() == other.GetOrigin() and image.GetSpacing() == other.GetSpacing()
+    for data, expected in ((image.GetPointData(), other.GetPointData()),
+                           (image.GetCellData(), other.GetCellData())):
+        assert data.GetNumberOfArrays() == expected.GetNumberOfArrays()
+        for index in range(expected.GetNumberOfArrays()):
+            array = expected.GetArray(index)
+            found, values = (vtk_to_numpy(a) for a in (data.GetArray(array.GetName()), array))
+            assert found.dtype == values.dtype
+            if same_bits:
+                assert found.tobytes() == values.tobytes(), array.GetName()
+            elif array.GetName() == "WindingNumber":
+                assert abs(found - values).max() <= 2 * TOLERANCE
+
+
+def test_fields(runs):
+    for source, options, same_bits in (
+            ("closed.obj", ["--inside"], True),
+            ("closed.obj", ["--cells", "--coverage", "fraction", "--dims", "30", "20", "2"], True),
+            ("closed.obj", ["--double", "--dims", "20", "20", "1"], True),
+            ("closed.obj", ["--distance", "--resolution", "40"], True),
+            ("scan.obj", [], OPEN_SOURCES_HAVE_SAME_BITS),
+            ("soup.obj", ["--method", "hierarchical"], OPEN_SOURCES_HAVE_SAME_BITS),
+            ("cloud.xyz", [], OPEN_SOURCES_HAVE_SAME_BITS)):
+        runs.alone("field", source, "-o", "one.vti", *options, "--quiet")
+        expected = image_of(runs.folder / "one.vti")
+        for output in (["all.vti"], ["all.pvti"], ["all.pvti", "--pieces", "3"]):
+            run = runs.of_ranks("field", source, "-o", *output, *options)
+            assert run.stdout.count("wrote") == 1, run.stdout
+            # A grid of few layers cannot be cut into three pieces for each rank.
+            is_flat = "--dims" in options and "--pieces" in output
+            assert len(own_lines(run)) <= is_flat, run.stderr
+            require_same(image_of(runs.folder / output[0]), expected, same_bits)
+        if same_bits:
+            assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
+
+
+def test_pieces(runs):
+    """The folder holds the pieces of the last run, and no more."""
+    runs.alone("field", "closed.obj", "-o", "p.pvti", "--pieces", "9")
+    assert len(list((runs.folder / "p").iterdir())) == 9
+    run = runs.of_ranks("field", "closed.obj", "-o", "p.pvti", "--json")
+    assert sorted(path.name for path in (runs.folder / "p").iterdir()) == [
+        f"p_{rank}.vti" for rank in range(runs.ranks)]
+    report = json.loads(run.stdout)
+    if runs.ranks > 1:
+        assert report["ranks"] == runs.ranks
+        assert report["peak_memory"] == max(report["peak_memory_of_ranks"])
+        assert len(report["peak_memory_of_ranks"]) == runs.ranks
+        assert report["threads"] <= max(1, os.cpu_count() // runs.ranks)
+
+
+def test_probe_and_surface(runs):
+    for words, suffix in ((["probe", "closed.obj", "points.csv"], ".csv"),
+                          (["probe", "closed.obj", "points.csv", "--extract"], ".csv"),
+                          (["probe", "closed.obj", "mesh.vtu", "--distance"], ".vtu"),
+                          (["probe", "closed.obj", "mesh.vtu", "--extract"], ".vtu"),
+                          (["probe", "closed.obj", "cloud.xyz", "--inside-out"], ".vtp"),
+                          (["probe", "scan.obj", "points.csv", "--method", "direct"], ".csv"),
+                          (["surface", "closed.obj"], ".vtp"),
+                          (["field", "closed.obj", "--resolution", "20"], ".htg"),
+                          (["surface", "closed.obj", "--verify", "100"], ".ply")):
+        runs.alone(*words, "-o", "one" + suffix)
+        run = runs.of_ranks(*words, "-o", "all" + suffix)
+        assert run.stdout.count("wrote") == 1 and not run.stderr, (run.stdout, run.stderr)
+        assert filecmp.cmp(runs.folder / ("one" + suffix), runs.folder / ("all" + suffix),
+                           shallow=False), words
+
+
+def test_failures(runs):
+    (runs.folder / "broken.obj").write_text("v 0 0\nf 1 2 3\n")
+    (runs.folder / "broken.vtu").write_text("<VTKFile")
+    (runs.folder / "other").mkdir()
+    (runs.folder / "other" / "mine.txt").write_text("mine")
+    # The piece of the last rank alone cannot be written.
+    (runs.folder / "last" / f"last_{runs.ranks - 1}.vti").mkdir(parents=True)
+    commands = [(["field", "none.obj", "-o", "f.vti"], 2),
+                (["field", "broken.obj", "-o", "f.pvti"], 2),
+                (["field", "points.xyz", "-o", "f.pvti"], 2),
+                (["field", "closed.obj", "-o", "none/f.vti"], 2),
+                (["field", "closed.obj", "-o", "none/f.pvti"], 2),
+                (["field", "closed.obj", "-o", "other.pvti"], 2),
+                (["field", "closed.obj", "-o", "last.pvti"], 2),
+                (["probe", "closed.obj", "broken.vtu", "-o", "f.vtu"], 2),
+                (["probe", "closed.obj", "none.csv", "-o", "f.csv"], 2),
+                (["surface", "closed.obj", "-o", "none/f.vtp"], 2),
+                (["surface", "closed.obj", "-o", "f.vtp", "--tolerance", "-1"], 1),
+                (["field", "closed.obj"], 1)]
+    if runs.ranks > 1:
+        commands += [(["voxels", "closed.obj", "-o", "f.vtp"], 1), (["check", "closed.obj"], 1),
+                     (["field", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1)]
+    for words, status in commands:
+        run = runs.of_ranks(*words, status=status)
+        lines = own_lines(run)
+        assert len(lines) == 1 and lines[0].startswith("winding: error: "), run.stderr
+        assert not run.stdout.strip(), run.stdout
+    left = [str(path) for path in runs.folder.rglob("*")
+            if path.name.startswith("f.") or ".part" in path.name or path.suffix == ".pvti"]
+    assert not [name for name in left if not name.endswith(("all.pvti", "p.pvti"))], left
+    assert (runs.folder / "other" / "mine.txt").read_text() == "mine"
+    assert runs.of_ranks("field", "--help").stdout.count("Usage: winding field") == 1
+    assert runs.of_ranks("--version").stdout.count("\n") == 1
+
+
+def children_of(process):
+    found = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = path.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(fields[1]) == process:
+            found.append(int(path.parent.name))
+    return sorted(found)
+
+
+def test_killed_ranks(runs):
+    """Where one rank dies all do, no file bears its final name, and the next run clears the rest."""
+    for output in ("end.vti", "end.pvti"):
+        for signal_number, is_rank in ((signal.SIGKILL, True), (signal.SIGINT, True),
+                                       (signal.SIGINT, False)):
+            words = ["field", "soup.obj", "-o", output, "--method", "direct", "--resolution", "400"]
+            with subprocess.Popen(runs.command(words, runs.ranks), cwd=runs.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                  text=True) as process:
+                wait_for_work(runs, process)
+                print("signal", int(signal_number), "to", "a rank" if is_rank else "mpirun", output,
+                      flush=True)
+                os.kill(children_of(process.pid)[-1] if is_rank else process.pid, signal_number)
+                start = time.monotonic()
+                process.communicate(timeout=LONGEST_END)
+                print(f"ended after {time.monotonic() - start:.1f} s", flush=True)
+            assert process.returncode != 0
+            if signal_number == signal.SIGINT and is_rank:
+                assert process.returncode == 130, process.returncode
+            assert not (runs.folder / output).exists()
+            assert not list((runs.folder / "end").glob("end_*.vti"))
+        runs.of_ranks("field", "closed.obj", "-o", output, "--quiet")
+        left = [path.name for path in runs.folder.rglob("*") if ".part" in path.name]
+        assert not left, left
+        (runs.folder / output).unlink()
+        for path in (runs.folder / "end").glob("*"):
+            path.unlink()
+
+
+def wait_for_work(runs, process):
+    """Waits until all ranks are there and have worked for a while."""
+    while len(children_of(process.pid)) < runs.ranks:
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.1)
+    time.sleep(2)
+
+
+def main(program, mpirun, ranks):
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        inputs.main(folder)
+        runs = Runs(program, mpirun, int(ranks), folder)
+        for test in (test_fields, test_pieces, test_probe_and_surface, test_failures,
+                     test_killed_ranks):
+            test(runs)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
