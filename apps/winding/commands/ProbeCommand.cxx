@@ -107,9 +107,9 @@ void addColumns(const Table& table, vtkDataSet* points)
   }
 }
 
-Queries readQueries(const Options& options, Messages& messages)
+/// Reads the queries into a place where they stay: a table refers to its own text.
+void readQueries(const Options& options, Messages& messages, Queries& queries)
 {
-  Queries queries;
   if (isTable(options.queries))
   {
     queries.table.emplace(options.queries);
@@ -130,7 +130,6 @@ Queries readQueries(const Options& options, Messages& messages)
     }
     queries.points = readInput(options.queries, messages);
   }
-  return queries;
 }
 
 /// A number with 17 significant digits, with which every double comes back with the same bits.
@@ -251,7 +250,7 @@ void runProbe(const Options& options, Messages& messages)
   const auto output = openOnFirstRank(options);
   Queries queries;
   queries.points = vtkSmartPointer<vtkPolyData>::New();
-  parallel::agreeOnFirst([&] { queries = readQueries(options, messages); });
+  parallel::agreeOnFirst([&] { readQueries(options, messages, queries); });
   const auto source = readOnFirstRank(options.input, messages);
   const double readSeconds = stopwatch.seconds();
 
