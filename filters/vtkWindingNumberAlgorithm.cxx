@@ -287,7 +287,9 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject* source, const winding::Grid& grid)
 {
-  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()));
+  // Each rank makes about its share of the grid, unless the first makes all.
+  const auto makers = static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->Ranks->count());
+  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
 }
 
 const winding::Field& vtkWindingNumberAlgorithm::PrepareField(

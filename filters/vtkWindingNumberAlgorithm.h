@@ -328,7 +328,8 @@ public:
   ///@{
   /// Estimates, made before the last execution, of what the whole result would take in one piece,
   /// by the cost model that AUTOMATIC chooses by: the seconds from the source on, if all threads
-  /// are free, and the bytes beside the source, the result arrays included.
+  /// are free, and the bytes beside the source, the result arrays included. In a parallel program
+  /// they are about the share of a rank.
   vtkGetMacro(ExpectedSeconds, double);
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}

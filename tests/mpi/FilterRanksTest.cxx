@@ -193,6 +193,21 @@ TEST(FieldOnRanks, IsKeptUntilAPartChanges)
   EXPECT_NEAR(field->GetNumberOfPrimitives(), static_cast<double>(left), 1);
 }
 
+TEST(FieldOnRanks, ExpectsTheShareOfARank)
+{
+  const auto expectedOf = [](bool isAlone)
+  {
+    const Mesh mesh = shapes::icosphere(2);
+    const auto part =
+      isAlone ? partOf(mesh, whole, 0, 1) : partOf(mesh, deals()[0], rank(), ranks());
+    const auto field = filterOf<vtkWindingNumberField>(part, isAlone);
+    field->SetResolution(60);
+    updatePiece(field);
+    return static_cast<double>(field->GetExpectedMemory());
+  };
+  EXPECT_NEAR(expectedOf(true) / expectedOf(false), ranks(), 0.1 * ranks());
+}
+
 TEST(FieldOnRanks, WithBadDataOnOneRankIsRefusedOnAll)
 {
   const auto part = partOf(shapes::icosphere(2), deals()[1], rank(), ranks());
