@@ -257,12 +257,12 @@ int vtkPointAreas::RequestData(
     winding::reportErrors(this, "there is not enough memory for the areas of so many points",
       [&]()
       {
-        copyShallowly(vtkDataObject::GetData(inputs[0]), output);
         winding::Ranks ranks(this->Controller);
         ranks.meet();
         ranks.agree(
           [&]
           {
+            copyShallowly(vtkDataObject::GetData(inputs[0]), output);
             this->AddAreas(output, ranks);
             return true;
           });
@@ -292,7 +292,8 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   properties.distribution = winding::sourceDistribution(this->SourceDistribution);
   properties.field.neighbors = this->NumberOfNeighbors;
   properties.field.pointArea = this->PointArea;
-  ranks.requireSame(winding::hashOf(properties));
+  ranks.requireSame(
+    winding::hashOf(properties) + static_cast<winding::Ranks::Number>(this->PointAreaMethod));
   winding::InputViews input(data, options);
   winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas", ranks);
   const std::vector<winding::OrientedPointsView> own = input.orientedPoints();

@@ -82,6 +82,19 @@ winding::Ranks::Number hashOf(const winding::Grid& grid)
   return hash.value();
 }
 
+/// Ranks must make the same of the field.
+winding::Ranks::Number hashOfResults(vtkWindingNumberAlgorithm& filter)
+{
+  winding::ContentHash hash;
+  hash.addValue(filter.GetWindingThreshold());
+  hash.addValue(filter.GetInsideRule());
+  hash.addValue(filter.GetGenerateWindingNumber());
+  hash.addValue(filter.GetGenerateInside());
+  hash.addValue(filter.GetGenerateSignedDistance());
+  hash.addValue(filter.GetOutputScalarType());
+  return hash.value();
+}
+
 /// Each rank has samples of its own.
 winding::Ranks::Number hashOf(const winding::VectorsView&)
 {
@@ -307,7 +320,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::SourceOptions options = this->GetSourceOptions();
-  this->Ranks->requireSame(winding::hashOf(options) + hashOf(samples));
+  this->Ranks->requireSame(winding::hashOf(options) + hashOf(samples) + hashOfResults(*this));
   const winding::Field* field =
     this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
   if (field && this->IsHelper())

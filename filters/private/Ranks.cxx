@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <new>
@@ -113,6 +114,11 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
   {
     own[status] = outOfMemory;
     text = "take fewer ranks on a machine, or a part of the source: there is not enough memory";
+  }
+  catch (const std::exception& error)
+  {
+    own[status] = refused;
+    text = std::string("unexpected: ") + error.what();
   }
   if (hasFailed_)
   {

@@ -30,13 +30,18 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   Executor& executor, Ranks& ranks, bool onlyOnFirst)
 {
   std::optional<InputViews> views;
+  Memory memory = source_;
   const bool isKept = ranks.agree(
     [&]
     {
       views.emplace(source, options.input);
-      const bool isSameSource = source_.isSame(*views, options.input);
-      return field_ && isSameSource && options_ == options.field;
+      const bool isSameSource = memory.isSame(*views, options.input);
+      return field_ && isSameSource && options_ == options.field &&
+             distribution_ == options.distribution && ranks_ == ranks.count();
     });
+  source_ = memory; // not before: where a rank refuses its part, the field is still of the last one
+  distribution_ = options.distribution;
+  ranks_ = ranks.count();
   wasBuilt_ = !isKept;
   if (wasBuilt_)
   {
@@ -66,7 +71,8 @@ const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& opt
     [&]
     {
       views.emplace(source, options);
-      return memory.isSame(*views, options);
+      const bool isSameSource = memory.isSame(*views, options);
+      return isSameSource && boundedRanks_ == ranks.count();
     });
   if (!isKept)
   {
@@ -91,6 +97,7 @@ const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& opt
     }
   }
   boundedSource_ = memory; // not before: a source that is refused must be refused again
+  boundedRanks_ = ranks.count();
   return bounds_;
 }
 

@@ -59,10 +59,13 @@ private:
 
   Memory source_;
   FieldOptions options_;
+  SourceDistribution distribution_ = SourceDistribution::automatic;
+  int ranks_ = 0;
   std::shared_ptr<const Field> field_;
   bool wasBuilt_ = false;
 
   Memory boundedSource_;
+  int boundedRanks_ = 0;
   Bounds bounds_;
 };
 

@@ -16,7 +16,12 @@ namespace winding
 void refuseHugeSource(
   vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what, Ranks& ranks)
 {
-  const bool isMesh = source && !asPoints && kindOf(source) == SourceKind::mesh;
+  // A rank without a part of its own does not know what kind the others have.
+  const bool isOwnMesh = source && !asPoints && kindOf(source) == SourceKind::mesh;
+  const std::vector<Ranks::Number> meshes =
+    ranks.exchange([isOwnMesh]() -> Ranks::Number { return isOwnMesh; });
+  const bool isMesh =
+    std::any_of(meshes.begin(), meshes.end(), [](Ranks::Number is) { return is != 0; });
   const std::vector<Ranks::Number> elements = ranks.exchange(
     [&]() -> Ranks::Number
     {

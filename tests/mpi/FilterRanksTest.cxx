@@ -172,6 +172,33 @@ TEST(FieldOnRanks, OfCopiesIsThatOfOne)
   }
 }
 
+TEST(FieldOnRanks, FollowsTheDistributionThatIsSetLater)
+{
+  const auto field =
+    filterOf<vtkWindingNumberField>(partOf(shapes::icosphere(2), whole, 0, 1), false);
+  field->SetResolution(9);
+  for (const int distribution :
+    {vtkWindingNumberField::DISTRIBUTED, vtkWindingNumberField::DISTRIBUTION_AUTOMATIC,
+      vtkWindingNumberField::DISTRIBUTED, vtkWindingNumberField::REPLICATED})
+  {
+    field->SetSourceDistribution(distribution);
+    updatePiece(field);
+    const double times = distribution == vtkWindingNumberField::DISTRIBUTED ? ranks() : 1;
+    EXPECT_EQ(field->GetOutput()->GetPointData()->GetArray("WindingNumber")->GetRange()[1], times);
+  }
+}
+
+TEST(FieldOnRanks, WithOtherThresholdsIsRefusedOnAll)
+{
+  const auto part = partOf(shapes::icosphere(2), deals()[1], rank(), ranks());
+  const auto field = filterOf<vtkWindingNumberField>(part, false);
+  field->SetResolution(8);
+  field->SetWindingThreshold(rank() == 0 ? 0.5 : 0.25);
+  const ErrorLog log(field);
+  updatePiece(field);
+  EXPECT_EQ(log.errors().empty(), ranks() == 1) << log.errors();
+}
+
 TEST(FieldOnRanks, IsKeptUntilAPartChanges)
 {
   const Mesh mesh = openSphere();
