@@ -38,8 +38,7 @@ Ranks::Number hashOf(const std::vector<double>& positions, const std::vector<T>&
 /// Whether all ranks have the same part, which is not empty.
 bool areCopies(const std::vector<Ranks::Number>& hashes)
 {
-  return hashes.front() != 0 && std::all_of(hashes.begin(), hashes.end(),
-                                  [&hashes](Ranks::Number hash) { return hash == hashes.front(); });
+  return hashes.front() != 0 && areEqual(hashes);
 }
 
 /// The vectors of a rank.

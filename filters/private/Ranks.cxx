@@ -67,6 +67,12 @@ Ranks::Number hostNumber()
 
 } // namespace
 
+bool areEqual(const std::vector<RankNumber>& numbers)
+{
+  return std::all_of(numbers.begin(), numbers.end(),
+    [&numbers](RankNumber number) { return number == numbers.front(); });
+}
+
 Ranks::Ranks(vtkMultiProcessController* controller, std::size_t mostNumbers)
   : controller_(controller)
   , mostNumbers_(mostNumbers)
@@ -161,8 +167,7 @@ void Ranks::meet()
 
 void Ranks::requireSame(Number hashOfProperties)
 {
-  const std::vector<Number> hashes = this->exchange([=] { return hashOfProperties; });
-  if (!std::all_of(hashes.begin(), hashes.end(), [&](Number hash) { return hash == hashes[0]; }))
+  if (!areEqual(this->exchange([=] { return hashOfProperties; })))
   {
     throw Refusal("set the same properties on all ranks: they differ, and so would the results");
   }

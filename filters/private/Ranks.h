@@ -10,6 +10,12 @@ class vtkMultiProcessController;
 namespace winding
 {
 
+/// A number that ranks tell each other: a count, flags or a hash.
+using RankNumber = unsigned long long;
+
+/// Whether all ranks have told the same number.
+bool areEqual(const std::vector<RankNumber>& numbers);
+
 /// Numbers of all ranks, rank by rank.
 template <class T> struct OfRanks
 {
@@ -45,8 +51,7 @@ public:
   int count() const;
   bool isAlone() const { return this->count() == 1; }
 
-  /// A number that ranks tell each other: a count, flags or a hash.
-  using Number = unsigned long long;
+  using Number = RankNumber;
 
   /// Does work on every rank, and returns what it returned on each of them. Throws a Refusal,
   /// OutOfMemory or Interrupted if it threw on any.

@@ -29,10 +29,9 @@ void refuseHugeSource(
                ? source->GetNumberOfElements(isMesh ? vtkDataObject::CELL : vtkDataObject::POINT)
                : 0;
     });
-  const bool areEqual = std::all_of(elements.begin(), elements.end(),
-    [&elements](Ranks::Number number) { return number == elements[0]; });
-  const Ranks::Number all =
-    areEqual ? elements[0] : std::accumulate(elements.begin(), elements.end(), Ranks::Number{0});
+  const Ranks::Number all = areEqual(elements)
+                              ? elements[0]
+                              : std::accumulate(elements.begin(), elements.end(), Ranks::Number{0});
   ranks.agree(
     [&]
     {

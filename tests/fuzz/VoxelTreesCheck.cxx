@@ -2,6 +2,7 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
+#include "core/support/ExtentsOfField.h"
 #include "core/support/VoxelLeaves.h"
 #include "level/VoxelTrees.h"
 
@@ -23,17 +24,7 @@ using namespace winding;
 std::vector<VoxelTree> treesOf(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
 {
-  VoxelTrees trees(field, grid, options,
-    [&](const Extent& extent, const VoxelArrays& arrays)
-    {
-      FieldOutput output;
-      output.values = arrays.values;
-      output.doubleValues = arrays.doubleValues;
-      output.inside = arrays.inside;
-      output.rule = options.rule;
-      output.threshold = options.threshold;
-      field.evaluate(grid, extent, output, executor);
-    });
+  VoxelTrees trees(field, grid, options, shapes::extentsOf(field, grid, options, executor));
   std::vector<VoxelTree> all;
   while (!trees.isDone())
   {

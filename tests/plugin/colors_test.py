@@ -44,7 +44,7 @@ class TestColors(unittest.TestCase):
         with sphere_points(500, True) as cloud:
             probe = simple.WindingNumberProbe(Input=unit_sphere(Radius=0.999), Source=cloud)
             display = simple.Show(probe, self.view)
-            # As the window colours. ColorBy() of scripts fits the colours to the data in any case.
+            # Colours are asked for as the window does; ColorBy() of scripts fits them to the data.
             display.SetScalarColoring("WindingNumber", 0)
             display.SMProxy.RescaleTransferFunctionToDataRange(True, False)
             self.assertGreater(probe.PointData["WindingNumber"].GetRange()[1], 2)

@@ -1,6 +1,7 @@
 #include "level/VoxelTrees.h"
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "core/support/ExtentsOfField.h"
 #include "core/support/Interruption.h"
 #include "core/support/Shapes.h"
 #include "core/support/ShuffledThreads.h"
@@ -35,29 +36,10 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::a
   return Field::build(std::vector<TrianglesView>{mesh.view()}, options, serial);
 }
 
-/// The arrays of an extent, as the field has them.
-VoxelTrees::Evaluate evaluationOf(
-  const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
-{
-  return [&](const Extent& extent, const VoxelArrays& arrays)
-  {
-    FieldOutput output;
-    output.values = arrays.values;
-    output.doubleValues = arrays.doubleValues;
-    output.inside = arrays.inside;
-    output.rule = options.rule;
-    output.threshold = options.threshold;
-    if (!field.evaluate(grid, extent, output, executor))
-    {
-      throw Interrupted();
-    }
-  };
-}
-
 std::vector<VoxelTree> treesOf(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor)
 {
-  VoxelTrees trees(field, grid, options, evaluationOf(field, grid, options, executor));
+  VoxelTrees trees(field, grid, options, extentsOf(field, grid, options, executor));
   std::vector<VoxelTree> all;
   while (!trees.isDone())
   {
@@ -285,7 +267,7 @@ TEST(VoxelTrees, AreInterrupted)
     for (int runs = 0; runs < 2; ++runs)
     {
       Interruption executor(runs);
-      VoxelTrees trees(*field, grid, options, evaluationOf(*field, grid, options, executor));
+      VoxelTrees trees(*field, grid, options, extentsOf(*field, grid, options, executor));
       EXPECT_THROW(trees.advance(executor), Interrupted);
     }
   }
