@@ -13,6 +13,7 @@
 #include "vtkDataArrayRange.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 
@@ -195,6 +196,15 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   if (!this->Input)
   {
     throw winding::Refusal("set a surface or a point cloud (SetInput): there is no input");
+  }
+  vtkInformation* facts = this->Input->GetInformation();
+  if (facts->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()) > 1)
+  {
+    throw winding::Refusal(
+      "update the input as a whole (UpdatePiece(0, 1, 0)), or use Winding Number Probe, which "
+      "works on many ranks: an implicit function is serial, and the input is piece " +
+      std::to_string(facts->Get(vtkDataObject::DATA_PIECE_NUMBER())) + " of " +
+      std::to_string(facts->Get(vtkDataObject::DATA_NUMBER_OF_PIECES())));
   }
   if (options.field.method == winding::Method::automatic)
   {

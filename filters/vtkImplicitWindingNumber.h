@@ -24,9 +24,10 @@
  *
  * Like other implicit functions it has no pipeline: the input is a data object, which its producer
  * must have updated. Nor has it ranks: in a parallel program it is the function of the input that
- * this process has, all of which must have been gathered before, if it is held in parts. GetMTime()
- * tells when the input or a property was modified, and the next call works with their new state.
- * SetTransform() has points transformed first.
+ * this process has, all of which must have been gathered before, if it is held in parts. An input
+ * that its producer has made as one of several pieces is refused. GetMTime() tells when the input
+ * or a property was modified, and the next call works with their new state. SetTransform() has
+ * points transformed first.
  *
  * The first call builds the field of the input, or BuildField() does so before. After that, values
  * and gradients may be asked for from any number of threads, without a lock, as long as nobody

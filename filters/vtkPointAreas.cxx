@@ -4,6 +4,7 @@
 #include "base/Views.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
+#include "private/ContentHash.h"
 #include "private/ErrorReports.h"
 #include "private/InputViews.h"
 #include "private/PropertyChecks.h"
@@ -293,11 +294,19 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   properties.field.neighbors = this->NumberOfNeighbors;
   properties.field.pointArea = this->PointArea;
   ranks.requireSame(
-    winding::hashOf(properties) + static_cast<winding::Ranks::Number>(this->PointAreaMethod));
+    [&]
+    {
+      winding::ContentHash hash;
+      hash.addValue(winding::hashOf(properties));
+      hash.addValue(this->PointAreaMethod);
+      hash.addText(winding::textOf(this->ResultArrayName));
+      return hash.value();
+    });
   winding::InputViews input(data, options);
-  winding::refuseHugeSource(data, true, winding::bytesOfAreas, "the areas", ranks);
+  input.compare(ranks, properties.distribution);
+  winding::refuseHugeSource(input, winding::bytesOfAreas, "the areas", ranks);
   const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
-  input.gather(ranks, properties.distribution);
+  input.gather(ranks);
   const std::vector<winding::OrientedPointsView> all =
     input.isGathered() ? input.orientedPoints() : own;
   winding::SmpExecutor executor(this, this->NumberOfThreads);

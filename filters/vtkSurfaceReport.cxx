@@ -1,6 +1,7 @@
 #include "vtkSurfaceReport.h"
 
 #include "base/Refusal.h"
+#include "private/ContentHash.h"
 #include "private/ErrorReports.h"
 #include "private/FaultBlocks.h"
 #include "private/InputViews.h"
@@ -132,9 +133,17 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::SourceOptions properties;
   properties.input = options;
   properties.distribution = winding::sourceDistribution(this->SourceDistribution);
-  ranks.requireSame(winding::hashOf(properties));
-  winding::refuseHugeSource(source, false, winding::bytesOfReport, "the report", ranks);
-  views->gather(ranks, properties.distribution);
+  ranks.requireSame(
+    [&]
+    {
+      winding::ContentHash hash;
+      hash.addValue(winding::hashOf(properties));
+      hash.addValue(this->FaultThickness);
+      return hash.value();
+    });
+  views->compare(ranks, properties.distribution);
+  winding::refuseHugeSource(*views, winding::bytesOfReport, "the report", ranks);
+  views->gather(ranks);
   std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
   const bool fixes = this->FixOrientation && views->isSurface();
   winding::OrientedPolygons fix;

@@ -69,38 +69,6 @@ int statusOf(winding::Outcome outcome)
   }
 }
 
-/// Ranks must have the same grid.
-winding::Ranks::Number hashOf(const winding::Grid& grid)
-{
-  winding::ContentHash hash;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    hash.addValue(grid.dimensions[axis]);
-    hash.addValue(grid.firstSample[axis]);
-    hash.addValue(grid.spacing[axis]);
-  }
-  return hash.value();
-}
-
-/// Ranks must make the same of the field.
-winding::Ranks::Number hashOfResults(vtkWindingNumberAlgorithm& filter)
-{
-  winding::ContentHash hash;
-  hash.addValue(filter.GetWindingThreshold());
-  hash.addValue(filter.GetInsideRule());
-  hash.addValue(filter.GetGenerateWindingNumber());
-  hash.addValue(filter.GetGenerateInside());
-  hash.addValue(filter.GetGenerateSignedDistance());
-  hash.addValue(filter.GetOutputScalarType());
-  return hash.value();
-}
-
-/// Each rank has samples of its own.
-winding::Ranks::Number hashOf(const winding::VectorsView&)
-{
-  return 0;
-}
-
 template <class Private> constexpr bool isNumber(Private choice, int number)
 {
   return static_cast<int>(choice) == number;
@@ -283,6 +251,30 @@ void vtkWindingNumberAlgorithm::CheckProperties()
   winding::sourceDistribution(this->SourceDistribution);
 }
 
+void vtkWindingNumberAlgorithm::HashProperties(winding::ContentHash& hash)
+{
+  hash.addValue(winding::hashOf(this->GetSourceOptions()));
+  hash.addValue(this->WindingThreshold);
+  hash.addValue(this->InsideRule);
+  hash.addValue(this->GenerateWindingNumber);
+  hash.addValue(this->GenerateInside);
+  hash.addValue(this->GenerateSignedDistance);
+  hash.addValue(this->OutputScalarType);
+  hash.addText(winding::textOf(this->ResultArrayName));
+}
+
+void vtkWindingNumberAlgorithm::AgreeOnProperties()
+{
+  this->Ranks->requireSame(
+    [this]
+    {
+      this->CheckProperties();
+      winding::ContentHash hash;
+      this->HashProperties(hash);
+      return hash.value();
+    });
+}
+
 void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 {
   // Images and the like are refused by InputViews, in words that say what to do.
@@ -320,7 +312,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::SourceOptions options = this->GetSourceOptions();
-  this->Ranks->requireSame(winding::hashOf(options) + hashOf(samples) + hashOfResults(*this));
   const winding::Field* field =
     this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
   if (field && this->IsHelper())

@@ -61,6 +61,7 @@
 
 namespace winding
 {
+class ContentHash;
 class Executor;
 class Field;
 class Ranks;
@@ -398,9 +399,14 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) = 0;
   ///@}
 
-  /// Throws a refusal if properties are out of range. RequestData() calls it first. Filters with
-  /// properties of their own add these to it.
+  ///@{
+  /// Throws a refusal if properties are out of range, or if those that decide on the result differ
+  /// between ranks. RequestData() calls it first. Filters with properties of their own add these to
+  /// CheckProperties() and HashProperties(). Collective.
+  void AgreeOnProperties();
   virtual void CheckProperties();
+  virtual void HashProperties(winding::ContentHash& hash);
+  ///@}
 
   /// Whether the filter evaluates a grid, whose rows can share work, or scattered samples.
   virtual bool EvaluatesGrid() const = 0;
@@ -420,8 +426,8 @@ protected:
   /// The ranks of the request that is being answered.
   winding::Ranks& GetRanks() const { return *this->Ranks; }
 
-  /// Whether ranks answer a request for information together, because it needs the source. They
-  /// always do for data.
+  /// Whether ranks answer a request for information together, because it may need the source,
+  /// whatever their properties say. They always do for data.
   virtual bool InformationNeedsSource() const { return false; }
 
   /// Whether the first rank alone makes the result. The others take part in the execution, and get

@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "level/InsideOut.h"
+#include "private/ContentHash.h"
 #include "private/FreeMemory.h"
 #include "private/PropertyChecks.h"
 #include "private/ResultArrays.h"
@@ -83,13 +84,15 @@ int vtkWindingNumberField::RequestInformation(
   outInfo->Remove(vtkDataObject::SPACING());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
+  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  this->LookAtSource(source);
+  this->AgreeOnProperties();
   if (this->UseInputBounds)
   {
     this->UpdateSource(outInfo);
+    source = vtkDataObject::GetData(inputs[0]);
+    this->LookAtSource(source);
   }
-  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
-  this->LookAtSource(source);
-  this->CheckProperties();
   this->LayOutGrid(source);
 
   const bool asCells = this->OutputAssociation == CELLS;
@@ -127,6 +130,15 @@ void vtkWindingNumberField::CheckProperties()
   winding::checkRange("DistanceBand", this->DistanceBand, 0);
 }
 
+void vtkWindingNumberField::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->OutputAssociation);
+  hash.addValue(this->Coverage);
+  hash.addValue(this->CoverageSamples);
+  hash.addValue(this->DistanceBand);
+}
+
 double vtkWindingNumberField::GetDistanceLimit() const
 {
   return this->DistanceBand > 0 ? this->DistanceBand * this->GetSampling().spacing.maxCoeff()
@@ -140,7 +152,7 @@ int vtkWindingNumberField::RequestData(
   vtkImageData* output = vtkImageData::GetData(outInfo);
   // The pipeline keeps an image's old arrays to be used again, which these are not.
   output->Initialize();
-  this->CheckProperties();
+  this->AgreeOnProperties();
   if (!outInfo->Has(vtkDataObject::ORIGIN()) || !outInfo->Has(Pipeline::UPDATE_EXTENT()))
   {
     throw winding::Refusal("ask for information and an extent first: there is no grid");

@@ -138,7 +138,8 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
-  bool InformationNeedsSource() const override { return this->UseInputBounds != 0; }
+  void HashProperties(winding::ContentHash& hash) override;
+  bool InformationNeedsSource() const override { return true; }
 
   double GetDistanceLimit() const override;
   winding::EvaluationCost GetAdditionalCost(

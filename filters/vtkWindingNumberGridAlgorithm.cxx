@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "base/Refusal.h"
 #include "level/Verify.h"
+#include "private/ContentHash.h"
 #include "private/PropertyChecks.h"
 #include "private/SmpExecutor.h"
 #include "source/Grid.h"
@@ -72,6 +73,17 @@ void vtkWindingNumberGridAlgorithm::CheckProperties()
   }
   winding::checkRange("Padding", this->Padding, 0);
   winding::checkRange("VerifySamples", this->VerifySamples, 0);
+}
+
+void vtkWindingNumberGridAlgorithm::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Resolution);
+  hash.addValue(this->VoxelSize);
+  hash.addValue(this->SamplingDimensions);
+  hash.addValue(this->UseInputBounds);
+  hash.addValue(this->SamplingBounds);
+  hash.addValue(this->Padding);
 }
 
 void vtkWindingNumberGridAlgorithm::GetGrid(

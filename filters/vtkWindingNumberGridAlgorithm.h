@@ -131,6 +131,7 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
 
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);

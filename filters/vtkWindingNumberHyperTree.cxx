@@ -3,6 +3,7 @@
 #include "base/Refusal.h"
 #include "level/InsideOut.h"
 #include "level/VoxelTreesCost.h"
+#include "private/ContentHash.h"
 #include "private/FreeMemory.h"
 #include "private/PropertyChecks.h"
 #include "private/Ranks.h"
@@ -60,6 +61,15 @@ void vtkWindingNumberHyperTree::CheckProperties()
     throw winding::Refusal("turn Generate Signed Distance off, or make an image (filter Winding "
                            "Number Field): a hyper tree grid has no distances");
   }
+}
+
+void vtkWindingNumberHyperTree::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Coverage);
+  hash.addValue(this->CoverageSamples);
+  hash.addValue(this->MergeTolerance);
+  hash.addValue(this->MaskOutside);
 }
 
 winding::ResultOptions vtkWindingNumberHyperTree::GetResultOptions() const
@@ -124,7 +134,7 @@ int vtkWindingNumberHyperTree::RequestData(
   {
     return 1;
   }
-  this->CheckProperties();
+  this->AgreeOnProperties();
   this->CheckVerification(this->GenerateWindingNumber != 0);
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);

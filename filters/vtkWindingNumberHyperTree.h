@@ -119,6 +119,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
 
   bool WantsDistances() const override { return false; }
   bool WorksOnFirstRank() const override { return true; }

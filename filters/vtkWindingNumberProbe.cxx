@@ -5,6 +5,7 @@
 #include "base/Views.h"
 #include "field/Field.h"
 #include "level/InsideOut.h"
+#include "private/ContentHash.h"
 #include "private/InsidePart.h"
 #include "private/ProbeQueries.h"
 #include "private/ProbeWords.h"
@@ -178,6 +179,15 @@ void vtkWindingNumberProbe::CheckProperties()
   winding::checkChoice("ProbeAssociation", this->ProbeAssociation, {"POINTS", "CELLS"});
 }
 
+void vtkWindingNumberProbe::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->ProbeAssociation);
+  hash.addValue(this->InsideOut);
+  hash.addValue(this->ExtractInside);
+  hash.addText(winding::textOf(this->InsideArrayName));
+}
+
 int vtkWindingNumberProbe::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -189,7 +199,7 @@ int vtkWindingNumberProbe::RequestData(
     throw winding::Refusal("choose a Source (SetSourceConnection, SetSourceData): the filter has "
                            "none to tell winding numbers of");
   }
-  this->CheckProperties();
+  this->AgreeOnProperties();
 
   winding::ResultOptions options = this->GetResultOptions();
   options.remedy = this->GetWords().remedy;

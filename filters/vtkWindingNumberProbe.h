@@ -152,6 +152,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
 
   /// Whether the samples are the centres of cells rather than points.
   virtual bool SamplesCells() const { return this->ProbeAssociation == CELLS; }

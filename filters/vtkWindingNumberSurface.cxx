@@ -5,6 +5,7 @@
 #include "level/InsideOut.h"
 #include "level/LevelCost.h"
 #include "level/LevelRoots.h"
+#include "private/ContentHash.h"
 #include "private/FreeMemory.h"
 #include "private/GridContour.h"
 #include "private/PropertyChecks.h"
@@ -52,6 +53,14 @@ void vtkWindingNumberSurface::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
     {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
+}
+
+void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->CloseBorder);
+  hash.addValue(this->GenerateNormals);
+  hash.addValue(this->OutputPointsPrecision);
 }
 
 double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
@@ -103,7 +112,7 @@ int vtkWindingNumberSurface::RequestData(
   {
     return 1;
   }
-  this->CheckProperties();
+  this->AgreeOnProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
   this->CheckGrid();

@@ -102,6 +102,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
   bool WorksOnFirstRank() const override { return true; }
   bool WantsDistances() const override { return false; }
   winding::EvaluationCost GetAdditionalCost(

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <vector>
+#include <string>
 
 namespace winding
 {
@@ -18,10 +18,10 @@ class ContentHash
 public:
   template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
 
-  template <class T> void addNumbers(const std::vector<T>& numbers)
+  void addText(const std::string& text)
   {
-    this->addValue(numbers.size());
-    this->addBytes(numbers.data(), numbers.size() * sizeof(T));
+    this->addValue(text.size());
+    this->addBytes(text.data(), text.size());
   }
 
   void addArray(vtkDataArray* array)

@@ -21,24 +21,13 @@ void append(std::vector<double>& numbers, const VectorsView& vectors)
   }
 }
 
-/// A hash of a part; 0 for an empty one.
-template <class... T>
-Ranks::Number hashOf(const std::vector<double>& positions, const std::vector<T>&... others)
+template <class View> void add(const View& view, ContentHash& hash)
 {
-  if (positions.empty())
+  hash.addValue(view.size());
+  for (std::size_t i = 0; i < view.size(); ++i)
   {
-    return 0;
+    hash.addValue(view[i]);
   }
-  ContentHash hash;
-  hash.addNumbers(positions);
-  (hash.addNumbers(others), ...);
-  return hash.value();
-}
-
-/// Whether all ranks have the same part, which is not empty.
-bool areCopies(const std::vector<Ranks::Number>& hashes)
-{
-  return hashes.front() != 0 && areEqual(hashes);
 }
 
 /// The vectors of a rank.
@@ -49,12 +38,41 @@ VectorsView vectorsOf(const OfRanks<double>& numbers, int rank)
 
 } // namespace
 
-bool GatheredViews::gather(
-  Ranks& ranks, const std::vector<TrianglesView>& own, const Gathering& gathering)
+Ranks::Number hashOf(const std::vector<TrianglesView>& part)
+{
+  ContentHash hash;
+  for (const TrianglesView& view : part)
+  {
+    add(view.points, hash);
+    hash.addValue(view.triangles.size());
+    for (std::size_t i = 0; i < view.triangles.size(); ++i)
+    {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+      {
+        hash.addValue(static_cast<std::int64_t>(view.triangles(i, corner)));
+      }
+    }
+  }
+  return hash.value();
+}
+
+Ranks::Number hashOf(const std::vector<OrientedPointsView>& part)
+{
+  ContentHash hash;
+  for (const OrientedPointsView& view : part)
+  {
+    add(view.positions, hash);
+    add(view.normals, hash);
+    add(view.areas, hash);
+  }
+  return hash.value();
+}
+
+bool GatheredViews::gather(Ranks& ranks, const std::vector<TrianglesView>& own, bool onlyOnFirst)
 {
   std::vector<double> positions;
   std::vector<int> ids;
-  const std::vector<Ranks::Number> hashes = ranks.exchange(
+  ranks.agree(
     [&]
     {
       std::size_t points = 0;
@@ -82,15 +100,11 @@ bool GatheredViews::gather(
           }
         }
       }
-      return hashOf(positions, ids);
+      return true;
     });
-  if (gathering.findsCopies && areCopies(hashes))
-  {
-    return false;
-  }
-  positions_ = ranks.gathered(positions, gathering.onlyOnFirst);
-  ids_ = ranks.gathered(ids, gathering.onlyOnFirst);
-  if (gathering.onlyOnFirst && ranks.rank() > 0)
+  positions_ = ranks.gathered(positions, onlyOnFirst);
+  ids_ = ranks.gathered(ids, onlyOnFirst);
+  if (onlyOnFirst && ranks.rank() > 0)
   {
     return false;
   }
@@ -104,7 +118,7 @@ bool GatheredViews::gather(
 }
 
 bool GatheredViews::gather(
-  Ranks& ranks, const std::vector<OrientedPointsView>& own, const Gathering& gathering)
+  Ranks& ranks, const std::vector<OrientedPointsView>& own, bool onlyOnFirst)
 {
   enum Lack : unsigned
   {
@@ -133,18 +147,12 @@ bool GatheredViews::gather(
   {
     lacks |= static_cast<unsigned>(ofRank);
   }
-  const std::vector<Ranks::Number> hashes =
-    ranks.exchange([&] { return hashOf(positions, ownNormals, ownAreas); });
-  if (gathering.findsCopies && areCopies(hashes))
-  {
-    return false;
-  }
-  positions_ = ranks.gathered(positions, gathering.onlyOnFirst);
+  positions_ = ranks.gathered(positions, onlyOnFirst);
   ownNormals.resize(lacks & normals ? 0 : ownNormals.size());
   ownAreas.resize(lacks & areas ? 0 : ownAreas.size());
-  normals_ = ranks.gathered(ownNormals, gathering.onlyOnFirst);
-  areas_ = ranks.gathered(ownAreas, gathering.onlyOnFirst);
-  if (gathering.onlyOnFirst && ranks.rank() > 0)
+  normals_ = ranks.gathered(ownNormals, onlyOnFirst);
+  areas_ = ranks.gathered(ownAreas, onlyOnFirst);
+  if (onlyOnFirst && ranks.rank() > 0)
   {
     return false;
   }

@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace winding
 {
@@ -260,9 +261,17 @@ std::vector<OrientedPointsView> InputViews::orientedPoints()
   return isGathered_ ? gathered_.orientedPoints() : this->ownOrientedPoints();
 }
 
-void InputViews::gather(Ranks& ranks, SourceDistribution distribution, bool onlyOnFirst)
+std::size_t InputViews::ownElements() const
 {
-  if (ranks.isAlone() || distribution == SourceDistribution::replicated)
+  const int type = isSurface_ ? vtkDataObject::CELL : vtkDataObject::POINT;
+  return std::accumulate(leaves_.begin(), leaves_.end(), std::size_t{0},
+    [type](std::size_t sum, vtkPointSet* leaf)
+    { return sum + static_cast<std::size_t>(leaf->GetNumberOfElements(type)); });
+}
+
+void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
+{
+  if (ranks.isAlone())
   {
     return;
   }
@@ -271,17 +280,13 @@ void InputViews::gather(Ranks& ranks, SourceDistribution distribution, bool only
     surface = 1,
     cloud = 2
   };
-  std::vector<TrianglesView> triangles;
-  std::vector<OrientedPointsView> points;
   const std::vector<Ranks::Number> kinds = ranks.exchange(
     [&]() -> Ranks::Number
     {
       if (isSurface_)
       {
-        triangles = this->ownTriangles();
         return surface;
       }
-      points = this->ownOrientedPoints();
       return leaves_.empty() ? 0u : +cloud;
     });
   const auto has = [&kinds](Kind kind)
@@ -294,19 +299,43 @@ void InputViews::gather(Ranks& ranks, SourceDistribution distribution, bool only
                   "point cloud on others");
   }
   isSurface_ = has(surface);
-  const Gathering gathering = {distribution == SourceDistribution::automatic, onlyOnFirst};
-  isGathered_ = isSurface_ ? gathered_.gather(ranks, triangles, gathering)
-                           : gathered_.gather(ranks, points, gathering);
+  // Parts of different sizes are no copies, and looking at them takes no time.
+  areCopies_ =
+    distribution != SourceDistribution::distributed &&
+    areEqual(ranks.exchange([this]() -> Ranks::Number { return this->ownElements(); })) &&
+    areEqual(ranks.exchange([this]() -> Ranks::Number
+      { return isSurface_ ? hashOf(this->ownTriangles()) : hashOf(this->ownOrientedPoints()); }));
+  if (distribution == SourceDistribution::replicated && !areCopies_)
+  {
+    throw Refusal("choose another Source Distribution: the source is no replicated one, for the "
+                  "ranks have different data");
+  }
 }
 
-std::vector<TrianglesView> InputViews::ownTriangles()
+void InputViews::gather(Ranks& ranks, bool onlyOnFirst)
 {
-  std::vector<TrianglesView> views;
-  for (vtkPointSet* leaf : leaves_)
+  if (ranks.isAlone() || areCopies_)
   {
-    this->addTriangles(leaf, views);
+    return;
   }
-  return views;
+  ranks.agree([this]
+    { return isSurface_ ? !this->ownTriangles().empty() : !this->ownOrientedPoints().empty(); });
+  isGathered_ = isSurface_ ? gathered_.gather(ranks, this->ownTriangles(), onlyOnFirst)
+                           : gathered_.gather(ranks, this->ownOrientedPoints(), onlyOnFirst);
+}
+
+const std::vector<TrianglesView>& InputViews::ownTriangles()
+{
+  if (!ownTriangles_)
+  {
+    std::vector<TrianglesView> views;
+    for (vtkPointSet* leaf : leaves_)
+    {
+      this->addTriangles(leaf, views);
+    }
+    ownTriangles_ = std::move(views);
+  }
+  return *ownTriangles_;
 }
 
 const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
@@ -317,7 +346,16 @@ const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
   return vertices_.back();
 }
 
-std::vector<OrientedPointsView> InputViews::ownOrientedPoints()
+const std::vector<OrientedPointsView>& InputViews::ownOrientedPoints()
+{
+  if (!ownPoints_)
+  {
+    ownPoints_ = this->findOrientedPoints();
+  }
+  return *ownPoints_;
+}
+
+std::vector<OrientedPointsView> InputViews::findOrientedPoints()
 {
   const bool withoutNormals = this->lacksNormals();
   if (withoutNormals && !options_.estimateNormals)

@@ -8,6 +8,7 @@
 #include "vtkType.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,10 +73,21 @@ public:
 
   bool isGathered() const { return isGathered_; }
 
-  /// Brings the parts of all ranks together, on all of them or on the first. From then on this is
-  /// about the whole source, but for what tells of data sets. Collective; throws the same Refusal
-  /// on all ranks where one does, also where some have surfaces and others clouds.
-  void gather(Ranks& ranks, SourceDistribution distribution, bool onlyOnFirst = false);
+  /// The cells of a surface, or the points of a cloud, that this rank has.
+  std::size_t ownElements() const;
+
+  /// Finds out whether the source is a surface, and whether all ranks have a copy of it. Collective;
+  /// throws a Refusal on all ranks where some have surfaces and others clouds, and where a source
+  /// that is to be replicated is not.
+  void compare(Ranks& ranks, SourceDistribution distribution);
+
+  /// Whether compare() has found that all ranks have a copy of the source.
+  bool areCopies() const { return areCopies_; }
+
+  /// Brings the parts of all ranks together, on all of them or on the first, unless compare(),
+  /// which goes before, has found copies. From then on this is about the whole source, but for what
+  /// tells of data sets. Collective.
+  void gather(Ranks& ranks, bool onlyOnFirst = false);
 
   /// A hash of all that a field is built from. Two sources with different identities may still have
   /// the same content: a reader, for example, gives new objects for every time step, though only
@@ -85,7 +97,7 @@ public:
   std::vector<TrianglesView> triangles();
   std::vector<OrientedPointsView> orientedPoints();
 
-  /// The data sets whose points the last orientedPoints() gave, one for each view, with the point
+  /// The data sets whose points orientedPoints() has given, one for each view, with the point
   /// data of the source. They are its leaves, or the outer surfaces of these, without ghosts.
   const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
 
@@ -101,8 +113,9 @@ private:
   ScalarsView scalarsOf(vtkDataArray* array);
   template <class View> View viewOf(vtkDataArray* array);
   TriangleIdsView idsOf(vtkCellArray* polygons);
-  std::vector<TrianglesView> ownTriangles();
-  std::vector<OrientedPointsView> ownOrientedPoints();
+  const std::vector<TrianglesView>& ownTriangles();
+  const std::vector<OrientedPointsView>& ownOrientedPoints();
+  std::vector<OrientedPointsView> findOrientedPoints();
   bool lacksNormals() const;
   const MeshVertices& verticesOf(vtkPointSet* mesh);
   vtkPolyData* skinOf(vtkPointSet* leaf);
@@ -114,6 +127,10 @@ private:
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;
 
+  std::optional<std::vector<TrianglesView>> ownTriangles_;
+  std::optional<std::vector<OrientedPointsView>> ownPoints_;
+
+  bool areCopies_ = false;
   bool isGathered_ = false;
   GatheredViews gathered_;
 

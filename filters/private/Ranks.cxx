@@ -165,9 +165,9 @@ void Ranks::meet()
   this->agree([] { return true; });
 }
 
-void Ranks::requireSame(Number hashOfProperties)
+void Ranks::requireSame(const std::function<Number()>& hashOfProperties)
 {
-  if (!areEqual(this->exchange([=] { return hashOfProperties; })))
+  if (!areEqual(this->exchange(hashOfProperties)))
   {
     throw Refusal("set the same properties on all ranks: they differ, and so would the results");
   }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -43,9 +42,10 @@ class Ranks
 {
 public:
   /// `controller` may be null. `mostNumbers` is the largest number of numbers that one exchange
-  /// may have in sum: those of MPI are counted by ints.
-  explicit Ranks(vtkMultiProcessController* controller,
-    std::size_t mostNumbers = std::numeric_limits<int>::max());
+  /// may have in sum: those of MPI are counted by ints, and several exchanges need a buffer of that
+  /// size.
+  explicit Ranks(
+    vtkMultiProcessController* controller, std::size_t mostNumbers = std::size_t{1} << 22);
 
   int rank() const;
   int count() const;
@@ -63,8 +63,9 @@ public:
   /// Does work on every rank, as exchange() does, and returns whether it returned true on all.
   bool agree(const std::function<bool()>& work);
 
-  /// Throws a Refusal on all ranks unless all have the same hash of their properties.
-  void requireSame(Number hashOfProperties);
+  /// Does work on every rank, which returns a hash of its properties, as exchange() does. Throws a
+  /// Refusal on all ranks unless all have the same.
+  void requireSame(const std::function<Number()>& hashOfProperties);
 
   /// All numbers of all ranks. Where they are wanted by the first rank only, the others get none
   /// but their counts. T is double or int.

@@ -46,8 +46,9 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   if (wasBuilt_)
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
-    refuseHugeSource(source, options.input.asPoints, bytesOfField, "the field", ranks);
-    views->gather(ranks, options.distribution, onlyOnFirst);
+    views->compare(ranks, options.distribution);
+    refuseHugeSource(*views, bytesOfField, "the field", ranks, onlyOnFirst);
+    views->gather(ranks, onlyOnFirst);
     if (onlyOnFirst && ranks.rank() > 0)
     {
       field_ = Field::build(std::vector<TrianglesView>(), options.field, executor);
@@ -104,16 +105,12 @@ const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& opt
 Ranks::Number hashOf(const SourceOptions& options)
 {
   ContentHash hash;
-  const auto addText = [&hash](const std::string& text)
-  {
-    hash.addNumbers(std::vector<char>(text.begin(), text.end()));
-  };
   hash.addValue(options.distribution);
   hash.addValue(options.input.asPoints);
   hash.addValue(options.input.estimateNormals);
   hash.addValue(options.input.areas);
-  addText(options.input.normalsArray);
-  addText(options.input.areaArray);
+  hash.addText(options.input.normalsArray);
+  hash.addText(options.input.areaArray);
   hash.addValue(options.field.method);
   hash.addValue(options.field.tolerance);
   hash.addValue(options.field.pointAreaMethod);

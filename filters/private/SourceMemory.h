@@ -1,10 +1,9 @@
 #pragma once
 
-class vtkDataObject;
-
 namespace winding
 {
 
+class InputViews;
 class Ranks;
 
 /// The memory that work on a source takes beside the source itself, in bytes.
@@ -22,10 +21,10 @@ constexpr BytesOfWork bytesOfReport = {130, 330};
 constexpr BytesOfWork bytesOfAreas = {250, 250};
 ///@}
 
-/// Throws OutOfMemory where the work on a source that InputViews has looked at does not fit into
-/// free memory, before anything is allocated. `what` names the work, as in "the report". The source
-/// is that of all ranks together, unless they have equally much, as of copies. Collective.
-void refuseHugeSource(
-  vtkDataObject* source, bool asPoints, const BytesOfWork& bytes, const char* what, Ranks& ranks);
+/// Throws OutOfMemory where the work on the source of all ranks, which they have compared, does not
+/// fit into free memory, before anything is allocated. `what` names the work, as in "the report".
+/// Where the first rank works alone, the others need no memory. Collective.
+void refuseHugeSource(const InputViews& source, const BytesOfWork& bytes, const char* what,
+  Ranks& ranks, bool onlyOnFirst = false);
 
 } // namespace winding

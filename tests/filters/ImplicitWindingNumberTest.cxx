@@ -425,6 +425,19 @@ TEST_F(ImplicitWindingNumber, SaysOnceThatAnInputIsRefused)
   EXPECT_NE(log.errors().find("rows needs all samples at once"), std::string::npos) << log.errors();
 }
 
+TEST_F(ImplicitWindingNumber, RefusesAPieceOfAnInput)
+{
+  vtkNew<vtkSphereSource> source;
+  source->UpdatePiece(1, 4, 0);
+  function->SetInput(source->GetOutput());
+  ErrorLog log(function);
+  EXPECT_FALSE(function->BuildField());
+  EXPECT_NE(log.errors().find("the input is piece 1 of 4"), std::string::npos) << log.errors();
+  source->UpdatePiece(0, 1, 0);
+  EXPECT_TRUE(function->BuildField());
+  EXPECT_NEAR(function->FunctionValue(0, 0, 0), -0.5, 1e-3);
+}
+
 TEST_F(ImplicitWindingNumber, HasTheSameBitsFromManyThreads)
 {
   const auto at = positions(2000);

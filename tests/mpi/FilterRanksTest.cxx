@@ -268,6 +268,47 @@ TEST(FieldOnRanks, WithOtherPropertiesIsRefusedOnAll)
   EXPECT_GT(field->GetOutput()->GetNumberOfPoints(), 0);
 }
 
+TEST(FieldOnRanks, WithPropertiesOfItsOwnThatDifferIsRefusedOnAll)
+{
+  using Set = void (*)(vtkWindingNumberField*, bool);
+  const Set sets[] = {
+    [](vtkWindingNumberField* field, bool is) { field->SetUseInputBounds(is); },
+    [](vtkWindingNumberField* field, bool is) { field->SetResolution(is ? 8 : 9); },
+    [](vtkWindingNumberField* field, bool is) { field->SetOutputAssociation(is); },
+    [](vtkWindingNumberField* field, bool is) { field->SetCoverage(is); },
+    [](vtkWindingNumberField* field, bool is) { field->SetDistanceBand(is ? 3 : 0); },
+    [](vtkWindingNumberField* field, bool is) { field->SetResultArrayName(is ? "w" : "v"); },
+    [](vtkWindingNumberField* field, bool is) { field->SetPadding(is ? 0.1 : 0.2); },
+  };
+  for (const Set& set : sets)
+  {
+    SCOPED_TRACE(&set - sets);
+    const auto part = partOf(shapes::icosphere(2), deals()[1], rank(), ranks());
+    const auto field = filterOf<vtkWindingNumberField>(part, false);
+    field->SetSamplingBounds(-1, 1, -1, 1, -1, 1);
+    set(field, rank() == 0);
+    const ErrorLog log(field);
+    updatePiece(field);
+    EXPECT_EQ(
+      log.errors().find("set the same properties on all ranks") == std::string::npos, ranks() == 1)
+      << log.errors();
+    // The same line on every rank, and once.
+    EXPECT_EQ(log.errors().find("look at the error before"), std::string::npos) << log.errors();
+  }
+}
+
+TEST(FieldOnRanks, OfPartsThatShouldBeCopiesIsRefusedOnAll)
+{
+  const auto field = filterOf<vtkWindingNumberField>(
+    partOf(shapes::icosphere(2), deals()[1], rank(), ranks()), false);
+  field->SetResolution(8);
+  field->SetSourceDistribution(vtkWindingNumberField::REPLICATED);
+  const ErrorLog log(field);
+  updatePiece(field);
+  EXPECT_EQ(log.errors().find("the source is no replicated one") == std::string::npos, ranks() == 1)
+    << log.errors();
+}
+
 TEST(FieldOnRanks, OfSurfacesAndCloudsIsRefused)
 {
   const Mesh mesh = shapes::icosphere(2);
@@ -308,6 +349,28 @@ TEST(ProbeOnRanks, AnswersTheQueriesOfEachRank)
         expected->GetOutput()->GetPointData()->GetArray(array));
     }
   }
+}
+
+TEST(ProbeOnRanks, WithOtherPropertiesIsRefusedOnAll)
+{
+  const auto part = partOf(shapes::icosphere(2), deals()[0], rank(), ranks());
+  const auto probe = filterOf<vtkWindingNumberProbe>(pointsOf(openSphere(), whole, 0, 1), false);
+  probe->SetSourceData(part);
+  probe->SetInsideOut(rank() == 0);
+  const ErrorLog log(probe);
+  updatePiece(probe);
+  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+}
+
+TEST(SurfaceOnRanks, WithOtherPropertiesIsRefusedOnAll)
+{
+  const auto part = partOf(shapes::icosphere(2), deals()[0], rank(), ranks());
+  const auto surface = filterOf<vtkWindingNumberSurface>(part, false);
+  surface->SetResolution(8);
+  surface->SetCloseBorder(rank() == 0);
+  const ErrorLog log(surface);
+  updatePiece(surface);
+  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
 }
 
 TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
@@ -379,6 +442,27 @@ TEST(ReportOnRanks, CountsTheWholeOnEachRank)
     EXPECT_EQ(found->GetFaults()->GetNumberOfBlocks() > 0,
       rank() == 0 && expected->GetFaults()->GetNumberOfBlocks() > 0);
   }
+}
+
+TEST(HyperTreeOnRanks, WithOtherPropertiesIsRefusedOnAll)
+{
+  const auto part = partOf(shapes::icosphere(2), deals()[0], rank(), ranks());
+  const auto trees = filterOf<vtkWindingNumberHyperTree>(part, false);
+  trees->SetResolution(8);
+  trees->SetMergeTolerance(rank() == 0 ? 0 : 0.01);
+  const ErrorLog log(trees);
+  updatePiece(trees);
+  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+}
+
+TEST(ReportOnRanks, WithOtherPropertiesIsRefusedOnAll)
+{
+  const auto report =
+    filterOf<vtkSurfaceReport>(partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
+  report->SetFaultThickness(rank() == 0 ? 0.01 : 0.02);
+  const ErrorLog log(report);
+  updatePiece(report);
+  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
 }
 
 TEST(ReportOnRanks, RefusesToTurnFacesThatOthersHave)

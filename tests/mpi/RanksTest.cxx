@@ -152,8 +152,8 @@ TEST(Ranks, WithOtherPropertiesAreRefused)
   const std::string refusal = refusalOf(
     [](Ranks& ranks)
     {
-      ranks.requireSame(7);
-      ranks.requireSame(ranks.rank() == 0 ? 7 : 8);
+      ranks.requireSame([] { return 7; });
+      ranks.requireSame([&ranks] { return ranks.rank() == 0 ? 7 : 8; });
       return true;
     });
   EXPECT_EQ(refusal.empty(), Ranks(world()).isAlone());
