@@ -22,7 +22,13 @@ class TestHyperTree(unittest.TestCase):
     def setUp(self):
         self.sphere = unit_sphere()
         self.trees = simple.WindingNumberHyperTree(
-            Input=self.sphere, Resolution=40, GenerateInside=1)
+            Input=self.sphere, Resolution=40, GenerateInside=1, MaskOutside=0)
+
+    def test_what_is_seen_first_are_the_voxels_inside(self):
+        trees = simple.WindingNumberHyperTree(Input=self.sphere, GenerateInside=1)
+        counts = cells_of(trees)
+        self.assertEqual(counts[0], 0)
+        self.assertGreater(counts[1], 1000)
 
     def test_the_output_is_a_hyper_tree_grid(self):
         grid = result(self.trees)

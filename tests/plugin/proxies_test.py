@@ -72,7 +72,7 @@ SETTABLE = {
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
         "MergeTolerance": (0.125, "0.125"),
-        "MaskOutside": (1, "1"),
+        "MaskOutside": (0, "0"),
     },
     "WindingNumberProbe": {
         **COMMON,
@@ -162,8 +162,8 @@ ENUMERATIONS = {
 }
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
-# array, and faults must be seen on their surface.
-DEFAULTS_OF_PANELS = {"NormalsArray": "None", "FaultThickness": "0.003"}
+# array, faults must be seen on their surface, and the voxels inside rather than the box around them.
+DEFAULTS_OF_PANELS = {"NormalsArray": "None", "FaultThickness": "0.003", "MaskOutside": "1"}
 
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
