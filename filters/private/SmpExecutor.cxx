@@ -40,24 +40,27 @@ int cores()
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
+/// The threads that vtkSMPTools takes where nothing else is said.
+int availableThreads()
+{
+  return backendToUse() == vtkSMPTools::GetBackend()
+           ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
+           : cores();
+}
+
 } // namespace
 
 SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
   : filter_(filter)
-  , threads_(threads == 0 && ranksOnHost() > 1 ? std::max(1, cores() / ranksOnHost())
-                                               : std::min(threads, cores()))
+  , threads_(threads == 0 && ranksOnHost() > 1
+               ? std::clamp(cores() / ranksOnHost(), 1, availableThreads())
+               : std::min(threads, cores()))
 {
 }
 
 int SmpExecutor::threads() const
 {
-  if (threads_ > 0)
-  {
-    return threads_;
-  }
-  return backendToUse() == vtkSMPTools::GetBackend()
-           ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
-           : cores();
+  return threads_ > 0 ? threads_ : availableThreads();
 }
 
 void SmpExecutor::runBatch(
