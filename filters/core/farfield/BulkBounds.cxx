@@ -23,15 +23,14 @@ bool areSpread(
 {
   constexpr std::size_t parts = 64;
   const double low = 0.5 * bounds.min()[axis], half = 0.5 * bounds.max()[axis] - low;
-  if (!(half >= leastHalf))
+  if (!(half > 0 && half >= leastHalf))
   {
     return false;
   }
-  const double partsPerLength = parts / half;
   std::array<std::size_t, parts> counts{};
   for (const Eigen::Vector3d& point : points)
   {
-    const double part = (0.5 * point[axis] - low) * partsPerLength;
+    const double part = (0.5 * point[axis] - low) / half * parts; // 1 / half may be infinite
     ++counts[static_cast<std::size_t>(std::min(std::max(part, 0.0), parts - 1.0))];
   }
   // The part that holds the n-th point from either end.
@@ -75,7 +74,7 @@ Bounds bulkBounds(const std::vector<Eigen::Vector3d>& points, const Bounds& boun
   const double whole =
     points.size() < enough ? 0 : (0.5 * bounds.max() - 0.5 * bounds.min()).maxCoeff();
   const double leastHalf = whole / 16;
-  if (points.size() < enough || areSpread(points, bounds, 0, leastHalf) ||
+  if (whole == 0 || areSpread(points, bounds, 0, leastHalf) ||
       areSpread(points, bounds, 1, leastHalf) || areSpread(points, bounds, 2, leastHalf))
   {
     return bounds;

@@ -35,8 +35,9 @@ double longest(const winding::Bounds& bounds)
 TEST(BulkBounds, AreTheBoundsOfWhatHasNoOutliers)
 {
   SCOPED_TRACE("seed 85");
-  for (const auto& points : {sphereCloud(1000).positions, randomPoints(10'000, -3, 7, 85),
-         randomPoints(10, 0, 1, 85), std::vector<Point>(500, Point(1, 2, 3))})
+  for (const auto& points :
+    {sphereCloud(1000).positions, randomPoints(10'000, -3, 7, 85), randomPoints(10, 0, 1, 85),
+      std::vector<Point>(500, Point(1, 2, 3)), randomPoints(100, 0, 1e-309, 85)})
   {
     const winding::Bounds bounds = boundsOf(points), bulk = winding::bulkBounds(points, bounds);
     EXPECT_EQ(bulk.min(), bounds.min());
