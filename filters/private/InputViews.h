@@ -76,9 +76,9 @@ public:
   /// The cells of a surface, or the points of a cloud, that this rank has.
   std::size_t ownElements() const;
 
-  /// Finds out whether the source is a surface, and whether all ranks have a copy of it. Collective;
-  /// throws a Refusal on all ranks where some have surfaces and others clouds, and where a source
-  /// that is to be replicated is not.
+  /// Finds out whether the source is a surface, and whether all ranks have a copy of it. Throws a
+  /// Refusal on all ranks where some have surfaces and others clouds, and where a source that is to
+  /// be replicated is not. Collective.
   void compare(Ranks& ranks, SourceDistribution distribution);
 
   /// Whether compare() has found that all ranks have a copy of the source.
