@@ -1,0 +1,48 @@
+# Debian packages by CPack, from a build for the prefix /usr (the presets package and
+# package-paraview, which ./dev packages builds). The VTK that was built against decides which one:
+# vtk-winding for Debian's VTK, paraview-winding for that in Debian's ParaView. They may be installed
+# together.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_CONTACT "The Winding developers")
+set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+if(WINDING_PARAVIEW)
+  set(CPACK_PACKAGE_NAME paraview-winding)
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields in ParaView")
+  set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
+clouds of points with normals: fields, closed surfaces, voxels, queries, reports. ParaView\n\
+loads them when it starts.")
+  set(CPACK_COMPONENTS_ALL runtime Unspecified) # nothing to build with
+  # ParaView's libraries lie in no package that dpkg-shlibdeps could ask here: python3-paraview
+  # excludes python3-vtk9, so ParaView is not installed where both packages are made.
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+    "paraview (>= 5.11), paraview (<< 5.12), libc6 (>= 2.36), libgcc-s1, libhwy1, libstdc++6 (>= 12)")
+  # ParaView's programs load what paraview.conf beside them names.
+  file(RELATIVE_PATH plugins "${CMAKE_INSTALL_FULL_BINDIR}"
+    "${CMAKE_INSTALL_PREFIX}/${winding_plugins_folder}/winding.plugins.xml")
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/paraview.conf" CONTENT "${plugins}\n")
+  install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+else()
+  set(CPACK_PACKAGE_NAME vtk-winding)
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields for VTK")
+  set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
+clouds of points with normals: fields, closed surfaces, voxels, queries, reports. The program\n\
+winding, the VTK module for C++ and CMake, and its Python package vtkwinding.")
+  set(CPACK_COMPONENTS_ALL runtime development python Unspecified)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9, python3-numpy")
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, paraview-winding")
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME}" RENAME copyright)
+include(CPack)
