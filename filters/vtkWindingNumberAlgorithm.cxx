@@ -290,21 +290,19 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 }
 
 const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
-  vtkDataObject* source, const winding::Grid& grid)
+  vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples)
 {
-  // Each rank makes about its share of the grid, unless the first makes all.
-  const auto makers = static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->Ranks->count());
-  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
+  return this->PrepareFieldFor(source, grid, ownSamples);
 }
 
 const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject* source, const winding::VectorsView& samples)
 {
-  return this->PrepareField(source, samples, samples.size());
+  return this->PrepareFieldFor(source, samples, samples.size());
 }
 
 template <class Samples>
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   vtkDataObject* source, const Samples& samples, std::size_t count)
 {
   this->SourceIsInsideOut = false;

@@ -414,9 +414,11 @@ protected:
   static void FillSourcePortInformation(vtkInformation* info);
 
   ///@{
-  /// The field of a source, built or kept, and prepared for the samples of a grid or for scattered
-  /// ones; warns about faults of the source. Throws an interruption if aborted. Collective.
-  const winding::Field& PrepareField(vtkDataObject* source, const winding::Grid& grid);
+  /// The field of a source, built or kept, and prepared for the samples of a grid, of which this
+  /// rank evaluates so many, or for scattered ones; warns about faults of the source. Throws an
+  /// interruption if aborted. Collective.
+  const winding::Field& PrepareField(
+    vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples);
   const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
   ///@}
 
@@ -510,7 +512,7 @@ protected:
 
 private:
   template <class Samples>
-  const winding::Field& PrepareField(
+  const winding::Field& PrepareFieldFor(
     vtkDataObject* source, const Samples& samples, std::size_t count);
   winding::SourceOptions GetSourceOptions();
   void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);

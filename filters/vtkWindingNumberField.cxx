@@ -175,7 +175,7 @@ int vtkWindingNumberField::RequestData(
 
   const winding::ResultArrays results =
     this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(samples)));
-  const winding::Field& field = this->PrepareField(source, this->GetSampling());
+  const winding::Field& field = this->PrepareGridField(source);
   this->EvaluateVoxels(field, samples.data(), results);
   output->SetExtent(extent);
   output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));

@@ -5,6 +5,7 @@
 #include "level/Verify.h"
 #include "private/ContentHash.h"
 #include "private/PropertyChecks.h"
+#include "private/Ranks.h"
 #include "private/SmpExecutor.h"
 #include "source/Grid.h"
 
@@ -144,6 +145,14 @@ void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
   request.isCubic = request.dimensions == Eigen::Vector3i::Zero();
   request.dimensions = this->LaidOut->dimensions;
   *this->Sampling = winding::layOutGrid(request);
+}
+
+const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObject* source)
+{
+  const auto makers =
+    static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->GetRanks().count());
+  const winding::Grid& grid = this->GetSampling();
+  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
 }
 
 void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const

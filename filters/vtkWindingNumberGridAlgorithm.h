@@ -142,6 +142,10 @@ protected:
   void MoveGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
 
+  /// PrepareField() for that grid, of which each rank evaluates about its share, unless the first
+  /// does all.
+  const winding::Field& PrepareGridField(vtkDataObject* source);
+
   /// Throws a refusal if samples are to be verified and cannot be; hasValues tells whether there
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;

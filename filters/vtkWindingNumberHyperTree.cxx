@@ -138,7 +138,7 @@ int vtkWindingNumberHyperTree::RequestData(
   this->CheckVerification(this->GenerateWindingNumber != 0);
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
-  const winding::Field& field = this->PrepareField(source, this->GetSampling());
+  const winding::Field& field = this->PrepareGridField(source);
   if (this->IsHelper())
   {
     return 1;

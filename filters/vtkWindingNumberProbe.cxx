@@ -40,11 +40,12 @@ vtkSmartPointer<vtkDataObject> newInstance(vtkDataObject* data)
 }
 
 /// Samples that are NaN or infinite are nowhere, and stay outside.
-void turnInsideOut(const winding::VectorsView& samples, unsigned char* inside)
+void turnInsideOut(const winding::ProbeQueries& queries, unsigned char* inside)
 {
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  const auto count = static_cast<std::size_t>(queries.size());
+  for (std::size_t i = 0; i < count; ++i)
   {
-    inside[i] = !inside[i] && samples[i].allFinite();
+    inside[i] = !inside[i] && (queries.grid() || queries.position(i).allFinite());
   }
 }
 
@@ -212,13 +213,17 @@ int vtkWindingNumberProbe::RequestData(
   const winding::ProbeQueries queries(
     input, this->SamplesCells(), this->KeepsPart(), this->GetWords());
   this->QueriesRefused = false;
-  const winding::VectorsView samples = queries.samples();
+  this->QueriesAreGrid = queries.grid().has_value();
   const winding::ResultArrays results(queries.size(), options);
-  const winding::Field& field = this->PrepareField(vtkDataObject::GetData(inputs[1]), samples);
-  this->EvaluateSamples(field, samples, results);
+  vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
+  const auto count = static_cast<std::size_t>(queries.size());
+  const winding::Field& field = queries.grid()
+                                  ? this->PrepareField(source, *queries.grid(), count)
+                                  : this->PrepareField(source, queries.samples());
+  this->EvaluateSamples(field, queries, results);
   if (this->InsideOut)
   {
-    turnInsideOut(samples, results.inside()->GetPointer(0));
+    turnInsideOut(queries, results.inside()->GetPointer(0));
   }
   this->InsideFlags = results.inside();
   this->FinishSamples(field, queries, results.inside()->GetPointer(0));
@@ -227,23 +232,26 @@ int vtkWindingNumberProbe::RequestData(
 }
 
 void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
-  const winding::VectorsView& samples, const winding::ResultArrays& results)
+  const winding::ProbeQueries& queries, const winding::ResultArrays& results)
 {
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const double progress = this->GetProgressOfSamples();
   executor.setShare(0, progress);
-  if (!field.evaluate(samples, this->OutputTo(results), executor))
+  const winding::FieldOutput output = this->OutputTo(results);
+  const std::optional<winding::Grid>& grid = queries.grid();
+  if (!(grid ? field.evaluate(*grid, grid->wholeExtent(), output, executor)
+             : field.evaluate(queries.samples(), output, executor)))
   {
     throw winding::Interrupted();
   }
   executor.setShare(progress, progress);
-  this->LookAtSides(field, samples, results, executor);
+  this->LookAtSides(field, queries, results, executor);
 }
 
 /// Finds out whether the source is inside out, so that what is asked for is not what is meant.
 void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
-  const winding::VectorsView& samples, const winding::ResultArrays& results,
+  const winding::ProbeQueries& queries, const winding::ResultArrays& results,
   winding::SmpExecutor& executor)
 {
   if (this->InsideRule != SIGNED)
@@ -255,7 +263,8 @@ void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
   const bool isEmpty = this->ExtractInside && !this->InsideOut && results.hasNothingInside();
   if (!results.values() && isEmpty)
   {
-    sides = winding::countNegative(field, samples, threshold, executor);
+    sides = queries.grid() ? winding::countNegative(field, *queries.grid(), threshold, executor)
+                           : winding::countNegative(field, queries.samples(), threshold, executor);
   }
   this->TellSides(field, sides, executor);
 }

@@ -117,7 +117,7 @@ int vtkWindingNumberSurface::RequestData(
   this->LayOutGrid(source);
   this->CheckGrid();
   this->CheckVerification(true);
-  const winding::Field& field = this->PrepareField(source, this->GetSampling());
+  const winding::Field& field = this->PrepareGridField(source);
   if (this->IsHelper())
   {
     return 1;

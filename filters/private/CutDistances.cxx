@@ -135,10 +135,9 @@ std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries
   refuseBeyondFreeMemory(bytesPerCutSample * static_cast<double>(cut.size()),
     "the clip at " + std::to_string(cut.size()) + " points", advice);
   std::vector<double> positions(3 * cut.size());
-  const VectorsView samples = queries.samples();
   for (std::size_t i = 0; i < cut.size(); ++i)
   {
-    const Eigen::Vector3d position = samples[cut[i]];
+    const Eigen::Vector3d position = queries.position(cut[i]);
     std::copy_n(position.data(), 3, &positions[3 * i]);
   }
   const std::vector<double> distances =

@@ -2,6 +2,7 @@
 
 #include "private/CellChecks.h"
 #include "private/FreeMemory.h"
+#include "private/ImageGrid.h"
 #include "private/ProbeWords.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -112,11 +113,12 @@ ProbeQueries::ProbeQueries(
     leaves_.push_back({data, size_, count});
     size_ += count;
   }
-  if (leaves_.size() == 1 && !atCells)
+  if (leaves_.size() == 1)
   {
-    samples_ = ownPoints(leaves_[0].data);
+    grid_ = gridOfImage(leaves_[0].data, atCells);
+    samples_ = atCells ? VectorsView() : ownPoints(leaves_[0].data);
   }
-  if (samples_.empty())
+  if (!grid_ && samples_.empty())
   {
     refuseBeyondFreeMemory(3.0 * sizeof(double) * static_cast<double>(size_),
       "the positions of " + std::to_string(size_) + " samples", words.remedy);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/Views.h"
+#include "source/Grid.h"
 
 #include "vtkType.h"
 
+#include <optional>
 #include <vector>
 
 class vtkDataObject;
@@ -24,7 +26,8 @@ struct ProbeLeaf
 
 /**
  * The points or the cells of a data set, or of all data sets in a composite one, as one list of
- * samples, so that many small data sets cost no more than one large one.
+ * samples, so that many small data sets cost no more than one large one. Those of an image are the
+ * samples of a grid, which take a tenth of the time, and need no list.
  */
 class ProbeQueries
 {
@@ -37,8 +40,17 @@ public:
   vtkIdType size() const { return size_; }
   const std::vector<ProbeLeaf>& leaves() const { return leaves_; }
 
-  /// The samples. They are valid as long as this object lives and the data stays as it is.
+  /// The grid that the samples are of; nothing where they are scattered.
+  const std::optional<Grid>& grid() const { return grid_; }
+
+  /// Scattered samples; empty where they are those of a grid. They are valid as long as this object
+  /// lives and the data stays as it is.
   VectorsView samples() const { return samples_; }
+
+  Eigen::Vector3d position(std::size_t sample) const
+  {
+    return grid_ ? grid_->sample(sample) : samples_[sample];
+  }
 
   /// Gives a leaf's part of arrays that have an entry for every sample, and their active scalars,
   /// to attributes.
@@ -51,6 +63,7 @@ private:
 
   vtkIdType size_ = 0;
   std::vector<ProbeLeaf> leaves_;
+  std::optional<Grid> grid_;
   std::vector<double> positions_; ///< empty if samples_ are the data's own
   VectorsView samples_;
 };

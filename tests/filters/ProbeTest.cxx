@@ -1,5 +1,5 @@
-#include "filters/MovingSphere.h"
 #include "filters/ErrorLog.h"
+#include "filters/MovingSphere.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
@@ -16,8 +17,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -36,6 +39,52 @@ protected:
   vtkNew<vtkSphereSource> sphere; // radius 0.5
   vtkNew<vtkWindingNumberProbe> probe;
 };
+
+/// Points of a sphere with normals, or its open upper part, whose w is no integer.
+vtkSmartPointer<vtkPolyData> openSphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  source->SetEndPhi(120);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// An image of samples that do not begin at 0 and are as far apart as the axes say.
+vtkSmartPointer<vtkImageData> imageAround()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(3, 30, 0, 24, 5, 25);
+  image->SetSpacing(0.04, 0.05, 0.06);
+  image->SetOrigin(-0.66, -0.6, -0.9);
+  return image;
+}
+
+/// The same points without the image.
+vtkSmartPointer<vtkPolyData> pointsOf(vtkImageData* image)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    points->InsertNextPoint(image->GetPoint(i));
+  }
+  auto scattered = vtkSmartPointer<vtkPolyData>::New();
+  scattered->SetPoints(points);
+  return scattered;
+}
+
+double largestDifference(vtkDataArray* a, vtkDataArray* b)
+{
+  EXPECT_EQ(a->GetNumberOfTuples(), b->GetNumberOfTuples());
+  double largest = 0;
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    largest = std::max(largest, std::abs(a->GetTuple1(i) - b->GetTuple1(i)));
+  }
+  return largest;
+}
 
 TEST_F(Probe, OutputIsTheQueriesWithArraysAdded)
 {
@@ -167,6 +216,118 @@ TEST_F(Probe, CompositeQueriesAreProbedLeafByLeaf)
   ASSERT_NE(output, nullptr);
   auto* leaf = vtkPolyData::SafeDownCast(output->GetBlock(0));
   EXPECT_NEAR(leaf->GetPointData()->GetArray("WindingNumber")->GetTuple1(0), 1, 1e-13);
+}
+
+TEST_F(Probe, OfAnImageHasTheValuesOfItsPoints)
+{
+  const auto image = imageAround();
+  const auto points = pointsOf(image);
+  probe->SetSourceData(openSphere());
+  probe->GenerateSignedDistanceOn();
+  vtkNew<vtkWindingNumberProbe> scattered;
+  scattered->SetInputData(points);
+  scattered->SetSourceData(openSphere());
+  scattered->SetOutputScalarTypeToDouble();
+  scattered->GenerateSignedDistanceOn();
+  scattered->SetMethod(vtkWindingNumberProbe::DIRECT);
+  scattered->Update();
+  vtkPointData* expected = scattered->GetOutput()->GetPointData();
+  // Measured: 1.1e-15, 9e-5 and 1.1e-15.
+  const std::pair<int, double> methods[] = {{vtkWindingNumberProbe::ROWS, 1e-3},
+    {vtkWindingNumberProbe::HIERARCHICAL, 1e-3}, {vtkWindingNumberProbe::DIRECT, 1e-13}};
+  for (const auto& [method, tolerance] : methods)
+  {
+    SCOPED_TRACE(method);
+    probe->SetMethod(method);
+    probe->SetInputData(image);
+    probe->Update();
+    vtkPointData* found = probe->GetOutput()->GetPointData();
+    EXPECT_LT(
+      largestDifference(found->GetArray("WindingNumber"), expected->GetArray("WindingNumber")),
+      tolerance);
+    EXPECT_LT(
+      largestDifference(found->GetArray("SignedDistance"), expected->GetArray("SignedDistance")),
+      1e-13);
+  }
+}
+
+TEST_F(Probe, OfAnImageTakesTheGridsMethods)
+{
+  const auto image = imageAround();
+  probe->SetSourceData(openSphere());
+  probe->SetMethod(vtkWindingNumberProbe::ROWS);
+  probe->SetInputData(image);
+  const ErrorLog log(probe);
+  probe->Update();
+  EXPECT_STREQ(probe->GetMethodUsed(), "rows");
+  EXPECT_EQ(log.errors(), "");
+  // Rows of scattered points are those of closed surfaces only.
+  probe->SetInputData(pointsOf(image));
+  probe->Update();
+  EXPECT_NE(log.errors(), "");
+}
+
+TEST_F(Probe, OfAnImageThatIsTurnedHasTheValuesOfItsPoints)
+{
+  const auto image = imageAround();
+  image->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
+  image->SetOrigin(-0.6, 0.66, -0.9);
+  probe->SetInputData(image);
+  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
+  probe->Update();
+  vtkNew<vtkWindingNumberProbe> scattered;
+  scattered->SetInputData(pointsOf(image));
+  scattered->SetSourceConnection(sphere->GetOutputPort());
+  scattered->SetOutputScalarTypeToDouble();
+  scattered->SetMethod(vtkWindingNumberProbe::DIRECT);
+  scattered->Update();
+  EXPECT_EQ(largestDifference(probe->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+              scattered->GetOutput()->GetPointData()->GetArray("WindingNumber")),
+    0);
+  EXPECT_NEAR(
+    probe->GetOutput()->GetPointData()->GetArray("WindingNumber")->GetRange()[1], 1, 1e-12);
+}
+
+TEST_F(Probe, OfAnImageTellsItsCells)
+{
+  const auto image = imageAround();
+  probe->SetInputData(image);
+  probe->SetProbeAssociation(vtkWindingNumberProbe::CELLS);
+  probe->GenerateInsideOn();
+  probe->Update();
+  vtkDataArray* inside = probe->GetOutput()->GetCellData()->GetArray("Inside");
+  ASSERT_EQ(inside->GetNumberOfTuples(), image->GetNumberOfCells());
+  for (vtkIdType i = 0; i < image->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    image->GetCellBounds(i, bounds);
+    const double radius =
+      std::hypot(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) / 2;
+    if (std::abs(radius - 0.495) > 0.006) // the sphere of flat faces
+    {
+      ASSERT_EQ(inside->GetTuple1(i), radius < 0.495) << i;
+    }
+  }
+}
+
+TEST_F(Probe, TakesImagesThatAreNoGrid)
+{
+  const auto isRightFor = [this](const double(&spacing)[3], const int(&extent)[6])
+  {
+    vtkNew<vtkImageData> image;
+    image->SetExtent(const_cast<int*>(extent));
+    image->SetSpacing(spacing);
+    probe->SetInputData(image);
+    probe->Update();
+    EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::DONE);
+    vtkDataArray* w = probe->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    ASSERT_EQ(w->GetNumberOfTuples(), image->GetNumberOfPoints());
+    EXPECT_NEAR(w->GetTuple1(0), 1, 1e-12);
+  };
+  isRightFor({0, 0.1, 0.1}, {0, 0, 0, 9, 0, 9}); // a layer whose spacing nobody cared for
+  isRightFor({1, 1, 1}, {0, 0, 0, 0, 0, 0});
+  isRightFor({1e-150, 1, 1}, {0, 3, 0, 3, 0, 3});
+  isRightFor({-0.1, 0.1, 0.1}, {0, 9, 0, 9, 0, 9});
 }
 
 } // namespace

@@ -184,13 +184,19 @@ Grid layOutGrid(const GridRequest& request)
       grid.dimensions[axis] = countVoxels(sides[axis], size);
     }
   }
-  checkSampleCount(grid);
   // Cubic voxels reach over both sides by the same amount; given dimensions fill the box exactly.
   const Eigen::Vector3d excess =
     request.dimensions != Eigen::Vector3i::Zero() && !request.isCubic
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())
       : Eigen::Vector3d(grid.dimensions.cast<double>().cwiseProduct(grid.spacing) - sides);
   grid.firstSample = padded.min() - 0.5 * excess + 0.5 * grid.spacing;
+  checkGrid(grid);
+  return grid;
+}
+
+void checkGrid(const Grid& grid)
+{
+  checkSampleCount(grid);
   checkRange(grid);
   const Eigen::Vector3d steps = (grid.dimensions - Eigen::Vector3i::Ones()).cast<double>();
   const Eigen::Vector3d last = grid.firstSample + steps.cwiseProduct(grid.spacing);
@@ -204,7 +210,6 @@ Grid layOutGrid(const GridRequest& request)
         " cannot be told apart at coordinate ", grid.firstSample[axis], " in double precision");
     }
   }
-  return grid;
 }
 
 } // namespace winding

@@ -105,4 +105,8 @@ struct GridRequest
  */
 Grid layOutGrid(const GridRequest& request);
 
+/// Throws Refusal for a grid that layOutGrid() would not make: for its size, its place, or samples
+/// that cannot be told apart.
+void checkGrid(const Grid& grid);
+
 } // namespace winding

@@ -1,0 +1,39 @@
+"""Loads VTK and then the compiled module, which fits the minor version it was built against."""
+
+import importlib
+
+from ._built import VTK_MINOR
+
+# The modules of VTK that the compiled one depends on, as filters/vtk.module names them. Their
+# libraries have to be loaded before it where the system does not look beside VTK's wrappers.
+DEPENDENCIES = (
+    "vtkCommonCore",
+    "vtkCommonDataModel",
+    "vtkCommonExecutionModel",
+    "vtkCommonMisc",
+    "vtkFiltersCore",
+    "vtkFiltersExtraction",
+    "vtkFiltersGeneral",
+    "vtkFiltersGeometry",
+    "vtkParallelCore",
+)
+
+_REMEDY = f"this vtk-winding needs VTK {VTK_MINOR} (pip install 'vtk=={VTK_MINOR}.*')"
+
+
+def load():
+    """Imports what the package needs, and raises an ImportError that says which VTK is missing."""
+    try:
+        from vtkmodules.vtkCommonCore import vtkVersion
+    except ImportError as error:
+        raise ImportError(f"{_REMEDY}: there is none here ({error})") from error
+    found = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
+    if found != VTK_MINOR:
+        raise ImportError(f"{_REMEDY}: the one here is {vtkVersion.GetVTKVersion()}")
+    try:
+        for name in DEPENDENCIES:
+            importlib.import_module("vtkmodules." + name)
+        importlib.import_module(".vtkFiltersWinding", __package__)
+    except ImportError as error:
+        raise ImportError(
+            f"{_REMEDY}: it does not fit {vtkVersion.GetVTKVersion()} ({error})") from error

@@ -1,0 +1,262 @@
+"""VTK's wrappers of the module: every public class is there, documented, and runs in a pipeline.
+
+The environment may say where the package has to come from (WINDING_PACKAGE) and below which folder
+its library lies (WINDING_LIBRARIES).
+"""
+
+import os
+import pathlib
+import re
+import tempfile
+import unittest
+
+from vtkmodules.vtkCommonDataModel import vtkHyperTreeGrid, vtkImageData
+from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+import vtkwinding
+from vtkwinding import vtkFiltersWinding
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CLASSES = re.findall(r"^  (vtk\w+)", re.search(
+    r"set\(classes\n(.*?)\)", (ROOT / "filters" / "CMakeLists.txt").read_text(), re.DOTALL)[1],
+    re.MULTILINE)
+ABSTRACT = {"vtkWindingNumberAlgorithm", "vtkWindingNumberGridAlgorithm"}
+
+
+def sphere(resolution=24):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    return source
+
+
+def errors_of(algorithm):
+    """The errors that a filter reports, as they come."""
+    errors = []
+
+    def note(_caller, _event, text):
+        errors.append(text)
+
+    note.CallDataType = "string0"
+    algorithm.AddObserver("ErrorEvent", note)
+    return errors
+
+
+def words_beside_signatures(text):
+    return re.sub(r"(?m)^(Set|C\+\+:).*$", "", text).split()
+
+
+class PackageTest(unittest.TestCase):
+    def test_comes_from_the_tree_under_test(self):
+        package = pathlib.Path(vtkwinding.__file__).resolve().parent
+        expected = pathlib.Path(os.environ.get("WINDING_PACKAGE", package)).resolve()
+        self.assertEqual(package, expected)
+        maps = pathlib.Path("/proc/self/maps").read_text()
+        library = re.search(r"(/\S*)/libvtkFiltersWinding", maps)[1]
+        self.assertTrue(library.startswith(os.environ.get("WINDING_LIBRARIES", "")), library)
+
+    def test_has_the_version_of_the_project(self):
+        lists = (ROOT / "CMakeLists.txt").read_text()
+        version = re.search(r"project\(\w+ VERSION ([\d.]+)", lists)
+        self.assertEqual(vtkwinding.__version__, version[1])
+
+    def test_loads_the_modules_that_the_library_depends_on(self):
+        named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk.module").read_text())
+        self.assertEqual(["vtk" + name for name in named if name != "vtksys"],
+                         list(vtkwinding._vtk.DEPENDENCIES))
+
+
+class ClassesTest(unittest.TestCase):
+    def test_all_are_there(self):
+        wrapped = [name for name in dir(vtkFiltersWinding) if name.startswith("vtk")]
+        self.assertEqual(sorted(CLASSES), sorted(wrapped))
+
+    def test_all_but_base_classes_can_be_made(self):
+        for name in CLASSES:
+            with self.subTest(name):
+                wrapped = getattr(vtkFiltersWinding, name)
+                if name in ABSTRACT:
+                    self.assertRaises((TypeError, NotImplementedError), wrapped)
+                else:
+                    self.assertEqual(wrapped().GetClassName(), name)
+
+    def test_docstrings_are_those_of_the_headers(self):
+        for name in CLASSES:
+            header = (ROOT / "filters" / (name + ".h")).read_text()
+            brief = re.search(r"@brief\s+(.*?)\n \*\n", header, re.DOTALL)[1]
+            words = re.sub(r"[\s*]+", " ", brief)
+            text = re.sub(r"\s+", " ", getattr(vtkFiltersWinding, name).__doc__)
+            with self.subTest(name):
+                self.assertIn(words, text)
+
+    def test_setters_say_what_they_mean(self):
+        """Here, or where the property of this name is that of another class."""
+        base = vtkFiltersWinding.vtkWindingNumberAlgorithm
+        for name in CLASSES:
+            wrapped = getattr(vtkFiltersWinding, name)
+            for method in sorted(vars(wrapped)):
+                if re.match("Set[A-Z]", method) and hasattr(wrapped, "Get" + method[3:]):
+                    with self.subTest(f"{name}.{method}"):
+                        texts = [getattr(cls, method).__doc__ for cls in (wrapped, base)
+                                 if hasattr(cls, method)]
+                        self.assertTrue(any(map(words_beside_signatures, texts)), texts)
+
+    def test_properties_take_back_what_they_gave(self):
+        count = 0
+        for name in CLASSES:
+            if name in ABSTRACT:
+                continue
+            instance = getattr(vtkFiltersWinding, name)()
+            ours = {method for cls in type(instance).__mro__ for method in vars(cls)
+                    if cls.__name__ in CLASSES}
+            for method in ours:
+                setter = getattr(instance, "Set" + method[3:], None)
+                if not method.startswith("Get") or setter is None:
+                    continue
+                with self.subTest(f"{name}.{method}"):
+                    value = getattr(instance, method)()
+                    setter(*value) if isinstance(value, tuple) else setter(value)
+                    self.assertEqual(getattr(instance, method)(), value)
+                    count += 1
+        self.assertGreater(count, 150)  # 176 with VTK 9.1
+
+    def test_values_have_names(self):
+        self.assertEqual(vtkFiltersWinding.vtkWindingNumberAlgorithm.HIERARCHICAL, 2)
+        self.assertEqual(vtkFiltersWinding.vtkWindingNumberField.FRACTION, 2)
+        self.assertEqual(vtkFiltersWinding.vtkWindingNumberProbe.CELLS, 1)
+
+
+class PipelineTest(unittest.TestCase):
+    def after(self, algorithm, source=None):
+        """The filter, updated with a sphere as its input or its source, without an error."""
+        errors = errors_of(algorithm)
+        self.sphere = sphere()
+        if source is None:
+            algorithm.SetInputConnection(self.sphere.GetOutputPort())
+        else:
+            algorithm.SetInputConnection(source.GetOutputPort())
+            algorithm.SetSourceConnection(self.sphere.GetOutputPort())
+        algorithm.Update()
+        self.assertEqual(errors, [])
+        return algorithm
+
+    @staticmethod
+    def grid():
+        """An image of 11 points along each axis, a tenth apart, around the sphere."""
+        image = vtkImageData()
+        image.SetDimensions(11, 11, 11)
+        image.SetSpacing(0.1, 0.1, 0.1)
+        image.SetOrigin(-0.5, -0.5, -0.5)
+        return image
+
+    def test_field_and_voxels(self):
+        field = vtkFiltersWinding.vtkWindingNumberField()
+        field.SetResolution(16)
+        field.GenerateInsideOn()
+        image = self.after(field).GetOutput()
+        self.assertEqual(image.GetDimensions(), (16, 16, 16))
+        self.assertEqual(image.GetPointData().GetArray("WindingNumber").GetRange(), (0, 1))
+        self.assertEqual(field.GetStatus(), field.DONE)
+        self.assertEqual(field.GetMethodUsed(), "rows")
+        voxels = vtkFiltersWinding.vtkWindingNumberVoxels()
+        voxels.SetInputConnection(field.GetOutputPort())
+        voxels.Update()
+        self.assertGreater(voxels.GetOutput().GetNumberOfCells(), 100)
+
+    def test_surface(self):
+        surface = vtkFiltersWinding.vtkWindingNumberSurface()
+        surface.SetResolution(16)
+        self.assertGreater(self.after(surface).GetOutput().GetNumberOfCells(), 100)
+
+    def test_hyper_tree(self):
+        trees = self.after(vtkFiltersWinding.vtkWindingNumberHyperTree())
+        self.assertIsInstance(trees.GetOutputDataObject(0), vtkHyperTreeGrid)
+        self.assertGreater(trees.GetNumberOfLeaves(), 0)
+
+    def test_probe_and_clip(self):
+        for name in ("vtkWindingNumberProbe", "vtkWindingNumberClip"):
+            algorithm = getattr(vtkFiltersWinding, name)()
+            source = vtkRTAnalyticSource()
+            source.SetWholeExtent(-1, 1, -1, 1, -1, 1)
+            output = self.after(algorithm, source).GetOutput()
+            self.assertGreater(output.GetNumberOfPoints(), 0)
+        probe = vtkFiltersWinding.vtkWindingNumberProbe()
+        probe.GenerateInsideOn()
+        probe.SetSourceConnection(self.sphere.GetOutputPort())
+        probe.SetInputData(self.grid())
+        probe.Update()
+        self.assertEqual(probe.IsInside(11 * 11 * 11 // 2), 1)
+        self.assertEqual(probe.IsInside(0), 0)
+
+    def test_implicit_function(self):
+        function = vtkFiltersWinding.vtkImplicitWindingNumber()
+        source = sphere()
+        source.Update()
+        function.SetInput(source.GetOutput())
+        self.assertAlmostEqual(function.EvaluateFunction(0, 0, 0), -0.5, 3)
+        clip = vtkClipDataSet()
+        clip.SetInputData(self.grid())
+        clip.SetClipFunction(function)
+        clip.InsideOutOn()
+        clip.Update()
+        self.assertGreater(clip.GetOutput().GetNumberOfCells(), 100)
+
+    def test_areas_and_report(self):
+        areas = self.after(vtkFiltersWinding.vtkPointAreas())
+        self.assertAlmostEqual(areas.GetTotalArea(), 3.14159, 0)
+        report = self.after(vtkFiltersWinding.vtkSurfaceReport())
+        self.assertTrue(report.GetClosed())
+        self.assertIsInstance(report.GetAdvice(), str)
+        self.assertEqual(report.GetReport().GetAbstractArray("kind").GetValue(0), "surface")
+
+    def test_readers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh, points = pathlib.Path(folder, "mesh.off"), pathlib.Path(folder, "points.xyz")
+            mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+            points.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
+            for reader, path, count in ((vtkFiltersWinding.vtkGeomviewOFFReader(), mesh, 3),
+                                        (vtkFiltersWinding.vtkOrientedPointsReader(), points, 2)):
+                errors = errors_of(reader)
+                reader.SetFileName(str(path))
+                reader.Update()
+                self.assertEqual(errors, [])
+                self.assertEqual(reader.GetOutput().GetNumberOfPoints(), count)
+
+
+class ErrorTest(unittest.TestCase):
+    def test_wrong_types_are_type_errors(self):
+        field = vtkFiltersWinding.vtkWindingNumberField()
+        wrong = (("SetTolerance", "small"), ("SetResolution", None), ("SetResolution", 1.5),
+                 ("SetSamplingDimensions", "xyz"), ("SetSamplingBounds", (0, 1)),
+                 ("SetInputData", "mesh"), ("SetNormalsArray", 3))
+        for setter, value in wrong:
+            with self.subTest(setter):
+                self.assertRaises((TypeError, ValueError), getattr(field, setter), value)
+
+    def test_refusals_are_one_line_that_observers_see(self):
+        field = vtkFiltersWinding.vtkWindingNumberField()
+        errors = errors_of(field)
+        source = sphere()
+        field.SetInputConnection(source.GetOutputPort())
+        field.SetResolution(-3)
+        field.Update()
+        self.assertEqual(len(errors), 1, errors)
+        self.assertRegex(errors[0], r"Resolution\D*-3")
+        self.assertEqual(len(errors[0].strip().splitlines()[1:]), 1, errors[0])
+        self.assertEqual(field.GetStatus(), field.REFUSED)
+        self.assertEqual(field.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_what_is_no_source_is_refused(self):
+        field = vtkFiltersWinding.vtkWindingNumberField()
+        errors = errors_of(field)
+        image = vtkRTAnalyticSource()
+        image.SetWholeExtent(0, 2, 0, 2, 0, 2)
+        field.SetInputConnection(image.GetOutputPort())
+        field.Update()
+        self.assertEqual(len(errors), 1, errors)
+
+
+if __name__ == "__main__":
+    unittest.main()
