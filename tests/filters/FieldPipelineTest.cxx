@@ -1,3 +1,4 @@
+#include "filters/Backends.h"
 #include "filters/ErrorLog.h"
 #include "filters/ProgressLog.h"
 
@@ -164,22 +165,17 @@ TEST_F(FieldPipeline, BackendsAndThreadsGiveTheSameBits)
   field->SetNumberOfThreads(1);
   field->Update();
   const std::string expected = this->bitsOf(field->GetOutput());
-  const std::string before = vtkSMPTools::GetBackend();
-  for (const char* backend : {"Sequential", "STDThread", "TBB", "OpenMP"})
-  {
-    if (!vtkSMPTools::SetBackend(backend))
+  onEachBackend(
+    [&](const char* backend)
     {
-      continue; // not in this VTK
-    }
-    for (int threads : {0, 1, 2, 3})
-    {
-      field->SetNumberOfThreads(threads);
-      field->Modified();
-      field->Update();
-      EXPECT_EQ(this->bitsOf(field->GetOutput()), expected) << backend << " " << threads;
-    }
-  }
-  vtkSMPTools::SetBackend(before.c_str());
+      for (int threads : {0, 1, 2, 3})
+      {
+        field->SetNumberOfThreads(threads);
+        field->Modified();
+        field->Update();
+        EXPECT_EQ(this->bitsOf(field->GetOutput()), expected) << backend << " " << threads;
+      }
+    });
 }
 
 TEST_F(FieldPipeline, GridAndThresholdKeepWhatWasBuilt)
@@ -377,20 +373,15 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
 
 TEST_F(FieldPipeline, ThreadLimitEndsWithTheFilter)
 {
-  const std::string active = vtkSMPTools::GetBackend();
-  for (const char* backend : {"Sequential", "STDThread", "TBB"})
-  {
-    if (!vtkSMPTools::SetBackend(backend))
+  onEachBackend(
+    [&](const char* backend)
     {
-      continue; // not in this VTK
-    }
-    const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
-    field->SetNumberOfThreads(1);
-    field->Modified();
-    field->Update();
-    EXPECT_EQ(vtkSMPTools::GetEstimatedNumberOfThreads(), before) << backend;
-  }
-  vtkSMPTools::SetBackend(active.c_str());
+      const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
+      field->SetNumberOfThreads(1);
+      field->Modified();
+      field->Update();
+      EXPECT_EQ(vtkSMPTools::GetEstimatedNumberOfThreads(), before) << backend;
+    });
 }
 
 TEST_F(FieldPipeline, ErrorLeavesTheFilterUsable)

@@ -1,3 +1,4 @@
+#include "filters/Backends.h"
 #include "filters/ErrorLog.h"
 #include "filters/ProgressLog.h"
 #include "filters/SphereCloud.h"
@@ -359,21 +360,16 @@ TEST_F(Surfaces, HaveTheSameBitsOnAnyThreads)
   };
   filter->SetNumberOfThreads(1);
   const std::vector<double> expected = bits();
-  const std::string before = vtkSMPTools::GetBackend();
-  for (const char* backend : {"Sequential", "STDThread", "TBB", "OpenMP"})
-  {
-    if (!vtkSMPTools::SetBackend(backend))
+  onEachBackend(
+    [&](const char* backend)
     {
-      continue; // not in this VTK
-    }
-    for (const int threads : {0, 2, 3})
-    {
-      filter->SetNumberOfThreads(threads);
-      filter->Modified();
-      EXPECT_EQ(bits(), expected) << backend << " " << threads;
-    }
-  }
-  vtkSMPTools::SetBackend(before.c_str());
+      for (const int threads : {0, 2, 3})
+      {
+        filter->SetNumberOfThreads(threads);
+        filter->Modified();
+        EXPECT_EQ(bits(), expected) << backend << " " << threads;
+      }
+    });
 }
 
 TEST_F(Surfaces, AreInTheFirstPieceAndOfTheWholeSource)
