@@ -5,13 +5,18 @@
 namespace winding
 {
 
+namespace
+{
+
+constexpr int samplesPerBlock = 1 << 19; // enough work for a block to be worth it
+
+} // namespace
+
 RunsOfLayers::RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first, int last,
   const LabelOf& labelOf, double threshold, Executor& executor)
   : firstLayer_(first)
+  , bands_{0, std::clamp(samplesPerBlock / grid.dimensions[0], 1, grid.dimensions[1])}
 {
-  // A block has enough work to be worth it.
-  constexpr int samplesPerBlock = 1 << 19;
-  bands_ = {0, std::clamp(samplesPerBlock / grid.dimensions[0], 1, grid.dimensions[1])};
   Extent extent = grid.wholeExtent();
   extent[4] = first;
   extent[5] = last;
