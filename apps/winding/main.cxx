@@ -34,6 +34,7 @@ int endTogether(const AgreedFailure& failure)
   {
     tell(failure);
   }
+  interrupt::ignore();
   parallel::finish();
   return failure.status;
 }

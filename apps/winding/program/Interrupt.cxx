@@ -78,6 +78,14 @@ void joinRanks(bool isFirst)
   isOneOfSeveral = 1;
 }
 
+void ignore()
+{
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGALRM})
+  {
+    std::signal(number, SIG_IGN);
+  }
+}
+
 bool requested()
 {
   return signalled != 0;

@@ -20,6 +20,10 @@ void install();
 /// unless the rank is the first.
 void joinRanks(bool isFirst);
 
+/// The program has told how it ends, and ends: signals do nothing from now on. mpirun sends them to
+/// all ranks as soon as one has ended with a status other than 0.
+void ignore();
+
 /// Whether a signal has come.
 bool requested();
 

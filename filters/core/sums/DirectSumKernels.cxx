@@ -1,5 +1,7 @@
 #include "sums/DirectSumKernels.h"
 
+#include <limits>
+
 // Highway compiles the rest of this file once for every instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sums/DirectSumKernels.cxx"
@@ -38,6 +40,7 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
 {
   const Tag d;
   const Vec zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const Vec smallestNormal = hn::Set(d, std::numeric_limits<double>::min());
   for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
   {
     const Vec qx = hn::Load(d, samples.x + s);
@@ -63,9 +66,11 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
       const Vec height = dot(
         ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
-      // Adding 0 turns −0 into +0: by a factor of 1 − 0i, a product at the branch cut would change
-      // the sign of its imaginary part and so lose a turn.
-      const Vec num = hn::Add(zero, height);
+      // A height below the normal numbers is none: the product of two such would be 0, and has no
+      // argument. It is +0 then, not −0: by a factor of 1 − 0i, a product at the branch cut would
+      // change the sign of its imaginary part and so lose a turn.
+      const auto isInPlane = hn::Le(hn::Abs(height), smallestNormal);
+      const Vec num = hn::IfThenZeroElse(isInPlane, height);
       // The denominator is symmetric in b and c to the bit, so that the sum is odd under their
       // exchange.
       const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
@@ -80,7 +85,7 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
         suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }
       // A sample in the plane of the triangle gets a factor of 1, whatever the denominator's sign.
-      den = hn::IfThenElse(hn::Eq(num, zero), one, den);
+      den = hn::IfThenElse(isInPlane, one, den);
 
       const Vec newRe = hn::Sub(hn::Mul(re, den), hn::Mul(im, num));
       const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
@@ -89,7 +94,7 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       // whatever number the processor takes the other bits for.
       const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
       const auto hasCrossed = hn::Lt(hn::CopySign(one, crossed), zero);
-      const Vec step = hn::IfThenZeroElse(hn::Eq(num, zero), hn::CopySign(one, num));
+      const Vec step = hn::IfThenZeroElse(isInPlane, hn::CopySign(one, num));
       turns = hn::Add(turns, hn::IfThenElseZero(hasCrossed, step));
 
       const Vec scale = inverseMagnitude(d, hn::Max(hn::Abs(newRe), hn::Abs(newIm)));
