@@ -5,9 +5,9 @@ which counts through its outer surface, or a MultiBlock of these, whose blocks a
 values are asked for at its points or cells, it may be any mesh.
 
 Methods that compute winding numbers take the options of vtkwinding.arrays, and normals_array and
-areas_array: the names of the point arrays with the normals of a cloud, where these are not the active
-ones, and with its areas, where these are known. Methods return copies, and name arrays as PyVista
-does. What a filter refuses is a WindingError, which is a RuntimeError.
+areas_array: the names of the point arrays with the normals of a cloud, where these are not the
+active ones, and with its areas, where these are known. Methods return copies, and name arrays as
+PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
 """
 
 import numpy as np

@@ -51,7 +51,7 @@ function(winding_install_licence library)
 endfunction()
 
 winding_install_licence(Highway "${hwy_SOURCE_DIR}/LICENSE" "${hwy_SOURCE_DIR}/LICENSE-BSD3"
-  "/usr/share/doc/libhwy-dev/copyright")
+  "/usr/share/common-licenses/Apache-2.0" "/usr/share/doc/libhwy-dev/copyright")
 winding_install_licence(Eigen "${eigen3_SOURCE_DIR}/COPYING.MPL2"
   "/usr/share/common-licenses/MPL-2.0" "/usr/share/doc/libeigen3-dev/copyright")
 winding_install_licence(nanoflann "${nanoflann_SOURCE_DIR}/COPYING"
