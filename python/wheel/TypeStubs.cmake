@@ -1,5 +1,5 @@
-# Type stubs of the wrapped module, by VTK's generator. It imports the module from the build tree; the
-# libraries of the wheel vtk have to be there before the module finds those of the SDK.
+# Type stubs of the wrapped module, by VTK's generator. It imports the module from the build tree;
+# the libraries of the wheel vtk have to be there before the module finds those of the SDK.
 set(package "${CMAKE_CURRENT_BINARY_DIR}/vtkwinding")
 set(stub "${package}/vtkFiltersWinding.pyi")
 configure_file(../vtkwinding/_vtk.py "${package}/_vtk.py" COPYONLY)
