@@ -18,7 +18,7 @@ DEPENDENCIES = (
     "vtkParallelCore",
 )
 
-_REMEDY = f"this vtk-winding needs VTK {VTK_MINOR} (pip install 'vtk=={VTK_MINOR}.*')"
+_REMEDY = f"this vtk-winding needs VTK {VTK_MINOR} (with pip: vtk=={VTK_MINOR}.*)"
 
 
 def load():

@@ -1,0 +1,98 @@
+"""Grids for the filters that sample one: by resolution, dimensions, spacing or bounds."""
+
+import math
+
+from . import _options
+
+
+def _three(name, value, convert):
+    """Three of what is one number or a sequence of three."""
+    values = [value] * 3 if _is_scalar(value) else value
+    if isinstance(values, str) or not hasattr(values, "__len__"):
+        raise TypeError(f"{name} must be numbers, not {type(value).__name__}")
+    if len(values) != 3:
+        raise ValueError(f"{name} must be one number or three, not {len(values)}")
+    return [convert(f"{name}[{axis}]", item) for axis, item in enumerate(values)]
+
+
+def _is_scalar(value):
+    return getattr(value, "ndim", None) == 0 or not hasattr(value, "__len__")
+
+
+def positive(name, value):
+    number = _options.number(name, value)
+    if number <= 0:
+        raise ValueError(f"{name} must be more than 0, not {number}")
+    return number
+
+
+def spacings(value):
+    return _three("spacing", value, positive)
+
+
+def dimensions_of(value):
+    def convert(name, item):
+        return _options.integer(name, item, 1, 2**31 - 1)
+
+    if _is_scalar(value):
+        raise TypeError(f"dimensions must be three ints, not {type(value).__name__}")
+    return _three("dimensions", value, convert)
+
+
+def box(value):
+    """xmin, xmax, ymin, ymax, zmin, zmax."""
+    if _is_scalar(value) or isinstance(value, str) or len(value) != 6:
+        raise ValueError("bounds must be six numbers: xmin, xmax, ymin, ymax, zmin, zmax")
+    values = [_options.number(f"bounds[{i}]", item) for i, item in enumerate(value)]
+    for axis in range(3):
+        if values[2 * axis] >= values[2 * axis + 1]:
+            raise ValueError(f"bounds must have {'xyz'[axis]}min below {'xyz'[axis]}max, "
+                             f"not {values[2 * axis]} and {values[2 * axis + 1]}")
+    return values
+
+
+def lay(algorithm, source_bounds, *, resolution=None, dimensions=None, spacing=None, bounds=None,
+        padding=0.05):
+    """Tells a filter its grid. source_bounds() gives the box of the source, and is asked only for
+    voxels that are not cubic."""
+    given = {"resolution": resolution, "dimensions": dimensions, "spacing": spacing}
+    names = [name for name, value in given.items() if value is not None]
+    if len(names) > 1:
+        raise TypeError(f"give only one of {' and '.join(names)}")
+    padding = _options.number("padding", padding, 0)
+    algorithm.SetPadding(padding)
+    if bounds is not None:
+        bounds = box(bounds)
+        algorithm.UseInputBoundsOff()
+        algorithm.SetSamplingBounds(*bounds)
+    if resolution is not None:
+        algorithm.SetResolution(_options.integer("resolution", resolution, 1, 2**31 - 1))
+    elif dimensions is not None:
+        algorithm.SetSamplingDimensions(*dimensions_of(dimensions))
+    elif spacing is not None:
+        steps = spacings(spacing)
+        if steps[0] == steps[1] == steps[2]:
+            algorithm.SetVoxelSize(steps[0])
+        else:
+            _lay_bricks(algorithm, bounds or _padded(source_bounds(), padding), steps)
+
+
+def _padded(bounds, padding):
+    margin = padding * max(bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3))
+    return [end + (margin if index % 2 else -margin) for index, end in enumerate(bounds)]
+
+
+def _lay_bricks(algorithm, bounds, steps):
+    """Voxels with three different sides: the box grows to a whole number of them, evenly on both
+    sides, as it does for cubes."""
+    counts, ends = [], []
+    for axis, step in enumerate(steps):
+        low, high = bounds[2 * axis], bounds[2 * axis + 1]
+        # A box that is a whole number of voxels up to rounding stays as it is.
+        count = max(1, math.ceil((high - low) / step * (1 - 1e-12)))
+        margin = (count * step - (high - low)) / 2
+        counts.append(_options.integer("dimensions of the grid", count, 1, 2**31 - 1))
+        ends += [low - margin, high + margin]
+    algorithm.UseInputBoundsOff()
+    algorithm.SetSamplingBounds(*ends)
+    algorithm.SetSamplingDimensions(*counts)

@@ -1,0 +1,139 @@
+"""Runs a filter as Python functions run: with exceptions, warnings, progress and Ctrl-C."""
+
+import contextlib
+import os
+import re
+import signal
+import sys
+import threading
+import warnings
+
+_PACKAGE = os.path.dirname(os.path.abspath(__file__))
+
+
+class WindingError(RuntimeError):
+    """A filter refused its input or could not finish, in one line that says what to do."""
+
+
+class WindingWarning(RuntimeWarning):
+    """A filter worked, with a result that may not be the one that was meant."""
+
+
+def run(algorithm, *, progress_bar=False, message=""):
+    """Updates a filter and returns it.
+
+    What it reports as an error is raised as WindingError, what it reports as a warning is warned of
+    as WindingWarning. In the main thread Ctrl-C ends the filter within a fraction of a second, and
+    raises KeyboardInterrupt. With progress_bar, tqdm shows how far the filter is.
+    """
+    with contextlib.ExitStack() as stack:
+        errors = _Messages(stack, algorithm, "ErrorEvent")
+        notes = _Messages(stack, algorithm, "WarningEvent")
+        # The executive speaks of what is wrong before the filter runs, and repeats its failures.
+        failures = _Messages(stack, algorithm.GetExecutive(), "ErrorEvent")
+        interrupt = stack.enter_context(_Interrupt())
+        bar = stack.enter_context(_bar(message)) if progress_bar else None
+        watch = _Watch(stack, algorithm, interrupt, bar)
+        algorithm.Update()
+    if watch.failure is not None:
+        raise watch.failure
+    for error in errors.texts or failures.texts:
+        raise WindingError(error)
+    for note in notes.texts:
+        warnings.warn(note, WindingWarning, stacklevel=_levels_above_package())
+    return algorithm
+
+
+def _observe(stack, reporter, event, callback):
+    tag = reporter.AddObserver(event, callback)
+    stack.callback(reporter.RemoveObserver, tag)
+
+
+class _Messages:
+    """The texts of the errors or warnings that an object of VTK reports."""
+
+    # VTK puts the file, the class and the address before the text.
+    _text = re.compile(r"\(0x[0-9a-fA-F]+\): (.*)", re.DOTALL)
+
+    def __init__(self, stack, reporter, event):
+        self.texts = []
+
+        def note(_reporter, _event, text):
+            found = self._text.search(text)
+            self.texts.append((found[1] if found else text).strip())
+
+        note.CallDataType = "string0"
+        _observe(stack, reporter, event, note)
+
+
+class _Watch:
+    """Looks at a filter whenever it tells its progress, and stops it when it is to stop.
+
+    VTK ends the process for some exceptions that leave an observer, so none does.
+    """
+
+    def __init__(self, stack, algorithm, interrupt, bar):
+        self.failure = None
+
+        def look(_algorithm, _event):
+            try:
+                if interrupt.is_set():
+                    algorithm.SetAbortExecute(1)
+                elif bar is not None:
+                    bar.update(algorithm.GetProgress() - bar.n)
+            except Exception as failure:
+                self.failure = failure
+                algorithm.SetAbortExecute(1)
+
+        _observe(stack, algorithm, "ProgressEvent", look)
+
+
+class _Interrupt:
+    """Notes Ctrl-C while it is entered, and hands it to the handler of before at the exit.
+
+    Other threads than the main one get no signals, so there it does nothing. Nor does it replace a
+    handler that is not one of Python, such as the one that ignores the signal.
+    """
+
+    def __init__(self):
+        self._signal = None
+        self._before = None
+
+    def is_set(self):
+        return self._signal is not None
+
+    def _note(self, *arguments):
+        self._signal = arguments
+
+    def __enter__(self):
+        is_main = threading.current_thread() is threading.main_thread()
+        handler = signal.getsignal(signal.SIGINT)
+        if is_main and callable(handler):
+            self._before = signal.signal(signal.SIGINT, self._note)
+        return self
+
+    def __exit__(self, *_):
+        if self._before is not None:
+            signal.signal(signal.SIGINT, self._before)
+        if self.is_set():
+            self._before(*self._signal)
+            raise KeyboardInterrupt
+
+
+@contextlib.contextmanager
+def _bar(message):
+    try:
+        from tqdm import tqdm
+    except ImportError as error:
+        raise ImportError("install tqdm to see a progress bar (pip install tqdm)") from error
+    with tqdm(total=1, desc=message, bar_format="{l_bar}{bar}[{elapsed}<{remaining}]") as bar:
+        yield bar
+        bar.update(1 - bar.n)
+
+
+def _levels_above_package():
+    """The stacklevel of the first caller outside this package, as warnings counts it."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back and os.path.dirname(frame.f_code.co_filename) == _PACKAGE:
+        frame, level = frame.f_back, level + 1
+    return level

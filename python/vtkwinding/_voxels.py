@@ -1,0 +1,81 @@
+"""The geometry of masks, laid out as voxelize_binary_mask() of PyVista does it."""
+
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkFiltersStatistics import vtkLengthDistribution
+
+from . import _grids, _options
+
+
+def outer_surface(mesh):
+    """The triangles of any mesh; of all blocks, where it has some."""
+    if isinstance(mesh, pv.MultiBlock):
+        mesh = mesh.combine() if mesh.n_blocks else pv.PolyData()
+    if not isinstance(mesh, pv.PolyData):
+        mesh = mesh.extract_surface(algorithm="dataset_surface", pass_pointid=False,
+                                    pass_cellid=False)
+    return mesh
+
+
+def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rounding_func,
+                 cell_length_percentile, cell_length_sample_size):
+    """The image whose points are the voxels."""
+    rest = {"dimensions": dimensions, "spacing": spacing, "resolution": resolution,
+            "rounding_func": rounding_func, "cell_length_percentile": cell_length_percentile,
+            "cell_length_sample_size": cell_length_sample_size}
+    given = {name for name, value in rest.items() if value is not None}
+    if reference_volume is not None:
+        if given:
+            raise TypeError("Cannot specify a reference volume with other geometry parameters. "
+                            "`reference_volume` must define the geometry exclusively.")
+        return check_reference(reference_volume)
+    for first, others in (
+            ("dimensions", ("spacing", "resolution", "rounding_func")),
+            ("resolution", ("spacing", "rounding_func", "cell_length_percentile",
+                            "cell_length_sample_size")),
+            ("spacing", ("cell_length_percentile", "cell_length_sample_size"))):
+        for other in others:
+            if first in given and other in given:
+                raise TypeError(f"{first} and {other} cannot both be set. Set one or the other.")
+    surface = outer_surface(mesh)
+    size = np.array(surface.bounds_size)
+    if dimensions is None:
+        if resolution is not None:
+            spacing = max(size) / _options.integer("resolution", resolution, 1, 2**31 - 1)
+        elif spacing is None:
+            spacing = _typical_length(surface, cell_length_percentile, cell_length_sample_size)
+        counts = size / _grids.spacings(spacing)
+        counts[counts < 1] = 1
+        dimensions = np.array((rounding_func or np.round)(counts), dtype=int)
+    dimensions = _grids.dimensions_of(dimensions)
+    steps = size / dimensions
+    return pv.ImageData(dimensions=dimensions, spacing=np.where(steps > 0, steps, 1),
+                        origin=np.array(surface.bounds[::2]) + steps / 2)
+
+
+def check_reference(volume):
+    if not isinstance(volume, pv.ImageData):
+        raise TypeError(f"reference_volume must be an ImageData, not {type(volume).__name__}")
+    if min(volume.dimensions) < 1 or min(volume.spacing) <= 0:
+        raise ValueError("reference_volume must have points, and spacings of more than 0")
+    return volume
+
+
+def _typical_length(surface, percentile, sample_size):
+    percentile = 0.1 if percentile is None else percentile
+    percentile = _options.number("cell_length_percentile", percentile, 0, 1)
+    count = 100_000 if sample_size is None else sample_size
+    lengths = vtkLengthDistribution()
+    lengths.SetInputData(surface.triangulate())
+    lengths.SetSampleSize(_options.integer("cell_length_sample_size", count, 1))
+    lengths.Update()
+    return lengths.GetLengthQuantile(percentile)
+
+
+def mask_type(*values):
+    """The smallest type of a mask with these values, by PyVista's rule."""
+    for value in values:
+        _options.number("background_value and foreground_value", value)
+    if all(isinstance(value, (int, np.integer)) and 0 <= value < 256 for value in values):
+        return np.uint8
+    return np.int_ if all(round(value) == value for value in values) else np.float64

@@ -1,0 +1,306 @@
+"""mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
+
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+import pyvista as pv
+
+import vtkwinding
+
+
+def ball(resolution=30):
+    return pv.Sphere(theta_resolution=resolution, phi_resolution=resolution)
+
+
+def scan():
+    """A sphere with a hole."""
+    mesh = ball()
+    return mesh.extract_cells(mesh.cell_centers().points[:, 2] < 0.42).extract_surface(
+        algorithm="dataset_surface", pass_pointid=False, pass_cellid=False)
+
+
+def grid(count=25):
+    """An image around the sphere, without points on it."""
+    return pv.ImageData(dimensions=(count,) * 3, spacing=(1.2 / (count - 1),) * 3,
+                        origin=(-0.6123,) * 3)
+
+
+def turned_grid():
+    image = grid(20)
+    image.extent = (2, 21, 1, 20, 0, 19)
+    image.direction_matrix = pv.transformations.axis_angle_rotation((0, 0, 1), 30)[:3, :3]
+    return image
+
+
+class Warned(unittest.TestCase):
+    def setUp(self):
+        warnings.simplefilter("error", vtkwinding.WindingWarning)
+        self.addCleanup(warnings.resetwarnings)
+
+
+class AccessorTest(Warned):
+    def test_comes_without_an_import(self):
+        code = "import pyvista; print(pyvista.Sphere().winding.report()['closed'])"
+        found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual((found.stdout.strip(), found.returncode), ("1", 0), found.stderr)
+
+    def test_other_back_ends_are_refused(self):
+        code = ("import pyvista; pyvista.vtk_backend = lambda: 'cvista'\n"
+                "try:\n    import vtkwinding.accessor\nexcept ImportError as e:\n    print(e)")
+        found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertRegex(found.stdout, "PYVISTA_VTK_BACKEND=vtk", found.stderr)
+
+    def test_field(self):
+        image = ball().winding.field(resolution=16, inside=True, signed_distance=True)
+        self.assertIsInstance(image, pv.ImageData)
+        self.assertEqual(image.array_names, ["WindingNumber", "SignedDistance", "Inside"])
+        self.assertEqual(image.dimensions, (16, 16, 16))
+        self.assertEqual(set(np.unique(image["WindingNumber"])), {0, 1})
+        np.testing.assert_array_equal(image["Inside"] == 1, image["SignedDistance"] < 0)
+        cells = ball().winding.field(spacing=(0.1, 0.2, 0.25), association="cell")
+        self.assertEqual(cells.cell_data.keys(), ["WindingNumber"])
+        np.testing.assert_allclose(cells.spacing, (0.1, 0.2, 0.25), rtol=1e-12)
+        shares = ball().winding.field(resolution=8, coverage="fraction")
+        self.assertIn("Coverage", shares.point_data)
+
+    def test_field_over_a_reference_volume(self):
+        for image in (grid(), turned_grid()):
+            found = ball().winding.field(reference_volume=image)
+            self.assertEqual(found.extent, image.extent)
+            np.testing.assert_array_equal(found.points, image.points)
+            np.testing.assert_array_equal(
+                found["WindingNumber"], image.winding.sample(ball())["WindingNumber"])
+            cells = ball().winding.field(reference_volume=image, association="cell")
+            np.testing.assert_array_equal(
+                cells.cell_data["WindingNumber"],
+                image.winding.sample(ball(), association="cell").cell_data["WindingNumber"])
+
+    def test_masks_are_those_of_pyvista(self):
+        mesh = ball().translate((3, 1, 2))
+        for geometry in ({}, {"dimensions": (20, 21, 22)}, {"spacing": 0.05},
+                         {"spacing": (0.05, 0.06, 0.1)}, {"cell_length_percentile": 0.5},
+                         {"spacing": 0.05, "rounding_func": np.floor},
+                         {"background_value": 3, "foreground_value": 300},
+                         {"background_value": -0.5, "dimensions": (5, 1, 5)}):
+            with self.subTest(geometry):
+                ours = mesh.winding.voxelize_binary_mask(**geometry)
+                theirs = mesh.voxelize_binary_mask(**geometry)
+                self.assertEqual(ours, theirs)
+                self.assertEqual(ours["mask"].dtype, theirs["mask"].dtype)
+                self.assertEqual(ours.active_scalars_name, theirs.active_scalars_name)
+        for image in (grid(), turned_grid()):
+            self.assertEqual(ball().winding.voxelize_binary_mask(reference_volume=image),
+                             ball().voxelize_binary_mask(reference_volume=image))
+
+    def test_voxels_are_those_of_pyvista(self):
+        for geometry in ({"dimensions": (9, 10, 11)}, {"spacing": (0.1, 0.2, 0.1)},
+                         {"reference_volume": grid(12)}):
+            ours, theirs = ball().winding.voxelize(**geometry), ball().voxelize(**geometry)
+            self.assertEqual(ours, theirs)
+        thin = pv.Plane().winding.voxelize(spacing=0.1, coverage="any", dimensions=None)
+        self.assertGreaterEqual(thin.n_cells, 100)
+
+    def test_open_meshes_have_masks(self):
+        whole = ball().winding.voxelize_binary_mask(dimensions=(20, 20, 20))["mask"].sum()
+        mask = scan().winding.voxelize_binary_mask(dimensions=(20, 20, 20))["mask"]
+        self.assertGreater(mask.sum(), 0.9 * whole)
+
+    def test_surface(self):
+        solid = scan().winding.surface(resolution=32)
+        self.assertIsInstance(solid, pv.PolyData)
+        self.assertEqual(solid.n_open_edges, 0)
+        self.assertEqual(solid.array_names, ["Normals"])
+        bare = ball().winding.surface(resolution=9, compute_normals=False)
+        self.assertEqual(bare.array_names, [])
+        half = ball().winding.surface(spacing=0.05, bounds=(-0.6, 0, -0.6, 0.6, -0.6, 0.6),
+                                      close_border=True)
+        self.assertAlmostEqual(half.volume / ball().volume, 0.5, 1)  # 0.49
+
+    def test_interior_points(self):
+        for image in (grid(), turned_grid(), grid(9).cast_to_unstructured_grid(), ball(40)):
+            before = list(image.array_names)
+            ours, theirs = (image.winding.select_interior_points(ball()),
+                            image.select_interior_points(ball()))
+            self.assertEqual(type(ours), type(theirs))
+            if image.n_points != ball(40).n_points:  # points on the surface are on either side
+                np.testing.assert_array_equal(ours["selected_points"], theirs["selected_points"])
+            self.assertEqual(ours["selected_points"].dtype, np.bool_)
+            self.assertEqual(ours.active_scalars_name, "selected_points")
+            self.assertEqual(list(image.array_names), before)
+            self.assertEqual(ours.field_data.keys(), image.field_data.keys())
+        inverse = grid().winding.select_interior_points(ball(), inside_out=True)["selected_points"]
+        straight = grid().winding.select_interior_points(ball())["selected_points"]
+        np.testing.assert_array_equal(inverse, ~straight)
+
+    def test_open_surfaces_are_refused_where_that_is_asked_for(self):
+        inside = grid().winding.select_interior_points(scan())["selected_points"]
+        self.assertGreater(inside.sum(), 1000)
+        self.assertRaisesRegex(RuntimeError, "Surface is not closed",
+                               grid().winding.select_interior_points, scan(), check_surface=True)
+        grid().winding.select_interior_points(ball(), check_surface=True)
+
+    def test_distances(self):
+        for mesh in (grid(), ball(9)):
+            ours, theirs = (mesh.winding.signed_distance(ball()),
+                            mesh.compute_implicit_distance(ball()))
+            np.testing.assert_allclose(ours["implicit_distance"], theirs["implicit_distance"],
+                                       atol=1e-7)
+            self.assertEqual(ours["implicit_distance"].dtype, np.float64)
+            self.assertNotIn("implicit_distance", mesh.array_names)
+        mesh = grid()
+        self.assertIs(mesh.winding.signed_distance(ball(), inplace=True), mesh)
+        self.assertIn("implicit_distance", mesh.array_names)
+
+    def test_parts(self):
+        mesh = grid().cast_to_unstructured_grid()
+        mesh["number"] = np.arange(mesh.n_points)
+        part = mesh.winding.extract_interior(ball())
+        self.assertIsInstance(part, pv.UnstructuredGrid)
+        self.assertEqual(part.array_names, ["number"])
+        self.assertLess(np.abs(part.points).max(), 0.5)
+        more = mesh.winding.extract_interior(ball(), association="cell")
+        self.assertGreater(more.n_cells, part.n_cells)
+        rest = mesh.winding.extract_interior(ball(), association="cell", inside_out=True)
+        self.assertEqual(more.n_cells + rest.n_cells, mesh.n_cells)
+        points = pv.PolyData(grid().points).winding.extract_interior(ball())
+        self.assertLess(np.linalg.norm(points.points, axis=1).max(), 0.5)
+
+    def test_reports(self):
+        report = scan().winding.report()
+        self.assertEqual((report["closed"], report["boundary_loops"]), (0, 1))
+        self.assertIsInstance(report["advice"], str)
+        self.assertEqual(len(report["bbox"]), 6)
+        self.assertIs(type(report["triangles"]), int)
+        self.assertIs(type(report["area"]), float)
+        self.assertIsNone(pv.PolyData(ball().points).winding.report()["w_behind"])
+
+    def test_orientation(self):
+        inward = ball().flip_faces()
+        self.assertLess(inward.winding.report()["volume"], 0)
+        outward = inward.winding.fix_orientation()
+        self.assertGreater(outward.winding.report()["volume"], 0)
+        self.assertEqual(outward.field_data.keys(), [])
+        self.assertLess(inward.winding.report()["volume"], 0)
+
+    def test_areas(self):
+        mesh = ball()
+        found = mesh.winding.estimate_areas()
+        self.assertNotIn("Area", mesh.array_names)
+        self.assertAlmostEqual(found["Area"].sum(), mesh.area, 1)
+        bare = pv.PolyData(mesh.points)
+        self.assertRaisesRegex(vtkwinding.WindingError, "(?i)normals", bare.winding.estimate_areas)
+        bare = bare.winding.estimate_areas(estimate_normals=True, n_threads=1)
+        self.assertAlmostEqual(bare["Area"].sum(), mesh.area, 1)
+
+    def test_clouds(self):
+        bare = pv.PolyData(ball().points)
+        for mesh, options in ((bare, {"estimate_normals": True}), (ball(), {"as_points": True})):
+            inside = grid().winding.select_interior_points(mesh, **options)["selected_points"]
+            self.assertAlmostEqual(inside.sum() / 4139, 1, 1)
+            self.assertGreater(mesh.winding.surface(resolution=24, **options).n_cells, 500)
+            self.assertEqual(
+                mesh.winding.voxelize_binary_mask(dimensions=(8, 8, 8), **options).n_points, 512)
+
+    def test_blocks_are_one_source(self):
+        pair = pv.MultiBlock({"one": ball(), "nothing": None,
+                              "other": pv.MultiBlock([ball().translate((2, 0, 0))])})
+        self.assertEqual(pair.winding.field(spacing=0.1, padding=0).dimensions, (30, 10, 10))
+        self.assertEqual(pair.winding.report()["closed_components"], 2)
+        self.assertAlmostEqual(pair.winding.surface(resolution=60).volume, 2 * ball().volume, 1)
+        self.assertEqual(pair.winding.voxelize_binary_mask(spacing=0.1).dimensions, (30, 10, 10))
+        self.assertGreater(pair.winding.voxelize(spacing=0.1).n_cells, 900)
+
+    def test_blocks_keep_their_places(self):
+        blocks = pv.MultiBlock({"image": grid(), "nothing": None,
+                                "more": pv.MultiBlock({"ball": ball()})})
+        found = blocks.winding.select_interior_points(ball(20))
+        self.assertEqual(found.keys(), ["image", "nothing", "more"])
+        self.assertIsNone(found["nothing"])
+        self.assertEqual(found["image"]["selected_points"].dtype, np.bool_)
+        self.assertIn("selected_points", found["more"]["ball"].array_names)
+        self.assertNotIn("selected_points", blocks["image"].array_names)
+        self.assertNotIn("selected_points", blocks["more"]["ball"].array_names)
+        self.assertIsInstance(blocks.winding.extract_interior(ball())["image"],
+                              pv.UnstructuredGrid)
+        self.assertIn("implicit_distance",
+                      blocks.winding.signed_distance(ball())["more"]["ball"].array_names)
+
+    def test_bool_arrays_stay_bool(self):
+        mesh = ball()
+        mesh["mark"] = np.arange(mesh.n_points) % 2 == 0
+        self.assertEqual(mesh.winding.select_interior_points(ball(8))["mark"].dtype, np.bool_)
+
+    def test_progress_bars(self):
+        try:
+            import tqdm  # noqa: F401
+        except ImportError:
+            self.skipTest("there is no tqdm")
+        for method, arguments, options in (
+                ("field", (), {"resolution": 20}), ("surface", (), {"resolution": 20}),
+                ("voxelize_binary_mask", (), {}), ("select_interior_points", (ball(),), {}),
+                ("report", (), {}), ("estimate_areas", (), {})):
+            with self.subTest(method):
+                getattr(ball().winding, method)(*arguments, progress_bar=True, **options)
+
+
+class BadInputTest(Warned):
+    def refuses(self, kind, words, call, *arguments, **options):
+        self.assertRaisesRegex(kind, words, call, *arguments, **options)
+
+    def test_surfaces_that_are_none(self):
+        for bad in (None, "mesh", 3, grid(), np.zeros((3, 3)), pv.Table(np.zeros((3, 3)))):
+            self.refuses(TypeError, "surface must be a surface, a cloud or a mesh of cells, not",
+                         grid().winding.select_interior_points, bad)
+        for bad in (grid(), pv.Table(np.zeros((3, 3)))):
+            self.refuses(TypeError, "the mesh must be", bad.winding.field)
+            self.refuses(TypeError, "the mesh must be", bad.winding.report)
+
+    def test_volume_meshes_count_by_their_outer_surface(self):
+        volume = grid(9).cast_to_unstructured_grid()
+        inside = pv.PolyData([[0.0, 0, 0], [2, 0, 0]]).winding.select_interior_points(volume)
+        self.assertEqual(inside["selected_points"].tolist(), [True, False])
+
+    def test_numbers_that_are_none(self):
+        mesh = ball()
+        mesh.points[3] = np.nan
+        self.assertRaisesRegex(vtkwinding.WindingWarning, "(?i)nan", mesh.winding.field,
+                               resolution=8)
+
+    def test_faces_out_of_range(self):
+        mesh = pv.PolyData.from_regular_faces(ball().points, [[0, 1, 10**6]])
+        self.refuses(vtkwinding.WindingError, "ids", mesh.winding.field, resolution=8)
+
+    def test_positional_options(self):
+        self.assertRaises(TypeError, ball().winding.field, 16)
+        self.assertRaises(TypeError, grid().winding.select_interior_points, ball(), True)
+
+    def test_options(self):
+        field = ball().winding.field
+        self.refuses(TypeError, "no option metod", field, metod="rows")
+        self.refuses(ValueError, "coverage must be one of", field, coverage="all")
+        self.refuses(ValueError, "association must be one of point, cell", field,
+                     association="cells")
+        self.refuses(TypeError, "inside must be a bool", field, inside="yes")
+        self.refuses(ValueError, "distance_band", field, distance_band=-1)
+        self.refuses(TypeError, "only one of", field, resolution=4, spacing=1)
+        self.refuses(TypeError, "Cannot specify a reference volume", field,
+                     reference_volume=grid(), resolution=4)
+        self.refuses(TypeError, "reference_volume must be an ImageData", field,
+                     reference_volume=ball())
+        mask = ball().winding.voxelize_binary_mask
+        self.refuses(TypeError, "Cannot specify a reference volume", mask,
+                     reference_volume=grid(), dimensions=(1, 1, 1))
+        self.refuses(TypeError, "dimensions and spacing cannot both", mask, dimensions=(4, 4, 4),
+                     spacing=1)
+        self.refuses(TypeError, "foreground_value must be a number", mask, foreground_value="1")
+        self.refuses(ValueError, "2 or more", ball().winding.voxelize, dimensions=(1, 4, 4))
+        self.refuses(vtkwinding.WindingError, "nothing", field, normals_array="nothing",
+                     as_points=True, resolution=4)
+        self.refuses(TypeError, "normals_array must be a str", field, normals_array=3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,184 @@
+"""How functions run: errors, warnings, Ctrl-C, threads, and which VTK they need."""
+
+import contextlib
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+import vtkwinding
+from arrays_test import CORNERS, CUBE, sphere
+from vtkwinding import _run
+from vtkwinding.vtkFiltersWinding import vtkSurfaceReport, vtkWindingNumberField
+
+# The direct sum of an open sphere at so many points takes half a minute and more.
+LONG = """
+import os, signal, sys, threading, time
+import numpy as np
+import vtkwinding
+sys.path.insert(0, {folder!r})
+from arrays_test import sphere
+vertices, faces, _ = sphere(200)
+points = np.random.default_rng(1).random((1_000_000, 3))
+def work():
+    vtkwinding.winding_number(points, vertices, faces[:-5], method="direct",
+                              longest_expected_time=0)
+{setup}
+print("ready", flush=True)
+start = time.time()
+try:
+    {call}
+    print("done")
+except KeyboardInterrupt:
+    print("KeyboardInterrupt")
+print(signal.getsignal(signal.SIGINT) is before, flush=True)
+os._exit(0)  # a thread that still works must not find Python gone
+"""
+
+
+def field_of(source):
+    field = vtkWindingNumberField()
+    field.SetInputConnection(source.GetOutputPort())
+    return field
+
+
+class ErrorTest(unittest.TestCase):
+    def test_errors_are_raised_as_one_line(self):
+        field = field_of(vtkSphereSource())
+        field.SetResolution(-1)
+        with self.assertRaisesRegex(vtkwinding.WindingError, r"^Resolution is -1") as caught:
+            _run.run(field)
+        self.assertIsInstance(caught.exception, RuntimeError)
+        self.assertNotIn("\n", str(caught.exception))
+        self.assertNotIn("0x", str(caught.exception))
+
+    def test_errors_of_the_pipeline_are_raised(self):
+        report = vtkSurfaceReport()
+        report.SetInputDataObject(vtkImageData())
+        self.assertRaises(vtkwinding.WindingError, _run.run, report)
+        self.assertRaises(vtkwinding.WindingError, _run.run, vtkWindingNumberField())
+
+    def test_warnings_are_those_of_the_caller(self):
+        field = vtkWindingNumberField()
+        field.SetInputData(vtkPolyData())
+        with warnings.catch_warnings(record=True) as notes:
+            warnings.simplefilter("always")
+            _run.run(field)
+        self.assertEqual([note.category for note in notes], [vtkwinding.WindingWarning])
+        self.assertEqual(notes[0].filename, __file__)
+
+    def test_nothing_stays_behind(self):
+        field = field_of(vtkSphereSource())
+        before = signal.getsignal(signal.SIGINT)
+        _run.run(field)
+        for event in ("ErrorEvent", "WarningEvent", "ProgressEvent"):
+            self.assertFalse(field.HasObserver(event))
+        self.assertIs(signal.getsignal(signal.SIGINT), before)
+
+    def test_what_fails_in_an_observer_ends_the_filter(self):
+        class Bar:
+            n = 0
+
+            def update(self, _progress):
+                raise ZeroDivisionError("in the bar")
+
+        @contextlib.contextmanager
+        def bar(_message):
+            yield Bar()
+
+        original, _run._bar = _run._bar, bar
+        self.addCleanup(setattr, _run, "_bar", original)
+        self.assertRaisesRegex(ZeroDivisionError, "in the bar", _run.run,
+                               field_of(vtkSphereSource()), progress_bar=True)
+
+
+class InterruptTest(unittest.TestCase):
+    def interrupted(self, setup="before = signal.getsignal(signal.SIGINT)", call="work()"):
+        """What a long evaluation prints that gets Ctrl-C, and the seconds that it then takes."""
+        code = LONG.format(folder=str(pathlib.Path(__file__).parent), setup=setup, call=call)
+        process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(process.kill)
+        self.assertEqual(process.stdout.readline(), "ready\n")
+        time.sleep(1)
+        start = time.time()
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 0, output)
+        return output.split(), time.time() - start
+
+    def test_ctrl_c_ends_an_evaluation(self):
+        words, seconds = self.interrupted()
+        self.assertEqual(words, ["KeyboardInterrupt", "True"])
+        self.assertLess(seconds, 15)  # 0.3 on a machine with nothing else to do
+
+    def test_handlers_of_others_are_asked(self):
+        words, _ = self.interrupted(
+            "def before(*_): print('asked')\nsignal.signal(signal.SIGINT, before)")
+        self.assertEqual(words, ["asked", "KeyboardInterrupt", "True"])
+
+    @unittest.skipIf(vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 907,
+                     "VTK holds Python's lock while it works")
+    def test_the_main_thread_is_free_meanwhile(self):
+        words, seconds = self.interrupted(
+            "before = signal.getsignal(signal.SIGINT)\n"
+            "thread = threading.Thread(target=work, daemon=True)",
+            "thread.start(); thread.join()")
+        self.assertEqual(words[0], "KeyboardInterrupt")
+        self.assertLess(seconds, 15)
+
+
+class ThreadTest(unittest.TestCase):
+    def test_two_threads_at_once_give_the_bits_of_one(self):
+        vertices, faces, normals = sphere(60)
+        points = np.random.default_rng(2).random((3000, 3)) - 0.5
+        calls = [lambda: vtkwinding.winding_number(points, vertices, faces[:-5]),
+                 lambda: vtkwinding.signed_distance(points, vertices, faces),
+                 lambda: vtkwinding.field(vertices, faces, resolution=40, n_threads=1).values,
+                 lambda: vtkwinding.field(vertices, faces[:-5], resolution=20).values,
+                 lambda: vtkwinding.winding_number(points, vertices, normals=normals)]
+        expected = [call() for call in calls]
+        faults = []
+
+        def work(turn):
+            for step in range(20):
+                index = (step + turn) % len(calls)
+                if not np.array_equal(calls[index](), expected[index]):
+                    faults.append((turn, step))
+
+        threads = [threading.Thread(target=work, args=(turn,)) for turn in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(faults, [])
+
+
+class VersionTest(unittest.TestCase):
+    def test_another_vtk_is_refused_in_words(self):
+        package = pathlib.Path(vtkwinding.__file__).parent
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder, "vtkwinding")
+            copy.mkdir()
+            for file in package.glob("*.py"):
+                shutil.copy(file, copy)
+            (copy / "_built.py").write_text("VERSION = '1'\nVTK_MINOR = '12.3'\n")
+            run = subprocess.run([sys.executable, "-c", "import vtkwinding"], cwd=folder,
+                                 capture_output=True, text=True, env={"PYTHONPATH": folder})
+        self.assertRegex(run.stderr.splitlines()[-1],
+                         r"ImportError: this vtk-winding needs VTK 12\.3 .*the one here is 9\.")
+
+
+if __name__ == "__main__":
+    unittest.main()
