@@ -11,8 +11,8 @@
 
 /**
  * @file
- * What the ranks of the program agree on. The program's own start makes the ranks, as there may be
- * but one in a process.
+ * The ranks of the program agree on failures and numbers, and send bytes to each other. The
+ * program's own start makes the ranks.
  */
 
 namespace

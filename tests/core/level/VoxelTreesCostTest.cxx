@@ -102,7 +102,7 @@ TEST(VoxelTreesCost, RunsSpareTheSecondsOfValuesThatAreNotWritten)
   const std::size_t samples = sampleCount(grid.wholeExtent());
   const double seconds = costOfVoxelTrees(*rows, grid, {}, 0).seconds;
   EXPECT_LT(seconds, 0);
-  // What is left is the time of the rows.
+  // The time of the rows is left.
   EXPECT_GT(rows->expectedCostOfValues(samples).seconds + seconds, 0);
   VoxelTreeOptions fractions;
   fractions.withCoverage = true;
