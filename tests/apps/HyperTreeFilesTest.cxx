@@ -130,6 +130,8 @@ TEST_F(HyperTreeFiles, ClosedSurfacesHaveTheNumbersOfImages)
   expectTheImage(closed, {"--resolution", "40", "--inside"}, {}, 0);
   expectTheImage(closed, {"--dims", "16", "32", "48", "--inside-only"}, {}, 0);
   expectTheImage(closed, {"--resolution", "20", "--coverage", "fraction"}, {}, 0);
+  expectTheImage(
+    closed, {"--resolution", "20", "--coverage", "fraction", "--coverage-samples", "3"}, {}, 0);
   expectTheImage(closed, {"--resolution", "20", "--coverage", "any", "--double"}, {}, 0);
 }
 

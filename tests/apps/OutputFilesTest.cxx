@@ -129,6 +129,39 @@ TEST_F(OutputFiles, AnInputAmongTheBlocksIsNotReplaced)
     << "their own index is there";
 }
 
+TEST_F(OutputFiles, AnInputAmongThePiecesIsNotReplaced)
+{
+  // Only a link gives a file of the folder a name that its format is known by.
+  std::filesystem::create_directory(folder.path("p"));
+  const std::string piece = folder.write("p/p_0.vti", asOff(sphere(3)));
+  ASSERT_EQ(symlink("p/p_0.vti", folder.path("link.off").c_str()), 0);
+  in = folder.path("link.off");
+  const Outcome run = field("p.pvti");
+  EXPECT_EQ(run.status, 2) << run;
+  EXPECT_TRUE(run.saysInOneLine({"p.pvti", "holds the input", "--overwrite"})) << run;
+  EXPECT_EQ(contentsOf(piece), asOff(sphere(3)));
+  EXPECT_EQ(field("p.pvti", {"--overwrite"}).status, 0);
+  EXPECT_NE(contentsOf(piece).find("ImageData"), std::string::npos);
+}
+
+TEST_F(OutputFiles, AFolderThatWasThereStaysAfterARefusal)
+{
+  std::filesystem::create_directory(folder.path("out"));
+  for (const bool isThere : {true, false})
+  {
+    const std::string name = isThere ? "out" : "new";
+    for (const std::vector<std::string>& command :
+      {std::vector<std::string>{
+         "field", folder.path("none.off"), "-o", folder.path(name + ".pvti")},
+        {"check", folder.path("none.off"), "--blocks", folder.path(name + ".vtm")}})
+    {
+      const Outcome run = runProgram(command);
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_EQ(std::filesystem::exists(folder.path(name)), isThere) << run;
+    }
+  }
+}
+
 TEST_F(OutputFiles, BlocksThatAKilledRunHasLeftAreCleared)
 {
   std::filesystem::create_directory(folder.path("faults"));

@@ -1,7 +1,13 @@
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "field/Field.h"
 #include "filters/ErrorLog.h"
 #include "filters/ProgressLog.h"
 #include "filters/SphereCloud.h"
 #include "private/ClippedPart.h"
+#include "private/CutDistances.h"
+#include "private/ProbeQueries.h"
+#include "private/ProbeWords.h"
 
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
@@ -29,6 +35,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -465,6 +472,42 @@ TEST_F(Clip, PartsThatDoNotFitAreRefusedBeforeTheyAreCut)
   {
     EXPECT_NE(std::string(refusal.what()).find("clip a part of the data set"), std::string::npos);
   }
+  // Every cell is cut: of neighbouring points one is kept. Cells that are cut count as whole ones.
+  for (std::size_t i = 1; i < numbers.size(); i += 2)
+  {
+    numbers[i] = -1;
+  }
+  EXPECT_THROW(winding::clippedPart(image, numbers.data(), noneFree), winding::OutOfMemory);
+}
+
+TEST_F(Clip, NumbersTellTheSideOfPointsOnTheSourceToo)
+{
+  // Points of the image lie on the vertices, edges and faces of a tetrahedron, at distance 0.
+  const double corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::int32_t ids[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  winding::SerialExecutor serial;
+  const auto field = winding::Field::build(
+    std::vector<winding::TrianglesView>{{winding::VectorsView(corners, 4), {ids, 4}}}, {}, serial);
+  const vtkSmartPointer<vtkImageData> image = imageOf(7, 1.5);
+  const winding::ProbeQueries queries(image, false, true, winding::wordsOfClip);
+  std::vector<unsigned char> kept;
+  std::size_t onFaces = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* x = image->GetPoint(i);
+    kept.push_back(*std::min_element(x, x + 3) >= 0 && x[0] + x[1] + x[2] <= 1);
+    onFaces += kept.back();
+  }
+  ASSERT_EQ(onFaces, 10u);
+  const std::vector<double> numbers = winding::cutDistances(
+    *field, queries, kept.data(), winding::InsideRule::signedThreshold, 0.5, serial);
+  ASSERT_EQ(numbers.size(), kept.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    EXPECT_NE(numbers[i], 0) << i;
+    EXPECT_EQ(numbers[i] > 0, kept[i] != 0) << i;
+    EXPECT_TRUE(!kept[i] || numbers[i] < 1e-12) << i;
+  }
 }
 
 TEST_F(Clip, ProgressRisesAndWorkCanBeAborted)
@@ -485,6 +528,23 @@ TEST_F(Clip, ProgressRisesAndWorkCanBeAborted)
   EXPECT_GT(clipped(image)->GetNumberOfCells(), 0);
   EXPECT_TRUE(log.isRising());
   EXPECT_EQ(log.last(), 1);
+}
+
+TEST_F(Clip, ProgressIsThatOfTheExecution)
+{
+  // After the first of two blocks nine tenths are done, in every execution anew.
+  const vtkSmartPointer<vtkImageData> image = imageOf(20, 1.3);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, image);
+  clip->SetInputData(blocks);
+  clip->Update();
+  EXPECT_EQ(clip->GetStatus(), vtkWindingNumberAlgorithm::DONE);
+  clip->Modified();
+  ProgressLog log(clip, 0.85);
+  clip->Update();
+  EXPECT_EQ(clip->GetStatus(), vtkWindingNumberAlgorithm::ABORTED);
+  EXPECT_NEAR(log.last(), 0.9, 1e-6);
 }
 
 } // namespace

@@ -24,6 +24,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -253,6 +254,48 @@ TEST_F(FixOrientation, MakesTrianglesOfStripsWhereItTurnsThem)
     {
       EXPECT_NE(std::find(strip.begin(), strip.end(), id), strip.end());
     }
+  }
+}
+
+TEST_F(FixOrientation, TrianglesOfStripsKeepTheirDataBesideCellsOfAllKinds)
+{
+  // A tetrahedron of a strip of two triangles and of two polygons, one of them turned round, stands
+  // beside a vertex and two lines. Cells of polydata are counted by kinds, strips last.
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y, z] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+  {
+    points->InsertNextPoint(x, y, z);
+  }
+  vtkNew<vtkCellArray> vertices, lines, polygons, strips;
+  vertices->InsertNextCell({0});
+  lines->InsertNextCell({0, 1});
+  lines->InsertNextCell({1, 2, 3});
+  polygons->InsertNextCell({0, 3, 2});
+  polygons->InsertNextCell({1, 3, 2});
+  strips->InsertNextCell({2, 1, 0, 3});
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    numbers->InsertNextValue(i);
+  }
+  vtkNew<vtkPolyData> source;
+  source->SetPoints(points);
+  source->SetVerts(vertices);
+  source->SetLines(lines);
+  source->SetPolys(polygons);
+  source->SetStrips(strips);
+  source->GetCellData()->AddArray(numbers);
+  vtkPolyData* output = this->fixed(source);
+  EXPECT_TRUE(filter->GetClosed());
+  EXPECT_GT(filter->GetVolume(), 0);
+  ASSERT_EQ(output->GetNumberOfCells(), 7);
+  EXPECT_EQ(output->GetNumberOfStrips(), 0);
+  vtkDataArray* origins = output->GetCellData()->GetArray("Number");
+  ASSERT_EQ(origins->GetNumberOfTuples(), 7);
+  for (vtkIdType i = 0; i < 7; ++i)
+  {
+    EXPECT_EQ(origins->GetTuple1(i), std::min<vtkIdType>(i, 5)) << i;
   }
 }
 

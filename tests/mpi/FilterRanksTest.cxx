@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -14,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
@@ -153,6 +155,97 @@ TEST(FieldOnRanks, OfACloudHasTheBitsOfOneRank)
     expected->UpdateExtent(found->GetOutput()->GetExtent());
     expectSame(found->GetOutput()->GetPointData()->GetArray("WindingNumber"),
       expected->GetOutput()->GetPointData()->GetArray("WindingNumber"));
+  }
+}
+
+TEST(FieldOnRanks, OfACloudTakesTheAreasThatAreGiven)
+{
+  const Mesh mesh = shapes::icosphere(3);
+  const auto withAreas = [](const vtkSmartPointer<vtkPolyData>& part)
+  {
+    vtkNew<vtkDoubleArray> areas; // other than those of the points' cells
+    areas->SetName("Area");
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      areas->InsertNextValue(0.01 * (2 + part->GetPoint(i)[0]));
+    }
+    part->GetPointData()->AddArray(areas);
+    return part;
+  };
+  for (const Deal& deal : deals())
+  {
+    SCOPED_TRACE(deal.name);
+    const auto expected =
+      filterOf<vtkWindingNumberField>(withAreas(pointsOf(mesh, whole, 0, 1)), true);
+    const auto found =
+      filterOf<vtkWindingNumberField>(withAreas(pointsOf(mesh, deal, rank(), ranks())), false);
+    for (const auto& field : {expected, found})
+    {
+      field->SetPointAreaMethod(vtkWindingNumberField::ARRAY);
+      field->SetResolution(15);
+    }
+    updatePiece(found);
+    expected->UpdateExtent(found->GetOutput()->GetExtent());
+    EXPECT_NEAR(expected->GetMeanPointArea(), 0.02, 1e-3);
+    expectSame(found->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+      expected->GetOutput()->GetPointData()->GetArray("WindingNumber"));
+  }
+}
+
+TEST(FieldOnRanks, LeavesOutWhatRefersToNoPoint)
+{
+  // Each rank has two blocks. A bad triangle of the first refers to a point that only both blocks
+  // together have.
+  const Mesh mesh = shapes::icosphere(2);
+  const auto sourceOf = [&mesh](const Deal& deal, int rank, int ranks)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (unsigned int block = 0; block < 2; ++block)
+    {
+      const auto half = partOf(mesh.part(block * 160, 160 + block * 160), deal, rank, ranks);
+      if (block == 0)
+      {
+        half->GetPolys()->InsertNextCell({0, 1, half->GetNumberOfPoints()});
+      }
+      blocks->SetBlock(block, half);
+    }
+    return vtkSmartPointer<vtkMultiBlockDataSet>(blocks);
+  };
+  vtkNew<vtkWindingNumberField> expected, found;
+  expected->SetController(nullptr);
+  expected->SetInputDataObject(partOf(mesh, whole, 0, 1));
+  found->SetInputDataObject(sourceOf(deals()[0], rank(), ranks()));
+  for (vtkWindingNumberField* field : {expected.Get(), found.Get()})
+  {
+    field->SetResolution(9);
+  }
+  updatePiece(found);
+  expected->UpdateExtent(found->GetOutput()->GetExtent());
+  EXPECT_EQ(found->GetNumberOfDroppedPrimitives(), ranks());
+  expectSame(found->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+    expected->GetOutput()->GetPointData()->GetArray("WindingNumber"));
+}
+
+TEST(FieldOnRanks, AsksForItsPartOfASourceUnlessThatIsReplicated)
+{
+  struct Case
+  {
+    int distribution, piece, pieces;
+  };
+  for (const Case& c : {Case{vtkWindingNumberField::DISTRIBUTION_AUTOMATIC, rank(), ranks()},
+         Case{vtkWindingNumberField::DISTRIBUTED, rank(), ranks()},
+         Case{vtkWindingNumberField::REPLICATED, 0, 1}})
+  {
+    vtkNew<vtkSphereSource> sphere; // makes the piece that it is asked for
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputConnection(sphere->GetOutputPort());
+    field->SetResolution(6);
+    field->SetSourceDistribution(c.distribution);
+    updatePiece(field);
+    vtkInformation* const made = sphere->GetOutput()->GetInformation();
+    EXPECT_EQ(made->Get(vtkDataObject::DATA_PIECE_NUMBER()), c.piece) << c.distribution;
+    EXPECT_EQ(made->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()), c.pieces) << c.distribution;
+    EXPECT_EQ(field->GetNumberOfPrimitives(), 96) << "the whole, and once";
   }
 }
 

@@ -76,6 +76,20 @@ def test_fields(runs):
         assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
 
 
+def test_verification(runs):
+    """Samples are those of the whole grid, whichever rank compares them."""
+    (runs.folder / "cube.off").write_text(
+        "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+    # Centres of voxels lie on all faces of the cube.
+    words = ["field", "cube.off", "-o", "v.vti", "--dims", "13", "13", "13", "--bounds",
+             *("-0.3125", "1.3125") * 3, "--verify", "500", "--json"]
+    alone, of_ranks = (json.loads(run(*words).stdout) for run in (runs.alone, runs.of_ranks))
+    assert alone["on_surface"] > 100, alone
+    for name in ("on_surface", "beside_points", "max_error", "near_max_error"):
+        assert of_ranks[name] == alone[name], (name, of_ranks[name], alone[name])
+
+
 def test_pieces(runs):
     """The folder holds the pieces of the last run, and no more."""
     runs.alone("field", "closed.obj", "-o", "p.pvti", "--pieces", "9")
@@ -169,9 +183,10 @@ def test_killed_ranks(runs):
                       flush=True)
                 os.kill(children_of(process.pid)[-1] if is_rank else process.pid, signal_number)
                 start = time.monotonic()
-                process.communicate(timeout=LONGEST_END)
+                errors = process.communicate(timeout=LONGEST_END)[1]
                 print(f"ended after {time.monotonic() - start:.1f} s", flush=True)
             assert process.returncode != 0
+            assert errors.count("winding: interrupted") <= 1, errors
             if signal_number == signal.SIGINT and is_rank:
                 assert process.returncode == 130, process.returncode
             assert not (runs.folder / output).exists()
@@ -197,8 +212,8 @@ def main(program, mpirun, ranks, compare):
         folder = pathlib.Path(temporary)
         inputs.main(folder)
         runs = Runs(program, mpirun, int(ranks), compare, folder)
-        for test in (test_fields, test_pieces, test_probe_and_surface, test_failures,
-                     test_killed_ranks):
+        for test in (test_fields, test_verification, test_pieces, test_probe_and_surface,
+                     test_failures, test_killed_ranks):
             test(runs)
     return 0
 

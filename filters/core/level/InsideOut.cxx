@@ -41,7 +41,7 @@ bool looksInward(const Field& field, const SideCounts& sides, Executor& executor
   {
     return sides.negative > sides.inside && orientationOf(*field.cloud(), executor).isInward();
   }
-  return sides.negative > 0 && sides.negative >= (sides.negative + sides.inside) / 100;
+  return sides.negative > 0 && 100 * sides.negative >= sides.negative + sides.inside;
 }
 
 SideCounts countNegative(const Field& field, const Grid& grid, double threshold, Executor& executor)

@@ -395,6 +395,28 @@ TEST(Distance, BandIsTheFullRangeCutOff)
   }
 }
 
+TEST(Distance, BandIsThatOfTheUnitOfLength)
+{
+  for (const double unit : {1e-6, 1e6})
+  {
+    const auto field =
+      fieldOf(icosphere(2).mapped([unit](const Point& p) { return Point(unit * p); }));
+    Grid grid = someGrids()[0];
+    grid.firstSample *= unit;
+    grid.spacing *= unit;
+    const double limit = 0.3 * unit;
+    const Distances full = evaluate(*field, grid);
+    const Distances band = evaluate(*field, grid, grid.wholeExtent(), limit);
+    const Distances scattered = evaluate(*field, samplesOf(grid), limit);
+    for (std::size_t n = 0; n < full.distances.size(); ++n)
+    {
+      const double expected = std::min(std::abs(full.distances[n]), limit);
+      ASSERT_NEAR(std::abs(band.distances[n]), expected, 1e-14 * unit) << n;
+      ASSERT_NEAR(std::abs(scattered.distances[n]), expected, 1e-14 * unit) << n;
+    }
+  }
+}
+
 TEST(Distance, SignFollowsTheRuleWhateverElseIsWritten)
 {
   const Mesh twice = icosphere(2).with(icosphere(2).mapped(
@@ -561,6 +583,51 @@ TEST(Distance, TasksAreSmallWhereEverythingIsAsNear)
   {
     EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, sampleIndex(part, n))]);
   }
+}
+
+TEST(Distance, WorkThatTasksLeaveShowsNoProgressOnceMore)
+{
+  /// Counts the calls whose tasks show progress, and those whose tasks do not.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++shown;
+      return winding::SerialExecutor().run(count, work);
+    }
+    bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++brief;
+      return winding::SerialExecutor().run(count, work);
+    }
+    int shown = 0, brief = 0;
+  };
+  // All points are as near to all of the grid: few of them are done in one go, many are not.
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-18);
+  grid.firstSample.setConstant(0);
+  int brief[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const Cloud cloud = sphereCloud(i == 0 ? 1000 : 80'000);
+    winding::FieldOptions options;
+    options.method = winding::Method::direct;
+    options.pointAreaMethod = winding::PointAreaMethod::constant;
+    options.pointArea = 1;
+    winding::SerialExecutor serial;
+    const auto field =
+      Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+    ASSERT_TRUE(field->prepareDistances(serial));
+    Counting executor;
+    Distances result(sampleCount(grid.wholeExtent()));
+    EXPECT_TRUE(field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor));
+    EXPECT_EQ(executor.shown, 2) << "values, and distances";
+    brief[i] = executor.brief;
+  }
+  EXPECT_EQ(brief[0], 0);
+  EXPECT_GT(brief[1], 0);
 }
 
 TEST(Distance, TreeIsMadeOnceAndBeforeIfAskedFor)

@@ -224,6 +224,25 @@ TEST(GridCells, AreNearlyCubicBlocks)
   }
 }
 
+TEST(GridCells, ReachOfSinglesIsThatOfBothEndsOfAGrid)
+{
+  const winding::Bounds sources(Point(-1, -1, -1), Point(1, 1, 1));
+  constexpr double scale = 0.5;
+  const double far = 2.1e12 / scale; // the reach is 1e12 units
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Grid grid = gridOf({-1, -1, -1}, {1, 1, 1}, {3, 3, 3});
+    EXPECT_TRUE(winding::isInReachOfSingles(grid, sources, scale));
+    grid.spacing[axis] = 0.5 * far; // its last sample is far away
+    EXPECT_FALSE(winding::isInReachOfSingles(grid, sources, scale)) << axis;
+    grid.firstSample[axis] = -far; // its first one is
+    EXPECT_FALSE(winding::isInReachOfSingles(grid, sources, scale)) << axis;
+    grid.firstSample[axis] = far; // both are
+    EXPECT_FALSE(winding::isInReachOfSingles(grid, sources, scale)) << axis;
+    EXPECT_TRUE(winding::isInReachOfSingles(grid, winding::Bounds(), scale)) << "nothing is near";
+  }
+}
+
 TEST(GridCells, DeliverEverySampleOfAnExtentOnce)
 {
   for (const Layout& layout : layouts())

@@ -191,6 +191,32 @@ TEST(CappedSurface, EqualsTheDirectSumAtSamplesOnTheCap)
   EXPECT_LT(largest, 1e-10); // measured: 3.9e-11
 }
 
+TEST(CappedSurface, EqualsTheDirectSumOnTheRim)
+{
+  // Samples on the rim lie on every cap. The surface has more triangles than both of its caps.
+  const winding::Surface surface = clean(openCube());
+  const winding::TriangleSum sum(surface);
+  const Grid grid = gridOf({-0.25, -0.25, -0.25}, {0.125, 0.125, 0.125}, {13, 13, 13});
+  const std::vector<double> values = valuesOn(openCube(), grid);
+  std::size_t samples = 0;
+  for (int i = 2; i <= 10; ++i)
+  {
+    for (int j = 2; j <= 10; ++j)
+    {
+      if (i == 2 || i == 10 || j == 2 || j == 10)
+      {
+        const Eigen::Vector3i index(i, j, 10);
+        const std::vector<double> expected = valuesOf(sum, {grid.sample(index)});
+        EXPECT_GT(expected[0], 0.1) << index.transpose(); // 0.25, and 0.125 at corners
+        EXPECT_NEAR(values[winding::sampleNumber(grid.wholeExtent(), index)], expected[0], 1e-15)
+          << index.transpose();
+        ++samples;
+      }
+    }
+  }
+  EXPECT_EQ(samples, 32u);
+}
+
 TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
 {
   // The cube is turned and moved, so that samples lie on its cap up to rounding, on either side of

@@ -102,6 +102,51 @@ TEST(FieldInfo, NamesTheMethodThatWasChosenAndNeverAutomatic)
   EXPECT_STREQ(winding::nameOf(Method::parity), "parity");
 }
 
+TEST(FieldInfo, NamesRowsUnlessACapHasASixthOfTheTrianglesOrMore)
+{
+  // A cone of r rings has a rim of n edges and (2r - 1) n triangles, and its cap has n - 2. With
+  // three rings that is a sixth at n = 12, and nearly a fifth for many edges.
+  const auto coneOf = [](int edges, int rings)
+  {
+    Mesh cone{{Point(0, 0, 1)}, {}};
+    const auto vertex = [edges](int ring, int place)
+    {
+      return 1 + (ring - 1) * edges + place % edges;
+    };
+    for (int ring = 1; ring <= rings; ++ring)
+    {
+      for (int i = 0; i < edges; ++i)
+      {
+        const double angle = 2 * winding::pi * i / edges, radius = double(ring) / rings;
+        cone.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 1 - radius);
+        if (ring == 1)
+        {
+          cone.triangles.push_back({0, vertex(1, i), vertex(1, i + 1)});
+          continue;
+        }
+        cone.triangles.push_back({vertex(ring - 1, i), vertex(ring, i), vertex(ring, i + 1)});
+        cone.triangles.push_back(
+          {vertex(ring - 1, i), vertex(ring, i + 1), vertex(ring - 1, i + 1)});
+      }
+    }
+    return cone;
+  };
+  const struct
+  {
+    int edges, rings;
+    bool isRows;
+  } cases[] = {{40, 4, true}, {40, 3, false}, {13, 3, false}, {12, 3, false}, {11, 3, true}};
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE(std::to_string(c.edges) + " edges, " + std::to_string(c.rings) + " rings");
+    const auto field = fieldOf(coneOf(c.edges, c.rings));
+    const FieldInfo& info = field->info();
+    EXPECT_EQ(info.capTriangles, static_cast<std::size_t>(c.edges - 2));
+    EXPECT_EQ(info.method == Method::rows, c.isRows);
+    EXPECT_EQ(6 * info.capTriangles < info.distinct, c.isRows);
+  }
+}
+
 TEST(Field, EvaluatesTheMethodThatWasAskedFor)
 {
   const Mesh two = cube().with(cube({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}));

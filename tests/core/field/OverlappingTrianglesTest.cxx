@@ -2,6 +2,7 @@
 #include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "core/support/HostileSoups.h"
+#include "core/support/Interruption.h"
 #include "farfield/FarField.h"
 #include "farfield/TriangleFarField.h"
 #include "field/Field.h"
@@ -128,6 +129,30 @@ TEST_P(OverlappingTriangles, TakeNoMoreVectorsThanTheDirectSumAtScatteredSamples
     RecordProperty("shareOfVectors", std::to_string(ofAll));
     EXPECT_LE(ofAll, 1.05); // measured: 1.015
   }
+}
+
+TEST_P(OverlappingTriangles, TellOfAnInterruptAnywhere)
+{
+  // The samples of many cells get the sum of all triangles together, in a run of their own.
+  const winding::Surface surface = clean(GetParam().second);
+  const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
+  const winding::TriangleFarField farField(surface.vertices, surface, surface.bounds, accuracy);
+  const std::vector<Point> samples = randomPoints(300, 1, 15, 78);
+  const winding::VectorsView view(samples.data()->data(), samples.size());
+  std::vector<double> values(samples.size());
+  FieldOutput output;
+  output.doubleValues = values.data();
+  winding::SerialExecutor serial;
+  const auto suiting = farField.suiting(view, serial);
+  int runs = 0;
+  for (bool wasInterrupted = true; wasInterrupted; ++runs)
+  {
+    Interruption executor(runs);
+    const bool isComplete = suiting->evaluate(view, output, executor);
+    wasInterrupted = executor.cameToPass();
+    EXPECT_NE(isComplete, wasInterrupted) << "run " << runs;
+  }
+  EXPECT_GT(runs, 2);
 }
 
 TEST_P(OverlappingTriangles, HaveTheirValuesByEveryMethod)

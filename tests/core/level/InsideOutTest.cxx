@@ -67,8 +67,8 @@ void expectInsideOut(const Field& field, const Grid& grid, bool expected, double
   winding::SerialExecutor serial;
   ASSERT_TRUE(field.evaluate(view, output, serial));
   ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
-  const winding::SideCounts sides = winding::countSides(
-    values.size(), threshold, [&values](std::size_t i) { return values[i]; });
+  const winding::SideCounts sides =
+    winding::countSides(values.size(), threshold, [&values](std::size_t i) { return values[i]; });
   EXPECT_EQ(looksInward(field, winding::countNegative(field, grid, threshold, serial)), expected);
   EXPECT_EQ(looksInward(field, winding::countNegative(field, view, threshold, serial)), expected);
   EXPECT_EQ(looksInward(field, sides), expected);
@@ -129,6 +129,25 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   EXPECT_FALSE(looksInward(*field, winding::countNegative(*field, samples, 0.5, serial)));
   EXPECT_FALSE(looksInward(*field, farBelow()));
   EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
+}
+
+TEST(InsideOut, IsASurfaceOfWhichAHundredthIsNegative)
+{
+  const auto field = fieldOf(icosphere(1));
+  const auto looksInwardWith = [&field](std::size_t negative, std::size_t inside)
+  {
+    winding::SideCounts sides;
+    sides.samples = 1'000'000;
+    sides.negative = negative;
+    sides.inside = inside;
+    return looksInward(*field, sides);
+  };
+  EXPECT_TRUE(looksInwardWith(10, 990));
+  EXPECT_FALSE(looksInwardWith(9, 991));
+  EXPECT_TRUE(looksInwardWith(1, 99));
+  EXPECT_FALSE(looksInwardWith(1, 198)) << "a two-hundredth is less";
+  EXPECT_TRUE(looksInwardWith(1, 0));
+  EXPECT_FALSE(looksInwardWith(0, 0));
 }
 
 TEST(InsideOut, NeedsAThresholdAboveZero)

@@ -94,4 +94,19 @@ TEST(VoxelTreesCost, MemoryGrowsWithWhatIsWanted)
   EXPECT_NEAR(bytesOf(doubles) - bytesOf(inside), 8 * vertices, 1e7);
 }
 
+TEST(VoxelTreesCost, RunsSpareTheSecondsOfValuesThatAreNotWritten)
+{
+  const Mesh mesh = icosphere(3);
+  const auto rows = fieldOf(mesh);
+  const Grid grid = gridOf(256);
+  const std::size_t samples = sampleCount(grid.wholeExtent());
+  const double seconds = costOfVoxelTrees(*rows, grid, {}, 0).seconds;
+  EXPECT_LT(seconds, 0);
+  // The time of the rows is left.
+  EXPECT_GT(rows->expectedCostOfValues(samples).seconds + seconds, 0);
+  VoxelTreeOptions fractions;
+  fractions.withCoverage = true;
+  EXPECT_EQ(costOfVoxelTrees(*rows, grid, fractions, 0).seconds, 0) << "its values are written";
+}
+
 } // namespace

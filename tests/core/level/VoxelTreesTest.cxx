@@ -213,6 +213,74 @@ TEST(VoxelTrees, AFieldThatIsSmoothIsDividedByTheTolerance)
   }
 }
 
+TEST(VoxelTrees, ALeafOfBothSignsHasItsValueOnItsSide)
+{
+  // Two cubes of opposite senses share a face, so that w is +1 beside -1. By their sizes all of
+  // these voxels are inside, but the middle of both values, 0, would be outside.
+  const Mesh twoCubes =
+    cube({-1, -1, -1}, {0.3, 1, 1}).with(cube({0.3, -1, -1}, {1, 1, 1}).reversed());
+  const auto field = fieldOf(twoCubes, Method::hierarchical);
+  SerialExecutor serial;
+  VoxelTreeOptions options;
+  options.rule = InsideRule::absoluteThreshold;
+  options.tolerance = 2.5;
+  const Grid grid = gridOf(32, 32, 32);
+  const std::vector<VoxelTree> trees = treesOf(*field, grid, options, serial);
+  EXPECT_LE(expectTheField(trees, *field, grid, options), options.tolerance / 2);
+  std::size_t leaves = 0;
+  for (const VoxelTree& tree : trees)
+  {
+    for (std::size_t vertex = 0; vertex < tree.size(); ++vertex)
+    {
+      const bool isParent = vertex < tree.isParent.size() && tree.isParent[vertex];
+      if (!isParent && !tree.isBeyond[vertex])
+      {
+        ++leaves;
+        EXPECT_EQ(
+          isInside(tree.values[vertex], options.rule, options.threshold), tree.inside[vertex] != 0);
+      }
+    }
+  }
+  EXPECT_GT(leaves, trees.size());
+}
+
+TEST(VoxelTrees, TellOfTheInsideOfAllBricks)
+{
+  // The sphere lies in the first layer of bricks of three, which are made one after the other.
+  const auto field = fieldOf(icosphere(2), Method::hierarchical);
+  Grid grid = gridOf(16, 16, 48);
+  grid.spacing[2] = grid.spacing[0];
+  grid.firstSample[2] = grid.firstSample[0];
+  SerialExecutor serial;
+  VoxelTreeOptions options;
+  options.withValues = false;
+  VoxelTrees trees(*field, grid, options, extentsOf(*field, grid, options, serial));
+  EXPECT_FALSE(trees.hasInside());
+  int advances = 0;
+  for (; !trees.isDone(); ++advances)
+  {
+    trees.advance(serial);
+    EXPECT_TRUE(trees.hasInside()) << advances;
+  }
+  EXPECT_EQ(advances, 3);
+}
+
+TEST(VoxelTrees, ParentsAreInsideFromHalfOfTheirVoxelsOn)
+{
+  for (int inside = 0; inside <= 8; ++inside)
+  {
+    VoxelTreeBuilder builder(1, {2, 2, 2});
+    const VoxelTree tree = builder.build([](const VoxelCube&) { return false; },
+      [inside](const VoxelCube& cube)
+      {
+        const Eigen::Vector3i& at = cube.index;
+        return VoxelState{0, at[0] + 2 * at[1] + 4 * at[2] < inside, 0};
+      });
+    ASSERT_EQ(tree.size(), 9u);
+    EXPECT_EQ(tree.inside[0] != 0, inside >= 4) << inside;
+  }
+}
+
 TEST(VoxelTrees, LevelsAndParentsAgree)
 {
   const auto field = fieldOf(icosphere(3));

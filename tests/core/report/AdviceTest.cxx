@@ -119,6 +119,7 @@ TEST(Advice, OnCloudsSaysWhatTheyLack)
   EXPECT_EQ(
     adviceOn(zero).rfind("all normals have length 0: leave them out, then have them estimated", 0),
     0u);
+  EXPECT_FALSE(has(adviceOn(zero), "left out for normals of length 0")) << "once is enough";
 
   CloudReport nothing = goodReport();
   nothing.nonFinite = 100;

@@ -209,6 +209,20 @@ TEST(ClosedComponents, LieInsideWhatTheyTouchAtAVertex)
   EXPECT_EQ(nestOf(cube().with(cube({1, 1, 1}, {2, 2, 2}))), (Nest{{1, 0}, {1, 0}}));
 }
 
+TEST(ClosedComponents, LieInsideWhatTheyTouchInAnyDirectionAndOrder)
+{
+  // One vertex of a smaller sphere is drawn out to a vertex of the one around it. A vertex of both
+  // tells nothing, whichever component comes first.
+  const Mesh outer = icosphere(1);
+  for (const Point& touched : outer.points)
+  {
+    const Mesh inner =
+      outer.mapped([&](const Point& p) { return Point(p == touched ? p : Point(0.5 * p)); });
+    EXPECT_EQ(nestOf(outer.with(inner)), (Nest{{1, 0}, {1, 1}})) << touched.transpose();
+    EXPECT_EQ(nestOf(inner.with(outer)), (Nest{{1, 1}, {1, 0}})) << touched.transpose();
+  }
+}
+
 TEST(ClosedComponents, AreThoseOfSumsOfSolidAngles)
 {
   for (unsigned seed = 621; seed < 633; ++seed)

@@ -277,6 +277,27 @@ TEST(Orientation, CancelsWhereManyMeet)
   expectTriangles(oriented(shuffled(cells, 782)), cells);
 }
 
+TEST(Orientation, TurnsTheSmallestWhereManyMeet)
+{
+  // Three triangles of different areas run along an edge in one sense. Turning any of them leaves
+  // one that nothing cancels.
+  const std::vector<Point> points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-2, 1, 0.5}, {0, -4, 0.5}};
+  std::array<std::int32_t, 3> apexes = {2, 3, 4}; // in ascending order of their areas
+  do
+  {
+    Mesh mesh{points, {}};
+    for (const std::int32_t apex : apexes)
+    {
+      mesh.triangles.push_back({0, 1, apex});
+    }
+    const Orientation found = orient(clean(mesh));
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(found.isTurned[i] != 0, apexes[i] == 2) << apexes[i];
+    }
+  } while (std::next_permutation(apexes.begin(), apexes.end()));
+}
+
 TEST(Orientation, LeavesSheetsThatCrossAtEdges)
 {
   // Two sheets of two triangles cross at a common edge, each of one sense: turning any would gain
