@@ -544,7 +544,7 @@ TEST_F(Clip, ProgressIsThatOfTheExecution)
   ProgressLog log(clip, 0.85);
   clip->Update();
   EXPECT_EQ(clip->GetStatus(), vtkWindingNumberAlgorithm::ABORTED);
-  EXPECT_NEAR(log.last(), 0.9, 1e-6);
+  EXPECT_NEAR(log.abortedAt(), 0.9, 1e-6);
 }
 
 } // namespace

@@ -28,6 +28,7 @@ void ProgressLog::follow(double progress)
   ++events_;
   if (progress >= abortFrom_ && progress < 1)
   {
+    abortedAt_ = abortedAt_ > 0 ? abortedAt_ : progress;
     filter_->SetAbortExecute(1);
   }
 }

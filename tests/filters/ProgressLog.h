@@ -17,6 +17,11 @@ public:
   ProgressLog& operator=(const ProgressLog&) = delete;
 
   double last() const { return last_; }
+
+  /// The progress at which the filter was aborted, 0 if it was not. VTK 9.2 tells of a progress of
+  /// 1 after that.
+  double abortedAt() const { return abortedAt_; }
+
   bool isRising() const { return isRising_; }
   int events() const { return events_; }
 
@@ -27,6 +32,7 @@ private:
   double abortFrom_;
   unsigned long tag_;
   double last_ = 0;
+  double abortedAt_ = 0;
   bool isRising_ = true;
   int events_ = 0;
 };
