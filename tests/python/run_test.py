@@ -27,6 +27,7 @@ LONG = """
 import os, signal, sys, threading, time
 import numpy as np
 import vtkwinding
+signal.signal(signal.SIGINT, signal.default_int_handler) # shells have it ignored in the background
 sys.path.insert(0, {folder!r})
 from arrays_test import sphere
 vertices, faces, _ = sphere(200)
