@@ -85,6 +85,13 @@ vtkSmartPointer<vtkDoubleArray> inDouble(vtkDataArray* array)
   return result;
 }
 
+/// The time of the function itself. That of GetMTime() counts the transform, which does not change
+/// the field.
+vtkMTimeType ownTime(vtkObject* function)
+{
+  return function->vtkObject::GetMTime();
+}
+
 } // namespace
 
 /// The field that was built, and the state of the function and its input that it was built for. It
@@ -146,8 +153,7 @@ vtkMTimeType vtkImplicitWindingNumber::GetMTime()
 /// Asks in an order in which each part that is asked is still there: who lets one go is modified.
 bool vtkImplicitWindingNumber::IsCurrent(const Built* built)
 {
-  // GetMTime() would count the transform, which does not change the field.
-  return built && this->vtkObject::GetMTime() <= built->Time &&
+  return built && ownTime(this) <= built->Time &&
          std::all_of(built->Parts.begin(), built->Parts.end(),
            [built](vtkDataObject* part) { return part->GetMTime() <= built->Time; });
 }
@@ -166,7 +172,7 @@ const winding::Field* vtkImplicitWindingNumber::GetField()
   {
     auto next = std::make_unique<Built>();
     next->Parts = partsOf(this->Input);
-    next->Time = this->vtkObject::GetMTime();
+    next->Time = ownTime(this);
     for (vtkDataObject* part : next->Parts)
     {
       next->Time = std::max(next->Time, part->GetMTime());

@@ -22,7 +22,7 @@ namespace
 /// The active backend, or STDThread where Sequential is active though nobody asked for it.
 std::string backendToUse()
 {
-  const std::string active = vtkSMPTools::GetBackend();
+  std::string active = vtkSMPTools::GetBackend();
   const bool isSequential = active == "Sequential";
 #if VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL && VTK_SMP_ENABLE_STDTHREAD
   const char* asked = std::getenv("VTK_SMP_BACKEND_IN_USE");

@@ -3,7 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-/// The statuses that the program returns to its caller.
+/// The statuses that the program returns to its caller, written as EXIT_SUCCESS is.
+// NOLINTBEGIN(readability-identifier-naming)
 enum ExitStatus
 {
   DONE = 0,
@@ -12,6 +13,7 @@ enum ExitStatus
   NO_MEMORY = 3,    ///< the result does not fit into memory
   INTERRUPTED = 130 ///< an end by SIGINT, as shells report it
 };
+// NOLINTEND(readability-identifier-naming)
 
 /// Ends the program: what() is the line for standard error that says what is wrong, where, and what
 /// to do about it.
