@@ -101,6 +101,16 @@ void updatePiece(vtkAlgorithm* filter)
   filter->UpdatePiece(rank(), ranks(), 0);
 }
 
+/// Expects that ranks refuse because a filter's properties differ between them; one alone has no
+/// others that they could differ from.
+void expectDifferentProperties(vtkAlgorithm* filter)
+{
+  const ErrorLog log(filter);
+  updatePiece(filter);
+  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1)
+    << log.errors();
+}
+
 } // namespace
 
 TEST(FieldOnRanks, HasTheBitsOfOneRank)
@@ -450,9 +460,7 @@ TEST(ProbeOnRanks, WithOtherPropertiesIsRefusedOnAll)
   const auto probe = filterOf<vtkWindingNumberProbe>(pointsOf(openSphere(), whole, 0, 1), false);
   probe->SetSourceData(part);
   probe->SetInsideOut(rank() == 0);
-  const ErrorLog log(probe);
-  updatePiece(probe);
-  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+  expectDifferentProperties(probe);
 }
 
 TEST(SurfaceOnRanks, WithOtherPropertiesIsRefusedOnAll)
@@ -461,9 +469,7 @@ TEST(SurfaceOnRanks, WithOtherPropertiesIsRefusedOnAll)
   const auto surface = filterOf<vtkWindingNumberSurface>(part, false);
   surface->SetResolution(8);
   surface->SetCloseBorder(rank() == 0);
-  const ErrorLog log(surface);
-  updatePiece(surface);
-  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+  expectDifferentProperties(surface);
 }
 
 TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
@@ -543,9 +549,7 @@ TEST(HyperTreeOnRanks, WithOtherPropertiesIsRefusedOnAll)
   const auto trees = filterOf<vtkWindingNumberHyperTree>(part, false);
   trees->SetResolution(8);
   trees->SetMergeTolerance(rank() == 0 ? 0 : 0.01);
-  const ErrorLog log(trees);
-  updatePiece(trees);
-  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+  expectDifferentProperties(trees);
 }
 
 TEST(ReportOnRanks, WithOtherPropertiesIsRefusedOnAll)
@@ -553,9 +557,7 @@ TEST(ReportOnRanks, WithOtherPropertiesIsRefusedOnAll)
   const auto report =
     filterOf<vtkSurfaceReport>(partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
   report->SetFaultThickness(rank() == 0 ? 0.01 : 0.02);
-  const ErrorLog log(report);
-  updatePiece(report);
-  EXPECT_EQ(log.errors().find("set the same properties") == std::string::npos, ranks() == 1);
+  expectDifferentProperties(report);
 }
 
 TEST(ReportOnRanks, RefusesToTurnFacesThatOthersHave)
