@@ -114,6 +114,7 @@ bool FarField::evaluateWhole(const TargetCells& cells,
   return executor.run(blocks,
     [&](std::size_t block)
     {
+      const FlushToZero flush;
       const TargetCell* const first = all.data() + block * cellsPerBlock;
       const TargetCell* const end = all.data() + all.size();
       work[done + block] =

@@ -73,6 +73,10 @@ HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
 #endif
 }
 
+/// The least |d|² of which half is a normal number, which inverseRoot() needs whether or not numbers
+/// below these count as 0. Samples nearer than its root count as at the dipole itself.
+constexpr float leastSquare = 0x1p-125f;
+
 /// Adds shareOf(i, m·d, |d|², 1/|d|) for each dipole i to all samples but those at the dipole
 /// itself.
 template <class ShareOf>
@@ -83,7 +87,7 @@ HWY_INLINE void addInSingle(const KernelDipole* HWY_RESTRICT dipoles,
   // A run has as many shares as may be summed in single precision before rounding errors add up.
   constexpr std::size_t run = 8;
   const SingleTag d;
-  const SingleVec zero = hn::Zero(d);
+  const SingleVec zero = hn::Zero(d), least = hn::Set(d, leastSquare);
   for (std::size_t first = 0; first < count; first += run)
   {
     const std::size_t last = std::min(count, first + run);
@@ -99,7 +103,7 @@ HWY_INLINE void addInSingle(const KernelDipole* HWY_RESTRICT dipoles,
         const SingleVec flux = hn::MulAdd(x, hn::Set(d, moments[i][0]),
           hn::MulAdd(y, hn::Set(d, moments[i][1]), hn::Mul(z, hn::Set(d, moments[i][2]))));
         const SingleVec share = shareOf(i, flux, r2, inverseRoot(r2));
-        sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(r2, zero), share));
+        sum = hn::Add(sum, hn::IfThenElseZero(hn::Ge(r2, least), share));
       }
       addInDouble(sum, sums.sum + s);
     }

@@ -1,11 +1,14 @@
 #include "sums/RegularizedKernels.h"
 
+#include "base/FlushToZero.h"
 #include "core/support/Samples.h"
 #include "sums/SolidAngle.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace
@@ -227,6 +230,58 @@ TEST(RegularizedKernels, AtAPointThatIsNotSpreadHaveNothing)
   winding::addRegularizedDipoleGradients(&dipole, &inverse, 1, samples, gradients);
   EXPECT_EQ(sums.sum[0], 0);
   EXPECT_EQ(Point(gradients.x[0], gradients.y[0], gradients.z[0]), Point(0, 0, 0));
+}
+
+TEST(RegularizedKernels, InSingleAreFiniteAsCloseToAPointAsNumbersGo)
+{
+  // Beside 0 alone are there numbers as small as these.
+  SampleBlock samples;
+  double largest = 0;
+  const auto check = [&](float moment, bool isFlushing)
+  {
+    const KernelDipole dipole = dipoleOf({0, 0, 0}, {moment, moment, moment});
+    const std::array<float, 3> single = {moment, moment, moment};
+    for (const double length : {0.0, 1e-30, 1e-3})
+    {
+      const double inverse = winding::inverseOfLength(length);
+      KernelSums pure, spread;
+      {
+        std::optional<winding::FlushToZero> flush;
+        if (isFlushing)
+        {
+          flush.emplace();
+        }
+        winding::addDipolesInSingle(&dipole, &single, 1, samples, pure);
+        winding::addRegularizedDipolesInSingle(&dipole, &single, &inverse, 1, samples, spread);
+      }
+      for (std::size_t i = 0; i < samples.count; ++i)
+      {
+        ASSERT_TRUE(std::isfinite(pure.sum[i])) << samples.x[i] << " " << moment;
+        ASSERT_TRUE(std::isfinite(spread.sum[i])) << samples.x[i] << " " << moment << " " << length;
+        if (std::abs(samples.x[i]) > 0x1p-62 && moment == 1)
+        {
+          const double expected = -1 / samples.x[i] / samples.x[i];
+          const double error = std::abs(pure.sum[i] / expected - 1);
+          largest = std::max(largest, error);
+          ASSERT_LT(error, 1e-6) << samples.x[i]; // measured: 2.3e-7
+        }
+      }
+    }
+  };
+  for (int exponent = 0; exponent >= -1074; exponent -= SampleBlock::capacity)
+  {
+    samples.count = SampleBlock::capacity;
+    for (std::size_t i = 0; i < samples.count; ++i)
+    {
+      samples.set(i, {std::ldexp(1.3, exponent - static_cast<int>(i)), 0, 0});
+    }
+    for (const float moment : {0.0f, 1e-45f, 1e-30f, 1.0f})
+    {
+      check(moment, false);
+      check(moment, true);
+    }
+  }
+  record("largest", largest);
 }
 
 TEST(RegularizedKernels, OfOneSampleDoNotDependOnTheOthers)
