@@ -73,8 +73,8 @@ HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
 #endif
 }
 
-/// The least |d|² of which half is a normal number: inverseRoot() needs that, whether or not numbers
-/// below those count as 0. Samples nearer than its root count as at the dipole itself.
+/// The least |d|² of which half is a normal number: inverseRoot() needs that, whether or not
+/// smaller numbers count as 0. Samples nearer than its root count as at the dipole itself.
 constexpr float leastSquare = 0x1p-125f;
 
 /// Adds shareOf(i, m·d, |d|², 1/|d|) for each dipole i to all samples but those at the dipole
