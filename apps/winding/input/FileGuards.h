@@ -13,7 +13,6 @@ class vtkPointSet;
  */
 void guardStl(const std::string& fileName);
 void guardPly(const std::string& fileName);
-void guardObj(const std::string& fileName);
 
 /// Throws Failure where the cells that came out of a legacy .vtk file are not as many as it
 /// announces: where sizes of cells contradict their sum, VTK's reader reads on in memory that is

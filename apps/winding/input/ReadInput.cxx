@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkOrientedPointsReader.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceMeshReader.h"
 
 namespace
 {
@@ -32,7 +33,7 @@ vtkSmartPointer<vtkPointSet> readWith(const std::string& fileName, Messages& mes
   return reader->GetOutput();
 }
 
-/// Warns where single precision, which VTK's readers of OBJ, PLY and STL keep, moves vertices
+/// Warns where single precision, which VTK's readers of PLY and STL keep, moves vertices
 /// because they lie far from the origin.
 void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
 {
@@ -54,7 +55,9 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
 {
   const std::string suffix = suffixOf(fileName);
   const VtkFormat* const format = vtkFormatOf(suffix);
-  if (!format && !isTable(fileName) && suffix != ".off" && suffix != ".xyz" && suffix != ".pwn")
+  const bool isOfModule =
+    suffix == ".obj" || suffix == ".off" || suffix == ".xyz" || suffix == ".pwn";
+  if (!format && !isTable(fileName) && !isOfModule)
   {
     throw Failure(REFUSED, fileName,
       "has a suffix that is not known; give one of .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn "
@@ -69,8 +72,9 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
   {
     return cloudFrom(Table(fileName));
   }
-  return suffix == ".off" ? readWith<vtkGeomviewOFFReader>(fileName, messages)
-                          : readWith<vtkOrientedPointsReader>(fileName, messages);
+  return suffix == ".obj"   ? readWith<vtkSurfaceMeshReader>(fileName, messages)
+         : suffix == ".off" ? readWith<vtkGeomviewOFFReader>(fileName, messages)
+                            : readWith<vtkOrientedPointsReader>(fileName, messages);
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "input/FileGuards.h"
 
 #include "vtkDataSetReader.h"
-#include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkPointSet.h"
 #include "vtkSTLReader.h"
@@ -40,12 +39,6 @@ vtkSmartPointer<vtkAlgorithm> ply(const std::string& fileName)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> obj(const std::string& fileName)
-{
-  guardObj(fileName);
-  return plain<vtkOBJReader>(fileName);
-}
-
 vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
 {
   const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
@@ -64,7 +57,6 @@ constexpr VtkFormat formats[] = {
   {".vtk", legacyVtk, checkLegacyVtkCounts},
   {".ply", ply, nullptr},
   {".stl", stl, nullptr},
-  {".obj", obj, nullptr},
 };
 
 } // namespace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "base/Refusal.h"
+
+#include <cstddef>
+#include <string>
+
+namespace winding
+{
+
+/// The ways in which a file can be at fault.
+enum class FileFault
+{
+  noName,
+  notFound,
+  cannotOpen,
+  ends, ///< it ends too early, or is empty
+  format
+};
+
+/// Thrown where a file cannot be read or holds something else than it should. The message begins
+/// with the name of the file, if there is one.
+class FileRefusal : public Refusal
+{
+public:
+  FileRefusal(FileFault fault, const std::string& message)
+    : Refusal(message)
+    , fault_(fault)
+  {
+  }
+
+  FileFault fault() const { return fault_; }
+
+private:
+  FileFault fault_;
+};
+
+/**
+ * A file that is read in pieces, from any place and by any number of threads at a time. Pieces are
+ * copied rather than mapped: a file that somebody cuts off meanwhile ends the reading with one
+ * line, where access to a mapping would end the program, and the file takes no memory of its own.
+ */
+class InputFile
+{
+public:
+  /// Opens a regular file. Throws FileRefusal when there is no name (null or empty) and where the
+  /// file is missing, a folder, a pipe, unreadable or empty; it never waits for a pipe.
+  explicit InputFile(const char* name);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  void operator=(const InputFile&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// The number of bytes when the file was opened.
+  std::size_t size() const { return size_; }
+
+  /// Copies `count` bytes from the place `offset` on. Throws FileRefusal if they are not there.
+  void read(std::size_t offset, char* bytes, std::size_t count) const;
+
+  /// The number of the line in which the byte at `offset` stands, from 1 on. It reads all lines
+  /// before.
+  std::size_t lineOf(std::size_t offset) const;
+
+  /// Throw a FileRefusal about the file as a whole, about the line of the byte at `offset`, and
+  /// about the file's end.
+  [[noreturn]] void refuse(const std::string& message, FileFault fault = FileFault::format) const;
+  [[noreturn]] void refuseLine(std::size_t offset, const std::string& message) const;
+  [[noreturn]] void refuseEnd(const std::string& message) const;
+
+  /// Throws a FileRefusal for a file that holds something else than when it was read before.
+  [[noreturn]] void refuseChanged() const;
+
+private:
+  std::string name_;
+  std::size_t size_ = 0;
+  int descriptor_ = -1;
+};
+
+} // namespace winding

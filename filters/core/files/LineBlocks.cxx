@@ -1,0 +1,78 @@
+#include "files/LineBlocks.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr std::size_t bytesAtOnce = 1 << 12;
+
+/// The number of bytes before a line that tell whether it goes on the one before: a backslash and
+/// the end of the line, which may have two bytes.
+constexpr std::size_t bytesBefore = 3;
+
+/// Whether a line that ends with the '\n' at `end` goes on in the next one. `first` is the first
+/// byte that is known.
+bool goesOn(const char* first, const char* end)
+{
+  const char* last = end - (end > first && end[-1] == '\r' ? 1 : 0);
+  return last > first && last[-1] == '\\';
+}
+
+/// The place of the first line that begins at or behind `from`, which is greater than 0, and does
+/// not go on the one before; the size of the file if there is none.
+std::size_t nextLine(const InputFile& file, std::size_t from)
+{
+  PlainArray<char> bytes(bytesAtOnce);
+  std::size_t first = from - std::min(from, bytesBefore);
+  std::size_t searched = from - 1; // the '\n' before the line
+  while (searched < file.size())
+  {
+    const std::size_t count = std::min(bytes.size(), file.size() - first);
+    file.read(first, bytes.data(), count);
+    const char* const end = bytes.data() + count;
+    const char* at = bytes.data() + (searched - first);
+    while (at < end && (at = static_cast<const char*>(
+                          std::memchr(at, '\n', static_cast<std::size_t>(end - at)))))
+    {
+      if (!goesOn(bytes.data(), at))
+      {
+        return first + static_cast<std::size_t>(at - bytes.data()) + 1;
+      }
+      ++at;
+    }
+    searched = first + count;
+    first = searched - std::min(searched, bytesBefore);
+  }
+  return file.size();
+}
+
+} // namespace
+
+LineBlocks::LineBlocks(const InputFile& file, std::size_t start, std::size_t bytesPerBlock)
+  : file_(file)
+  , starts_{start}
+{
+  while (starts_.back() < file.size())
+  {
+    const std::size_t from = starts_.back() + bytesPerBlock;
+    starts_.push_back(from < file.size() ? nextLine(file, from) : file.size());
+  }
+}
+
+TextBlock LineBlocks::read(std::size_t block) const
+{
+  const std::size_t first = starts_[block], size = starts_[block + 1] - first;
+  char last = '\n';
+  file_.read(first + size - 1, &last, 1);
+  PlainArray<char> bytes(size + (last != '\n' ? 1 : 0));
+  file_.read(first, bytes.data(), size);
+  bytes[bytes.size() - 1] = '\n'; // the file may change between both readings
+  return {std::move(bytes), first};
+}
+
+} // namespace winding

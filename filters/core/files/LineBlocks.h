@@ -1,0 +1,62 @@
+#pragma once
+
+#include "files/InputFile.h"
+#include "files/PlainArray.h"
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace winding
+{
+
+/// Whole lines of a file, in memory.
+class TextBlock
+{
+public:
+  TextBlock(PlainArray<char> bytes, std::size_t offset)
+    : bytes_(std::move(bytes))
+    , offset_(offset)
+  {
+  }
+
+  /// The lines. The last one ends with '\n' as all others do, whether the file's does or not.
+  std::string_view text() const { return {bytes_.data(), bytes_.size()}; }
+
+  /// The place in the file of a byte of the text.
+  std::size_t offsetOf(const char* at) const
+  {
+    return offset_ + static_cast<std::size_t>(at - bytes_.data());
+  }
+
+private:
+  PlainArray<char> bytes_;
+  std::size_t offset_;
+};
+
+/**
+ * Divides a text file, from some place on, into blocks of whole lines of about `bytesPerBlock`
+ * bytes, or of one line where lines are longer. The blocks depend on the file only. A line that
+ * ends with a backslash stays together with the line behind it.
+ */
+class LineBlocks
+{
+public:
+  static constexpr std::size_t usualBytes = 1 << 19;
+
+  /// Lines begin at `start`. Throws FileRefusal where the file cannot be read.
+  explicit LineBlocks(
+    const InputFile& file, std::size_t start = 0, std::size_t bytesPerBlock = usualBytes);
+
+  std::size_t count() const { return starts_.size() - 1; }
+
+  /// Reads a block. Throws FileRefusal where the file cannot be read.
+  TextBlock read(std::size_t block) const;
+
+private:
+  const InputFile& file_;
+  std::vector<std::size_t> starts_; ///< places of the blocks, and the end of the file
+};
+
+} // namespace winding

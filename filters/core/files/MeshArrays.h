@@ -1,0 +1,41 @@
+#pragma once
+
+#include "files/PlainArray.h"
+
+#include <cstdint>
+
+namespace winding
+{
+
+/// Cells of any size, by the ids of their points from 0 on: cell i has the ids from
+/// connectivity[offsets[i]] up to, without, connectivity[offsets[i + 1]].
+struct CellArrays
+{
+  PlainArray<std::int64_t> offsets; ///< one more than there are cells; empty if there are none
+  PlainArray<std::int64_t> connectivity;
+
+  std::size_t count() const { return offsets.empty() ? 0 : offsets.size() - 1; }
+};
+
+/// Vectors of three components each, one after the other. Only one of the arrays is filled: doubles
+/// for what needs their digits, floats for files that hold floats.
+struct VectorArrays
+{
+  PlainArray<double> doubles;
+  PlainArray<float> floats;
+
+  std::size_t count() const { return (doubles.size() + floats.size()) / 3; }
+};
+
+/// The content of a file of a mesh or of points, in arrays that can be given away without a copy.
+struct MeshArrays
+{
+  VectorArrays points;
+  VectorArrays normals; ///< one for each point, as they are in the file; empty if there are none
+  PlainArray<double> areas; ///< one for each point; empty if there are none
+  CellArrays vertices;      ///< cells of single points or of many
+  CellArrays lines;
+  CellArrays polygons;
+};
+
+} // namespace winding

@@ -1,0 +1,377 @@
+#include "files/ObjFile.h"
+
+#include "files/LineBlocks.h"
+#include "files/OrderedBlocks.h"
+#include "files/Words.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr const char* itemNames[3] = {"vertex", "texture coordinate", "normal"};
+constexpr int leastNumbers[3] = {3, 1, 3};
+constexpr const char* cellNames[3] = {"point", "line", "face"};
+constexpr std::int64_t leastCorners[3] = {1, 2, 3};
+
+/// The numbers of items of each kind, in the order of itemNames, and of cells and their corners, in
+/// the order of cellNames, in some part of a file.
+struct Counts
+{
+  std::int64_t items[3] = {};
+  std::int64_t cells[3] = {};
+  std::int64_t corners[3] = {};
+
+  void add(const Counts& other)
+  {
+    for (int kind = 0; kind < 3; ++kind)
+    {
+      items[kind] += other.items[kind];
+      cells[kind] += other.cells[kind];
+      corners[kind] += other.corners[kind];
+    }
+  }
+};
+
+/// The statements that are read.
+enum class Statement
+{
+  other,
+  item,
+  cell
+};
+
+/// A line, or several that backslashes connect, and its statement.
+class ObjLines
+{
+public:
+  explicit ObjLines(std::string_view text)
+    : next_(text.data())
+    , last_(text.data() + text.size())
+  {
+  }
+
+  /// Goes to the next line; false at the end of the text.
+  bool nextLine()
+  {
+    if (next_ == last_)
+    {
+      return false;
+    }
+    line_ = at_ = next_;
+    this->findEnd();
+    return true;
+  }
+
+  /// Takes the keyword off the line. `kind` is its place in itemNames or cellNames.
+  Statement takeStatement(int& kind)
+  {
+    const std::string_view keyword = takeWord(at_, end_);
+    if (keyword.empty() || keyword.size() > 2)
+    {
+      return Statement::other;
+    }
+    const char first = keyword[0], second = keyword.size() > 1 ? keyword[1] : '\0';
+    if (first == 'v')
+    {
+      kind = second == 't' ? 1 : second == 'n' ? 2 : 0;
+      return kind > 0 || second == '\0' ? Statement::item : Statement::other;
+    }
+    kind = first == 'f' ? 2 : first == 'l' ? 1 : 0;
+    return second == '\0' && (kind > 0 || first == 'p') ? Statement::cell : Statement::other;
+  }
+
+  bool takeNumber(double& value) { return winding::takeNumber(at_, end_, value); }
+
+  /// The next corner of a cell, on the next line where this one ends with a backslash; empty at the
+  /// end of the cell.
+  std::string_view takeCorner()
+  {
+    std::string_view word = takeWord(at_, end_);
+    while (word == "\\" && next_ < last_ && at_ == end_)
+    {
+      at_ = next_;
+      this->findEnd();
+      word = takeWord(at_, end_);
+    }
+    return word.empty() || word[0] == '#' ? std::string_view() : word;
+  }
+
+  /// The beginning of the line.
+  const char* line() const { return line_; }
+
+private:
+  void findEnd()
+  {
+    end_ =
+      static_cast<const char*>(std::memchr(next_, '\n', static_cast<std::size_t>(last_ - next_)));
+    next_ = end_ + 1;
+    end_ -= end_ > at_ && end_[-1] == '\r' ? 1 : 0;
+  }
+
+  const char* line_ = nullptr;
+  const char* at_ = nullptr; ///< the unread rest of the line
+  const char* end_ = nullptr;
+  const char* next_; ///< the beginning of the next line
+  const char* last_; ///< the end of the text
+};
+
+Counts countsOf(std::string_view text)
+{
+  Counts counts;
+  int kind = 0;
+  for (ObjLines lines(text); lines.nextLine();)
+  {
+    const Statement statement = lines.takeStatement(kind);
+    counts.items[kind] += statement == Statement::item ? 1 : 0;
+    if (statement == Statement::cell)
+    {
+      ++counts.cells[kind];
+      while (!lines.takeCorner().empty())
+      {
+        ++counts.corners[kind];
+      }
+    }
+  }
+  return counts;
+}
+
+/// Reads blocks into the places that the counts of the blocks before give them.
+class ObjParser
+{
+public:
+  ObjParser(const InputFile& file, Executor& executor)
+    : file_(file)
+    , blocks_(file)
+    , starts_(blocks_.count() + 1)
+    , executor_(executor)
+  {
+  }
+
+  MeshArrays run()
+  {
+    this->count();
+    this->allocate();
+    const auto share = executor_.share();
+    executor_.setShare(share.first + countShare * (share.second - share.first), share.second);
+    runOrderedBlocks(
+      blocks_.count(), [this](std::size_t block) { this->parse(block); }, executor_);
+    executor_.setShare(share.first, share.second);
+    if (!normalsFit_)
+    {
+      mesh_.normals = {};
+    }
+    return std::move(mesh_);
+  }
+
+private:
+  static constexpr double countShare = 0.3; // of the time
+
+  void count()
+  {
+    const auto share = executor_.share();
+    executor_.setShare(share.first, share.first + countShare * (share.second - share.first));
+    runOrderedBlocks(
+      blocks_.count(),
+      [this](std::size_t block)
+      {
+        const TextBlock text = blocks_.read(block);
+        starts_[block + 1] = countsOf(text.text());
+      },
+      executor_);
+    executor_.setShare(share.first, share.second);
+    for (std::size_t block = 0; block < blocks_.count(); ++block)
+    {
+      starts_[block + 1].add(starts_[block]);
+    }
+    if (starts_.back().items[0] == 0)
+    {
+      file_.refuse("is not OBJ: it has no line with a vertex; give another file");
+    }
+  }
+
+  CellArrays& cells(int kind)
+  {
+    return kind == 2 ? mesh_.polygons : kind == 1 ? mesh_.lines : mesh_.vertices;
+  }
+
+  void allocate()
+  {
+    const Counts& all = starts_.back();
+    mesh_.points.doubles = PlainArray<double>(3 * static_cast<std::size_t>(all.items[0]));
+    normalsFit_ = all.items[2] == all.items[0];
+    if (normalsFit_)
+    {
+      mesh_.normals.doubles = PlainArray<double>(mesh_.points.doubles.size());
+    }
+    for (int kind = 0; kind < 3; ++kind)
+    {
+      if (all.cells[kind] > 0)
+      {
+        CellArrays& into = this->cells(kind);
+        into.offsets = PlainArray<std::int64_t>(static_cast<std::size_t>(all.cells[kind]) + 1);
+        into.offsets[0] = 0;
+        into.connectivity = PlainArray<std::int64_t>(static_cast<std::size_t>(all.corners[kind]));
+      }
+    }
+  }
+
+  void parse(std::size_t block)
+  {
+    const TextBlock text = blocks_.read(block);
+    const Counts& limit = starts_[block + 1];
+    Counts at = starts_[block];
+    int kind = 0;
+    for (ObjLines lines(text.text()); lines.nextLine();)
+    {
+      const Statement statement = lines.takeStatement(kind);
+      if (statement == Statement::item)
+      {
+        this->requirePlace(at.items[kind], limit.items[kind]);
+        this->parseItem(lines, text, kind, at);
+      }
+      else if (statement == Statement::cell)
+      {
+        this->requirePlace(at.cells[kind], limit.cells[kind]);
+        this->parseCell(lines, text, kind, at, limit.corners[kind]);
+      }
+    }
+    for (kind = 0; kind < 3; ++kind)
+    {
+      if (at.items[kind] < limit.items[kind] || at.cells[kind] < limit.cells[kind])
+      {
+        file_.refuseChanged();
+      }
+    }
+  }
+
+  /// The file may have changed since its items were counted, and an item must not go where there is
+  /// no place for it.
+  void requirePlace(std::int64_t at, std::int64_t limit) const
+  {
+    if (at >= limit)
+    {
+      file_.refuseChanged();
+    }
+  }
+
+  [[noreturn]] void refuse(
+    const ObjLines& lines, const TextBlock& text, const std::string& message) const
+  {
+    file_.refuseLine(text.offsetOf(lines.line()), message);
+  }
+
+  void parseItem(ObjLines& lines, const TextBlock& text, int kind, Counts& at)
+  {
+    double values[3];
+    for (int i = 0; i < leastNumbers[kind]; ++i)
+    {
+      if (!lines.takeNumber(values[i]))
+      {
+        this->refuse(lines, text,
+          std::string("a ") + itemNames[kind] + " without its numbers; it is truncated or damaged");
+      }
+      if (kind == 0 && !std::isfinite(values[i]))
+      {
+        this->refuse(lines, text, "a vertex that is not a number; remove it and its faces");
+      }
+    }
+    double* const into = kind == 0   ? mesh_.points.doubles.data()
+                         : kind == 2 ? mesh_.normals.doubles.data()
+                                     : nullptr;
+    if (into)
+    {
+      std::memcpy(into + 3 * at.items[kind], values, sizeof values);
+    }
+    ++at.items[kind];
+  }
+
+  void parseCell(
+    ObjLines& lines, const TextBlock& text, int kind, Counts& at, std::int64_t cornerLimit)
+  {
+    CellArrays& into = this->cells(kind);
+    const std::int64_t first = at.corners[kind];
+    for (std::string_view word = lines.takeCorner(); !word.empty(); word = lines.takeCorner())
+    {
+      this->requirePlace(at.corners[kind], cornerLimit);
+      into.connectivity[static_cast<std::size_t>(at.corners[kind]++)] =
+        this->parseCorner(lines, text, word, at);
+    }
+    const std::int64_t corners = at.corners[kind] - first;
+    if (corners < leastCorners[kind])
+    {
+      this->refuse(lines, text,
+        std::string("a ") + cellNames[kind] + " with " + std::to_string(corners) +
+          " corners, which needs " +
+          (kind == 2    ? "three"
+            : kind == 1 ? "two"
+                        : "one") +
+          "; it is truncated or damaged");
+    }
+    into.offsets[static_cast<std::size_t>(++at.cells[kind])] = at.corners[kind];
+  }
+
+  /// The vertex of a corner, from 0 on. A corner is v, v/vt, v//vn or v/vt/vn.
+  std::int64_t parseCorner(
+    const ObjLines& lines, const TextBlock& text, std::string_view word, const Counts& at)
+  {
+    std::int64_t vertex = 0;
+    for (int kind = 0; kind < 3; ++kind)
+    {
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      const std::string_view part = word.substr(0, slash);
+      if (kind == 0 || !part.empty())
+      {
+        const std::int64_t index = this->indexOf(lines, text, part, kind, at);
+        vertex = kind == 0 ? index : vertex;
+        if (kind == 2 && index != vertex && normalsFit_)
+        {
+          normalsFit_ = false;
+        }
+      }
+      word.remove_prefix(std::min(slash + 1, word.size()));
+      if (word.empty())
+      {
+        break;
+      }
+    }
+    return vertex;
+  }
+
+  /// The item that a part of a corner names, from 0 on.
+  std::int64_t indexOf(const ObjLines& lines, const TextBlock& text, std::string_view part,
+    int kind, const Counts& at) const
+  {
+    const std::int64_t all = starts_.back().items[kind], before = at.items[kind];
+    std::int64_t index = 0;
+    if (!parseInteger(part, index) || index == 0 || index > all || index < -before)
+    {
+      this->refuse(lines, text,
+        std::string(itemNames[kind]) + " " + std::string(part.substr(0, 20)) +
+          " does not exist; there are " + std::to_string(all) + ", counted from 1");
+    }
+    return index > 0 ? index - 1 : before + index;
+  }
+
+  const InputFile& file_;
+  LineBlocks blocks_;
+  std::vector<Counts> starts_; ///< what is in the file before each block; the last is all
+  Executor& executor_;
+  MeshArrays mesh_;
+  std::atomic<bool> normalsFit_{false};
+};
+
+} // namespace
+
+MeshArrays readObj(const InputFile& file, Executor& executor)
+{
+  return ObjParser(file, executor).run();
+}
+
+} // namespace winding

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "files/InputFile.h"
+#include "files/MeshArrays.h"
+
+namespace winding
+{
+
+/**
+ * Reads a surface from Wavefront's object file format (.obj): vertices (v), faces (f) of three and
+ * more corners, lines (l) and points (p), whose cells may go on behind a backslash at the end of a
+ * line. Corners name vertices from 1 on, or with negative numbers back from the last one before.
+ *
+ * Normals (vn) are those of vertices where there are as many of them as vertices, and no corner
+ * names the normal of another vertex; else they are left out. Texture coordinates (vt), colours,
+ * groups and materials are passed over.
+ *
+ * Throws FileRefusal for files without vertices, vertices, normals and texture coordinates without
+ * their numbers, vertices that are not finite, faces with fewer than three corners, and corners
+ * that name what does not exist. Throws Interrupted. The result is the same for any number of
+ * threads.
+ *
+ * The format is that of "Object Files (.obj)", Advanced Visualizer Manual, Wavefront Technologies,
+ * appendix B1.
+ */
+MeshArrays readObj(const InputFile& file, Executor& executor);
+
+} // namespace winding

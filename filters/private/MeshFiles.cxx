@@ -1,0 +1,132 @@
+#include "private/MeshFiles.h"
+
+#include "private/ErrorReports.h"
+#include "private/SmpExecutor.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
+
+namespace winding
+{
+
+namespace
+{
+
+/// Gives the memory of an array to one of VTK's, whose integers of 64 bits may have another name.
+template <class Array, class Number>
+vtkSmartPointer<Array> handedOver(PlainArray<Number>& numbers, int components)
+{
+  using Value = typename Array::ValueType;
+  static_assert(sizeof(Value) == sizeof(Number), "the numbers stay as they are");
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  const auto size = static_cast<vtkIdType>(numbers.size());
+  if (size > 0)
+  {
+    array->SetArray(
+      reinterpret_cast<Value*>(numbers.release()), size, 0, Array::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> handedOver(VectorArrays& vectors)
+{
+  if (vectors.doubles.empty() && !vectors.floats.empty())
+  {
+    return handedOver<vtkFloatArray>(vectors.floats, 3);
+  }
+  return handedOver<vtkDoubleArray>(vectors.doubles, 3);
+}
+
+vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  if (cells.count() > 0)
+  {
+    const auto offsets = handedOver<vtkTypeInt64Array>(cells.offsets, 1);
+    array->SetData(offsets, handedOver<vtkTypeInt64Array>(cells.connectivity, 1));
+  }
+  return array;
+}
+
+void handOver(MeshArrays& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(handedOver(mesh.points));
+  output->SetPoints(points);
+  output->SetVerts(handedOver(mesh.vertices));
+  output->SetLines(handedOver(mesh.lines));
+  output->SetPolys(handedOver(mesh.polygons));
+  if (mesh.normals.count() > 0)
+  {
+    const auto normals = handedOver(mesh.normals);
+    normals->SetName("Normals");
+    output->GetPointData()->SetNormals(normals);
+  }
+  if (!mesh.areas.empty())
+  {
+    const auto areas = handedOver<vtkDoubleArray>(mesh.areas, 1);
+    areas->SetName("Area");
+    output->GetPointData()->AddArray(areas);
+  }
+}
+
+unsigned long errorCodeOf(FileFault fault)
+{
+  switch (fault)
+  {
+  case FileFault::noName:
+    return vtkErrorCode::NoFileNameError;
+  case FileFault::notFound:
+    return vtkErrorCode::FileNotFoundError;
+  case FileFault::cannotOpen:
+    return vtkErrorCode::CannotOpenFileError;
+  case FileFault::ends:
+    return vtkErrorCode::PrematureEndOfFileError;
+  case FileFault::format:
+    break;
+  }
+  return vtkErrorCode::FileFormatError;
+}
+
+} // namespace
+
+int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
+  const MeshParser& parse, vtkPolyData* output)
+{
+  errorCode = vtkErrorCode::NoError;
+  const auto read = [&]()
+  {
+    try
+    {
+      const InputFile file(fileName);
+      SmpExecutor executor(reader, 0);
+      MeshArrays mesh = parse(file, executor);
+      handOver(mesh, output);
+    }
+    catch (const FileRefusal& refusal)
+    {
+      errorCode = errorCodeOf(refusal.fault());
+      throw;
+    }
+  };
+  const std::string withoutMemory =
+    std::string(fileName ? fileName : "") + ": there is not enough memory for what it holds";
+  if (reportErrors(reader, withoutMemory, read) == Outcome::done)
+  {
+    return 1;
+  }
+  output->Initialize();
+  return 0;
+}
+
+} // namespace winding

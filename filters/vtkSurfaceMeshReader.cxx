@@ -1,0 +1,50 @@
+#include "vtkSurfaceMeshReader.h"
+
+#include "files/ObjFile.h"
+#include "private/MeshFiles.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtksys/SystemTools.hxx"
+
+vtkStandardNewMacro(vtkSurfaceMeshReader);
+
+namespace
+{
+
+/// Reads the format that the suffix of the file's name says.
+winding::MeshArrays readBySuffix(const winding::InputFile& file, winding::Executor& executor)
+{
+  const std::string suffix =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
+  if (suffix == ".obj")
+  {
+    return winding::readObj(file, executor);
+  }
+  file.refuse("has a suffix that is not known; give one of .obj .ply .stl");
+}
+
+} // namespace
+
+vtkSurfaceMeshReader::vtkSurfaceMeshReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkSurfaceMeshReader::~vtkSurfaceMeshReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkSurfaceMeshReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  return winding::readMeshFile(
+    this, this->FileName, this->ErrorCode, readBySuffix, vtkPolyData::GetData(outputs));
+}
+
+void vtkSurfaceMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
