@@ -13,7 +13,7 @@ namespace winding
 
 class Executor;
 
-/// What reads the content of a file of one format.
+/// Reads the content of a file of one format.
 using MeshParser = std::function<MeshArrays(const InputFile& file, Executor& executor)>;
 
 /**

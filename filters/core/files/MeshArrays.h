@@ -17,6 +17,9 @@ struct CellArrays
   std::size_t count() const { return offsets.empty() ? 0 : offsets.size() - 1; }
 };
 
+/// One cell of all points, so that they can be seen; none where there are no points.
+CellArrays oneCellOf(std::size_t points);
+
 /// Vectors of three components each, one after the other. Only one of the arrays is filled: doubles
 /// for what needs their digits, floats for files that hold floats.
 struct VectorArrays

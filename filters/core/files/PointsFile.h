@@ -1,0 +1,21 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "files/InputFile.h"
+#include "files/MeshArrays.h"
+
+namespace winding
+{
+
+/**
+ * Reads points from text (.xyz, .pwn): one point on a line, as `x y z` or `x y z nx ny nz`, the
+ * same on all lines, with comments from '#' on. The first line may be the number of points; the
+ * normals may then also stand in lines of their own after all positions. All points are in one
+ * vertex cell.
+ *
+ * Throws FileRefusal for all else, and Interrupted. The result is the same for any number of
+ * threads.
+ */
+MeshArrays readPoints(const InputFile& file, Executor& executor);
+
+} // namespace winding
