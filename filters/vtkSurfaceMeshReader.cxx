@@ -1,6 +1,8 @@
 #include "vtkSurfaceMeshReader.h"
 
 #include "files/ObjFile.h"
+#include "files/PlyFile.h"
+#include "files/StlFile.h"
 #include "private/MeshFiles.h"
 
 #include "vtkObjectFactory.h"
@@ -20,6 +22,14 @@ winding::MeshArrays readBySuffix(const winding::InputFile& file, winding::Execut
   if (suffix == ".obj")
   {
     return winding::readObj(file, executor);
+  }
+  if (suffix == ".ply")
+  {
+    return winding::readPly(file, executor);
+  }
+  if (suffix == ".stl")
+  {
+    return winding::readStl(file, executor);
   }
   file.refuse("has a suffix that is not known; give one of .obj .ply .stl");
 }

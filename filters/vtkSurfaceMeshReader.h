@@ -8,9 +8,14 @@
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
  *   many as vertices and no corner names the normal of another vertex. Texture coordinates,
  *   colours, groups and materials are passed over.
+ * - PLY (.ply), as text or in either order of bytes: vertices, their normals "Normals" where there
+ *   are any, and faces of up to 255 corners. Other elements and properties are passed over.
+ * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
+ *   in the order of the file. The filters of this module weld them; others may need
+ *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
  *
  * Points are in double precision where the file holds more digits than single precision has: in all
- * text.
+ * text, and where PLY has numbers of type double or integers of four bytes. So are normals.
  *
  * The file is read by as many threads as vtkSMPTools has, and the result is the same for any number
  * of them. Beside the output it takes little memory.

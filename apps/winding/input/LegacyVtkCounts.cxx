@@ -1,4 +1,4 @@
-#include "input/FileGuards.h"
+#include "input/LegacyVtkCounts.h"
 
 #include "files/FileAccess.h"
 #include "files/TextScanning.h"

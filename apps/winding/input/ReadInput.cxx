@@ -55,8 +55,8 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
 {
   const std::string suffix = suffixOf(fileName);
   const VtkFormat* const format = vtkFormatOf(suffix);
-  const bool isOfModule =
-    suffix == ".obj" || suffix == ".off" || suffix == ".xyz" || suffix == ".pwn";
+  const bool isMesh = suffix == ".obj" || suffix == ".ply" || suffix == ".stl";
+  const bool isOfModule = isMesh || suffix == ".off" || suffix == ".xyz" || suffix == ".pwn";
   if (!format && !isTable(fileName) && !isOfModule)
   {
     throw Failure(REFUSED, fileName,
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
   {
     return cloudFrom(Table(fileName));
   }
-  return suffix == ".obj"   ? readWith<vtkSurfaceMeshReader>(fileName, messages)
+  return isMesh             ? readWith<vtkSurfaceMeshReader>(fileName, messages)
          : suffix == ".off" ? readWith<vtkGeomviewOFFReader>(fileName, messages)
                             : readWith<vtkOrientedPointsReader>(fileName, messages);
 }

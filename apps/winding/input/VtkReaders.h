@@ -12,7 +12,7 @@ struct VtkFormat
 {
   const char* suffix;
 
-  /// Makes a reader for a file, and throws Failure for what the reader would not notice.
+  /// Makes a reader for a file.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& fileName);
 
   /// Throws Failure where the data that was read cannot be all that the file holds; null where the

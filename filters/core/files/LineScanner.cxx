@@ -53,10 +53,15 @@ std::size_t LineScanner::wordsLeft() const
   return countWords(at_, end_);
 }
 
+bool LineScanner::tryNumber(double& value)
+{
+  return takeNumber(at_, end_, value);
+}
+
 double LineScanner::number(const char* what)
 {
   double value = 0;
-  if (!takeNumber(at_, end_, value))
+  if (!this->tryNumber(value))
   {
     this->refuseWord(what, "a number");
   }

@@ -29,6 +29,9 @@ public:
   /// The number of words that are left on the line.
   std::size_t wordsLeft() const;
 
+  /// The next word of the line as a number. False, and the word is left, if it is none.
+  bool tryNumber(double& value);
+
   /// The next word of the line as a number. Throws FileRefusal, naming `what`, if it is none.
   double number(const char* what);
   std::int64_t integer(const char* what);

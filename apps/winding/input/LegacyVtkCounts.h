@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+class vtkPointSet;
+
+/// Throws Failure where the cells that came out of a legacy .vtk file are not as many as it
+/// announces: where sizes of cells contradict their sum, VTK's reader reads on in memory that is
+/// not its own.
+void checkLegacyVtkCounts(const std::string& fileName, vtkPointSet* data);

@@ -1,0 +1,217 @@
+#include "files/PlyBinary.h"
+
+#include "base/DividedShare.h"
+#include "files/PlyItems.h"
+#include "files/PlyNumbers.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Whether single precision holds all numbers of a type.
+bool fitsFloat(const PlyProperty* property)
+{
+  return property->type != PlyNumber::float64 && property->type != PlyNumber::int32 &&
+         property->type != PlyNumber::uint32;
+}
+
+/// Three properties of vertices that make a vector.
+class Vector
+{
+public:
+  /// The vertices need not have it.
+  Vector(const PlyElement& vertex, const std::array<const char*, 3>& names)
+    : parts_(vertex.findVector(names))
+    , areFloats_(parts_ && std::all_of(parts_->begin(), parts_->end(), fitsFloat))
+  {
+  }
+
+  /// Arrays of so many of them, not set yet.
+  VectorArrays arrays(std::size_t count) const
+  {
+    VectorArrays made;
+    if (parts_ && areFloats_)
+    {
+      made.floats = PlainArray<float>(3 * count);
+    }
+    else if (parts_)
+    {
+      made.doubles = PlainArray<double>(3 * count);
+    }
+    return made;
+  }
+
+  void copy(const PlyItems& items, VectorArrays& into) const
+  {
+    for (std::size_t axis = 0; parts_ && axis < 3; ++axis)
+    {
+      const PlyProperty& part = *(*parts_)[axis];
+      const PlyColumn column = {items.at + items.layout.place(part).offset, items.layout.bytes(),
+        items.count, part.type, items.layout.encoding()};
+      const std::size_t first = 3 * items.item + axis;
+      if (areFloats_)
+      {
+        copyColumn(column, into.floats.data() + first, 3);
+      }
+      else
+      {
+        copyColumn(column, into.doubles.data() + first, 3);
+      }
+    }
+  }
+
+private:
+  std::optional<std::array<const PlyProperty*, 3>> parts_;
+  bool areFloats_;
+};
+
+/// Reads the elements one behind the other.
+class PlyBinaryParser
+{
+public:
+  PlyBinaryParser(const InputFile& file, const PlyHeader& header, Executor& executor)
+    : file_(file)
+    , header_(header)
+    , executor_(executor)
+  {
+  }
+
+  MeshArrays run()
+  {
+    DividedShare share(executor_);
+    const PlyElement* const vertex = header_.find("vertex");
+    const PlyElement* const face = header_.find("face");
+    std::size_t start = header_.bytes;
+    for (const PlyElement& element : header_.elements)
+    {
+      const PlyProperty* const list = &element == face ? element.corners() : nullptr;
+      PlyElementReader reader(file_, header_.encoding, element, list, start);
+      reader.findEnd();
+      share.set(this->shareAt(start), this->shareAt(reader.end()));
+      if (&element == vertex)
+      {
+        this->readVertices(reader, element);
+      }
+      else if (&element == face)
+      {
+        this->readFaces(reader, element, vertex->count);
+      }
+      else if (start < reader.end())
+      {
+        reader.passOver(executor_);
+      }
+      start = reader.end();
+    }
+    return std::move(mesh_);
+  }
+
+private:
+  double shareAt(std::size_t offset) const
+  {
+    return static_cast<double>(offset) / static_cast<double>(file_.size());
+  }
+
+  void readVertices(PlyElementReader& reader, const PlyElement& vertex)
+  {
+    const Vector position(vertex, plyPosition), normal(vertex, plyNormal);
+    const auto count = static_cast<std::size_t>(vertex.count);
+    do
+    {
+      mesh_.points = position.arrays(count);
+      mesh_.normals = normal.arrays(count);
+    } while (!reader.read(
+      [&](const PlyItems& items)
+      {
+        position.copy(items, mesh_.points);
+        normal.copy(items, mesh_.normals);
+      },
+      executor_));
+  }
+
+  void readFaces(PlyElementReader& reader, const PlyElement& face, std::int64_t vertices)
+  {
+    if (face.count == 0)
+    {
+      return;
+    }
+    CellArrays& cells = mesh_.polygons;
+    do
+    {
+      cells.offsets = PlainArray<std::int64_t>(static_cast<std::size_t>(face.count) + 1);
+      cells.offsets[0] = 0;
+      cells.connectivity = PlainArray<std::int64_t>(reader.entries());
+    } while (!reader.read([&](const PlyItems& items)
+      { this->copyFaces(items, *face.corners(), vertices); },
+      executor_));
+  }
+
+  void copyFaces(const PlyItems& items, const PlyProperty& corners, std::int64_t vertices)
+  {
+    const auto [offset, length] = items.layout.place(corners);
+    const std::size_t step = bytesOf(corners.type);
+    std::int64_t* const ids = mesh_.polygons.connectivity.data() + items.entry;
+    bool allExist = true;
+    if (items.count > 1)
+    {
+      for (std::size_t i = 0; i < length; ++i)
+      {
+        const PlyColumn column = {items.at + offset + i * step, items.layout.bytes(), items.count,
+          corners.type, header_.encoding};
+        allExist &= copyIds(column, ids + i, length, vertices);
+      }
+    }
+    else
+    {
+      const PlyColumn list = {items.at + offset, step, length, corners.type, header_.encoding};
+      allExist = copyIds(list, ids, 1, vertices);
+    }
+    if (!allExist)
+    {
+      this->refuseFirstCorner(items, corners, vertices);
+    }
+    for (std::size_t i = 0; i < items.count; ++i)
+    {
+      mesh_.polygons.offsets[items.item + i + 1] =
+        static_cast<std::int64_t>(items.entry + (i + 1) * length);
+    }
+  }
+
+  /// Refuses the first corner of the items that does not exist.
+  void refuseFirstCorner(
+    const PlyItems& items, const PlyProperty& corners, std::int64_t vertices) const
+  {
+    const auto [offset, length] = items.layout.place(corners);
+    for (std::size_t i = 0; i < items.count; ++i)
+    {
+      const char* at = items.at + i * items.layout.bytes() + offset;
+      for (std::size_t corner = 0; corner < length; ++corner, at += bytesOf(corners.type))
+      {
+        const double id = plyNumberAt(corners.type, header_.encoding, at);
+        if (!(id >= 0 && id < static_cast<double>(vertices)))
+        {
+          refusePly(file_, badPlyCorner(id, vertices));
+        }
+      }
+    }
+  }
+
+  const InputFile& file_;
+  const PlyHeader& header_;
+  Executor& executor_;
+  MeshArrays mesh_;
+};
+
+} // namespace
+
+MeshArrays readPlyBinary(const InputFile& file, const PlyHeader& header, Executor& executor)
+{
+  return PlyBinaryParser(file, header, executor).run();
+}
+
+} // namespace winding

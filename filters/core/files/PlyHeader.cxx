@@ -1,0 +1,325 @@
+#include "files/PlyHeader.h"
+
+#include "files/Words.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+namespace winding
+{
+
+namespace
+{
+
+/// A number type by its two names.
+struct TypeName
+{
+  const char* name;
+  const char* otherName;
+  PlyNumber type;
+};
+
+constexpr TypeName typeNames[] = {{"char", "int8", PlyNumber::int8},
+  {"uchar", "uint8", PlyNumber::uint8}, {"short", "int16", PlyNumber::int16},
+  {"ushort", "uint16", PlyNumber::uint16}, {"int", "int32", PlyNumber::int32},
+  {"uint", "uint32", PlyNumber::uint32}, {"float", "float32", PlyNumber::float32},
+  {"double", "float64", PlyNumber::float64}};
+
+/// Takes lines off the beginning of a file.
+class FirstBytes
+{
+public:
+  explicit FirstBytes(const InputFile& file)
+    : file_(file)
+  {
+  }
+
+  /// The next line, without its end. False at the end of the file.
+  bool takeLine(std::string& line)
+  {
+    std::size_t end = text_.find('\n', next_);
+    while (end == std::string::npos && read_ < file_.size())
+    {
+      this->readMore();
+      end = text_.find('\n', next_);
+    }
+    end = std::min(end, text_.size());
+    line = text_.substr(next_, end - next_);
+    if (!line.empty() && line.back() == '\r')
+    {
+      line.pop_back();
+    }
+    const bool isThere = next_ < text_.size();
+    next_ = std::min(end + 1, text_.size());
+    return isThere;
+  }
+
+  /// The place of the next line in the file.
+  std::size_t offset() const { return read_ - text_.size() + next_; }
+
+private:
+  void readMore()
+  {
+    text_.erase(0, next_);
+    next_ = 0;
+    const std::size_t kept = text_.size();
+    const std::size_t more = std::min(std::max(bytesAtOnce, kept), file_.size() - read_);
+    text_.resize(kept + more);
+    file_.read(read_, &text_[kept], more);
+    read_ += more;
+  }
+
+  static constexpr std::size_t bytesAtOnce = 1 << 12;
+
+  const InputFile& file_;
+  std::string text_;
+  std::size_t next_ = 0; ///< the next line in the text
+  std::size_t read_ = 0; ///< bytes of the file that were read
+};
+
+/// Reads the lines of a header one after the other.
+class HeaderParser
+{
+public:
+  explicit HeaderParser(const InputFile& file)
+    : file_(file)
+    , lines_(file)
+  {
+  }
+
+  PlyHeader run()
+  {
+    while (!isComplete_)
+    {
+      if (!lines_.takeLine(line_))
+      {
+        refusePly(file_, "the header has no end; it is truncated");
+      }
+      ++header_.lines;
+      at_ = line_.data();
+      this->readLine();
+    }
+    header_.bytes = lines_.offset();
+    this->check();
+    return std::move(header_);
+  }
+
+private:
+  std::string_view word() { return takeWord(at_, line_.data() + line_.size()); }
+
+  [[noreturn]] void refuseLine(const std::string& message) const
+  {
+    refusePly(file_, "line " + std::to_string(header_.lines) + ": " + message);
+  }
+
+  void readLine()
+  {
+    const std::string_view keyword = this->word();
+    if (header_.lines == 1 && keyword != "ply")
+    {
+      file_.refuse("is not ply: it does not begin like PLY; give the file a suffix that fits, or "
+                   "another file");
+    }
+    isComplete_ = keyword == "end_header";
+    if (keyword == "format")
+    {
+      this->readFormat();
+    }
+    else if (keyword == "element")
+    {
+      this->readElement();
+    }
+    else if (keyword == "property" && !header_.elements.empty())
+    {
+      this->readProperty();
+    }
+    else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info" && !isComplete_)
+    {
+      this->refuseLine("the header has a line that PLY does not know");
+    }
+  }
+
+  void readFormat()
+  {
+    const std::string_view name = this->word();
+    if (name != "ascii" && name != "binary_little_endian" && name != "binary_big_endian")
+    {
+      this->refuseLine("the header names no format that PLY has");
+    }
+    header_.encoding = name == "ascii"                  ? PlyEncoding::text
+                       : name == "binary_little_endian" ? PlyEncoding::littleEndian
+                                                        : PlyEncoding::bigEndian;
+    hasFormat_ = this->word() == "1.0";
+  }
+
+  void readElement()
+  {
+    PlyElement element;
+    element.name = this->word();
+    if (!parseInteger(this->word(), element.count) || element.count < 0)
+    {
+      this->refuseLine("the count of " + element.name + " is no number of items");
+    }
+    header_.elements.push_back(std::move(element));
+  }
+
+  void readProperty()
+  {
+    PlyProperty property;
+    std::string_view type = this->word();
+    if (type == "list")
+    {
+      property.lengthType = this->typeOf(this->word());
+      type = this->word();
+    }
+    property.type = this->typeOf(type);
+    property.name = this->word();
+    if (property.name.empty())
+    {
+      this->refuseLine("a property has no name");
+    }
+    header_.elements.back().properties.push_back(std::move(property));
+  }
+
+  PlyNumber typeOf(std::string_view name) const
+  {
+    for (const TypeName& candidate : typeNames)
+    {
+      if (name == candidate.name || name == candidate.otherName)
+      {
+        return candidate.type;
+      }
+    }
+    this->refuseLine("a property has the unknown type " + shown(name));
+  }
+
+  void check() const
+  {
+    if (!hasFormat_)
+    {
+      refusePly(file_, "the header has no format line of version 1.0");
+    }
+    const PlyElement* const vertex = header_.find("vertex");
+    if (!vertex || !vertex->findVector(plyPosition))
+    {
+      refusePly(file_, "the header has no vertices with x, y and z");
+    }
+    for (const PlyElement& element : header_.elements)
+    {
+      if (element.properties.empty() && element.count > 0)
+      {
+        refusePly(file_, "the header has an element " + element.name + " without properties");
+      }
+    }
+    const PlyElement* const face = header_.find("face");
+    if (face && !face->corners())
+    {
+      refusePly(file_, "the header has faces without vertex_indices");
+    }
+    for (const PlyElement& element : header_.elements)
+    {
+      if (element.count > 0 && static_cast<std::uint64_t>(element.count) > file_.size())
+      {
+        refusePly(file_, "promises " + std::to_string(element.count) + " items of " + element.name +
+                           ", more than it can hold; it is truncated or damaged");
+      }
+    }
+  }
+
+  const InputFile& file_;
+  FirstBytes lines_;
+  std::string line_;
+  const char* at_ = nullptr; ///< the unread rest of the line
+  PlyHeader header_;
+  bool hasFormat_ = false;
+  bool isComplete_ = false;
+};
+
+template <class Named>
+const Named* findByName(const std::vector<Named>& candidates, const std::string& name)
+{
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+    [&name](const Named& candidate) { return candidate.name == name; });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+std::size_t bytesOf(PlyNumber type)
+{
+  switch (type)
+  {
+  case PlyNumber::int8:
+  case PlyNumber::uint8:
+    return 1;
+  case PlyNumber::int16:
+  case PlyNumber::uint16:
+    return 2;
+  case PlyNumber::int32:
+  case PlyNumber::uint32:
+  case PlyNumber::float32:
+    return 4;
+  case PlyNumber::float64:
+    break;
+  }
+  return 8;
+}
+
+const PlyProperty* PlyElement::find(const std::string& property) const
+{
+  return findByName(properties, property);
+}
+
+std::optional<std::array<const PlyProperty*, 3>> PlyElement::findVector(
+  const std::array<const char*, 3>& names) const
+{
+  std::array<const PlyProperty*, 3> found = {};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    found[axis] = this->find(names[axis]);
+    if (!found[axis] || found[axis]->lengthType)
+    {
+      return std::nullopt;
+    }
+  }
+  return found;
+}
+
+const PlyProperty* PlyElement::corners() const
+{
+  const PlyProperty* const found = this->find("vertex_indices");
+  const PlyProperty* const list = found ? found : this->find("vertex_index");
+  return list && list->lengthType ? list : nullptr;
+}
+
+const PlyElement* PlyHeader::find(const std::string& element) const
+{
+  return findByName(elements, element);
+}
+
+PlyHeader readPlyHeader(const InputFile& file)
+{
+  return HeaderParser(file).run();
+}
+
+void refusePly(const InputFile& file, const std::string& message)
+{
+  file.refuse(message + "; give another file");
+}
+
+std::string badPlyLength(double length)
+{
+  return "a list of " + std::to_string(length) + " numbers, of " + std::to_string(mostPlyCorners) +
+         " at most; it is damaged";
+}
+
+std::string badPlyCorner(double id, std::int64_t vertices)
+{
+  char number[40]; // it may be any, as files of floating-point ids have them
+  std::snprintf(number, sizeof number, "%.15g", id);
+  return std::string("vertex ") + number + " does not exist; there are " +
+         std::to_string(vertices) + ", counted from 0";
+}
+
+} // namespace winding

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "files/InputFile.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winding
+{
+
+/// The number types of PLY.
+enum class PlyNumber
+{
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  float32,
+  float64
+};
+
+/// The bytes that a number takes in binary files.
+std::size_t bytesOf(PlyNumber type);
+
+/// A property of the items of an element: one number, or a list of them behind its length.
+struct PlyProperty
+{
+  std::string name;
+  PlyNumber type = PlyNumber::float32;
+  std::optional<PlyNumber> lengthType; ///< type of a list's length; none for single numbers
+};
+
+/// So many items with the same properties.
+struct PlyElement
+{
+  std::string name;
+  std::int64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// The first property of this name; null if there is none.
+  const PlyProperty* find(const std::string& property) const;
+
+  /// The single numbers of these three names; none where any is missing.
+  std::optional<std::array<const PlyProperty*, 3>> findVector(
+    const std::array<const char*, 3>& names) const;
+
+  /// The list of the vertices of a face, by the name vertex_indices or vertex_index; null if there
+  /// is none.
+  const PlyProperty* corners() const;
+};
+
+enum class PlyEncoding
+{
+  text,
+  littleEndian,
+  bigEndian
+};
+
+constexpr std::array<const char*, 3> plyPosition = {"x", "y", "z"};
+constexpr std::array<const char*, 3> plyNormal = {"nx", "ny", "nz"};
+
+/// The header of a file: what follows behind it.
+struct PlyHeader
+{
+  PlyEncoding encoding = PlyEncoding::text;
+  std::vector<PlyElement> elements; ///< in the order of the file
+  std::size_t bytes = 0;            ///< length of the header
+  std::size_t lines = 0;            ///< lines of the header
+
+  /// The first element of this name; null if there is none.
+  const PlyElement* find(const std::string& element) const;
+};
+
+/// The most corners that a face may have. Lengths of lists mostly are single bytes, and longer ones
+/// come from damage.
+constexpr std::int64_t mostPlyCorners = 255;
+
+/// Reads the header. Throws FileRefusal where the file is not PLY of version 1.0, promises more
+/// items of an element than it has bytes, has items without properties, vertices without x, y and
+/// z, or faces without corners.
+PlyHeader readPlyHeader(const InputFile& file);
+
+/// Throws a FileRefusal about the file, with what to do about it.
+[[noreturn]] void refusePly(const InputFile& file, const std::string& message);
+
+/// Why a list of `length` numbers is refused.
+std::string badPlyLength(double length);
+
+/// Why a corner at a vertex of this number is refused, where there are so many vertices.
+std::string badPlyCorner(double id, std::int64_t vertices);
+
+} // namespace winding

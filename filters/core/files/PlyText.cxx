@@ -1,0 +1,340 @@
+#include "files/PlyText.h"
+
+#include "base/DividedShare.h"
+#include "files/ContentLines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Thrown where faces do not have as many corners as the first one.
+struct NotUniform
+{
+};
+
+/// The next number of the present line.
+double takeNumber(LineScanner& words)
+{
+  double value = 0;
+  if (!words.tryNumber(value))
+  {
+    words.refuse(words.wordsLeft() == 0
+                   ? "a number is missing; it is truncated or damaged; give another file"
+                   : "holds something that is no number; it is damaged; give another file");
+  }
+  return value;
+}
+
+/// The next number of the present line as the length of a list.
+double takeLength(LineScanner& words, bool areCorners)
+{
+  const double value = takeNumber(words);
+  if (!(value >= 0) || value != std::floor(value) ||
+      (areCorners && value > static_cast<double>(mostPlyCorners)))
+  {
+    words.refuse(badPlyLength(value) + "; give another file");
+  }
+  return value;
+}
+
+void passOver(LineScanner& words, const PlyProperty& property)
+{
+  const double count = property.lengthType ? takeLength(words, false) : 1;
+  for (double i = 0; i < count; ++i)
+  {
+    takeNumber(words);
+  }
+}
+
+/// Reads the elements one behind the other.
+class PlyTextParser
+{
+public:
+  PlyTextParser(const InputFile& file, const PlyHeader& header, Executor& executor)
+    : file_(file)
+    , header_(header)
+    , executor_(executor)
+    , share_(executor)
+    , lines_(this->lines())
+  {
+  }
+
+  MeshArrays run()
+  {
+    std::size_t first = header_.lines;
+    for (const PlyElement& element : header_.elements)
+    {
+      const std::size_t last = first + static_cast<std::size_t>(element.count);
+      share_.set(this->shareAt(first), this->shareAt(last));
+      // The lines that are there may be at fault, too, and come first.
+      const std::size_t there = std::min(last, lines_.count());
+      this->readElement(element, first, there);
+      if (there < last)
+      {
+        file_.refuseLine(
+          file_.size() - 1, "a number is missing; it is truncated or damaged; give another file");
+      }
+      first = last;
+    }
+    return std::move(mesh_);
+  }
+
+private:
+  /// The shortest corner is "0 ".
+  static constexpr std::size_t bytesPerCorner = 2;
+
+  /// Counting the lines takes the first tenth of the time.
+  static constexpr double counting = 0.1;
+
+  ContentLines lines()
+  {
+    share_.set(0, counting);
+    return ContentLines(file_, executor_);
+  }
+
+  double shareAt(std::size_t line) const
+  {
+    const double part =
+      static_cast<double>(std::min(line, lines_.count())) / static_cast<double>(lines_.count());
+    return counting + (1 - counting) * part;
+  }
+
+  void readElement(const PlyElement& element, std::size_t first, std::size_t last)
+  {
+    if (&element == header_.find("vertex"))
+    {
+      this->readVertices(element, first, last);
+    }
+    else if (&element == header_.find("face"))
+    {
+      this->readFaces(element, first, last);
+    }
+    else
+    {
+      lines_.visit(
+        first, last,
+        [&element](std::size_t, ContentLines::Part& part)
+        {
+          while (part.nextLine())
+          {
+            for (const PlyProperty& property : element.properties)
+            {
+              passOver(part.words(), property);
+            }
+          }
+        },
+        executor_);
+    }
+  }
+
+  void readVertices(const PlyElement& vertex, std::size_t first, std::size_t last)
+  {
+    // The numbers of each property go into every third place from here on; null if nowhere.
+    std::vector<double*> targets(vertex.properties.size(), nullptr);
+    const auto aim = [&](const std::array<const char*, 3>& names, PlainArray<double>& numbers)
+    {
+      if (const auto parts = vertex.findVector(names))
+      {
+        numbers = PlainArray<double>(3 * (last - first));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          targets[static_cast<std::size_t>((*parts)[axis] - vertex.properties.data())] =
+            numbers.data() + axis;
+        }
+      }
+    };
+    aim(plyPosition, mesh_.points.doubles);
+    aim(plyNormal, mesh_.normals.doubles);
+    lines_.visit(
+      first, last,
+      [&](std::size_t, ContentLines::Part& part)
+      {
+        while (part.nextLine())
+        {
+          for (std::size_t i = 0; i < targets.size(); ++i)
+          {
+            if (targets[i])
+            {
+              targets[i][3 * (part.number() - first)] = takeNumber(part.words());
+            }
+            else
+            {
+              passOver(part.words(), vertex.properties[i]);
+            }
+          }
+        }
+      },
+      executor_);
+  }
+
+  void readFaces(const PlyElement& face, std::size_t first, std::size_t last)
+  {
+    if (first == last)
+    {
+      return;
+    }
+    mesh_.polygons.offsets = PlainArray<std::int64_t>(last - first + 1);
+    mesh_.polygons.offsets[0] = 0;
+    try
+    {
+      this->readUniformFaces(face, first, last);
+    }
+    catch (const NotUniform&)
+    {
+      this->readAnyFaces(face, first, last);
+    }
+  }
+
+  /// Reads faces of as many corners as the first one has. Throws NotUniform if others have others.
+  void readUniformFaces(const PlyElement& face, std::size_t first, std::size_t last)
+  {
+    std::size_t length = 0;
+    lines_.visit(
+      first, first + 1,
+      [&](std::size_t, ContentLines::Part& part)
+      {
+        part.nextLine();
+        length = this->lengthOf(part.words(), face);
+      },
+      executor_);
+    if (length > file_.size() / bytesPerCorner / (last - first))
+    {
+      throw NotUniform();
+    }
+    CellArrays& cells = mesh_.polygons;
+    cells.connectivity = PlainArray<std::int64_t>(length * (last - first));
+    lines_.visit(
+      first, last,
+      [&](std::size_t, ContentLines::Part& part)
+      {
+        while (part.nextLine())
+        {
+          const std::size_t entry = length * (part.number() - first);
+          this->readFace(part.words(), face,
+            [&](std::size_t corners)
+            {
+              if (corners != length)
+              {
+                throw NotUniform();
+              }
+              return cells.connectivity.data() + entry;
+            });
+          cells.offsets[part.number() - first + 1] = static_cast<std::int64_t>(entry + length);
+        }
+      },
+      executor_);
+  }
+
+  void readAnyFaces(const PlyElement& face, std::size_t first, std::size_t last)
+  {
+    const std::vector<std::size_t> starts = this->countCorners(face, first, last);
+    CellArrays& cells = mesh_.polygons;
+    cells.connectivity = PlainArray<std::int64_t>(starts.back());
+    lines_.visit(
+      first, last,
+      [&](std::size_t block, ContentLines::Part& part)
+      {
+        std::size_t entry = starts[block];
+        while (part.nextLine())
+        {
+          this->readFace(part.words(), face,
+            [&](std::size_t corners)
+            {
+              // The file may have changed since its corners were counted.
+              if (corners > starts[block + 1] - entry)
+              {
+                file_.refuseChanged();
+              }
+              entry += corners;
+              return cells.connectivity.data() + (entry - corners);
+            });
+          cells.offsets[part.number() - first + 1] = static_cast<std::int64_t>(entry);
+        }
+        if (entry != starts[block + 1])
+        {
+          file_.refuseChanged();
+        }
+      },
+      executor_);
+  }
+
+  /// The corners of the faces before each block of lines; last, of all.
+  std::vector<std::size_t> countCorners(
+    const PlyElement& face, std::size_t first, std::size_t last) const
+  {
+    std::vector<std::size_t> starts(lines_.blocks() + 1);
+    lines_.visit(
+      first, last,
+      [&](std::size_t block, ContentLines::Part& part)
+      {
+        while (part.nextLine())
+        {
+          starts[block + 1] += this->lengthOf(part.words(), face);
+        }
+      },
+      executor_);
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    return starts;
+  }
+
+  /// The number of corners of the face on the present line, which must hold them.
+  std::size_t lengthOf(LineScanner& words, const PlyElement& face) const
+  {
+    const PlyProperty* const corners = face.corners();
+    for (const PlyProperty* property = face.properties.data(); property != corners; ++property)
+    {
+      passOver(words, *property);
+    }
+    return static_cast<std::size_t>(takeLength(words, true));
+  }
+
+  /// Reads the present line. place(corners) gives the array for the ids of so many corners.
+  template <class Place>
+  void readFace(LineScanner& words, const PlyElement& face, const Place& place) const
+  {
+    const std::int64_t vertices = header_.find("vertex")->count;
+    for (const PlyProperty& property : face.properties)
+    {
+      if (&property != face.corners())
+      {
+        passOver(words, property);
+        continue;
+      }
+      const auto corners = static_cast<std::size_t>(takeLength(words, true));
+      std::int64_t* const ids = place(corners);
+      for (std::size_t i = 0; i < corners; ++i)
+      {
+        const double id = takeNumber(words);
+        if (!(id >= 0 && id < static_cast<double>(vertices)))
+        {
+          words.refuse(badPlyCorner(id, vertices) + "; give another file");
+        }
+        ids[i] = static_cast<std::int64_t>(id);
+      }
+    }
+  }
+
+  const InputFile& file_;
+  const PlyHeader& header_;
+  Executor& executor_;
+  DividedShare share_;
+  ContentLines lines_;
+  MeshArrays mesh_;
+};
+
+} // namespace
+
+MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor)
+{
+  return PlyTextParser(file, header, executor).run();
+}
+
+} // namespace winding

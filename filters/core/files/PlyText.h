@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "files/MeshArrays.h"
+#include "files/PlyHeader.h"
+
+namespace winding
+{
+
+/**
+ * Reads what is behind the header of a PLY file of text: each item stands on a line of its own, and
+ * what else is on its line is passed over, as are blank lines and lines that begin with '#'.
+ * Coordinates and normals are doubles, whatever the header calls them: text may have more digits.
+ *
+ * Throws FileRefusal for numbers that are missing or are none, for lists of a length below 0, faces
+ * of more than mostPlyCorners corners, and corners that do not exist. Throws Interrupted.
+ */
+MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor);
+
+} // namespace winding
