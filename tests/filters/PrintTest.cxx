@@ -3,6 +3,7 @@
 #include "vtkNew.h"
 #include "vtkOrientedPointsReader.h"
 #include "vtkPointAreas.h"
+#include "vtkSurfaceMeshReader.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
@@ -56,4 +57,5 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
   expectPrinted<vtkGeomviewOFFReader>({"FileName: (none)"});
   expectPrinted<vtkOrientedPointsReader>({"FileName: (none)"});
+  expectPrinted<vtkSurfaceMeshReader>({"FileName: (none)"});
 }

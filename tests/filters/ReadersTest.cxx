@@ -8,6 +8,7 @@
 
 #include "vtkGeomviewOFFReader.h"
 #include "vtkOrientedPointsReader.h"
+#include "vtkSurfaceMeshReader.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,9 @@ namespace
 class TextFile
 {
 public:
-  explicit TextFile(const std::string& contents)
+  TextFile(const std::string& contents, const std::string& suffix)
     : path_((std::filesystem::temp_directory_path() /
-             ("winding-readers-test-" + std::to_string(getpid()) + ".txt"))
+             ("winding-readers-test-" + std::to_string(getpid()) + suffix))
               .string())
   {
     std::ofstream(path_, std::ios::binary) << contents;
@@ -39,9 +40,10 @@ private:
   std::string path_;
 };
 
-template <class Reader> vtkSmartPointer<vtkPolyData> read(const std::string& contents)
+template <class Reader>
+vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string& suffix = ".txt")
 {
-  const TextFile file(contents);
+  const TextFile file(contents, suffix);
   vtkNew<Reader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
@@ -53,9 +55,10 @@ template <class Reader> vtkSmartPointer<vtkPolyData> read(const std::string& con
 
 /// Expects one error that says `part`, an error code, and an output without points.
 template <class Reader>
-void expectRefusal(const std::string& contents, const std::string& part, unsigned long code)
+void expectRefusal(const std::string& contents, const std::string& part, unsigned long code,
+  const std::string& suffix = ".txt")
 {
-  const TextFile file(contents);
+  const TextFile file(contents, suffix);
   vtkNew<Reader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
@@ -81,6 +84,7 @@ void expectRow(vtkDataArray* array, vtkIdType row, double x, double y, double z)
 
 using Off = vtkGeomviewOFFReader;
 using Points = vtkOrientedPointsReader;
+using Surface = vtkSurfaceMeshReader;
 
 TEST(GeomviewOFFReader, PolygonsOfAnySize)
 {
@@ -224,11 +228,56 @@ TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)
   reader->SetFileName("/nowhere.xyz");
   reader->Update();
   EXPECT_NE(log.errors(), "");
-  const TextFile file("1 2 3\n");
+  const TextFile file("1 2 3\n", ".xyz");
   reader->SetFileName(file.path());
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 1);
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+}
+
+const std::string objTriangle = "v 0 0 0\nv 0.1 0 0\nv 0 123456789.123 0\n";
+
+TEST(SurfaceMeshReader, ObjInDoublePrecision)
+{
+  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\nl 1 2\np 3\n", ".OBJ");
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
+  expectRow(mesh->GetPoints()->GetData(), 2, 0, 123456789.123, 0);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  EXPECT_EQ(mesh->GetPointData()->GetNormals(), nullptr);
+  vtkIdType size;
+  const vtkIdType* ids;
+  mesh->GetPolys()->GetCellAtId(0, size, ids);
+  EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2}));
+}
+
+TEST(SurfaceMeshReader, ObjOfPointsWithNormals)
+{
+  const auto cloud = read<Surface>("v 1 2 3\nvn 0 0 0.1\n", ".obj");
+  EXPECT_EQ(cloud->GetNumberOfCells(), 0);
+  expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 0.1);
+  EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
+}
+
+TEST(SurfaceMeshReader, Refusals)
+{
+  expectRefusal<Surface>("", "is empty", end, ".obj");
+  expectRefusal<Surface>("hello\n", "is not OBJ", format, ".obj");
+  expectRefusal<Surface>(objTriangle + "f 1 2 4\n", "line 4: vertex 4 does not", format, ".obj");
+  expectRefusal<Surface>("v 0 0 0\n", "has a suffix that is not known; give", format, ".step");
+}
+
+/// The output is VTK's, which may take hold of memory that others have allocated.
+TEST(SurfaceMeshReader, OutputsGrowAsAllOthers)
+{
+  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\n", ".obj");
+  mesh->GetPoints()->InsertNextPoint(4, 5, 6);
+  const vtkIdType ids[] = {1, 2, 3};
+  mesh->GetPolys()->InsertNextCell(3, ids);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
+  expectRow(mesh->GetPoints()->GetData(), 3, 4, 5, 6);
 }
 
 } // namespace

@@ -21,11 +21,11 @@ import seeds  # noqa: E402
 HERE = pathlib.Path(__file__).resolve().parent
 # Targets whose cases are choices (Choices.h) need nothing but seeds; all others have files.
 FILES_OF = {
+    "obj": [".obj"],
     "off": [".off"],
     "xyz": [".xyz", ".pwn"],
     "table": [".csv", ".tsv"],
     "ply_guard": [".ply"],
-    "obj_guard": [".obj"],
     "stl_guard": [".stl"],
     "ply": [".ply"],
     "vtk": [".vtk"],

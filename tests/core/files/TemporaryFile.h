@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
+
+/// A file with some contents, removed with the object.
+class TemporaryFile
+{
+public:
+  explicit TemporaryFile(const std::string& contents)
+    : name_(
+        (std::filesystem::temp_directory_path() / ("winding-core-test-" + std::to_string(getpid())))
+          .string())
+  {
+    this->write(contents);
+  }
+  ~TemporaryFile() { std::filesystem::remove(name_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  void operator=(const TemporaryFile&) = delete;
+
+  /// Replaces the contents; an open file sees the new ones.
+  void write(const std::string& contents) const
+  {
+    std::ofstream(name_, std::ios::binary) << contents;
+  }
+
+  const char* name() const { return name_.c_str(); }
+
+private:
+  std::string name_;
+};
