@@ -1,7 +1,7 @@
 /// The parsers of text: what they give, what they refuse, and that threads and blocks change
 /// nothing.
 
-#include "core/files/TemporaryFile.h"
+#include "core/files/Parsing.h"
 #include "core/support/Interruption.h"
 #include "core/support/ShuffledThreads.h"
 
@@ -19,56 +19,6 @@ using namespace winding;
 
 namespace
 {
-
-using Parser = MeshArrays (*)(const InputFile& file, Executor& executor);
-using Ids = std::vector<std::int64_t>;
-
-MeshArrays parsed(Parser parser, const std::string& text, Executor& executor)
-{
-  const TemporaryFile file(text);
-  return parser(InputFile(file.name()), executor);
-}
-
-MeshArrays parsed(Parser parser, const std::string& text)
-{
-  SerialExecutor serial;
-  return parsed(parser, text, serial);
-}
-
-template <class Number> std::vector<Number> vectorOf(const PlainArray<Number>& array)
-{
-  return {array.begin(), array.end()};
-}
-
-void expectCells(const CellArrays& cells, const Ids& offsets, const Ids& connectivity)
-{
-  EXPECT_EQ(vectorOf(cells.offsets), offsets);
-  EXPECT_EQ(vectorOf(cells.connectivity), connectivity);
-}
-
-/// What a parser says of a text that it refuses, without the name of the file.
-std::string refusalOf(Parser parser, const std::string& text, Executor& executor)
-{
-  const TemporaryFile file(text);
-  try
-  {
-    parser(InputFile(file.name()), executor);
-  }
-  catch (const FileRefusal& refusal)
-  {
-    const std::string message = refusal.what(), name = std::string(file.name()) + ": ";
-    EXPECT_EQ(message.rfind(name, 0), 0u) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message.substr(std::min(message.size(), name.size()));
-  }
-  return "";
-}
-
-std::string refusalOf(Parser parser, const std::string& text)
-{
-  SerialExecutor serial;
-  return refusalOf(parser, text, serial);
-}
 
 const std::string threeVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -191,16 +141,6 @@ std::vector<LargeFile> largeFiles()
         "3 %lld %lld %lld\n")},
     {"xyz", readPoints, lines("", "%.17g %.17g %.17g 0 0 1\n", nullptr)},
     {"pwn", readPoints, lines(count + "\n", "%.17g %.17g %.17g\n", "%lld %lld %lld\n")}};
-}
-
-void expectSame(const MeshArrays& a, const MeshArrays& b)
-{
-  EXPECT_EQ(vectorOf(a.points.doubles), vectorOf(b.points.doubles));
-  EXPECT_EQ(vectorOf(a.normals.doubles), vectorOf(b.normals.doubles));
-  for (const auto cells : {&MeshArrays::vertices, &MeshArrays::lines, &MeshArrays::polygons})
-  {
-    expectCells(a.*cells, vectorOf((b.*cells).offsets), vectorOf((b.*cells).connectivity));
-  }
 }
 
 TEST(LargeFiles, AreTheSameForAllExecutors)
