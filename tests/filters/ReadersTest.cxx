@@ -1,7 +1,9 @@
 #include "filters/ErrorLog.h"
+#include "filters/ReadMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkErrorCode.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -278,6 +280,42 @@ TEST(SurfaceMeshReader, OutputsGrowAsAllOthers)
   mesh->GetPolys()->InsertNextCell(3, ids);
   EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
   expectRow(mesh->GetPoints()->GetData(), 3, 4, 5, 6);
+}
+
+/// VTK's reader keeps single precision, and makes several points of a vertex whose corners have
+/// different normals.
+TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
+{
+  for (const std::string name : {"armadillo_86k", "bunny_10k", "bunny_1k", "bunny_70k",
+         "maxplanck_open_90k", "self_intersectA", "sphere_quads", "teapot", "truck_soup"})
+  {
+    const std::string path = std::string(WINDING_SHARED_DATA) + "/" + name + ".obj";
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << path << " is not there";
+    }
+    const auto expected = readWith<vtkOBJReader>(path), found = readWith<Surface>(path);
+    ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
+    EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;
+    vtkNew<vtkIdList> expectedIds, foundIds;
+    for (vtkIdType cell = 0; cell < found->GetNumberOfPolys(); ++cell)
+    {
+      expected->GetPolys()->GetCellAtId(cell, expectedIds);
+      found->GetPolys()->GetCellAtId(cell, foundIds);
+      ASSERT_EQ(foundIds->GetNumberOfIds(), expectedIds->GetNumberOfIds()) << name << cell;
+      for (vtkIdType corner = 0; corner < foundIds->GetNumberOfIds(); ++corner)
+      {
+        const double* const point = found->GetPoint(foundIds->GetId(corner));
+        const float rounded[] = {
+          static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])};
+        const double* const vtk = expected->GetPoint(expectedIds->GetId(corner));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          ASSERT_EQ(rounded[axis], static_cast<float>(vtk[axis])) << name << " cell " << cell;
+        }
+      }
+    }
+  }
 }
 
 } // namespace

@@ -104,7 +104,7 @@ class TestHelp(unittest.TestCase):
                 self.assertTrue(picture.startswith(b"\x89PNG"))
 
     def test_readers_have_pages(self):
-        for name in ("GeomviewOFFReader", "OrientedPointsReader"):
+        for name in ("GeomviewOFFReader", "OrientedPointsReader", "SurfaceMeshReader"):
             self.assertEqual(self.page("sources." + name).names, ["FileName"])
 
 

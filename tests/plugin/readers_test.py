@@ -40,6 +40,17 @@ class TestReaders(unittest.TestCase):
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
 
+    def test_surface_mesh(self):
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        session = servermanager.ActiveConnection.Session
+        with text_file(".obj", "v 0 0 0\nv 0.1 0 0\nv 0 1 0\nf 1 2 3\n") as path:
+            readers = factory.GetReaders(path, session)
+            names = [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
+            self.assertNotIn("SurfaceMeshReader", names)  # ParaView's own reader stays the only one
+            data = result(simple.SurfaceMeshReader(FileName=path))
+            self.assertEqual((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (3, 1))
+            self.assertEqual(data.GetPoint(1)[0], 0.1)
+
 
 if __name__ == "__main__":
     run_tests()

@@ -87,7 +87,7 @@ void addColumns(const Table& table, vtkDataSet* points)
     if (table.isNumeric(column))
     {
       vtkNew<vtkDoubleArray> numbers;
-      for (const double value : table.numbers(column))
+      for (const double value : table.numbers({column}))
       {
         numbers->InsertNextValue(value);
       }

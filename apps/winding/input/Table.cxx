@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 namespace
@@ -36,14 +37,8 @@ vtkSmartPointer<vtkDoubleArray> interleaved(
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetNumberOfComponents(static_cast<int>(columns.size()));
   array->SetNumberOfTuples(static_cast<vtkIdType>(table.rows()));
-  for (std::size_t component = 0; component < columns.size(); ++component)
-  {
-    const std::vector<double> values = table.numbers(columns[component]);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      array->SetComponent(static_cast<vtkIdType>(i), static_cast<int>(component), values[i]);
-    }
-  }
+  const std::vector<double> values = table.numbers(columns);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
 
@@ -99,7 +94,12 @@ Table::Table(const std::string& fileName)
       }
       continue;
     }
-    const std::size_t fields = splitRow(row, separator_).size();
+    std::size_t fields = 0;
+    RowFields rest(row, separator_);
+    for (std::string_view field; rest.next(field);)
+    {
+      ++fields;
+    }
     if (fields != names_.size())
     {
       throw Failure(REFUSED, fileName_,
@@ -132,17 +132,29 @@ std::optional<std::size_t> Table::findIf(
   return static_cast<std::size_t>(found - names_.begin());
 }
 
-std::vector<double> Table::numbers(std::size_t column) const
+std::vector<double> Table::numbers(const std::vector<std::size_t>& columns) const
 {
-  std::vector<double> values(rows_.size());
+  constexpr std::size_t unwanted = SIZE_MAX;
+  std::vector<std::size_t> places(names_.size(), unwanted); // of each column among the wanted
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    places[columns[i]] = i;
+  }
+  std::vector<double> values(rows_.size() * columns.size());
   for (std::size_t i = 0; i < rows_.size(); ++i)
   {
-    const std::string_view field = trimmed(splitRow(rows_[i].text, separator_)[column]);
-    if (!parseNumber(field, values[i]))
+    RowFields fields(rows_[i].text, separator_);
+    std::string_view field;
+    for (std::size_t column = 0; fields.next(field); ++column)
     {
-      throw Failure(REFUSED, fileName_,
-        "line " + std::to_string(rows_[i].line) + ": \"" + std::string(field.substr(0, 20)) +
-          "\" in column " + names_[column] + " is no number");
+      const std::size_t place = places[column];
+      if (place != unwanted && !parseNumber(trimmed(field), values[i * columns.size() + place]))
+      {
+        throw Failure(REFUSED, fileName_,
+          "line " + std::to_string(rows_[i].line) + ": \"" +
+            std::string(trimmed(field).substr(0, 20)) + "\" in column " + names_[column] +
+            " is no number");
+      }
     }
   }
   return values;

@@ -34,8 +34,8 @@ public:
   /// "Normals:2").
   std::optional<std::size_t> findMeaning(const std::string& name) const;
 
-  /// A column as numbers. Throws Failure, naming the line, where a field is no number.
-  std::vector<double> numbers(std::size_t column) const;
+  /// Columns as numbers, row by row. Throws Failure, naming the line, where a field is no number.
+  std::vector<double> numbers(const std::vector<std::size_t>& columns) const;
 
   /// The fields of a column as they say, without quotation marks around them.
   std::vector<std::string> texts(std::size_t column) const;

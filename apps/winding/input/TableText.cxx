@@ -45,8 +45,11 @@ bool passField(std::string_view text, char separator, std::size_t& at)
   const std::size_t first = skipSpaces(text, separator, at);
   const auto endFrom = [&](std::size_t from)
   {
-    const char ends[] = {separator, '\n'};
-    return std::min(text.find_first_of({ends, 2}, from), text.size());
+    while (from < text.size() && text[from] != separator && text[from] != '\n')
+    {
+      ++from;
+    }
+    return from;
   };
   if (first >= text.size() || text[first] != '"')
   {
@@ -89,18 +92,25 @@ bool takeRow(std::string_view text, char separator, std::size_t& start, std::str
   return false;
 }
 
+bool RowFields::next(std::string_view& field)
+{
+  const std::size_t first = at_;
+  if (first > row_.size() || !passField(row_, separator_, at_))
+  {
+    return false;
+  }
+  field = row_.substr(first, at_ - first);
+  ++at_;
+  return true;
+}
+
 std::vector<std::string_view> splitRow(std::string_view row, char separator)
 {
   std::vector<std::string_view> fields;
-  std::size_t first = 0, at = 0;
-  while (passField(row, separator, at))
+  RowFields rest(row, separator);
+  for (std::string_view field; rest.next(field);)
   {
-    fields.push_back(row.substr(first, at - first));
-    if (at >= row.size())
-    {
-      break;
-    }
-    first = ++at;
+    fields.push_back(field);
   }
   return fields;
 }

@@ -17,7 +17,26 @@
 /// closes it.
 bool takeRow(std::string_view text, char separator, std::size_t& start, std::string_view& row);
 
-/// The fields of a row, with their quotation marks.
+/// The fields of a row, one after the other, with their quotation marks.
+class RowFields
+{
+public:
+  RowFields(std::string_view row, char separator)
+    : row_(row)
+    , separator_(separator)
+  {
+  }
+
+  /// Takes the next field. False where there are no more.
+  bool next(std::string_view& field);
+
+private:
+  std::string_view row_;
+  char separator_;
+  std::size_t at_ = 0; ///< the beginning of the next field; beyond the end when there is none
+};
+
+/// All fields of a row, with their quotation marks.
 std::vector<std::string_view> splitRow(std::string_view row, char separator);
 
 /// A field without spaces and quotation marks around it. Two marks within are still two.
