@@ -369,27 +369,27 @@ TEST(PlyFile, RefusalsOfText)
   };
   const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
   expect("0 0 0\n1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n",
-    "line 10: a number is missing; it is truncated or damaged");
+    "line 11: a number is missing; it is truncated or damaged");
   expect("0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n3 0 1 2\n",
-    "line 10: holds something that is no number; it is damaged");
-  expect(vertices + "3 0 1 2\n", "line 12: a number is missing; it is truncated or damaged");
-  expect(vertices + "3 0 1 9\n", "line 12: vertex 9 does not exist; there are 3, counted from 0");
+    "line 11: holds something that is no number; it is damaged");
+  expect(vertices + "3 0 1 2\n", "line 13: a number is missing; it is truncated or damaged");
+  expect(vertices + "3 0 1 9\n", "line 13: vertex 9 does not exist; there are 3, counted from 0");
   expect(vertices + "\n3 0 1 2\n3 0 -1 2\n",
-    "line 14: vertex -1 does not exist; there are 3, counted from 0");
+    "line 15: vertex -1 does not exist; there are 3, counted from 0");
   expect(vertices + "3 0 1 1e300\n3 0 1 2\n",
-    "line 12: vertex 1e+300 does not exist; there are 3, counted from 0");
+    "line 13: vertex 1e+300 does not exist; there are 3, counted from 0");
   expect(vertices + "3 0 1 nan\n3 0 1 2\n",
-    "line 12: vertex nan does not exist; there are 3, counted from 0");
+    "line 13: vertex nan does not exist; there are 3, counted from 0");
   expect(
-    vertices + "4 0 1 2\n3 0 1 2\n", "line 12: a number is missing; it is truncated or damaged");
+    vertices + "4 0 1 2\n3 0 1 2\n", "line 13: a number is missing; it is truncated or damaged");
   expect(
-    vertices + "3 0 1 2\n2 0 x\n", "line 13: holds something that is no number; it is damaged");
+    vertices + "3 0 1 2\n2 0 x\n", "line 14: holds something that is no number; it is damaged");
   expect(vertices + "-1\n3 0 1 2\n",
-    "line 12: a list of -1.000000 numbers, of 255 at most; it is damaged");
+    "line 13: a list of -1.000000 numbers, of 255 at most; it is damaged");
   expect(vertices + "1.5 0 1\n3 0 1 2\n",
-    "line 12: a list of 1.500000 numbers, of 255 at most; it is damaged");
+    "line 13: a list of 1.500000 numbers, of 255 at most; it is damaged");
   expect(vertices + "3 0 1 2\n256 0 1 2\n",
-    "line 13: a list of 256.000000 numbers, of 255 at most; it is damaged");
+    "line 14: a list of 256.000000 numbers, of 255 at most; it is damaged");
 }
 
 TEST(PlyFile, RefusalsOfBinaries)
@@ -507,7 +507,7 @@ TEST(LargePlyFiles, AreRefusedForTheFirstFault)
     for (const std::string format : formats)
     {
       const std::string file = meshFile(format, 60000, faces);
-      for (const unsigned seed : {1U, 2U, 3U})
+      for (const unsigned seed : {1U, 2U})
       {
         shapes::ShuffledThreads threads(seed);
         const std::string refusal = refusalOf(readPly, file, threads);
