@@ -282,19 +282,61 @@ TEST(SurfaceMeshReader, OutputsGrowAsAllOthers)
   expectRow(mesh->GetPoints()->GetData(), 3, 4, 5, 6);
 }
 
-/// VTK's reader keeps single precision, and makes several points of a vertex whose corners have
-/// different normals.
+const std::string plyHead = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                            "property double y\nproperty double z\n";
+const std::string plyFace = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(SurfaceMeshReader, PlyWithNormals)
+{
+  const auto mesh =
+    read<Surface>(plyHead + "property float nx\nproperty float ny\nproperty float nz\n" + plyFace +
+                    "0 0 0 0 0 1\n0.1 0 0 0 1 0\n0 1 0 1 0 0\n3 0 1 2\n",
+      ".ply");
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
+  expectRow(mesh->GetPointData()->GetNormals(), 1, 0, 1, 0);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+}
+
+TEST(SurfaceMeshReader, RefusalsOfPlyAndStl)
+{
+  expectRefusal<Surface>("solid\n", "is not ply: it does not begin like PLY", format, ".ply");
+  expectRefusal<Surface>(
+    plyHead + plyFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3", format, ".ply");
+  expectRefusal<Surface>(
+    plyHead + plyFace + "0 0 0\n1 0 0\n", "line 11: a number is missing", format, ".ply");
+  expectRefusal<Surface>("hello\n", "is not STL: it has 6 bytes", end, ".stl");
+  expectRefusal<Surface>("solid\nfacet\n", "ends at line 2 with 0 facets", end, ".stl");
+}
+
+vtkSmartPointer<vtkPolyData> readWithVtk(const std::string& path)
+{
+  if (path.substr(path.rfind('.')) != ".stl")
+  {
+    return readMesh(path);
+  }
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->MergingOff();
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// VTK's readers keep single precision, and that of OBJ makes several points of a vertex whose
+/// corners have different normals.
 TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
 {
-  for (const std::string name : {"armadillo_86k", "bunny_10k", "bunny_1k", "bunny_70k",
-         "maxplanck_open_90k", "self_intersectA", "sphere_quads", "teapot", "truck_soup"})
+  for (const std::string name : {"armadillo_86k.obj", "bunny_10k.obj", "bunny_1k.obj",
+         "bunny_70k.obj", "maxplanck_open_90k.obj", "self_intersectA.obj", "sphere_quads.obj",
+         "teapot.obj", "truck_soup.obj", "armadillo_346k_sub4.ply", "bunny_res2_nonmanifold.ply",
+         "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"})
   {
-    const std::string path = std::string(WINDING_SHARED_DATA) + "/" + name + ".obj";
+    const std::string path = std::string(WINDING_SHARED_DATA) + "/" + name;
     if (!std::filesystem::exists(path))
     {
       GTEST_SKIP() << path << " is not there";
     }
-    const auto expected = readWith<vtkOBJReader>(path), found = readWith<Surface>(path);
+    const auto expected = readWithVtk(path), found = readWith<Surface>(path);
     ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
     EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;
     vtkNew<vtkIdList> expectedIds, foundIds;
@@ -315,6 +357,25 @@ TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
         }
       }
     }
+  }
+}
+
+TEST(SurfaceMeshReader, SharedCloudAsVtkReadsIt)
+{
+  const std::string path = std::string(WINDING_SHARED_DATA) + "/kitten_points_normals.ply";
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << path << " is not there";
+  }
+  const auto expected = readMesh(path), found = readWith<Surface>(path);
+  ASSERT_EQ(found->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  EXPECT_EQ(found->GetPoints()->GetDataType(), VTK_FLOAT);
+  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+  {
+    const double* const point = expected->GetPoint(i);
+    expectRow(found->GetPoints()->GetData(), i, point[0], point[1], point[2]);
+    const double* const normal = expected->GetPointData()->GetNormals()->GetTuple3(i);
+    expectRow(found->GetPointData()->GetNormals(), i, normal[0], normal[1], normal[2]);
   }
 }
 

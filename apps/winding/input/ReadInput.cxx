@@ -33,8 +33,8 @@ vtkSmartPointer<vtkPointSet> readWith(const std::string& fileName, Messages& mes
   return reader->GetOutput();
 }
 
-/// Warns where single precision, which VTK's readers of PLY and STL keep, moves vertices
-/// because they lie far from the origin.
+/// Warns where coordinates are in single precision, and lie so far from the origin that rounding
+/// to it has moved them.
 void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
 {
   if (data->GetNumberOfPoints() == 0 || data->GetPoints()->GetDataType() != VTK_FLOAT)
