@@ -203,7 +203,7 @@ std::vector<SlabExtent> FieldRun::slabs(std::size_t wanted, bool overlap) const
   int voxels[3];
   double firstSample[3], spacing[3];
   filter_->GetGrid(voxels, firstSample, spacing);
-  const std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
+  std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
   if (slabs.size() < wanted && options_.pieces > 1)
   {
     messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) +

@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
 vtkSmartPointer<vtkPointSet> readInput(const std::string& fileName, Messages& messages)
 {
   messages.setSubject(fileName);
-  const auto data = read(fileName, messages);
+  auto data = read(fileName, messages);
   warnOfLostDigits(data, fileName, messages);
   return data;
 }

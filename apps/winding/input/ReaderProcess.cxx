@@ -202,7 +202,7 @@ vtkSmartPointer<vtkPointSet> receive(
       throw Failure(status, process.takeText());
     }
     case ReaderMessage::data:
-      const auto data = receiveData(process);
+      auto data = receiveData(process);
       for (const std::string& warning : warnings)
       {
         messages.DisplayWarningText(warning.c_str());

@@ -280,8 +280,11 @@ TEST(ShuffledSources, VerticesOfMeshesHaveTheSameNormalsAndAreas)
     std::rotate(
       triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(below(3)), triangle.end());
   }
-  const winding::MeshVertices expected = winding::meshVertices({mesh.view()}, mesh.points.size());
-  const winding::MeshVertices found = winding::meshVertices({other.view()}, mesh.points.size());
+  winding::SerialExecutor serial;
+  const winding::MeshVertices expected =
+    winding::meshVertices({mesh.view()}, mesh.points.size(), serial);
+  const winding::MeshVertices found =
+    winding::meshVertices({other.view()}, mesh.points.size(), serial);
   EXPECT_EQ(differences(found.normals, expected.normals), 0u);
   EXPECT_EQ(differences(found.areas, expected.areas), 0u);
 }
