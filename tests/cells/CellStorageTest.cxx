@@ -569,7 +569,7 @@ TEST_P(CellStorage, IsNoHindranceToKnowingASourceAgain)
     SCOPED_TRACE(name);
     vtkNew<vtkWindingNumberField> field;
     field->SetResolution(16);
-    const auto fieldOf = [&](const Cells& some)
+    const auto fieldOf = [&, &storage = storage](const Cells& some)
     {
       field->SetInputData(meshOf(GetParam(), some, storage));
       return outputsOf(field);

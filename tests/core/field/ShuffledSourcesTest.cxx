@@ -54,6 +54,7 @@ std::size_t differences(const std::vector<double>& a, const std::vector<double>&
   std::size_t count = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; count == 0 && i < a.size(); ++i)
   {
+    // Zeros of both signs differ, and NaN is NaN. NOLINTNEXTLINE(bugprone-suspicious-memory-*)
     count += std::memcmp(&a[i], &b[i], sizeof a[i]) != 0;
   }
   return count;
