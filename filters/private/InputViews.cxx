@@ -345,9 +345,9 @@ const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
   std::vector<TrianglesView> views;
   this->addTriangles(mesh, views);
   SerialExecutor serial;
-  Executor& executor = executor_ ? *executor_ : serial;
+  const auto points = static_cast<std::size_t>(mesh->GetNumberOfPoints());
   vertices_.push_back(
-    meshVertices(views, static_cast<std::size_t>(mesh->GetNumberOfPoints()), executor));
+    executor_ ? meshVertices(views, points, *executor_) : meshVertices(views, points, serial));
   return vertices_.back();
 }
 
