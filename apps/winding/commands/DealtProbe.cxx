@@ -23,7 +23,7 @@ namespace
 
 void execute(vtkWindingNumberProbe& probe, const Options& options, Messages& messages)
 {
-  const Progress progress(&probe, "probe", messages.isQuiet());
+  const Progress progress(&probe, Phase::evaluating, messages.isQuiet());
   parallel::agree(
     [&]
     {

@@ -24,7 +24,7 @@ template <class Reader>
 vtkSmartPointer<vtkPointSet> readWith(const std::string& fileName, Messages& messages)
 {
   vtkNew<Reader> reader;
-  const Progress progress(reader, "read", messages.isQuiet());
+  const Progress progress(reader, Phase::reading, messages.isQuiet());
   reader->SetFileName(fileName.c_str());
   reader->Update();
   interrupt::check();
