@@ -16,7 +16,7 @@
 namespace
 {
 
-/// What `winding` shows on a terminal of its own.
+/// Runs `winding` on a terminal of its own, and returns all that it shows there.
 std::string shownBy(std::vector<std::string> words)
 {
   words.insert(words.begin(), WINDING_PROGRAM);

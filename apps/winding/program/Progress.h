@@ -6,8 +6,8 @@
 class vtkAlgorithm;
 class vtkObject;
 
-/// The parts of a run. Each has its share of one bar: reading 30 %, preparing 10 %, and of the rest,
-/// which is dealt out among the pieces that are written one after the other, evaluating 90 %.
+/// The parts of a run, which have their shares of one bar: reading 30 %, preparing 10 %, and of each
+/// of the pieces that share the rest, evaluating 90 %.
 enum class Phase
 {
   reading,
