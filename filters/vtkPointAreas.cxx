@@ -302,14 +302,14 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
       hash.addText(winding::textOf(this->ResultArrayName));
       return hash.value();
     });
-  winding::InputViews input(data, options);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::InputViews input(data, options, &executor);
   input.compare(ranks, properties.distribution);
   winding::refuseHugeSource(input, winding::bytesOfAreas, "the areas", ranks);
   const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
   input.gather(ranks);
   const std::vector<winding::OrientedPointsView> all =
     input.isGathered() ? input.orientedPoints() : own;
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::PointCloud cloud = winding::sanitize(all, executor);
   this->ChooseAreas(cloud, executor);
 

@@ -124,7 +124,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
   winding::SmpExecutor executor(this, 0);
-  auto views = std::make_unique<winding::InputViews>(source, options);
+  auto views = std::make_unique<winding::InputViews>(source, options, &executor);
   if (this->FixOrientation && !ranks.isAlone())
   {
     throw winding::Refusal("fix the orientation (Fix Orientation) in a program of one rank, before "

@@ -307,6 +307,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
 {
   this->SourceIsInsideOut = false;
   this->LookAtSource(source);
+  this->SetProgressText("Preparing");
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::SourceOptions options = this->GetSourceOptions();
@@ -326,6 +327,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   const bool isPrepared = field && field->prepare(samples, executor) &&
                           (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
+  this->SetProgressText("Evaluating");
   if (!isPrepared)
   {
     throw winding::Interrupted();

@@ -86,7 +86,7 @@ void vtkWindingNumberClip::AddArrays(const winding::ResultArrays&, vtkDataSetAtt
 vtkSmartPointer<vtkDataSet> vtkWindingNumberClip::PartOf(
   vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char*)
 {
-  const vtkSmartPointer<vtkDataSet> part =
+  vtkSmartPointer<vtkDataSet> part =
     winding::clippedPart(data, this->CutDistances.data() + leaf.first);
   this->SamplesDone += leaf.count;
   const double share = static_cast<double>(this->SamplesDone) /

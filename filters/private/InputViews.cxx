@@ -1,5 +1,6 @@
 #include "private/InputViews.h"
 
+#include "base/Executor.h"
 #include "base/Refusal.h"
 #include "private/CellChecks.h"
 #include "private/ContentHash.h"
@@ -32,8 +33,9 @@ std::string nameOf(vtkDataArray* array)
 
 } // namespace
 
-InputViews::InputViews(vtkDataObject* source, const InputOptions& options)
+InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor)
   : options_(options)
+  , executor_(executor)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(source);
   if (composite)
@@ -342,7 +344,10 @@ const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
 {
   std::vector<TrianglesView> views;
   this->addTriangles(mesh, views);
-  vertices_.push_back(meshVertices(views, static_cast<std::size_t>(mesh->GetNumberOfPoints())));
+  SerialExecutor serial;
+  const auto points = static_cast<std::size_t>(mesh->GetNumberOfPoints());
+  vertices_.push_back(
+    executor_ ? meshVertices(views, points, *executor_) : meshVertices(views, points, serial));
   return vertices_.back();
 }
 

@@ -22,6 +22,8 @@ class vtkPolyData;
 namespace winding
 {
 
+class Executor;
+
 /// The places in a source that tell the areas of its points.
 enum class AreaSource
 {
@@ -62,7 +64,8 @@ public:
   /// The data sets that a source is made of, and the times of their last modification.
   using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
 
-  InputViews(vtkDataObject* source, const InputOptions& options);
+  /// `executor`, if it is not null, runs what takes long, and lives as long as this object.
+  InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor = nullptr);
   ~InputViews();
 
   bool isSurface() const { return isSurface_; }
@@ -122,6 +125,7 @@ private:
   void addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views);
 
   InputOptions options_;
+  Executor* executor_;
   bool isSurface_ = false;
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
   Identity identity_;

@@ -37,7 +37,8 @@ void adviseLargePages(vtkDataArray* array)
   const std::uintptr_t first = (begin + largePage - 1) / largePage * largePage;
   if (first < end)
   {
-    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+    madvise(
+      static_cast<char*>(array->GetVoidPointer(0)) + (first - begin), end - first, MADV_HUGEPAGE);
   }
 #else
   (void)array;

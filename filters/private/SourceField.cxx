@@ -34,7 +34,7 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   const bool isKept = ranks.agree(
     [&]
     {
-      views.emplace(source, options.input);
+      views.emplace(source, options.input, &executor);
       const bool isSameSource = memory.isSame(*views, options.input);
       return field_ && isSameSource && options_ == options.field &&
              distribution_ == options.distribution && ranks_ == ranks.count();

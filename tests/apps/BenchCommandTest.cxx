@@ -147,6 +147,31 @@ TEST_F(BenchCommand, BesideTheFiltersOfVtk)
   }
 }
 
+TEST_F(BenchCommand, ExpectedTimesBesideThoseTaken)
+{
+  const nlohmann::json found = tables({"expected", in, folder.write("cloud.xyz", asXyz(sphere(2))),
+    "--resolution", "8", "16", "--points", "100"});
+  ASSERT_EQ(found.size(), 2u);
+  for (const nlohmann::json& table : found)
+  {
+    const nlohmann::json& rows = table["rows"];
+    ASSERT_EQ(rows.size(), 6u) << "two grids and points, without distances and with them";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      EXPECT_EQ(rows[i]["arrays"], i < 3 ? "w" : "w, distance");
+      EXPECT_EQ(rows[i]["samples"], i % 3 == 0   ? "grid of 8"
+                                    : i % 3 == 1 ? "grid of 16"
+                                                 : "100 points");
+      EXPECT_GT(rows[i]["expected s"], 0);
+      EXPECT_GT(rows[i]["taken s"], 0);
+    }
+  }
+  EXPECT_EQ(found[0]["rows"][0]["method"], "rows");
+  const Outcome none = runProgram({"bench", "expected"});
+  EXPECT_EQ(none.status, 1) << none;
+  EXPECT_TRUE(none.saysInOneLine({"bench expected needs files"})) << none;
+}
+
 TEST_F(BenchCommand, Kernels)
 {
   const nlohmann::json found = tables({"kernels"});

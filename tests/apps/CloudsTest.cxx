@@ -72,7 +72,7 @@ protected:
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.err.empty(), warning.empty()) << outcome;
     EXPECT_NE(outcome.err.find(warning), std::string::npos) << outcome;
-    const nlohmann::json report = outcome.json();
+    nlohmann::json report = outcome.json();
     EXPECT_LT(report["max_error"], 1e-3) << outcome;
     return report;
   }

@@ -33,7 +33,7 @@ namespace
 template <class Array>
 vtkSmartPointer<Array> arrayOf(const char* name, vtkIdType tuples, int components)
 {
-  const auto array = vtkSmartPointer<Array>::New();
+  auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);

@@ -112,7 +112,7 @@ TEST(ReadInput, LineEnds)
     {"a.vtp", asVtp(mesh)}, {"a.xyz", asXyz(mesh)}, {"a.pwn", asPwn(mesh)}, {"a.csv", asCsv(mesh)}};
   for (const auto& [name, text] : files)
   {
-    const auto countsOf = [&](const std::string& contents)
+    const auto countsOf = [&, &name = name](const std::string& contents)
     {
       const Outcome run = check(folder.write(name, contents));
       EXPECT_EQ(run.status, 0) << run;

@@ -382,7 +382,7 @@ TEST_P(CellStorage, MakesNoDifferenceToTheField)
       field->GenerateInsideOn();
       field->GenerateSignedDistanceOn();
       field->SetCoverage(vtkWindingNumberField::FRACTION);
-      const Numbers numbers = outputsOf(field);
+      Numbers numbers = outputsOf(field);
       EXPECT_EQ(field->GetNumberOfBoundaryEdges(), 0);
       EXPECT_NEAR(volumeInside(field), 2 * pi * pi * radius * tubeRadius * tubeRadius, 0.25);
       return numbers;
@@ -546,7 +546,7 @@ TEST_P(CellStorage, MakesNoDifferenceToTheReport)
     vtkNew<vtkSurfaceReport> report;
     report->SetInputData(meshOf(GetParam(), cells, storage));
     report->FixOrientationOn();
-    const Numbers numbers = outputsOf(report);
+    Numbers numbers = outputsOf(report);
     EXPECT_TRUE(report->GetClosed());
     EXPECT_EQ(report->GetNumberOfFlippedTriangles() > 0, isSurface);
     return numbers;
@@ -569,7 +569,7 @@ TEST_P(CellStorage, IsNoHindranceToKnowingASourceAgain)
     SCOPED_TRACE(name);
     vtkNew<vtkWindingNumberField> field;
     field->SetResolution(16);
-    const auto fieldOf = [&](const Cells& some)
+    const auto fieldOf = [&, &storage = storage](const Cells& some)
     {
       field->SetInputData(meshOf(GetParam(), some, storage));
       return outputsOf(field);

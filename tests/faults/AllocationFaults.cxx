@@ -23,6 +23,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+// The names are those of the C library. NOLINTBEGIN(bugprone-reserved-identifier, readability-*)
 extern "C"
 {
   void* __libc_malloc(std::size_t size);
@@ -30,6 +31,7 @@ extern "C"
   void* __libc_realloc(void* block, std::size_t size);
   void* __libc_memalign(std::size_t alignment, std::size_t size);
 }
+// NOLINTEND(bugprone-reserved-identifier, readability-*)
 
 namespace
 {
@@ -161,6 +163,7 @@ extern "C"
   }
 
   /// The C library's own start of programs; main() is called in between.
+  // NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
   int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
     void (*linkerFini)(), void* stackEnd)
   {

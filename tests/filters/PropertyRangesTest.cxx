@@ -114,8 +114,8 @@ void expectRefused(Filter* filter, const std::string& property, void (Class::*se
 }
 
 #define EXPECT_REFUSED(filter, property, badValues)                                                \
-  expectRefused(filter, #property, &std::decay_t<decltype(*filter)>::Set##property,                \
-    &std::decay_t<decltype(*filter)>::Get##property, badValues)
+  expectRefused(filter, #property, &std::decay_t<decltype(*(filter))>::Set##property,              \
+    &std::decay_t<decltype(*(filter))>::Get##property, badValues)
 
 template <class Filter> void expectCommonPropertiesRefused(Filter* filter)
 {

@@ -220,7 +220,7 @@ TEST(OrientedPointsReader, Refusals)
   expectRefusal<Points>("0 0 0\n0 0 1 0 0 1\n", "line 2: holds more", format);
   expectRefusal<Points>("0 0 0 0 0 1\n0 0 1\n", "line 2: a component of the normal", format);
   expectRefusal<Points>("0 0 0\n0 C 0\n", "line 2: \"C\"", format);
-  expectRefusal<Points>(std::string("0 0 0\n\0\x01 2 3\n", 14), "line 2", format);
+  expectRefusal<Points>(std::string("0 0 0\n\0\x01 2 3\n", 13), "line 2", format);
 }
 
 TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)

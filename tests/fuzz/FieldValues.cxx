@@ -55,6 +55,7 @@ FieldValues evaluated(std::size_t samples, bool withDistances, const Evaluate& e
 /// Whether two numbers have the same bits, where NaN is NaN.
 bool isSame(double a, double b)
 {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): zeros of both signs differ.
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }
 

@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
@@ -17,7 +18,9 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -178,6 +181,15 @@ vtkSmartPointer<vtkPointSet> oddData(Choices& choices)
   return data;
 }
 
+void checkNumber(double w)
+{
+  if (!std::isfinite(w))
+  {
+    std::fprintf(stderr, "a winding number of %g\n", w);
+    std::abort();
+  }
+}
+
 void checkNumbers(vtkDataSet* output)
 {
   vtkDataArray* const values = output->GetPointData()->GetArray("WindingNumber");
@@ -185,12 +197,9 @@ void checkNumbers(vtkDataSet* output)
   {
     double place[3];
     output->GetPoint(i, place);
-    const bool isSomewhere =
-      std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
-    if (isSomewhere && !std::isfinite(values->GetComponent(i, 0)))
+    if (std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]))
     {
-      std::fprintf(stderr, "a winding number of %g\n", values->GetComponent(i, 0));
-      std::abort();
+      checkNumber(values->GetComponent(i, 0));
     }
   }
 }
@@ -226,9 +235,26 @@ void fillVoxels(Choices& choices, vtkPointSet* data)
   voxels->Update();
 }
 
-void probe(Choices& choices, vtkPointSet* data)
+void growTrees(Choices& choices, vtkPointSet* data)
 {
-  vtkNew<vtkWindingNumberProbe> filter;
+  vtkNew<vtkWindingNumberHyperTree> filter;
+  setUp(choices, filter.Get());
+  filter->SetResolution(1 + choices.below(9));
+  filter->SetGenerateWindingNumber(choices.oneIn(2));
+  filter->SetInputData(data);
+  filter->Update();
+  auto* const trees = vtkHyperTreeGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkDataArray* const values = trees->GetCellData()->GetArray("WindingNumber");
+  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  {
+    checkNumber(values->GetComponent(i, 0));
+  }
+}
+
+/// Runs the probe or a filter that derives from it on queries that are odd, too.
+template <class Filter> void probe(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<Filter> filter;
   setUp(choices, filter.Get());
   const auto queries = oddData(choices);
   filter->SetInputData(choices.oneIn(2) ? queries.Get() : data);
@@ -257,7 +283,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
   Choices choices(bytes, size);
   const vtkSmartPointer<vtkPointSet> data = oddData(choices);
-  switch (choices.below(6))
+  switch (choices.below(8))
   {
   case 0:
     sample<vtkWindingNumberField>(choices, data);
@@ -274,8 +300,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   case 4:
     run<vtkPointAreas>(data);
     break;
+  case 5:
+    growTrees(choices, data);
+    break;
+  case 6:
+    probe<vtkWindingNumberClip>(choices, data);
+    break;
   default:
-    probe(choices, data);
+    probe<vtkWindingNumberProbe>(choices, data);
   }
   return 0;
 }

@@ -221,7 +221,7 @@ std::string checkScattered(
       }
       SerialExecutor serial;
       const FieldValues found = valuesOf(*field, scattered.positions, false, serial);
-      const std::string failure = compareWithDefinition(
+      std::string failure = compareWithDefinition(
         *field, *field->surface(), scattered, found.values, tolerance, " for scattered samples");
       if (!failure.empty())
       {

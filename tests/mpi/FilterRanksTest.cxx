@@ -437,7 +437,7 @@ TEST(ProbeOnRanks, AnswersTheQueriesOfEachRank)
     SCOPED_TRACE(name);
     const auto probeOf = [&](vtkPolyData* source, bool isAlone)
     {
-      const auto probe = filterOf<vtkWindingNumberProbe>(queries, isAlone);
+      auto probe = filterOf<vtkWindingNumberProbe>(queries, isAlone);
       probe->SetSourceData(source);
       probe->SetMethod(vtkWindingNumberProbe::DIRECT);
       probe->SetGenerateSignedDistance(true);

@@ -22,12 +22,13 @@ void checkSubject(const BenchOptions& options)
     requireUsage(!isGiven || subject == owner,
       std::string(option) + " is for bench " + owner + "; leave it out");
   };
-  checkIdle(!options.points.empty(), "--points", "vtk");
+  requireUsage(options.points.empty() || subject == "vtk" || subject == "expected",
+    "--points is for bench vtk and bench expected; leave it out");
   checkIdle(!options.tolerances.empty(), "--tolerance", "hierarchical");
   checkIdle(!options.sources.empty(), "--sources", "hierarchical");
   checkIdle(!options.data.empty(), "--data", "seed");
 
-  for (const char* name : {"hierarchical", "clouds", "vtk"})
+  for (const char* name : {"hierarchical", "clouds", "vtk", "expected"})
   {
     requireUsage(std::count(subjects.begin() + 1, subjects.end(), name) == 0,
       std::string("bench ") + name + " comes before its files; for a file of that name give ./" +
@@ -37,6 +38,8 @@ void checkSubject(const BenchOptions& options)
     "bench clouds needs files: meshes, whose vertices are taken as clouds");
   requireUsage(subject != "vtk" || subjects.size() > 1,
     "bench vtk needs files: surfaces, which VTK's filters are compared at");
+  requireUsage(subject != "expected" || subjects.size() > 1,
+    "bench expected needs files: surfaces or clouds, whose times are compared with expected ones");
   for (const char* name : {"seed", "kernels"})
   {
     requireUsage(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

@@ -134,10 +134,9 @@ std::vector<BenchTable> benchFiles(const Options& options, Messages& messages)
       {"the first method of each size is the one that automatic chooses",
         "scaled: measured at random voxels; all of them would take more than 2 s",
         "expected: what users are told; times expected: prepare and evaluate beside it",
-        "fill: one thread writes a constant to a fresh array of floats; times fill: prepare and "
-        "evaluate beside it",
-        "errors: against the direct sum done term by term at 500 random voxels, and 500 near the "
-        "surface"});
+        "fill: one thread writes a constant to a fresh array of floats",
+        "times fill: prepare and evaluate beside it",
+        "errors: against the direct sum, term by term, at 500 random voxels and 500 near it"});
     for (const int resolution : givenOr(options.bench.resolutions, {64, 128, 256}))
     {
       addRows(table, triangles.view(), surface, resolution, threads);

@@ -116,6 +116,7 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
         "ones, wrong where the sign is"});
     const std::vector<int> points = givenOr(options.bench.points, {1000, 10'000, 100'000});
     std::vector<Contest> contests;
+    contests.reserve(points.size() + 3);
     for (const int count : points)
     {
       contests.push_back(insideContest(info.bounds, static_cast<std::size_t>(count)));

@@ -1,5 +1,6 @@
 #include "bench/NaiveSums.h"
 
+#include "base/Executor.h"
 #include "source/MeshVertices.h"
 
 #include <utility>
@@ -41,10 +42,11 @@ winding::PointCloud verticesOf(const winding::Surface& surface)
   {
     return cloud;
   }
+  winding::SerialExecutor serial;
   winding::MeshVertices vertices =
     winding::meshVertices({{{surface.vertices[0].data(), points},
                             {surface.triangles[0].data(), surface.triangles.size()}}},
-      points);
+      points, serial);
   for (std::size_t i = 0; i < points; ++i)
   {
     cloud.normals.emplace_back(Eigen::Vector3d(&vertices.normals[3 * i]).stableNormalized());

@@ -31,30 +31,6 @@ bool isWrongSide(double answer, double w)
   return (answer != 0) != (w >= 0.5);
 }
 
-vtkSmartPointer<vtkPolyData> randomPoints(const winding::Bounds& bounds, std::size_t count)
-{
-  std::mt19937_64 random(20260101);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkIdTypeArray> numbers;
-  numbers->SetName(numberArray);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    double x[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double t = static_cast<double>(random() >> 11) * 0x1p-53;
-      x[axis] = bounds.min()[axis] + (1.1 * t - 0.05) * bounds.sizes()[axis];
-    }
-    points->InsertNextPoint(x);
-    numbers->InsertNextValue(static_cast<vtkIdType>(i));
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(numbers);
-  return data;
-}
-
 /// A contest about random points, without contestants so far.
 Contest pointContest(const std::string& question, vtkPolyData* points)
 {
@@ -102,6 +78,30 @@ std::function<std::vector<double>(vtkDataObject*)> fromNumbers(std::size_t count
 }
 
 } // namespace
+
+vtkSmartPointer<vtkPolyData> randomPoints(const winding::Bounds& bounds, std::size_t count)
+{
+  std::mt19937_64 random(20260101);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName(numberArray);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double x[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double t = static_cast<double>(random() >> 11) * 0x1p-53;
+      x[axis] = bounds.min()[axis] + (1.1 * t - 0.05) * bounds.sizes()[axis];
+    }
+    points->InsertNextPoint(x);
+    numbers->InsertNextValue(static_cast<vtkIdType>(i));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(numbers);
+  return data;
+}
 
 Contest insideContest(const winding::Bounds& bounds, std::size_t count)
 {

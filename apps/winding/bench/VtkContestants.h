@@ -40,6 +40,9 @@ struct Contest
   std::vector<Contestant> contestants;
 };
 
+/// So many random points in the bounds and a margin of a twentieth, the same in every run.
+vtkSmartPointer<vtkPolyData> randomPoints(const winding::Bounds& bounds, std::size_t count);
+
 /// Asks which points are inside, at random points in the bounds and a margin of a twentieth.
 Contest insideContest(const winding::Bounds& bounds, std::size_t points);
 

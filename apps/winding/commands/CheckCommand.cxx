@@ -160,7 +160,7 @@ void runCheck(const Options& options, Messages& messages)
   filter->SetInputDataObject(readInput(options.input, messages));
   filter->SetFixOrientation(options.fixOrientation);
   {
-    const Progress progress(filter, "check", messages.isQuiet());
+    const Progress progress(filter, Phase::evaluating, messages.isQuiet(), "checking");
     filter->Update();
   }
   interrupt::check();

@@ -23,7 +23,7 @@ namespace
 
 void execute(vtkWindingNumberProbe& probe, const Options& options, Messages& messages)
 {
-  const Progress progress(&probe, "probe", messages.isQuiet());
+  const Progress progress(&probe, Phase::evaluating, messages.isQuiet());
   parallel::agree(
     [&]
     {
@@ -116,7 +116,7 @@ vtkSmartPointer<vtkDataArray> gathered(vtkDataArray* own, vtkIdType all)
     parallel::send(own->GetVoidPointer(0), bytesOf(own->GetNumberOfTuples()), 0);
     return nullptr;
   }
-  const auto values = vtkSmartPointer<vtkDataArray>::Take(own->NewInstance());
+  auto values = vtkSmartPointer<vtkDataArray>::Take(own->NewInstance());
   values->SetName(own->GetName());
   values->SetNumberOfTuples(all);
   auto* const to = static_cast<unsigned char*>(values->GetVoidPointer(0));

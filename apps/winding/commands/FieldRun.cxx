@@ -57,7 +57,7 @@ FieldRun::~FieldRun()
 
 void FieldRun::update()
 {
-  const Progress progress(filter_, "field", messages_.isQuiet());
+  const Progress progress(filter_, Phase::evaluating, messages_.isQuiet());
   parallel::agree(
     [this]
     {
@@ -68,7 +68,8 @@ void FieldRun::update()
 
 void FieldRun::write(OutputFile& file)
 {
-  const Progress progress(filter_, "field", messages_.isQuiet());
+  Progress::setPieces(this->pieces());
+  const Progress progress(filter_, Phase::evaluating, messages_.isQuiet());
   const Stopwatch writing;
   const double before = executionSeconds_;
   writeImage(
@@ -88,6 +89,7 @@ void FieldRun::write(const PiecesFile& file)
   const std::size_t ranks = static_cast<std::size_t>(parallel::count());
   const std::size_t rounds = (slabs.size() + ranks - 1) / ranks;
   const std::size_t first = rounds * static_cast<std::size_t>(parallel::rank());
+  Progress::setPieces(static_cast<int>(rounds));
   SlabExtent whole = slabs.front();
   whole[5] = slabs.back()[5];
   file.write(
@@ -187,7 +189,7 @@ vtkImageData* FieldRun::makeSlab(const std::vector<SlabExtent>& slabs, std::size
   // The memory is free for the next slab; and the filter executes even if the last one had it all.
   filter_->GetOutputDataObject(0)->ReleaseData();
   {
-    const Progress progress(filter_, "field", messages_.isQuiet());
+    const Progress progress(filter_, Phase::evaluating, messages_.isQuiet());
     parallel::agree(
       [&]
       {
@@ -203,7 +205,7 @@ std::vector<SlabExtent> FieldRun::slabs(std::size_t wanted, bool overlap) const
   int voxels[3];
   double firstSample[3], spacing[3];
   filter_->GetGrid(voxels, firstSample, spacing);
-  const std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
+  std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
   if (slabs.size() < wanted && options_.pieces > 1)
   {
     messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) +

@@ -42,7 +42,7 @@ void runVoxels(const Options& given, Messages& messages)
   voxels->SetWindingThreshold(0.5);
   voxels->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED);
   {
-    const Progress progress(voxels, "voxels", messages.isQuiet());
+    const Progress progress(voxels, Phase::evaluating, messages.isQuiet());
     voxels->Update();
   }
   interrupt::check();

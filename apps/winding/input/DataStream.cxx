@@ -292,10 +292,9 @@ void sendData(vtkPointSet* data, ByteSink& sink)
 vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source)
 {
   const auto type = source.take<int>();
-  const vtkSmartPointer<vtkPointSet> data = type == VTK_POLY_DATA ? receivePolyData(source)
-                                            : type == VTK_UNSTRUCTURED_GRID
-                                              ? receiveGrid(source)
-                                              : receiveStructure(source);
+  vtkSmartPointer<vtkPointSet> data = type == VTK_POLY_DATA           ? receivePolyData(source)
+                                      : type == VTK_UNSTRUCTURED_GRID ? receiveGrid(source)
+                                                                      : receiveStructure(source);
   if (const auto coordinates = receiveNumbers(source))
   {
     vtkNew<vtkPoints> points;

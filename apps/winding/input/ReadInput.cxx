@@ -25,7 +25,7 @@ template <class Reader>
 vtkSmartPointer<vtkPointSet> readWith(const std::string& fileName, Messages& messages)
 {
   vtkNew<Reader> reader;
-  const Progress progress(reader, "read", messages.isQuiet());
+  const Progress progress(reader, Phase::reading, messages.isQuiet());
   reader->SetFileName(fileName.c_str());
   reader->Update();
   interrupt::check();
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
 vtkSmartPointer<vtkPointSet> readInput(const std::string& fileName, Messages& messages)
 {
   messages.setSubject(fileName);
-  const auto data = read(fileName, messages);
+  auto data = read(fileName, messages);
   warnOfLostDigits(data, fileName, messages);
   return data;
 }

@@ -180,7 +180,7 @@ vtkSmartPointer<vtkPointSet> receive(
   ReaderProcess& process, const std::string& fileName, Messages& messages)
 {
   vtkNew<vtkAlgorithm> follower; // has the progress of the reader
-  const Progress progress(follower, "read", messages.isQuiet());
+  const Progress progress(follower, Phase::reading, messages.isQuiet());
   std::vector<std::string> warnings; // shown only if the data comes, for a failure is one line
   for (;;)
   {
@@ -202,7 +202,7 @@ vtkSmartPointer<vtkPointSet> receive(
       throw Failure(status, process.takeText());
     }
     case ReaderMessage::data:
-      const auto data = receiveData(process);
+      auto data = receiveData(process);
       for (const std::string& warning : warnings)
       {
         messages.DisplayWarningText(warning.c_str());

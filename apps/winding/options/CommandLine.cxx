@@ -149,19 +149,22 @@ void addBench(CLI::App& app, Options& options)
       "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
       "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
       "with each kind of areas, beside the surfaces | vtk FILE..., VTK's own filters at the same "
-      "samples | hierarchical FILE..., the far field of surfaces, of their vertices and of their "
+      "samples | expected FILE..., the times that users are told, of surfaces and clouds, beside "
+      "those taken | hierarchical FILE..., the far field of surfaces, of their vertices and of "
+      "their "
       "caps, in its parts | hierarchical, the same of spheres with few and many sources")
     ->required()
     ->type_name("");
   bench
     ->add_option("--resolution", options.bench.resolutions,
       "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; vtk: 64; "
-      "hierarchical: 64 128 256 512 for files, 128 for spheres)")
+      "expected and hierarchical: 64 128 256 512, 128 for spheres)")
     ->type_name("N...")
     ->group("Grid");
   bench
     ->add_option("--points", options.bench.points,
-      "vtk: scattered points to ask about, one or more (1000 10000 100000)")
+      "vtk, expected: scattered points to ask about, one or more (1000 10000 100000, expected: "
+      "1000000, too)")
     ->type_name("N...")
     ->group("Grid");
   bench

@@ -71,12 +71,12 @@ int HyperTreeWriter::WriteData()
   {
     return 0;
   }
-  this->WriteTrees(indent.GetNextIndent());
+  this->writeTrees(indent.GetNextIndent());
   this->WriteFieldData(indent.GetNextIndent());
   return this->FinishPrimaryElement(indent) && this->EndFile();
 }
 
-void HyperTreeWriter::WriteTrees(vtkIndent indent)
+void HyperTreeWriter::writeTrees(vtkIndent indent)
 {
   vtkHyperTreeGrid* const grid = this->GetInput();
   std::ostream& os = *this->Stream;

@@ -21,5 +21,5 @@ protected:
   int WriteData() override;
 
 private:
-  void WriteTrees(vtkIndent indent);
+  void writeTrees(vtkIndent indent);
 };

@@ -36,7 +36,7 @@ template <class Writer>
 void run(Writer* writer, OutputFile& file, Messages& messages,
   const std::function<void()>& check = interrupt::check)
 {
-  const Progress progress(writer, "write", messages.isQuiet());
+  const Progress progress(writer, Phase::writing, messages.isQuiet());
   writer->SetFileName(file.temporaryName().c_str());
   writer->Write();
   check();

@@ -6,28 +6,45 @@
 class vtkAlgorithm;
 class vtkObject;
 
+/// The parts of a run, which have their shares of one bar: reading 30 %, preparing 10 %, and of
+/// each of the pieces that share the rest, evaluating 90 %.
+enum class Phase
+{
+  reading,
+  evaluating, ///< preparing first, as long as the algorithm's progress text is "Preparing"
+  writing
+};
+
 /**
- * Follows an algorithm while this object lives: shows a bar on standard error when that is a
- * terminal, unless quiet, and tells the algorithm to abort when the program is interrupted.
+ * Follows an algorithm while this object lives: shows a bar of the whole run on standard error when
+ * that is a terminal, unless quiet, and tells the algorithm to abort when the program is
+ * interrupted. The bar never goes back.
  */
 class Progress
 {
 public:
-  Progress(vtkAlgorithm* algorithm, const std::string& label, bool quiet);
+  /// `word` says what the algorithm does; by default that is the phase.
+  Progress(vtkAlgorithm* algorithm, Phase phase, bool quiet, const char* word = nullptr);
   ~Progress();
   Progress(const Progress&) = delete;
   void operator=(const Progress&) = delete;
+
+  /// Says that evaluating and writing take turns, so many times.
+  static void setPieces(int pieces);
 
   /// Takes the bar away from the terminal, if one stands there.
   static void clear();
 
 private:
+  void begin(vtkObject*, unsigned long, void*);
   void follow(vtkObject*, unsigned long, void*);
-  void draw(double fraction);
+  void draw();
 
   vtkAlgorithm* algorithm_;
+  Phase phase_;
+  const char* word_;
+  unsigned long startObserver_;
   unsigned long observer_;
-  std::string label_;
   bool visible_;
   std::chrono::steady_clock::time_point drawn_;
 };

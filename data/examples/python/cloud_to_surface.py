@@ -22,7 +22,10 @@ print(f"{surface.n_cells} triangles, volume {surface.volume:.4g}, {torus.volume:
 
 # %% The points by their areas, and the surface.
 plotter = pv.Plotter(shape=(1, 2), off_screen=bool(arguments.picture), window_size=(1200, 500))
-plotter.add_mesh(cloud, scalars="Area", point_size=4, render_points_as_spheres=True)
+bar = {"n_labels": 2, "fmt": "%.1e", "position_x": 0.2, "width": 0.6, "height": 0.12}
+plotter.add_mesh(
+    cloud, scalars="Area", point_size=4, render_points_as_spheres=True, scalar_bar_args=bar
+)
 plotter.subplot(0, 1)
 plotter.add_mesh(surface, color="lightsteelblue", smooth_shading=True)
 plotter.link_views()

@@ -20,10 +20,20 @@ print(f"{part.n_cells} of {mesh.n_cells} cells are inside")
 
 # %% A slice of the winding number, and the part, coloured by the distance to the bowl.
 plotter = pv.Plotter(shape=(1, 2), off_screen=bool(arguments.picture), window_size=(1200, 500))
-plotter.add_mesh(mesh.slice("y"), scalars="WindingNumber", clim=(0, 1), lighting=False)
+bar = {"n_labels": 2, "fmt": "%.1f", "position_x": 0.2, "width": 0.6, "height": 0.12}
+plotter.add_mesh(
+    mesh.slice("y"), scalars="WindingNumber", clim=(0, 1), lighting=False, scalar_bar_args=bar
+)
 plotter.add_mesh(bowl, style="wireframe", color="black", opacity=0.3)
 plotter.subplot(0, 1)
-plotter.add_mesh(part.clip("-y"), scalars="implicit_distance", show_edges=True, line_width=0.3)
+plotter.add_mesh(
+    part.clip("-y"),
+    scalars="implicit_distance",
+    clim=(-0.5, 0),
+    show_edges=True,
+    line_width=0.3,
+    scalar_bar_args=bar,
+)
 plotter.add_mesh(bowl, style="wireframe", color="black", opacity=0.2)
 plotter.link_views()
 plotter.camera_position = "xz"

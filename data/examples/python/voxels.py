@@ -21,7 +21,15 @@ print(f"{mask['mask'].sum()} of {mask.n_points} voxels are inside")
 plotter = pv.Plotter(shape=(1, 2), off_screen=bool(arguments.picture), window_size=(1200, 500))
 plotter.add_mesh(voxels, color="lightsteelblue", show_edges=True)
 plotter.subplot(0, 1)
-plotter.add_mesh(shares.slice("z"), scalars="Coverage", clim=(0, 1), cmap="Blues", lighting=False)
+bar = {"n_labels": 2, "fmt": "%.1f", "position_x": 0.2, "width": 0.6, "height": 0.12}
+plotter.add_mesh(
+    shares.slice("z"),
+    scalars="Coverage",
+    clim=(0, 1),
+    cmap="Blues",
+    lighting=False,
+    scalar_bar_args=bar,
+)
 plotter.add_mesh(body.slice("z"), color="black", line_width=2)
 plotter.view_xy()
 plotter.show(screenshot=arguments.picture)

@@ -54,7 +54,8 @@ bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order)
   return isCheaperDirectly(kind, primitives, usual, order);
 }
 
-bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t samples, int order)
+bool isCheaperDirectly(
+  Primitive kind, std::size_t primitives, std::size_t samples, int order, FarFieldState state)
 {
   // All figures are nanoseconds on a processor of 2025. The tree's are those beyond what the direct
   // sum takes before its first sample. Sources are near to a number of cells that grows as that of
@@ -62,7 +63,9 @@ bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t sampl
   const bool isTriangle = kind == Primitive::triangle;
   const auto count = static_cast<double>(primitives), places = static_cast<double>(samples);
   const double pairs = (isTriangle ? 0.9 : 0.36) * count * places;
-  const double tree = ((isTriangle ? 500 : 200) * std::sqrt(orderFactor(order)) - 80) * count;
+  const double tree = state == FarFieldState::built
+                        ? 0
+                        : ((isTriangle ? 500 : 200) * std::sqrt(orderFactor(order)) - 80) * count;
   const double cells = (isTriangle ? 11'000 : 5'500) * orderFactor(order) *
                        std::min(1.0, std::cbrt(count / 10'000)) * std::pow(places, 2.0 / 3);
   // The matrices that shift expansions are made for every evaluation: 0.1 ms at order 3, 7 at 9.

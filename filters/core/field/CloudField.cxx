@@ -203,12 +203,13 @@ bool CloudField::usesFarField(const Grid& grid) const
          isInReachOfSingles(grid, info_.bounds, farField_->scale());
 }
 
-/// Tells whether so many samples take the far field: the direct sum is faster for few samples, but
-/// a far field that the user asked for is used for any.
+/// Tells whether so many samples take the far field, which was built with the cloud: the direct sum
+/// is faster for few samples, but a far field that the user asked for is used for any.
 bool CloudField::usesFarField(std::size_t samples) const
 {
-  return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,
-                                        samples, farField_->order()));
+  return farField_ &&
+         (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives, samples,
+                           farField_->order(), FarFieldState::built));
 }
 
 EvaluationCost CloudField::expectedCostOfValues(std::size_t samples) const

@@ -24,7 +24,7 @@ namespace
  */
 std::size_t samplesPerBlock(std::size_t primitives)
 {
-  constexpr std::size_t pairsPerBlock = 20'000'000;
+  constexpr std::size_t pairsPerBlock = 100'000'000;
   const std::size_t samples = pairsPerBlock / std::max<std::size_t>(primitives, 1);
   // Multiples of 16 fill the widest vectors.
   return std::clamp<std::size_t>(samples / 16 * 16, 16, SampleBlock::capacity);

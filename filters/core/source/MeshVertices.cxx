@@ -1,5 +1,6 @@
 #include "source/MeshVertices.h"
 
+#include "base/Executor.h"
 #include "source/CoordinateOrder.h"
 
 #include <Eigen/Geometry>
@@ -55,7 +56,7 @@ double lengthOf(const Eigen::Vector3d& vector)
 }
 
 /// The share of a triangle, whichever of its corners it begins with; an area that is not finite
-/// where the area vector is not.
+/// where the area vector or a side is not.
 Share shareOf(const TrianglesView& view, const Ids& ids)
 {
   Eigen::Vector3d corners[3] = {view.points[ids[0]], view.points[ids[1]], view.points[ids[2]]};
@@ -71,8 +72,9 @@ Share shareOf(const TrianglesView& view, const Ids& ids)
   const Eigen::Vector3d v = corners[first > 0 ? first - 1 : 2] - a;
   Share share;
   share.areaVector = 0.5 * u.cross(v);
-  share.area = share.areaVector.allFinite() ? lengthOf(share.areaVector)
-                                            : std::numeric_limits<double>::infinity();
+  const bool isFinite =
+    share.areaVector.allFinite() && std::isfinite(u.lpNorm<1>() + v.lpNorm<1>());
+  share.area = isFinite ? lengthOf(share.areaVector) : std::numeric_limits<double>::infinity();
   return share;
 }
 
@@ -85,124 +87,188 @@ double powerOfTwo(int exponent)
   return power;
 }
 
-/// The exponent of a positive number, −1023 for those below the normal ones.
+/// The exponent of a number without a sign: −1023 below the normal numbers, 1024 where it is not
+/// finite.
 int exponentOf(double number)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &number, sizeof bits);
-  return static_cast<int>(bits >> 52) - 1023;
+  return static_cast<int>(bits >> 52 & 0x7ff) - 1023;
 }
 
+/// A bound of the exponent of a triangle's area, from its two shortest sides, which takes less time
+/// than the area. It is far too large for nearly parallel sides only, whose area has lost those
+/// digits to rounding anyway. Nothing for triangles of which a side is not finite.
+std::optional<int> largestExponent(const TrianglesView& view, const Ids& ids)
+{
+  const Eigen::Vector3d a = view.points[ids[0]], b = view.points[ids[1]], c = view.points[ids[2]];
+  const int ab = exponentOf((b - a).lpNorm<1>()), bc = exponentOf((c - b).lpNorm<1>());
+  const int ca = exponentOf((a - c).lpNorm<1>());
+  constexpr int largest = 900; // sums of such areas are finite, too
+  const int larger = std::max(ab, bc);
+  return std::max(larger, ca) > 1023
+           ? std::nullopt
+           // Two sides are less than 2^(e + 1) each, and the area is half of their product.
+           : std::optional<int>(std::min(std::min(ab, bc) + std::min(larger, ca), largest));
+}
+
+/// The area vector and the area of a triangle, or sums of both.
+using Sum = Eigen::Array4d;
+
 /**
- * The unit in which the shares around a point are summed as integers, so that their order does not
- * matter: a power of two, so small that rounding a share is 2⁻⁵⁶ of the largest share at most,
- * times the number of shares, and so large that no sum leaves the range.
+ * The unit of the shares around a point: they are rounded to multiples of it, so that their sums
+ * are exact, and their order does not matter. It is a power of two, so large that sums have no more
+ * digits than a double, and so small that rounding a share is 2⁻⁴⁸ of the product of two sides at
+ * most, times the number of shares.
  */
 class Unit
 {
 public:
-  void announce(double area)
+  void announce(int exponent)
   {
-    exponent_ = std::max(exponent_, exponentOf(area));
+    exponent_ = std::max(exponent_, exponent);
     ++count_;
+  }
+
+  void announce(const Unit& other)
+  {
+    exponent_ = std::max(exponent_, other.exponent_);
+    count_ += other.count_;
   }
 
   void choose()
   {
-    constexpr int bits = 62;
-    int bitsOfCount = 0;
-    while (count_ >> bitsOfCount != 0)
+    constexpr int digits = 52;
+    int digitsOfCount = 0;
+    while (count_ >> digitsOfCount != 0)
     {
-      ++bitsOfCount;
+      ++digitsOfCount;
     }
-    exponent_ = std::max(exponent_ + 1 + bitsOfCount - bits, lowest);
+    exponent_ = std::max(exponent_ + 1 + digitsOfCount - digits, lowest);
   }
 
-  /// The unit, or its inverse; both are powers of two, and so exact.
-  double size() const { return powerOfTwo(exponent_); }
-  double inverse() const { return powerOfTwo(-exponent_); }
+  /// The sum with a number of which the last digit is the unit rounds all others away.
+  Sum rounded(const Sum& share) const
+  {
+    const double rounder = 1.5 * powerOfTwo(exponent_ + 52);
+    return (share + rounder) - rounder;
+  }
 
 private:
-  static constexpr int lowest = -1000; ///< 2^1000 is a number, too
+  static constexpr int lowest = -1000;
 
-  int exponent_ = lowest; ///< that of the largest area, until the unit is chosen
+  int exponent_ = lowest; ///< the largest that an area may have, until the unit is chosen
   std::uint32_t count_ = 0;
 };
 
-/// The sums of area vectors and of areas around a point, in units.
-using PointSum = std::array<std::int64_t, 4>;
-
-void add(const Share& share, double inverseUnit, PointSum& sum)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double value = share.areaVector[static_cast<Eigen::Index>(axis)];
-    sum[axis] += static_cast<std::int64_t>(value * inverseUnit);
-  }
-  sum[3] += static_cast<std::int64_t>(share.area * inverseUnit);
-}
-
-/// Calls visit(view, ids) for all triangles with valid ids.
+/// Calls visit(view, ids) for the triangles from `first` to `last` − 1 that have valid ids; numbers
+/// go on from view to view.
 template <class Visit>
-void forEachTriangle(
-  const std::vector<TrianglesView>& views, std::size_t points, const Visit& visit)
+void forEachTriangle(const std::vector<TrianglesView>& views, std::size_t points, std::size_t first,
+  std::size_t last, const Visit& visit)
 {
+  std::size_t start = 0;
   for (const TrianglesView& view : views)
   {
-    for (std::size_t t = 0; t < view.triangles.size(); ++t)
+    const std::size_t end = start + view.triangles.size();
+    for (std::size_t t = std::max(first, start); t < std::min(last, end); ++t)
     {
-      if (const std::optional<Ids> ids = validIds(view, t, points))
+      if (const std::optional<Ids> ids = validIds(view, t - start, points))
       {
         visit(view, *ids);
       }
     }
+    start = end;
   }
 }
 
+/// Numbers by point that a thread adds up over the triangles that it takes.
+struct Part
+{
+  std::vector<Unit> units;
+  std::vector<Sum> sums;
+};
+
 } // namespace
 
-MeshVertices meshVertices(const std::vector<TrianglesView>& views, std::size_t points)
+MeshVertices meshVertices(
+  const std::vector<TrianglesView>& views, std::size_t points, Executor& executor)
 {
   std::size_t triangles = 0;
   for (const TrianglesView& view : views)
   {
     triangles += view.triangles.size();
   }
-  std::vector<Share> shares;
-  shares.reserve(triangles);
-  std::vector<Unit> units(points);
-  forEachTriangle(views, points,
-    [&](const TrianglesView& view, const Ids& ids)
+  // Each part has numbers for all points, so there are two at most.
+  constexpr std::size_t enoughForTwo = 20'000;
+  std::vector<Part> parts(triangles < enoughForTwo ? 1 : 2);
+  const std::size_t perPart = std::max<std::size_t>(1, (triangles + 1) / parts.size());
+  // The shares are computed twice, roughly and in full: storing them takes longer, since the system
+  // fills fresh memory with zeros first.
+  runBlocks(
+    triangles, perPart,
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
-      const Share& share = shares.emplace_back(shareOf(view, ids));
-      for (std::size_t i = 0; std::isfinite(share.area) && i < 3; ++i)
-      {
-        units[ids[i]].announce(share.area);
-      }
-    });
-  std::for_each(units.begin(), units.end(), [](Unit& unit) { unit.choose(); });
-  std::vector<PointSum> sums(points, PointSum{});
-  auto share = shares.cbegin();
-  forEachTriangle(views, points,
-    [&](const TrianglesView&, const Ids& ids)
+      std::vector<Unit>& units = parts[block].units;
+      units.resize(points);
+      forEachTriangle(views, points, first, last,
+        [&](const TrianglesView& view, const Ids& ids)
+        {
+          if (const std::optional<int> exponent = largestExponent(view, ids))
+          {
+            for (const std::size_t id : ids)
+            {
+              units[id].announce(*exponent);
+            }
+          }
+        });
+    },
+    executor);
+  std::vector<Unit>& units = parts.front().units;
+  units.resize(points);
+  for (std::size_t point = 0; point < points; ++point)
+  {
+    if (parts.size() > 1)
     {
-      for (std::size_t i = 0; std::isfinite(share->area) && i < 3; ++i)
-      {
-        add(*share, units[ids[i]].inverse(), sums[ids[i]]);
-      }
-      ++share;
-    });
+      units[point].announce(parts[1].units[point]);
+    }
+    units[point].choose();
+  }
+  parts.front().sums.resize(points, Sum::Zero());
+  runBlocks(
+    triangles, perPart,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      std::vector<Sum>& sums = parts[block].sums;
+      sums.resize(points, Sum::Zero());
+      forEachTriangle(views, points, first, last,
+        [&](const TrianglesView& view, const Ids& ids)
+        {
+          const Share share = shareOf(view, ids);
+          if (std::isfinite(share.area))
+          {
+            const Sum both(
+              share.areaVector[0], share.areaVector[1], share.areaVector[2], share.area);
+            for (const std::size_t id : ids)
+            {
+              sums[id] += units[id].rounded(both);
+            }
+          }
+        });
+    },
+    executor);
   MeshVertices vertices;
   vertices.normals.resize(3 * points);
   vertices.areas.resize(points);
   for (std::size_t point = 0; point < points; ++point)
   {
-    const double unit = units[point].size();
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    Sum sum = parts.front().sums[point];
+    if (parts.size() > 1)
     {
-      vertices.normals[3 * point + axis] = static_cast<double>(sums[point][axis]) * unit;
+      sum += parts[1].sums[point];
     }
-    vertices.areas[point] = static_cast<double>(sums[point][3]) * unit / 3;
+    std::copy_n(sum.data(), 3, &vertices.normals[3 * point]);
+    vertices.areas[point] = sum[3] / 3;
   }
   return vertices;
 }

@@ -85,7 +85,7 @@ Weld::Weld(const std::vector<TrianglesView>& views)
   {
     throw Refusal("split the surface: it has more than 4294967295 points");
   }
-  states_.reset(new std::atomic<unsigned char>[points_.size()]()); // all of them unused
+  states_ = std::make_unique<std::atomic<unsigned char>[]>(points_.size()); // all of them unused
 }
 
 Eigen::Vector3d Weld::position(std::size_t point) const

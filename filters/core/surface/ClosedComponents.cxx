@@ -55,6 +55,7 @@ std::vector<int> sensesOf(const Surface& surface, const Components& components)
     volumes[components.ofTriangle[i]].add(surface, surface.triangles[i], scale);
   }
   std::vector<int> senses;
+  senses.reserve(volumes.size());
   for (const Volume& volume : volumes)
   {
     senses.push_back(volume.sign());

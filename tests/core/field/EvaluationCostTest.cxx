@@ -286,5 +286,7 @@ TEST(EvaluationCost, HasFewPrimitivesAndFewSamplesSummedDirectly)
     EXPECT_FALSE(winding::isCheaperDirectly(kind, 1'000'000, 9));
     EXPECT_TRUE(winding::isCheaperDirectly(kind, 1'000'000, 10, 5)) << "ten samples need no tree";
     EXPECT_FALSE(winding::isCheaperDirectly(kind, 1'000'000, 100'000, 5));
+    EXPECT_FALSE(winding::isCheaperDirectly(kind, 1'000'000, 10, 5, winding::FarFieldState::built));
+    EXPECT_TRUE(winding::isCheaperDirectly(kind, 100, 10, 5, winding::FarFieldState::built));
   }
 }

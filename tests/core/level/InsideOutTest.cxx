@@ -119,9 +119,9 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   // A little before its points, w is far below −0.5.
   const Cloud cloud = sphereCloud(500);
   std::vector<Point> before;
-  for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+  for (const Point& position : cloud.positions)
   {
-    before.push_back(1.002 * cloud.positions[i]);
+    before.push_back(1.002 * position);
   }
   const auto field = fieldOf(cloud);
   const winding::VectorsView samples(before[0].data(), before.size());

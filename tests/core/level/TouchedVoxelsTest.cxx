@@ -87,7 +87,7 @@ std::array<Point, 3> someTriangle(Random& random, int kind)
 {
   const auto corner = [&]() -> Point
   {
-    const Point p = random.point(-2, 11);
+    Point p = random.point(-2, 11);
     switch (kind)
     {
     case 0:

@@ -108,14 +108,14 @@ TEST(RayParity, IsRightBesideTrianglesThatAreAlongTheRayUpToRounding)
   {
     // Triangle a b c lies along the ray but for the rounding of its corners, and the sample lies in
     // its plane, up to rounding, in front of it or behind it and far from the solid.
-    const Point start = Point(0, random(-1, 1), random(-1, 1));
+    const Point a = Point(0, random(-1, 1), random(-1, 1));
     const Point along = Point(0, random(-1, 1), random(-1, 1));
     const Point ray = Point::UnitX();
-    const Point a = start, b = start + along + ray, c = start + 2 * along;
-    const Point d = start + Point(0.5, -along[2], along[1]);
+    const Point b = a + along + ray, c = a + 2 * along;
+    const Point d = a + Point(0.5, -along[2], along[1]);
     const Mesh mesh{{a, b, c, d}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
     const double place = random(0.1, 0.5);
-    const Point q = start + place * along + 0.9 * ray;
+    const Point q = a + place * along + 0.9 * ray;
     ASSERT_EQ(parityOf(mesh, {q})[0], 0) << i << ' ' << windingOf(mesh, {q})[0];
   }
 }

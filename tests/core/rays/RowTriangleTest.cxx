@@ -29,8 +29,8 @@ Corners someCorners(Random& random, int kind)
 {
   const auto corner = [&]() -> Point
   {
-    const Point p = random.point(0, 12);
-    const Point rounded = p.array().round();
+    Point p = random.point(0, 12);
+    Point rounded = p.array().round();
     switch (kind % 5)
     {
     case 0:

@@ -99,11 +99,11 @@ TEST(SolidAngle, KeepsItsDigitsForSmallFarTriangles)
   double worst = 0;
   for (int i = 0; i < 10000; ++i)
   {
-    const Point far = 1e5 * random.direction();
+    const Point a = 1e5 * random.direction();
     // The normal is along the line of sight, for the angle of an edge-on triangle is itself a small
     // difference.
-    const Point u = far.cross(random.direction()).normalized(), v = far.cross(u).normalized();
-    const Point a = far, b = far + u, c = far + v;
+    const Point u = a.cross(random.direction()).normalized(), v = a.cross(u).normalized();
+    const Point b = a + u, c = a + v;
     const long double exact = winding::solidAngle<long double>(
       a.cast<long double>(), b.cast<long double>(), c.cast<long double>());
     worst = std::max(worst, std::abs(static_cast<double>(angle(a, b, c) / exact - 1)));
