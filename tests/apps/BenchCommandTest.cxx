@@ -172,24 +172,6 @@ TEST_F(BenchCommand, ExpectedTimesBesideThoseTaken)
   EXPECT_TRUE(none.saysInOneLine({"bench expected needs files"})) << none;
 }
 
-TEST_F(BenchCommand, ReadersBesideThoseOfVtk)
-{
-  const nlohmann::json found = tables({"reading", folder.write("a.ply", asPly(sphere(2))),
-    folder.write("a.stl", asBinaryStl(sphere(2))), folder.write("a.xyz", asXyz(sphere(2)))});
-  ASSERT_EQ(found.size(), 1u);
-  const nlohmann::json& rows = found[0]["rows"];
-  ASSERT_EQ(rows.size(), 3u);
-  for (const nlohmann::json& row : rows)
-  {
-    EXPECT_GT(row["points"], 0);
-    EXPECT_GT(row["MB/s"], 0);
-    EXPECT_EQ(row.contains("VTK MB/s"), row["file"] != "a.xyz") << row;
-  }
-  const Outcome none = runProgram({"bench", "reading"});
-  EXPECT_EQ(none.status, 1) << none;
-  EXPECT_TRUE(none.saysInOneLine({"bench reading needs files"})) << none;
-}
-
 TEST_F(BenchCommand, Kernels)
 {
   const nlohmann::json found = tables({"kernels"});

@@ -28,7 +28,7 @@ void checkSubject(const BenchOptions& options)
   checkIdle(!options.sources.empty(), "--sources", "hierarchical");
   checkIdle(!options.data.empty(), "--data", "seed");
 
-  for (const char* name : {"hierarchical", "clouds", "vtk", "expected", "reading"})
+  for (const char* name : {"hierarchical", "clouds", "vtk", "expected"})
   {
     requireUsage(std::count(subjects.begin() + 1, subjects.end(), name) == 0,
       std::string("bench ") + name + " comes before its files; for a file of that name give ./" +
@@ -40,8 +40,6 @@ void checkSubject(const BenchOptions& options)
     "bench vtk needs files: surfaces, which VTK's filters are compared at");
   requireUsage(subject != "expected" || subjects.size() > 1,
     "bench expected needs files: surfaces or clouds, whose times are compared with expected ones");
-  requireUsage(subject != "reading" || subjects.size() > 1,
-    "bench reading needs files: surfaces or clouds, whose reading is timed");
   for (const char* name : {"seed", "kernels"})
   {
     requireUsage(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

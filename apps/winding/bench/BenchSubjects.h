@@ -17,7 +17,6 @@ std::vector<BenchTable> benchSeed(const Options& options, Messages& messages);
 std::vector<BenchTable> benchKernels(const Options& options, Messages& messages);
 std::vector<BenchTable> benchClouds(const Options& options, Messages& messages);
 std::vector<BenchTable> benchExpected(const Options& options, Messages& messages);
-std::vector<BenchTable> benchReading(const Options& options, Messages& messages);
 std::vector<BenchTable> benchVtk(const Options& options, Messages& messages);
 std::vector<BenchTable> benchHierarchical(const Options& options, Messages& messages);
 

@@ -150,9 +150,9 @@ void addBench(CLI::App& app, Options& options)
       "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
       "with each kind of areas, beside the surfaces | vtk FILE..., VTK's own filters at the same "
       "samples | expected FILE..., the times that users are told, of surfaces and clouds, beside "
-      "those taken | reading FILE..., readers beside VTK's | hierarchical FILE..., the far field "
-      "of surfaces, of their vertices and of their caps, in its parts | hierarchical, the same of "
-      "spheres with few and many sources")
+      "those taken | hierarchical FILE..., the far field of surfaces, of their vertices and of "
+      "their "
+      "caps, in its parts | hierarchical, the same of spheres with few and many sources")
     ->required()
     ->type_name("");
   bench
