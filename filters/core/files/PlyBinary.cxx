@@ -141,14 +141,14 @@ private:
       return;
     }
     CellArrays& cells = mesh_.polygons;
+    const PlyProperty& corners = *face.corners();
     do
     {
       cells.offsets = PlainArray<std::int64_t>(static_cast<std::size_t>(face.count) + 1);
       cells.offsets[0] = 0;
       cells.connectivity = PlainArray<std::int64_t>(reader.entries());
-    } while (!reader.read([&](const PlyItems& items)
-      { this->copyFaces(items, *face.corners(), vertices); },
-      executor_));
+    } while (!reader.read(
+      [&](const PlyItems& items) { this->copyFaces(items, corners, vertices); }, executor_));
   }
 
   void copyFaces(const PlyItems& items, const PlyProperty& corners, std::int64_t vertices)

@@ -246,26 +246,6 @@ const Named* findByName(const std::vector<Named>& candidates, const std::string&
 
 } // namespace
 
-std::size_t bytesOf(PlyNumber type)
-{
-  switch (type)
-  {
-  case PlyNumber::int8:
-  case PlyNumber::uint8:
-    return 1;
-  case PlyNumber::int16:
-  case PlyNumber::uint16:
-    return 2;
-  case PlyNumber::int32:
-  case PlyNumber::uint32:
-  case PlyNumber::float32:
-    return 4;
-  case PlyNumber::float64:
-    break;
-  }
-  return 8;
-}
-
 const PlyProperty* PlyElement::find(const std::string& property) const
 {
   return findByName(properties, property);

@@ -26,7 +26,11 @@ enum class PlyNumber
 };
 
 /// The bytes that a number takes in binary files.
-std::size_t bytesOf(PlyNumber type);
+constexpr std::size_t bytesOf(PlyNumber type)
+{
+  constexpr std::size_t bytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return bytes[static_cast<std::size_t>(type)];
+}
 
 /// A property of the items of an element: one number, or a list of them behind its length.
 struct PlyProperty

@@ -35,6 +35,11 @@ PlyLayout::PlyLayout(const InputFile& file, PlyEncoding encoding, const PlyEleme
 
 std::size_t PlyLayout::lengthAt(const PlyProperty& property, const char* at) const
 {
+  if (*property.lengthType == PlyNumber::uint8)
+  {
+    // Nearly all files have these lengths, which are never too long.
+    return static_cast<unsigned char>(*at);
+  }
   const double value = plyNumberAt(*property.lengthType, encoding_, at);
   // Lengths of 2^62 and more, which floats can be, are beyond the bytes of any file.
   if (!(value >= 0 && value < 0x1p62) || value != std::floor(value) ||
@@ -63,7 +68,8 @@ bool PlyLayout::find(const char* at, const char* end)
       length = this->lengthAt(property, at + next);
       next += bytes;
     }
-    if (length > (size - next) / bytesOf(property.type))
+    const std::size_t rest = size - next;
+    if (length > rest || length * bytesOf(property.type) > rest)
     {
       return false;
     }
