@@ -17,7 +17,7 @@ namespace winding
 namespace
 {
 
-/// What may stand next in a file.
+/// The place in a file, by the line that may stand next.
 enum State : unsigned char
 {
   outside, ///< a solid, or the end of the file
@@ -55,7 +55,7 @@ constexpr const Keyword& vertexKeyword = keywords[0];
 constexpr const Keyword& endFacetKeyword = keywords[4];
 constexpr const Keyword& endSolidKeyword = keywords[6];
 
-/// What must stand there, for each state.
+/// The words that must stand next, for each state.
 constexpr const char* expected[states] = {
   "solid", "facet", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet", ""};
 
@@ -77,7 +77,7 @@ const Keyword& keywordOf(std::string_view word)
   return *keyword;
 }
 
-/// What is on the lines of some part of a file.
+/// The sum of the lines in some part of a file.
 struct Lines
 {
   std::size_t vertices = 0;

@@ -14,7 +14,7 @@
 
 /**
  * @file
- * What parsers give for files of some contents, and what they say of those that they refuse.
+ * The results of parsers for files of some contents, and their words for those that they refuse.
  */
 
 using Parser = winding::MeshArrays (*)(const winding::InputFile& file, winding::Executor& executor);
@@ -58,7 +58,7 @@ inline void expectSame(const winding::MeshArrays& a, const winding::MeshArrays& 
   }
 }
 
-/// What a parser says of contents that it refuses, without the name of the file; nothing if it
+/// The words of a parser for contents that it refuses, without the name of the file; none if it
 /// takes them.
 inline std::string refusalOf(
   Parser parser, const std::string& contents, winding::Executor& executor)

@@ -172,7 +172,7 @@ TEST(StlFile, RefusalsOfText)
     "ends at line 8 with 1 facets and without endsolid; it is truncated, or not STL");
   expect("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n",
     "ends at line 8 with 1 facets and without endsolid; it is truncated, or not STL");
-  // As many vertices as three for each facet, but not in their places.
+  // There are three vertices for each facet, but not in their places.
   expect("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nfacet\n"
          "outer loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nendloop\n"
          "endfacet\nendsolid\n",
