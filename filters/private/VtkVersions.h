@@ -119,7 +119,12 @@ inline bool hasFacesOfItsType(vtkUnstructuredGrid* grid, vtkIdType cell)
     return !isPolyhedron && at == -1;
   }
   // The list has the number of faces, then of each face its size and its ids.
-  for (vtkIdType left = faces->GetValue(at++); left > 0; --left)
+  const vtkIdType count = faces->GetValue(at++);
+  if (count < 1)
+  {
+    return false;
+  }
+  for (vtkIdType left = count; left > 0; --left)
   {
     if (at >= end || faces->GetValue(at) < 0 || faces->GetValue(at) > end - at - 1)
     {

@@ -324,17 +324,17 @@ TEST(ContradictingData, FacesOfPolyhedra)
   auto dressed = polyhedron();
   dressed->SetCells(type, dressed->GetCells(), dressed->GetFaceLocations(), dressed->GetFaces());
   expectRefused(dressed, "has faces that are not there");
+  auto empty = polyhedron();
+  empty->GetFaces()->SetValue(0, 0);
+  expectRefused(empty, "or none where it needs some");
   for (const vtkIdType count : {vtkIdType(-1), vtkIdType(5), vtkIdType(4000000000), largest})
   {
     auto grid = polyhedron();
     grid->GetFaces()->SetValue(5, count); // the size of the second face
     expectRefused(grid, "has faces that are not there");
-    if (count > 0)
-    {
-      grid = polyhedron();
-      grid->GetFaces()->SetValue(0, count);
-      expectRefused(grid, "has faces that are not there");
-    }
+    grid = polyhedron();
+    grid->GetFaces()->SetValue(0, count);
+    expectRefused(grid, "has faces that are not there");
     grid = polyhedron();
     grid->GetFaceLocations()->SetValue(0, count == 5 ? 17 : count);
     expectRefused(grid, "has faces that are not there");
