@@ -43,7 +43,7 @@ private:
 class LineBlocks
 {
 public:
-  static constexpr std::size_t usualBytes = 1 << 19;
+  static constexpr std::size_t usualBytes = 1 << 18;
 
   /// Lines begin at `start`. Throws FileRefusal where the file cannot be read.
   explicit LineBlocks(
