@@ -79,7 +79,7 @@ Outcome runProgram(const std::vector<std::string>& arguments, const std::string&
 {
   const TemporaryFolder folder;
   // A limit on files would cut off the counts of coverage, too, which go nowhere then.
-  const std::string counts = before.empty() ? "" : "GCOV_PREFIX=/dev/null ";
+  const std::string counts = before.empty() ? "" : "env GCOV_PREFIX=/dev/null ";
   std::string command = before + counts + quoted(WINDING_PROGRAM);
   for (const std::string& argument : arguments)
   {
