@@ -86,6 +86,17 @@ def ply(points, faces):
     for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
         body = b"".join(struct.pack(f"{order}B{len(f)}i", len(f), *f) for f in faces)
         yield form, header(form).encode() + numbers(points, "f", order) + body
+        # Other elements and properties, with lists, before and between what is read.
+        more = (
+            f"ply\nformat {form} 1.0\nelement other 2\nproperty list short char values\n"
+            f"element vertex {len(points)}\nproperty list uchar uchar tags\nproperty double x\n"
+            f"property double y\nproperty double z\nelement face {len(faces)}\n"
+            "property uchar red\nproperty list uint ushort vertex_index\nend_header\n"
+        ).encode()
+        others = struct.pack(f"{order}hbbhb", 2, 1, 2, 1, 3)
+        tagged = b"".join(struct.pack(f"{order}BB3d", 1, 7, *p) for p in points)
+        coloured = b"".join(struct.pack(f"{order}BI{len(f)}H", 9, len(f), *f) for f in faces)
+        yield f"more_{form}", more + others + tagged + coloured
 
 
 def legacy_head(kind, binary=False, version="3.0"):

@@ -137,6 +137,10 @@ private:
 
   void readVertices(const PlyElement& vertex, std::size_t first, std::size_t last)
   {
+    if (first == last)
+    {
+      return;
+    }
     // The numbers of each property go into every third place from here on; null if nowhere.
     std::vector<double*> targets(vertex.properties.size(), nullptr);
     const auto aim = [&](const std::array<const char*, 3>& names, PlainArray<double>& numbers)
