@@ -15,6 +15,11 @@ namespace
 
 using Double = std::numeric_limits<double>;
 
+bool isSame(double a, double b)
+{
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
 TEST(Words, NumbersAreThoseThatWerePrinted)
 {
   std::mt19937_64 random(3);
@@ -31,11 +36,11 @@ TEST(Words, NumbersAreThoseThatWerePrinted)
     std::snprintf(text, sizeof text, "%.17g", number);
     double found = 0;
     ASSERT_TRUE(parseNumber(text, found)) << text;
-    ASSERT_EQ(std::memcmp(&found, &number, sizeof number), 0) << text;
+    ASSERT_TRUE(isSame(found, number)) << text;
     const std::string line = "  " + std::string(text) + "\tx";
     const char* at = line.data();
     ASSERT_TRUE(takeNumber(at, line.data() + line.size(), found)) << text;
-    ASSERT_EQ(std::memcmp(&found, &number, sizeof number), 0) << text;
+    ASSERT_TRUE(isSame(found, number)) << text;
     ASSERT_EQ(*at, '\t');
   }
 }
