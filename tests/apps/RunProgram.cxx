@@ -80,7 +80,8 @@ Outcome runProgram(const std::vector<std::string>& arguments, const std::string&
   const TemporaryFolder folder;
   // A limit on files would cut off the counts of coverage, too; both they and what is said about
   // them go nowhere then.
-  const std::string counts = before.empty() ? "" : "env GCOV_PREFIX=/dev/null GCOV_ERROR_FILE=/dev/null ";
+  const std::string counts =
+    before.empty() ? "" : "env GCOV_PREFIX=/dev/null GCOV_ERROR_FILE=/dev/null ";
   std::string command = before + counts + quoted(WINDING_PROGRAM);
   for (const std::string& argument : arguments)
   {

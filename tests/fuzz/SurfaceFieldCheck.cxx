@@ -206,19 +206,14 @@ std::string checkOrder(Choices& choices, const Mesh& mesh, Method method, double
   return checkShuffled(*field, grid, found.onGrid, samples, found.atSamples);
 }
 
-/// A surface announced for scattered samples: closed ones have rows, open ones refuse them.
-std::string checkScattered(
-  const Mesh& mesh, const Samples& scattered, bool isClosed, double tolerance)
+/// A surface announced for scattered samples, which rows take, too.
+std::string checkScattered(const Mesh& mesh, const Samples& scattered, double tolerance)
 {
   for (const Method method : {Method::automatic, Method::rows})
   {
     try
     {
       const auto field = build(mesh, method, tolerance, true);
-      if (!isClosed && method == Method::rows)
-      {
-        return "rows accepts scattered samples of an open surface";
-      }
       SerialExecutor serial;
       const FieldValues found = valuesOf(*field, scattered.positions, false, serial);
       std::string failure = compareWithDefinition(
@@ -230,10 +225,7 @@ std::string checkScattered(
     }
     catch (const Refusal& refusal)
     {
-      if (isClosed || method != Method::rows)
-      {
-        return std::string("refused: ") + refusal.what();
-      }
+      return std::string("refused: ") + refusal.what();
     }
   }
   return {};
@@ -279,10 +271,9 @@ std::string checkSurfaceField(Choices& choices)
   const FoundValues found = {valuesOf(*field, grid, grid.wholeExtent(), true, serial),
     valuesOf(*field, scattered.positions, true, serial)};
   std::string failure = checkMethod(choices, *field, grid, onGrid, scattered, tolerance, found);
-  const bool isClosed = field->info().netBoundaryEdges == 0;
   if (failure.empty() && choices.oneIn(3))
   {
-    failure = checkScattered(mesh, scattered, isClosed, tolerance);
+    failure = checkScattered(mesh, scattered, tolerance);
   }
   return failure.empty()
            ? checkOrder(choices, mesh, method, tolerance, grid, scattered.positions, found)

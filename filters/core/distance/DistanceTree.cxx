@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace winding
 {
@@ -138,6 +139,7 @@ template <class BoxOf> void DistanceTree::makeBoxes(const BoxOf& boxOf, Executor
       },
       executor);
   }
+  size_ = boxes_.empty() ? 0 : boxes_[0].sizes().norm();
 }
 
 std::size_t DistanceTree::findNearest(
@@ -146,16 +148,8 @@ std::size_t DistanceTree::findNearest(
   const SourceNode& top = this->node(number);
   if (top.children == 0)
   {
-    const NearItems items = {top.begin, top.end};
-    if (points_.empty())
-    {
-      winding::findNearest(triangles_.data(), items, sample.data(), nearest);
-    }
-    else
-    {
-      winding::findNearest(points_.data(), items, sample.data(), nearest);
-    }
-    return items.last - items.first;
+    this->findAmong(sample, {top.begin, top.end}, nearest);
+    return top.end - top.begin;
   }
   // The child with the nearest box comes first, since it lowers the limit for the others.
   struct Child
@@ -175,11 +169,42 @@ std::size_t DistanceTree::findNearest(
     children[place] = child;
   }
   std::size_t items = 0;
-  for (std::uint32_t i = 0; i < top.children && children[i].squared < nearest.squared; ++i)
+  for (std::uint32_t i = 0; i < top.children && this->mayHoldNearer(children[i].squared, nearest);
+       ++i)
   {
     items += this->findNearest(sample, children[i].number, nearest);
   }
   return items;
+}
+
+void DistanceTree::compare(
+  const Eigen::Vector3d& sample, std::uint32_t item, Nearest& nearest) const
+{
+  this->findAmong(sample, {item, item + 1}, nearest);
+}
+
+void DistanceTree::findAmong(
+  const Eigen::Vector3d& sample, const NearItems& items, Nearest& nearest) const
+{
+  if (points_.empty())
+  {
+    winding::findNearest(triangles_.data(), items, sample.data(), nearest);
+  }
+  else
+  {
+    winding::findNearest(points_.data(), items, sample.data(), nearest);
+  }
+}
+
+bool DistanceTree::mayHoldNearer(double squared, const Nearest& nearest) const
+{
+  if (squared < nearest.squared)
+  {
+    return true;
+  }
+  const double distance = std::sqrt(nearest.squared);
+  const double reach = distance + 2 * roundingOfOffset(distance, size_);
+  return squared <= reach * reach;
 }
 
 void DistanceTree::keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,

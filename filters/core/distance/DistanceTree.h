@@ -42,9 +42,13 @@ public:
 
   /// Looks among the items of a node for one that is nearer to a sample than `nearest`, and sets
   /// `nearest` to it; where none is nearer, `nearest` stays. nearest.squared may be infinite.
-  /// Returns how many items it looked at.
+  /// Returns how many items it looked at. It finds the least squared distance of all items as it is
+  /// computed, whatever the order in which it looks at them.
   std::size_t findNearest(
     const Eigen::Vector3d& sample, std::uint32_t node, Nearest& nearest) const;
+
+  /// Sets `nearest` to a point of an item, if that is nearer to the sample.
+  void compare(const Eigen::Vector3d& sample, std::uint32_t item, Nearest& nearest) const;
 
   /// Appends to `kept` those of the items of leaves that are no farther than a limit from at least
   /// one of 8 samples, in scaled coordinates; see NearestKernels.h.
@@ -59,7 +63,13 @@ public:
 private:
   template <class BoxOf> void makeBoxes(const BoxOf& boxOf, Executor& executor);
 
+  void findAmong(const Eigen::Vector3d& sample, const NearItems& items, Nearest& nearest) const;
+
+  /// Whether an item in a box at this squared distance may be computed to be nearer than `nearest`.
+  bool mayHoldNearer(double squared, const Nearest& nearest) const;
+
   double scale_;
+  double size_ = 0; ///< no distance of two points of the source is larger
   SourceTree tree_;
   std::vector<Bounds> boxes_;
   std::vector<NearTriangle> triangles_; ///< in the tree's order; none in a tree of points

@@ -38,6 +38,24 @@ private:
   FieldOutput output_;
 };
 
+/// Writes the values of scattered samples to arrays.
+class ArrayPointSink final : public PointSink
+{
+public:
+  explicit ArrayPointSink(const FieldOutput& output)
+    : output_(output)
+  {
+  }
+
+  void point(std::size_t sample, double value, bool) const override
+  {
+    output_.write(&value, sample, 1);
+  }
+
+private:
+  FieldOutput output_;
+};
+
 } // namespace
 
 FarField::FarField(
@@ -66,8 +84,8 @@ FarFieldWork FarField::evaluate(
   return FarFieldTraversal(tree_, cells).evaluate(task, watching);
 }
 
-bool FarField::evaluateAll(
-  const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const
+bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watching,
+  Executor& executor, FarFieldWork* work) const
 {
   FarFieldWork total;
   const std::vector<FarFieldTask> all = this->tasks(cells, taskLevel, &total);
@@ -82,10 +100,10 @@ bool FarField::evaluateAll(
     {
       const FlushToZero flush;
       FarFieldTraversal traversal(tree_, cells);
-      parts[task] = traversal.evaluate(all[task], false, &toWhole[task]);
+      parts[task] = traversal.evaluate(all[task], watching, &toWhole[task]);
     });
   executor.setShare(middle, last);
-  complete = complete && this->evaluateWhole(cells, toWhole, executor, parts);
+  complete = complete && this->evaluateWhole(cells, toWhole, watching, executor, parts);
   executor.setShare(first, last);
   if (work)
   {
@@ -98,7 +116,7 @@ bool FarField::evaluateAll(
 /// Gives the samples of the cells that tasks have left the sum of the whole sources, and appends
 /// the work done.
 bool FarField::evaluateWhole(const TargetCells& cells,
-  const std::vector<std::vector<TargetCell>>& toWhole, Executor& executor,
+  const std::vector<std::vector<TargetCell>>& toWhole, bool watching, Executor& executor,
   std::vector<FarFieldWork>& work) const
 {
   std::vector<TargetCell> all;
@@ -117,8 +135,8 @@ bool FarField::evaluateWhole(const TargetCells& cells,
       const FlushToZero flush;
       const TargetCell* const first = all.data() + block * cellsPerBlock;
       const TargetCell* const end = all.data() + all.size();
-      work[done + block] =
-        FarFieldTraversal(tree_, cells).evaluateWhole(first, std::min(first + cellsPerBlock, end));
+      work[done + block] = FarFieldTraversal(tree_, cells)
+                             .evaluateWhole(first, std::min(first + cellsPerBlock, end), watching);
     });
 }
 
@@ -132,11 +150,11 @@ bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutpu
   GridCells cells(grid, extent, this->scale(), this->order());
   const ArraySink sink(extent, output);
   cells.setSink(sink);
-  return this->evaluateAll(cells, cells.taskLevel(), executor, work);
+  return this->evaluateAll(cells, cells.taskLevel(), false, executor, work);
 }
 
 PointCells FarField::cellsOf(
-  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+  const VectorsView& samples, const PointSink* sink, Executor& executor) const
 {
   // Samples farther away than this, in units of the sources' size, would make the cells of all
   // others too large.
@@ -144,21 +162,26 @@ PointCells FarField::cellsOf(
   const double radius = tree_.empty() ? 1 : tree_.moments.criteria.radius[0];
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(farthest * std::max(1.0, radius));
   const Eigen::AlignedBox3d region(tree_.moments.origin - reach, tree_.moments.origin + reach);
-  return {samples, region, this->scale(), this->order(), output, executor};
+  return {samples, region, this->scale(), this->order(), sink, executor};
 }
 
 bool FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
   FarFieldWork* work) const
 {
+  return this->evaluate(samples, ArrayPointSink(output), false, executor, work);
+}
+
+bool FarField::evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
+  Executor& executor, FarFieldWork* work) const
+{
   try
   {
-    const PointCells cells = this->cellsOf(samples, output, executor);
+    const PointCells cells = this->cellsOf(samples, &sink, executor);
     for (const std::uint32_t number : cells.others())
     {
-      const double value = this->valueFarAway(samples[number]);
-      output.write(&value, number, 1);
+      sink.point(number, this->valueFarAway(samples[number]), false);
     }
-    return cells.empty() || this->evaluateAll(cells, cells.taskLevel(), executor, work);
+    return cells.empty() || this->evaluateAll(cells, cells.taskLevel(), watching, executor, work);
   }
   catch (const Interrupted&)
   {
@@ -170,7 +193,7 @@ bool FarField::gradient(const VectorsView& samples, double* gradients, Executor&
 {
   try
   {
-    const PointCells cells = this->cellsOf(samples, FieldOutput(), executor);
+    const PointCells cells = this->cellsOf(samples, nullptr, executor);
     const FarFieldGradient gradient(tree_, cells, gradients);
     const std::vector<FarFieldTask> all =
       cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());

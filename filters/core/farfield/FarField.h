@@ -13,6 +13,7 @@ namespace winding
 {
 
 class PointCells;
+class PointSink;
 struct FieldOutput;
 
 /**
@@ -60,8 +61,13 @@ public:
   bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor, FarFieldWork* work = nullptr) const;
 
-  /// Evaluates scattered samples; NaN at samples that are not finite. `work` does not count samples
-  /// too far away for cells. Returns false when the executor was interrupted.
+  /// Hands the values of scattered samples to a sink; NaN at samples that are not finite. `work`
+  /// does not count samples too far away for cells. If watching, the sink is told which samples lie
+  /// on a source. Returns false when the executor was interrupted.
+  bool evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
+    Executor& executor, FarFieldWork* work = nullptr) const;
+
+  /// Writes the values of scattered samples, as the sink of the other function gets them.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
     FarFieldWork* work = nullptr) const;
 
@@ -81,12 +87,11 @@ public:
   bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
 private:
-  PointCells cellsOf(
-    const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
-  bool evaluateAll(
-    const TargetCells& cells, int taskLevel, Executor& executor, FarFieldWork* work) const;
+  PointCells cellsOf(const VectorsView& samples, const PointSink* sink, Executor& executor) const;
+  bool evaluateAll(const TargetCells& cells, int taskLevel, bool watching, Executor& executor,
+    FarFieldWork* work) const;
   bool evaluateWhole(const TargetCells& cells, const std::vector<std::vector<TargetCell>>& toWhole,
-    Executor& executor, std::vector<FarFieldWork>& work) const;
+    bool watching, Executor& executor, std::vector<FarFieldWork>& work) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
 
   FarFieldTree tree_;

@@ -48,7 +48,7 @@ FarFieldWork FarFieldTraversal::evaluate(
   this->start(task);
   if (toWhole_ && toWhole_->size() >= SampleBlock::capacity)
   {
-    this->evaluateWhole(toWhole_->data(), toWhole_->data() + toWhole_->size());
+    this->evaluateWhole(toWhole_->data(), toWhole_->data() + toWhole_->size(), watching);
     toWhole_->clear();
   }
   return work_;
@@ -371,7 +371,8 @@ void FarFieldTraversal::evaluateNear(const TargetCell& cell, const float* polyno
   }
 }
 
-FarFieldWork FarFieldTraversal::evaluateWhole(const TargetCell* first, const TargetCell* last)
+FarFieldWork FarFieldTraversal::evaluateWhole(
+  const TargetCell* first, const TargetCell* last, bool watching)
 {
   struct Part
   {
@@ -385,14 +386,17 @@ FarFieldWork FarFieldTraversal::evaluateWhole(const TargetCell* first, const Tar
   {
     work_.exactLanes += whole * roundUp(block.count, lanesOfSums);
     double sums[SampleBlock::capacity];
-    tree_.sources->sum(tree_.sources->whole(), block, sums, nullptr);
+    bool isSuspect[SampleBlock::capacity];
+    const bool any =
+      tree_.sources->sum(tree_.sources->whole(), block, sums, watching ? isSuspect : nullptr);
     float values[SampleBlock::capacity];
     std::transform(
       sums, sums + block.count, values, [](double sum) { return static_cast<float>(sum); });
-    const float* from = values;
+    std::size_t from = 0;
     for (const Part& part : parts)
     {
-      cells_.store(*part.cell, part.first, part.count, from, nullptr);
+      cells_.store(
+        *part.cell, part.first, part.count, values + from, any ? isSuspect + from : nullptr);
       from += part.count;
     }
     parts.clear();

@@ -39,7 +39,7 @@ public:
 
   /// Gives the samples of some cells the sum of the whole sources, and returns the work done. Cells
   /// that have few samples each take less time together.
-  FarFieldWork evaluateWhole(const TargetCell* first, const TargetCell* last);
+  FarFieldWork evaluateWhole(const TargetCell* first, const TargetCell* last, bool watching);
 
   /// Shows the visitor all leaves of a task's cell, and evaluates nothing itself.
   void visit(const FarFieldTask& task, FarFieldLeafVisitor& visitor);

@@ -45,10 +45,10 @@ template <class Sample> void sortByKey(std::vector<Sample>& samples)
 } // namespace
 
 PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& region, double scale,
-  int order, const FieldOutput& output, Executor& executor)
+  int order, const PointSink* sink, Executor& executor)
   : view_(view)
   , scale_(scale)
-  , output_(output)
+  , sink_(sink)
   , depth_(view.size() > 1 ? deepest : 0)
 {
   if (view.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -213,13 +213,12 @@ void PointCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& bl
 }
 
 void PointCells::store(const TargetCell& cell, std::size_t first, std::size_t count,
-  const float* values, const bool*) const
+  const float* values, const bool* isSuspect) const
 {
   const Sample* const samples = &samples_[static_cast<std::size_t>(cell.index[0]) + first];
   for (std::size_t n = 0; n < count; ++n)
   {
-    const double value = values[n];
-    output_.write(&value, samples[n].number, 1);
+    sink_->point(samples[n].number, values[n], isSuspect && isSuspect[n]);
   }
 }
 

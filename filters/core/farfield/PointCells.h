@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/Executor.h"
-#include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "farfield/TargetCells.h"
 
@@ -12,6 +11,17 @@
 namespace winding
 {
 
+/// Takes the values of scattered samples, from several threads at once.
+class PointSink
+{
+public:
+  virtual ~PointSink() = default;
+
+  /// Takes the value of a sample, each once. isSuspect tells whether the sample lies on a source;
+  /// it is false unless the evaluation watches out for that.
+  virtual void point(std::size_t sample, double value, bool isSuspect) const = 0;
+};
+
 /**
  * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not
  * finite, or lie outside the given region, are left out; others() lists them. A single sample is
@@ -20,11 +30,11 @@ namespace winding
 class PointCells final : public TargetCells
 {
 public:
-  /// Positions are those of the samples times scale. Keeps a reference to the samples, and writes
-  /// to the arrays of the output. Throws Interrupted when the executor was interrupted, and Refusal
-  /// for more than 2³¹ − 1 samples.
+  /// Positions are those of the samples times scale. Keeps references to the samples and to the
+  /// sink, which may be null where nothing is stored. Throws Interrupted when the executor was
+  /// interrupted, and Refusal for more than 2³¹ − 1 samples.
   PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,
-    const FieldOutput& output, Executor& executor);
+    const PointSink* sink, Executor& executor);
 
   const std::vector<std::uint32_t>& others() const { return others_; }
   bool empty() const { return samples_.empty(); }
@@ -61,7 +71,7 @@ private:
 
   const VectorsView& view_;
   double scale_;
-  FieldOutput output_;
+  const PointSink* sink_;
   int depth_;           ///< levels below the root
   Eigen::Vector3d low_; ///< corner of the root's cube
   std::vector<Sample> samples_;

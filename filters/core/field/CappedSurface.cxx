@@ -16,6 +16,7 @@ namespace winding
 CappedSurface::CappedSurface(
   const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
   : rows_(surface.vertices, surface, {cap_, capMultiplicities_})
+  , points_(surface.vertices, surface, {cap_, capMultiplicities_}, surface.bounds)
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
   , bounds_(surface.bounds)
   , choice_(capSum)

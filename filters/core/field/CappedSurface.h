@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "field/OtherCap.h"
+#include "rays/PointCrossings.h"
 #include "rays/RowCrossings.h"
 #include "source/Grid.h"
 #include "source/Surface.h"
@@ -17,11 +18,13 @@ namespace winding
 class TriangleFarField;
 
 /**
- * The winding number of a surface M on grids, as the difference of two parts that are each easy:
+ * The winding number of a surface M on grids and at scattered samples, as the difference of two
+ * parts that are each easy:
  *
  *   w_M = χ_{M+C} − w_C   for a cap C with ∂C = −∂M
  *
- * χ is an integer, found for whole rows at once (RowCrossings.h); w_C is the winding number of the
+ * χ is an integer, found for whole rows at once (RowCrossings.h), or by a ray from each scattered
+ * sample (PointCrossings.h); w_C is the winding number of the
  * cap (Cap.h), which has about as many triangles as the surface has boundary edges, and none if it
  * is closed. Without a tolerance w_C is the direct sum; with one, and for caps of more than a few
  * triangles, it comes from the far field (isCheaperDirectly() in FarFieldCost.h decides).
@@ -30,8 +33,10 @@ class TriangleFarField;
  * an open surface are equal to the direct sum up to its rounding or the tolerance, also next to the
  * cap: χ and w_C jump by the same 1 there, and where rounding could make them disagree about the
  * side, another cap that lies elsewhere decides; (3) values have the same bits for any extent,
- * executor and number of threads. A sample on a closed surface gets the value of one of the sides;
- * a sample on an open surface gets a finite value, mostly that of one of the sides.
+ * executor and number of threads, but that scattered samples depend on each other, within the
+ * tolerance, where w_C comes from the far field. A sample on a closed surface gets the value of
+ * one of the sides; a sample on an open surface gets a finite value, mostly that of one of the
+ * sides.
  */
 class CappedSurface
 {
@@ -71,11 +76,30 @@ public:
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
+  /// Whether w_C comes from the far field at so many scattered samples.
+  bool usesFarFieldAtPoints(std::size_t samples) const;
+
+  /// The cost that χ is expected to have at so many scattered samples.
+  EvaluationCost expectedCostOfCrossings(std::size_t samples) const
+  {
+    return points_.expectedCost(samples);
+  }
+
+  /// Builds what scattered samples need beforehand, as Field::prepare() does.
+  bool prepare(const VectorsView& samples, Executor& executor) const;
+
+  /// Evaluates scattered samples: NaN where they are NaN or infinite. Takes 4 bytes for each.
+  /// Returns false when the executor was interrupted.
+  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+
 private:
   class Bar;
+  class Differences;
 
   bool evaluateByFarField(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
+  bool subtractDirectly(
+    const VectorsView& samples, const Differences& differences, Executor& executor) const;
   void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
     const std::vector<RowRun>& runs, const FieldOutput& output,
     std::vector<SampleOnCap>& onCap) const;
@@ -87,6 +111,7 @@ private:
   double capArea_ = 0;
   std::unique_ptr<const OtherCap> otherCap_; ///< null where there is no cap
   RowCrossings rows_;                        ///< crossings of M + C
+  PointCrossings points_;                    ///< the same at scattered samples
   TriangleSum capSum_;
   Bounds bounds_; ///< box of the surface
   CapSum choice_;

@@ -30,8 +30,8 @@ enum class Method
 {
   automatic, ///< the method that is expected to be the fastest within the tolerance
   /// Crossings of triangles. On grids they are found for whole rows at once, with a cap over the
-  /// holes of an open surface (CappedSurface.h); at scattered samples they serve closed surfaces
-  /// only (PointCrossings.h). Points have none.
+  /// holes of an open surface (CappedSurface.h); at scattered samples a ray from each
+  /// finds them (PointCrossings.h). Points have none.
   rows,
   hierarchical, ///< a far field of all primitives (FarField.h)
   direct,       ///< the sum over all primitives, exact up to rounding
@@ -167,9 +167,9 @@ public:
   bool evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Evaluates scattered samples. An open surface with method rows, which needs a grid, gets its
-  /// values from a far field here, where the tolerance admits one and it is faster, else from the
-  /// direct sum. Returns false when the executor was interrupted.
+  /// Evaluates scattered samples. An open surface with a method that was chosen automatically gets
+  /// the values of few samples from the direct sum where that is faster. Returns false when the
+  /// executor was interrupted.
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /**

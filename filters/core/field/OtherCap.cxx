@@ -1,5 +1,7 @@
 #include "field/OtherCap.h"
 
+#include "rays/RayTriangle.h"
+#include "source/UnitScale.h"
 #include "surface/Cap.h"
 
 #include <algorithm>
@@ -18,7 +20,8 @@ using Samples = std::vector<SampleOnCap>;
 using Places = std::vector<std::size_t>;
 
 /// Sums at some of the samples, and returns the places of those that lie on a triangle.
-Places sumAt(const TriangleSum& sum, const Grid& grid, const Samples& samples, const Places& places,
+template <class PositionOf>
+Places sumAt(const TriangleSum& sum, const PositionOf& positionOf, const Places& places,
   std::vector<double>& values)
 {
   Places onTriangles;
@@ -28,8 +31,7 @@ Places sumAt(const TriangleSum& sum, const Grid& grid, const Samples& samples, c
     block.count = std::min(SampleBlock::capacity, places.size() - first);
     for (std::size_t n = 0; n < block.count; ++n)
     {
-      const SampleOnCap& sample = samples[places[first + n]];
-      block.set(n, grid.sample(sample.i, sample.j, sample.k));
+      block.set(n, positionOf(places[first + n]));
     }
     double sums[SampleBlock::capacity];
     bool isSuspect[SampleBlock::capacity];
@@ -127,27 +129,42 @@ OtherCap::OtherCap(
   fan_ = fanOf(loops, vertices_);
 }
 
-void OtherCap::resolve(
-  const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const
+/// Writes to values what sums give: that of the surface, or −w of the fan at the places that are
+/// returned, where χ of the surface and the fan is to be added.
+template <class PositionOf>
+Places OtherCap::sumsAt(
+  std::size_t count, const PositionOf& positionOf, std::vector<double>& values) const
 {
-  values.resize(samples.size());
-  Places places(samples.size());
+  values.resize(count);
+  Places places(count);
   std::iota(places.begin(), places.end(), std::size_t{0});
   const bool isSumFirst = surface_.triangles.size() <= cap_.size() + fan_.size();
   if (isSumFirst)
   {
-    places = sumAt(surfaceSum_, grid, samples, places, values);
+    places = sumAt(surfaceSum_, positionOf, places, values);
   }
-  std::vector<double> fanValues(samples.size());
-  const Places onBoth = sumAt(fanSum_, grid, samples, places, fanValues);
+  std::vector<double> fanValues(count);
+  const Places onBoth = sumAt(fanSum_, positionOf, places, fanValues);
   if (!isSumFirst)
   {
-    sumAt(surfaceSum_, grid, samples, onBoth, values);
+    sumAt(surfaceSum_, positionOf, onBoth, values);
   }
-
   Places byFan;
   std::set_difference(
     places.begin(), places.end(), onBoth.begin(), onBoth.end(), std::back_inserter(byFan));
+  for (const std::size_t place : byFan)
+  {
+    values[place] = -fanValues[place];
+  }
+  return byFan;
+}
+
+void OtherCap::resolve(
+  const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const
+{
+  Places byFan = this->sumsAt(
+    samples.size(),
+    [&](std::size_t n) { return grid.sample(samples[n].i, samples[n].j, samples[n].k); }, values);
   if (byFan.empty())
   {
     return;
@@ -165,7 +182,46 @@ void OtherCap::resolve(
   addRows(fanRows_, 1, grid, ordered, integers);
   for (std::size_t n = 0; n < byFan.size(); ++n)
   {
-    values[byFan[n]] = integers[n] - fanValues[byFan[n]];
+    values[byFan[n]] += integers[n];
+  }
+}
+
+void OtherCap::resolve(const std::vector<PointOnCap>& samples, std::vector<double>& values) const
+{
+  const Places byFan = this->sumsAt(
+    samples.size(), [&](std::size_t n) { return samples[n].position; }, values);
+  if (byFan.empty())
+  {
+    return;
+  }
+  std::vector<double> integers(samples.size());
+  for (const std::size_t place : byFan)
+  {
+    integers[place] = samples[place].integer;
+  }
+  this->addCrossings({cap_, capMultiplicities_}, -1, samples, byFan, integers);
+  this->addCrossings({fan_, fanMultiplicities_}, 1, samples, byFan, integers);
+  for (const std::size_t place : byFan)
+  {
+    values[place] += integers[place];
+  }
+}
+
+/// Adds the crossings of the rays from some of the samples with a chain, times a factor.
+void OtherCap::addCrossings(const ChainView& chain, int factor,
+  const std::vector<PointOnCap>& samples, const Places& places, std::vector<double>& values) const
+{
+  const double scale = unitScale(surface_.bounds);
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const Triangle& ids = chain[i];
+    const RayTriangle triangle(
+      vertices_[ids[0]] * scale, vertices_[ids[1]] * scale, vertices_[ids[2]] * scale);
+    for (const std::size_t place : places)
+    {
+      values[place] +=
+        factor * chain.multiplicity(i) * triangle.crossing(samples[place].position * scale);
+    }
   }
 }
 

@@ -18,6 +18,14 @@ struct SampleOnCap
   int rowValue;
 };
 
+/// A scattered sample that lies on a surface's cap within rounding, and χ of both there.
+struct PointOnCap
+{
+  Eigen::Vector3d position;
+  std::size_t sample; ///< number of the sample
+  int integer;
+};
+
 /**
  * The values of an open surface at samples on its cap (CappedSurface.h), where rounding could make
  * χ and w_C disagree about the side: there another cap decides, a fan that lies elsewhere. A sample
@@ -39,7 +47,16 @@ public:
   void resolve(
     const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const;
 
+  /// Does the same for scattered samples.
+  void resolve(const std::vector<PointOnCap>& samples, std::vector<double>& values) const;
+
 private:
+  template <class PositionOf>
+  std::vector<std::size_t> sumsAt(
+    std::size_t count, const PositionOf& positionOf, std::vector<double>& values) const;
+  void addCrossings(const ChainView& chain, int factor, const std::vector<PointOnCap>& samples,
+    const std::vector<std::size_t>& places, std::vector<double>& values) const;
+
   const Surface& surface_;
   std::vector<Eigen::Vector3d> vertices_; ///< those of the loops, and the fan's own
   std::vector<Triangle> cap_, fan_;

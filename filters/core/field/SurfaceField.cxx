@@ -1,6 +1,5 @@
 #include "field/SurfaceField.h"
 
-#include "base/Refusal.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldCost.h"
@@ -47,13 +46,6 @@ SurfaceField::SurfaceField(
       " with ids of points that do not exist)";
   }
   BoundaryChain chain = boundaryChain(surface_, executor);
-  if (options.method == Method::rows && options.scattered && !chain.edges.empty())
-  {
-    throw Refusal(
-      "choose another method (Method; --method): rows needs a grid or a closed surface, and these "
-      "are scattered samples and " +
-      std::to_string(chain.edges.size()) + " boundary edges");
-  }
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
@@ -102,6 +94,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
 {
   const Method asked = options.method;
   isFarFieldAskedFor_ = asked == Method::hierarchical;
+  isRowsAskedFor_ = asked == Method::rows;
   if (options.tolerance >= FarFieldAccuracy::finest)
   {
     order_ = FarFieldAccuracy::of(options.tolerance).order;
@@ -129,12 +122,13 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
   {
     crossings_ = std::make_unique<PointCrossings>(*distinct_);
   }
-  if (options.scattered && !crossings_)
+  if (options.scattered && !crossings_ && asked != Method::rows &&
+      (order_ == 0 || isCheaperDirectly(Primitive::triangle, info_.distinct, order_)))
   {
     this->chooseFarField(options, "scattered samples of " + triangles);
     return;
   }
-  if (options.scattered)
+  if (options.scattered && crossings_)
   {
     info_.method = Method::rows;
     info_.why = "closed after welding: integers, by counting what lies ahead of each sample";
@@ -158,12 +152,12 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     return;
   }
   info_.method = Method::rows;
-  info_.why = chain.edges.empty()
-                ? "closed after welding: integers, found for whole rows"
-                : "open: rows find the integer part, a cap of " + cap + " gives the rest";
+  info_.why = chain.edges.empty() ? "closed after welding: integers, found for whole rows"
+                                  : std::string("open: ") + (options.scattered ? "rays" : "rows") +
+                                      " find the integer part, a cap of " + cap + " gives the rest";
   if (!crossings_)
   {
-    // Scattered samples need a far field; its trees are not built before such samples come.
+    // Few scattered samples may be cheaper without the cap; no tree is built before they come.
     this->makeFarField(options.tolerance);
   }
 }
@@ -204,6 +198,36 @@ bool SurfaceField::usesFarField(std::size_t samples) const
                         !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
 }
 
+/// Tells whether so many scattered samples of an open surface get their values by rays and the cap.
+/// A tolerance that admits no far field leaves the direct sum, unless rows are asked for: so values
+/// depend on the number of samples within the tolerance only.
+bool SurfaceField::usesCapAtPoints(std::size_t samples) const
+{
+  if (!capped_ || isRowsAskedFor_)
+  {
+    return capped_ != nullptr;
+  }
+  SampledSource source;
+  source.primitives = info_.distinct;
+  source.samples = samples;
+  source.isGrid = false;
+  return farField_ && samples > 1 &&
+         this->costOfCapAtPoints(samples).seconds < costOfDirectSum(source).seconds;
+}
+
+EvaluationCost SurfaceField::costOfCapAtPoints(std::size_t samples) const
+{
+  EvaluationCost cost = capped_->expectedCostOfCrossings(samples);
+  SampledSource cap = this->sampledSource(samples);
+  cap.isGrid = false;
+  cap.primitives = info_.capTriangles;
+  cap.area = this->area() > 0 ? cap.area / this->area() * capped_->capArea() : 0;
+  cost +=
+    capped_->usesFarFieldAtPoints(samples) ? costOfFarField(cap, order_) : costOfDirectSum(cap);
+  cost.bytes += sizeof(float) * samples;
+  return cost;
+}
+
 bool SurfaceField::usesFarField(const Grid& grid) const
 {
   return this->usesFarField(sampleCount(grid.wholeExtent())) &&
@@ -221,8 +245,12 @@ EvaluationCost SurfaceField::expectedCostOfValues(std::size_t samples) const
   {
     return crossings_->expectedCost(samples);
   }
+  if (info_.isScattered && this->usesCapAtPoints(samples))
+  {
+    return this->costOfCapAtPoints(samples);
+  }
   const SampledSource source = this->sampledSource(samples);
-  if (info_.method == Method::rows)
+  if (info_.method == Method::rows && !info_.isScattered)
   {
     SampledSource closed = source, cap = source;
     closed.primitives += info_.capTriangles;
@@ -258,6 +286,10 @@ bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
 
 bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 {
+  if (this->usesCapAtPoints(samples.size()))
+  {
+    return capped_->prepare(samples, executor);
+  }
   return crossings_ || !this->usesFarField(samples.size()) ||
          farField_->suiting(samples, executor) != nullptr;
 }
@@ -283,6 +315,10 @@ bool SurfaceField::evaluateValues(
   if (crossings_)
   {
     return crossings_->evaluate(samples, output, executor);
+  }
+  if (this->usesCapAtPoints(samples.size()))
+  {
+    return capped_->evaluate(samples, output, executor);
   }
   if (!this->usesFarField(samples.size()))
   {

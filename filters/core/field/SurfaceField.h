@@ -53,6 +53,8 @@ private:
   void makeFarField(double tolerance);
 
   bool usesFarField(std::size_t samples) const;
+  bool usesCapAtPoints(std::size_t samples) const;
+  EvaluationCost costOfCapAtPoints(std::size_t samples) const;
   bool usesFarField(const Grid& grid) const;
 
   std::size_t inputPoints_ = 0;
@@ -63,15 +65,17 @@ private:
   mutable std::once_flag isAreaKnown_;
   mutable double area_ = 0;         ///< the area of the surface, if it is known
   bool isFarFieldAskedFor_ = false; ///< whether the user chose method hierarchical
+  bool isRowsAskedFor_ = false;     ///< whether the user chose method rows
   int order_ = 0;                   ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
-  std::unique_ptr<const CappedSurface> capped_; ///< evaluates grids with method rows
+  /// Evaluates grids, and scattered samples of an open surface, with method rows.
+  std::unique_ptr<const CappedSurface> capped_;
   /// Evaluates scattered samples of a closed surface with method rows.
   std::unique_ptr<const PointCrossings> crossings_;
-  /// Evaluates all samples with method hierarchical, and scattered samples of an open surface with
-  /// method rows.
+  /// Evaluates all samples with method hierarchical, and scattered samples of an open surface that
+  /// are too few for the cap.
   std::unique_ptr<const TriangleFarField> farField_;
-  std::unique_ptr<const Evaluator> evaluator_; ///< evaluates all that the three above leave
+  std::unique_ptr<const Evaluator> evaluator_; ///< evaluates all that the others leave
 };
 
 } // namespace winding

@@ -172,19 +172,27 @@ private:
   DividedShare share_;
 };
 
-RaysThroughTriangles raysThrough(const Surface& surface)
+/// No cap.
+const std::vector<Triangle>& noTriangles()
+{
+  static const std::vector<Triangle> none;
+  return none;
+}
+
+RaysThroughTriangles raysThrough(const CrossedChain& chain, const Bounds& bounds)
 {
   RaysThroughTriangles rays = {0, 0};
-  const Eigen::Array2d sizes = surface.bounds.sizes().tail<2>();
-  if (surface.bounds.isEmpty() || !(sizes.minCoeff() > 0))
+  const Eigen::Array2d sizes = bounds.sizes().tail<2>();
+  if (bounds.isEmpty() || !(sizes.minCoeff() > 0))
   {
     return rays;
   }
-  for (const Triangle& ids : surface.triangles)
+  for (std::size_t i = 0; i < chain.size(); ++i)
   {
-    const Eigen::Array2d a = surface.vertices[ids[0]].tail<2>();
-    const Eigen::Array2d u = (surface.vertices[ids[1]].tail<2>().array() - a) / sizes;
-    const Eigen::Array2d v = (surface.vertices[ids[2]].tail<2>().array() - a) / sizes;
+    const Triangle& ids = chain[i];
+    const Eigen::Array2d a = chain.vertex(ids[0]).tail<2>();
+    const Eigen::Array2d u = (chain.vertex(ids[1]).tail<2>().array() - a) / sizes;
+    const Eigen::Array2d v = (chain.vertex(ids[2]).tail<2>().array() - a) / sizes;
     rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
     rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
   }
@@ -194,21 +202,28 @@ RaysThroughTriangles raysThrough(const Surface& surface)
 } // namespace
 
 PointCrossings::PointCrossings(const Surface& surface)
-  : surface_(surface)
+  : PointCrossings(surface.vertices, surface, noTriangles(), surface.bounds)
+{
+}
+
+PointCrossings::PointCrossings(const std::vector<Eigen::Vector3d>& vertices,
+  const ChainView& triangles, const ChainView& cap, const Bounds& bounds)
+  : chain_(vertices, triangles, cap)
+  , bounds_(bounds)
 {
 }
 
 EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
 {
-  std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(surface_); });
-  return costOfCrossings(surface_.triangles.size(), samples, rays_);
+  std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(chain_, bounds_); });
+  return costOfCrossings(chain_.size(), samples, rays_);
 }
 
 bool PointCrossings::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 try
 {
-  const Bounds& bounds = surface_.bounds;
+  const Bounds& bounds = bounds_;
   const double scale = unitScale(bounds);
   // Rays that start beside or behind the surface cross nothing.
   const auto mayCross = [&](const Eigen::Vector3d& q)
@@ -265,9 +280,9 @@ try
   }
   inColumns.starts.back() = rays.end(columns.count() - 1);
 
-  const RayCounter counter(surface_, scale);
+  const RayCounter counter(chain_, scale);
   return ColumnTasks(counter, output, executor)
-    .run(inColumns, CandidateTriangles(surface_.triangles.size()), {0, 1});
+    .run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
 }
 catch (const Interrupted&)
 {

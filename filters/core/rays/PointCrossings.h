@@ -4,6 +4,7 @@
 #include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "rays/CrossingCost.h"
+#include "rays/RayCounter.h"
 #include "source/Surface.h"
 
 #include <mutex>
@@ -47,8 +48,13 @@ namespace winding
 class PointCrossings
 {
 public:
-  /// Keeps a reference; takes no time.
+  /// Keeps references; takes no time.
   explicit PointCrossings(const Surface& surface);
+
+  /// A chain of two lists of triangles over common vertices: a surface and its cap. `bounds` holds
+  /// all vertices. References are kept to all four.
+  PointCrossings(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
+    const ChainView& cap, const Bounds& bounds);
 
   /// The cost that evaluate() is expected to have for so many samples. The first call walks over
   /// the triangles.
@@ -59,7 +65,8 @@ public:
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
 private:
-  const Surface& surface_;
+  CrossedChain chain_;
+  const Bounds& bounds_;
   mutable std::once_flag areRaysKnown_;
   mutable RaysThroughTriangles rays_; ///< valid once areRaysKnown_ is set
 };

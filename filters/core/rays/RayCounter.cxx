@@ -62,7 +62,7 @@ bool RayCounter::count(
       continue;
     }
     const RayTriangle triangle = this->triangle(id);
-    const int multiplicity = ChainView(surface_).multiplicity(id);
+    const int multiplicity = chain_.multiplicity(id);
     const auto meet = [&](std::size_t column)
     {
       if (columns.count() > 1 && inColumns.size(column) > fullColumn)
@@ -127,8 +127,7 @@ void RayCounter::countOnLine(
     {
       const Ray* behind = std::partition_point(
         first + 1, last, [&](const Ray& ray) { return triangle.crossing(ray.start()) != 0; });
-      endingAt[static_cast<std::size_t>(behind - first) - 1] +=
-        ChainView(surface_).multiplicity(id) * sign;
+      endingAt[static_cast<std::size_t>(behind - first) - 1] += chain_.multiplicity(id) * sign;
     }
   }
   int ahead = 0;

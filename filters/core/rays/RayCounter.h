@@ -24,29 +24,61 @@ struct RaysInColumns
   }
 };
 
-/// Finds the crossings of rays with the triangles of a surface, on one thread.
+/// A chain of two lists of triangles over common vertices, such as a surface and its cap, numbered
+/// through. References are kept.
+class CrossedChain
+{
+public:
+  CrossedChain(
+    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap)
+    : vertices_(vertices)
+    , triangles_(triangles)
+    , cap_(cap)
+  {
+  }
+
+  std::size_t size() const { return triangles_.size() + cap_.size(); }
+
+  const Triangle& operator[](std::size_t i) const
+  {
+    return i < triangles_.size() ? triangles_[i] : cap_[i - triangles_.size()];
+  }
+
+  std::int32_t multiplicity(std::size_t i) const
+  {
+    return i < triangles_.size() ? triangles_.multiplicity(i)
+                                 : cap_.multiplicity(i - triangles_.size());
+  }
+
+  const Eigen::Vector3d& vertex(std::int32_t number) const { return vertices_[number]; }
+
+private:
+  const std::vector<Eigen::Vector3d>& vertices_;
+  ChainView triangles_, cap_;
+};
+
+/// Finds the crossings of rays with the triangles of a chain, on one thread.
 class RayCounter
 {
 public:
-  /// Keeps a reference. `scale` makes the surface's coordinates those of the rays.
-  RayCounter(const Surface& surface, double scale)
-    : surface_(surface)
+  /// Keeps a reference. `scale` makes the chain's coordinates those of the rays.
+  RayCounter(const CrossedChain& chain, double scale)
+    : chain_(chain)
     , scale_(scale)
   {
   }
 
   TriangleBox box(std::uint32_t id) const
   {
-    const Triangle& ids = surface_.triangles[id];
-    return {
-      surface_.vertices[ids[0]], surface_.vertices[ids[1]], surface_.vertices[ids[2]], scale_};
+    const Triangle& ids = chain_[id];
+    return {chain_.vertex(ids[0]), chain_.vertex(ids[1]), chain_.vertex(ids[2]), scale_};
   }
 
   Footprint footprint(std::uint32_t id, const Columns& columns, const ColumnRange& range) const
   {
-    const Triangle& ids = surface_.triangles[id];
-    return {columns, range, surface_.vertices[ids[0]] * scale_, surface_.vertices[ids[1]] * scale_,
-      surface_.vertices[ids[2]] * scale_};
+    const Triangle& ids = chain_[id];
+    return {columns, range, chain_.vertex(ids[0]) * scale_, chain_.vertex(ids[1]) * scale_,
+      chain_.vertex(ids[2]) * scale_};
   }
 
   /// Sorts rays by the columns of a grid over them.
@@ -79,12 +111,12 @@ private:
 
   RayTriangle triangle(std::uint32_t id) const
   {
-    const Triangle& ids = surface_.triangles[id];
-    return {surface_.vertices[ids[0]] * scale_, surface_.vertices[ids[1]] * scale_,
-      surface_.vertices[ids[2]] * scale_};
+    const Triangle& ids = chain_[id];
+    return {chain_.vertex(ids[0]) * scale_, chain_.vertex(ids[1]) * scale_,
+      chain_.vertex(ids[2]) * scale_};
   }
 
-  const Surface& surface_;
+  const CrossedChain& chain_;
   double scale_;
 };
 

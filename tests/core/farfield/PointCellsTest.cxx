@@ -26,6 +26,21 @@ using winding::TargetCells;
 constexpr double scale = 0.5;
 const Eigen::AlignedBox3d region(Point::Constant(-64), Point::Constant(64));
 
+/// Takes the values of samples.
+class Values final : public winding::PointSink
+{
+public:
+  explicit Values(std::vector<double>& values)
+    : values_(values)
+  {
+  }
+
+  void point(std::size_t sample, double value, bool) const override { values_[sample] = value; }
+
+private:
+  std::vector<double>& values_;
+};
+
 winding::VectorsView viewOf(const std::vector<Point>& samples)
 {
   return {samples.empty() ? nullptr : samples[0].data(), samples.size()};
@@ -73,9 +88,8 @@ TEST(PointCells, DeliverEverySampleOnceAtEveryLevel)
   {
     const winding::VectorsView view = viewOf(samples);
     std::vector<double> values(samples.size());
-    winding::FieldOutput output;
-    output.doubleValues = values.data();
-    const PointCells cells(view, region, scale, 3, output, serial);
+    const Values sink(values);
+    const PointCells cells(view, region, scale, 3, &sink, serial);
     ASSERT_TRUE(cells.others().empty());
     for (int level = 0; level <= cells.root().level; ++level)
     {
@@ -119,7 +133,7 @@ TEST(PointCells, AreWithinTheirRadiusAndSideAndSphere)
   for (const std::vector<Point>& samples : manySamples())
   {
     const winding::VectorsView view = viewOf(samples);
-    const PointCells cells(view, region, scale, 3, {}, serial);
+    const PointCells cells(view, region, scale, 3, nullptr, serial);
     visitCells(cells, cells.root(),
       [&](const TargetCell& cell)
       {
@@ -152,7 +166,7 @@ TEST(PointCells, PutChildrenWhereTheShiftsSay)
   for (const std::vector<Point>& samples : manySamples())
   {
     const winding::VectorsView view = viewOf(samples);
-    const PointCells cells(view, region, scale, 3, {}, serial);
+    const PointCells cells(view, region, scale, 3, nullptr, serial);
     visitCells(cells, cells.root(),
       [&](const TargetCell& cell)
       {
@@ -184,7 +198,7 @@ TEST(PointCells, LeaveOutWhatHasNoPlaceOrIsFarAway)
   std::vector<Point> samples = {{nan, 0, 0}, {1, 1, 1}, {0, infinity, 0}, {1e300, 0, 0},
     {0, 0, 128}, {0, -128.001, 0}, {0, 0, 0}, {0, 0, -infinity}};
   const winding::VectorsView view = viewOf(samples);
-  const PointCells cells(view, region, scale, 3, {}, serial);
+  const PointCells cells(view, region, scale, 3, nullptr, serial);
   // The border of the region is at 128 · scale, and belongs to it.
   EXPECT_EQ(cells.others(), (std::vector<std::uint32_t>{0, 2, 3, 5, 7}));
   EXPECT_FALSE(cells.empty());
@@ -195,8 +209,8 @@ TEST(PointCells, MayBeEmpty)
 {
   const std::vector<Point> none, far(5, Point(0, 1e6, 0));
   const winding::VectorsView viewOfNone = viewOf(none), viewOfFar = viewOf(far);
-  EXPECT_TRUE(PointCells(viewOfNone, region, scale, 3, {}, serial).empty());
-  const PointCells cells(viewOfFar, region, scale, 3, {}, serial);
+  EXPECT_TRUE(PointCells(viewOfNone, region, scale, 3, nullptr, serial).empty());
+  const PointCells cells(viewOfFar, region, scale, 3, nullptr, serial);
   EXPECT_TRUE(cells.empty());
   EXPECT_EQ(cells.others().size(), 5u);
 }

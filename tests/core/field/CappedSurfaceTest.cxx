@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -35,11 +36,35 @@ std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
   return valuesOn({surface, boundaryOf(surface), 0}, grid, grid.wholeExtent());
 }
 
-/// The largest difference to the direct sum among the samples that are not on the surface.
+std::vector<double> valuesAt(const CappedSurface& capped, const std::vector<Point>& samples)
+{
+  std::vector<double> values(samples.size(), std::nan(""));
+  FieldOutput output;
+  output.doubleValues = values.data();
+  winding::SerialExecutor serial;
+  EXPECT_TRUE(
+    capped.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial));
+  return values;
+}
+
+std::vector<Point> samplesOf(const Grid& grid)
+{
+  std::vector<Point> samples;
+  for (std::size_t n = 0; n < winding::sampleCount(grid.wholeExtent()); ++n)
+  {
+    samples.push_back(grid.sample(n));
+  }
+  return samples;
+}
+
+/// The largest difference to the direct sum among the samples that are not on the surface, on the
+/// grid and at its samples as scattered ones.
 double largestError(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
   const std::vector<double> values = valuesOn(mesh, grid);
+  const std::vector<double> scattered =
+    valuesAt({surface, boundaryOf(surface), 0}, samplesOf(grid));
   const winding::TriangleSum sum(surface);
   double largest = 0;
   for (std::size_t n = 0; n < values.size(); ++n)
@@ -55,7 +80,9 @@ double largestError(const Mesh& mesh, const Grid& grid)
     if (!sum.evaluateWatching(block, &expected, &isOnSurface))
     {
       largest = std::max(largest, std::abs(values[n] - expected));
+      largest = std::max(largest, std::abs(scattered[n] - expected));
     }
+    EXPECT_TRUE(std::isfinite(scattered[n]));
     EXPECT_TRUE(std::isfinite(values[n]));
   }
   return largest;
@@ -245,6 +272,46 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
   }
   record("largestError", largest);
   EXPECT_LT(largest, 1e-9); // measured: 8e-15
+}
+
+TEST(CappedSurface, KeepsToleranceAtScatteredSamplesByAFarFieldOfTheCap)
+{
+  Mesh mesh = damaged(icosphere(4), 0.1, 11);
+  const winding::Surface surface = clean(mesh);
+  const winding::BoundaryChain chain = boundaryOf(surface);
+  std::vector<Point> samples = randomPoints(3000, -1.5, 1.5, 12);
+  samples.emplace_back(1e5, 0, 1);
+  samples.emplace_back(std::nan(""), 0, 0);
+  samples.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
+  const std::vector<double> exact = valuesAt({surface, chain, 0}, samples);
+  for (const double tolerance : {1e-2, 1e-3, 1e-5})
+  {
+    const CappedSurface capped(surface, chain, tolerance, CappedSurface::CapSum::farField);
+    ASSERT_TRUE(capped.usesFarFieldAtPoints(samples.size()));
+    const std::vector<double> values = valuesAt(capped, samples);
+    for (std::size_t n = 0; n + 2 < samples.size(); ++n)
+    {
+      ASSERT_NEAR(values[n], exact[n], tolerance) << n;
+    }
+    EXPECT_TRUE(std::isnan(values[samples.size() - 1]));
+    EXPECT_TRUE(std::isnan(values[samples.size() - 2]));
+  }
+  EXPECT_TRUE(std::isnan(exact[samples.size() - 1]));
+  EXPECT_TRUE(std::isnan(exact[samples.size() - 2]));
+}
+
+TEST(CappedSurface, AtASampleAloneHasTheBitsThatItHasAmongOthers)
+{
+  const Mesh mesh = damaged(icosphere(2), 0.2, 13);
+  const winding::Surface surface = clean(mesh);
+  const CappedSurface capped(surface, boundaryOf(surface), 0);
+  std::vector<Point> samples = randomPoints(300, -1.2, 1.2, 14);
+  samples.insert(samples.end(), surface.vertices.begin(), surface.vertices.end());
+  const std::vector<double> together = valuesAt(capped, samples);
+  for (std::size_t n = 0; n < samples.size(); n += 7)
+  {
+    ASSERT_EQ(valuesAt(capped, {samples[n]})[0], together[n]) << n;
+  }
 }
 
 TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)

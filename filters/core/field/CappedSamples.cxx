@@ -1,0 +1,142 @@
+#include "base/DividedShare.h"
+#include "farfield/FarFieldCost.h"
+#include "farfield/PointCells.h"
+#include "farfield/TriangleFarField.h"
+#include "field/CappedSurface.h"
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace winding
+{
+
+/// Takes the cap's values at scattered samples, and writes the differences χ − w_C; samples on the
+/// cap wait until all others are done.
+class CappedSurface::Differences final : public PointSink
+{
+public:
+  /// integers: χ at each sample. References are kept.
+  Differences(const VectorsView& samples, const std::vector<float>& integers,
+    const FieldOutput& output, const OtherCap& otherCap)
+    : samples_(samples)
+    , integers_(integers)
+    , output_(output)
+    , otherCap_(otherCap)
+  {
+  }
+
+  void point(std::size_t sample, double capValue, bool isSuspect) const override
+  {
+    if (isSuspect)
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      onCap_.push_back({samples_[sample], sample, static_cast<int>(integers_[sample])});
+      return;
+    }
+    output_.fill(integers_[sample] - capValue, sample, 1);
+  }
+
+  /// Writes the values of samples on the cap. Returns false when the executor was interrupted.
+  bool finish(Executor& executor) const
+  {
+    constexpr std::size_t perBlock = SampleBlock::capacity;
+    return executor.run((onCap_.size() + perBlock - 1) / perBlock,
+      [&](std::size_t block)
+      {
+        const auto first = onCap_.begin() + static_cast<std::ptrdiff_t>(block * perBlock);
+        const std::size_t count = std::min(perBlock, onCap_.size() - block * perBlock);
+        const std::vector<PointOnCap> some(first, first + static_cast<std::ptrdiff_t>(count));
+        std::vector<double> values;
+        otherCap_.resolve(some, values);
+        for (std::size_t n = 0; n < count; ++n)
+        {
+          output_.fill(values[n], some[n].sample, 1);
+        }
+      });
+  }
+
+private:
+  const VectorsView& samples_;
+  const std::vector<float>& integers_;
+  const FieldOutput& output_;
+  const OtherCap& otherCap_;
+  mutable std::mutex mutex_;
+  mutable std::vector<PointOnCap> onCap_;
+};
+
+bool CappedSurface::usesFarFieldAtPoints(std::size_t samples) const
+{
+  // Sorting samples into cells takes as long as the sum of so few triangles.
+  constexpr std::size_t fewTriangles = 64;
+  return cap_.size() > fewTriangles && this->usesFarField(samples);
+}
+
+bool CappedSurface::prepare(const VectorsView& samples, Executor& executor) const
+{
+  return !this->usesFarFieldAtPoints(samples.size()) ||
+         capFarField_->suiting(samples, executor) != nullptr;
+}
+
+bool CappedSurface::evaluate(
+  const VectorsView& samples, const FieldOutput& output, Executor& executor) const
+{
+  if (cap_.empty())
+  {
+    return points_.evaluate(samples, output, executor);
+  }
+  DividedShare share(executor);
+  share.set(0, 0.5);
+  std::vector<float> integers(samples.size());
+  FieldOutput toIntegers;
+  toIntegers.values = integers.data();
+  if (!points_.evaluate(samples, toIntegers, executor))
+  {
+    return false;
+  }
+  share.set(0.5, 0.9);
+  const Differences differences(samples, integers, output, *otherCap_);
+  if (this->usesFarFieldAtPoints(samples.size()))
+  {
+    const std::shared_ptr<const FarField> farField = capFarField_->suiting(samples, executor);
+    if (!farField || !farField->evaluate(samples, differences, true, executor))
+    {
+      return false;
+    }
+  }
+  else if (!this->subtractDirectly(samples, differences, executor))
+  {
+    return false;
+  }
+  share.set(0.9, 1);
+  return differences.finish(executor);
+}
+
+bool CappedSurface::subtractDirectly(
+  const VectorsView& samples, const Differences& differences, Executor& executor) const
+{
+  constexpr std::size_t perBlock = SampleBlock::capacity;
+  return executor.run((samples.size() + perBlock - 1) / perBlock,
+    [&](std::size_t number)
+    {
+      const std::size_t first = number * perBlock;
+      SampleBlock block;
+      block.count = std::min(perBlock, samples.size() - first);
+      for (std::size_t n = 0; n < block.count; ++n)
+      {
+        const Eigen::Vector3d position = samples[first + n];
+        block.set(n, position.allFinite() ? position : bounds_.center());
+      }
+      double values[SampleBlock::capacity];
+      bool isSuspect[SampleBlock::capacity];
+      const bool any = capSum_.evaluateWatching(block, values, isSuspect);
+      for (std::size_t n = 0; n < block.count; ++n)
+      {
+        // χ of a sample that is not finite is NaN, and so is the difference.
+        const bool isFinite = samples[first + n].allFinite();
+        differences.point(first + n, values[n], isFinite && any && isSuspect[n]);
+      }
+    });
+}
+
+} // namespace winding
