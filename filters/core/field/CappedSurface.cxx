@@ -118,6 +118,7 @@ private:
 
 bool CappedSurface::evaluateByFarField(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+try
 {
   const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
   if (!farField)
@@ -150,7 +151,8 @@ bool CappedSurface::evaluateByFarField(
   // The rows of a bar make one band.
   const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
   const RowBands bands = {extent[2] / height * height, height};
-  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows_.on(grid, extent, bands, executor);
   return executor.run(starts.size() - 1,
     [&](std::size_t number)
     {
@@ -165,6 +167,10 @@ bool CappedSurface::evaluateByFarField(
       }
       bar.finish();
     });
+}
+catch (const Interrupted&)
+{
+  return false;
 }
 
 bool CappedSurface::usesFarField(std::size_t samples) const
