@@ -13,8 +13,8 @@
 namespace winding
 {
 
-CappedSurface::CappedSurface(
-  const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
+CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
+  Executor& executor, CapSum capSum)
   : rows_(surface.vertices, surface, {cap_, capMultiplicities_})
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
   , bounds_(surface.bounds)
@@ -24,11 +24,11 @@ CappedSurface::CappedSurface(
   {
     BoundaryChain ordered;
     ordered.edges = chain.edges;
-    sortByCoordinates(ordered.edges, surface.vertices);
+    sortByCoordinates(ordered.edges, surface.vertices, executor);
     const RepeatedLoops repeated(boundaryLoops(ordered, surface.vertices.size()));
     cap_ = capOf(repeated.loops);
     capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
-    capArea_ = areaOf(surface.vertices, cap_);
+    capArea_ = approximateAreaOf(surface.vertices, cap_);
     otherCap_ = std::make_unique<const OtherCap>(surface, repeated, cap_);
   }
   if (tolerance < FarFieldAccuracy::finest || cap_.empty())

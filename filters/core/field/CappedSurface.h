@@ -44,15 +44,15 @@ public:
   };
 
   /// Keeps a reference to the surface, which must outlive this; chain is its boundary. tolerance is
-  /// the largest absolute error of w; 0 leaves the direct sum.
+  /// the largest absolute error of w; 0 leaves the direct sum. Throws Interrupted.
   CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
-    CapSum capSum = CapSum::cheapest);
+    Executor& executor, CapSum capSum = CapSum::cheapest);
   ~CappedSurface();
 
   /// The number of the cap's different triangles: 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
-  /// The area of the cap, in squares of the unit of length.
+  /// About the area of the cap, in squares of the unit of length.
   double capArea() const { return capArea_; }
 
   /// The crossings of the surface and its cap, which give χ.

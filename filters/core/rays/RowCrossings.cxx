@@ -31,7 +31,8 @@ public:
   ///@{
   /// The indices of an extent between the lowest and the highest of three vertices: those that
   /// indicesBetween() their coordinates in grid units are.
-  static IndexRange rowsOf(const VertexPlace& a, const VertexPlace& b, const VertexPlace& c, int low)
+  static IndexRange rowsOf(
+    const VertexPlace& a, const VertexPlace& b, const VertexPlace& c, int low)
   {
     return range(std::minmax({a.row_, b.row_, c.row_}), low);
   }
@@ -153,8 +154,7 @@ private:
   Reach reachOf(const VertexPlace* places, const Triangle& triangle) const
   {
     const VertexPlace &a = places[triangle[0]], &b = places[triangle[1]], &c = places[triangle[2]];
-    return {
-      VertexPlace::rowsOf(a, b, c, extent_[2]), VertexPlace::layersOf(a, b, c, extent_[4])};
+    return {VertexPlace::rowsOf(a, b, c, extent_[2]), VertexPlace::layersOf(a, b, c, extent_[4])};
   }
 
   /// The numbers of the triangles that reach rows of the extent, those of the cap after the others.
@@ -169,15 +169,16 @@ private:
       {
         std::uint32_t numbers[itemsPerBlock];
         std::size_t found = 0;
-        const auto addThose = [&](const ChainView& list, std::size_t begin, std::size_t end,
-                                std::size_t numberOfFirst)
+        const auto addThose =
+          [&](const ChainView& list, std::size_t begin, std::size_t end, std::size_t numberOfFirst)
         {
           for (std::size_t i = begin; i < end; ++i)
           {
             // Nobody could predict which triangles reach rows, so that all are written down.
             const Reach reach = this->reachOf(places, list[i]);
             numbers[found] = static_cast<std::uint32_t>(numberOfFirst + i);
-            found += reach.rows.first <= reach.rows.second && reach.layers.first <= reach.layers.second;
+            found +=
+              reach.rows.first <= reach.rows.second && reach.layers.first <= reach.layers.second;
           }
         };
         addThose(triangles, first, std::min(last, triangles.size()), 0);

@@ -1,10 +1,13 @@
 #include "surface/Boundary.h"
 
+#include "base/BucketSort.h"
 #include "base/CountingSort.h"
 #include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace winding
@@ -86,8 +89,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   return chain;
 }
 
-void sortByCoordinates(
-  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
+void sortByCoordinates(std::vector<BoundaryEdge>& edges,
+  const std::vector<Eigen::Vector3d>& vertices, Executor& executor)
 {
   // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
   struct Keyed
@@ -100,25 +103,57 @@ void sortByCoordinates(
   {
     return compareCoordinates(vertices[a], vertices[b]) < 0;
   };
-  std::vector<Keyed> keyed;
-  keyed.reserve(edges.size());
-  for (const BoundaryEdge& edge : edges)
+  const auto keyedOf = [&](const BoundaryEdge& edge) -> Keyed
   {
     const auto [lower, higher] =
       isBefore(edge.from, edge.to) ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
-    keyed.push_back({vertices[lower][0], lower, higher, edge});
+    return {vertices[lower][0], lower, higher, edge};
+  };
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const BoundaryEdge& edge : edges)
+  {
+    const double x = std::min(vertices[edge.from][0], vertices[edge.to][0]);
+    least = std::min(least, x);
+    most = std::max(most, x);
   }
-  std::sort(keyed.begin(), keyed.end(),
-    [&isBefore](const Keyed& a, const Keyed& b)
+  // Slices of x follow each other, so that each may be sorted by itself. Rounding is monotone: it
+  // puts no edge into a slice before that of an edge with a smaller x.
+  constexpr std::size_t wantedInSlice = 4096;
+  const std::size_t slices = std::clamp<std::size_t>(edges.size() / wantedInSlice, 1, mostBuckets);
+  const double slicesPerUnit = static_cast<double>(slices) / (most - least);
+  const double perUnit = most > least && std::isfinite(slicesPerUnit) ? slicesPerUnit : 0;
+  const auto sliceOf = [&](double x)
+  {
+    return std::min(static_cast<std::size_t>((x - least) * perUnit), slices - 1);
+  };
+  Buckets<Keyed> keyed = distribute<Keyed>(
+    edges.size(), slices,
+    [&](std::size_t first, std::size_t last, const auto& put)
     {
-      if (a.x != b.x || a.lower == b.lower)
+      for (std::size_t i = first; i < last; ++i)
       {
-        return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
+        const Keyed item = keyedOf(edges[i]);
+        put(sliceOf(item.x), item);
       }
-      return isBefore(a.lower, b.lower);
-    });
-  std::transform(
-    keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });
+    },
+    executor);
+  runBlocks(
+    slices, 1,
+    [&](std::size_t slice, std::size_t, std::size_t)
+    {
+      std::sort(keyed.begin(slice), keyed.end(slice),
+        [&isBefore](const Keyed& a, const Keyed& b)
+        {
+          if (a.x != b.x || a.lower == b.lower)
+          {
+            return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
+          }
+          return isBefore(a.lower, b.lower);
+        });
+    },
+    executor);
+  std::transform(keyed.begin(0), keyed.end(slices - 1), edges.begin(),
+    [](const Keyed& item) { return item.edge; });
 }
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)

@@ -32,7 +32,8 @@ std::vector<double> valuesOn(const CappedSurface& capped, const Grid& grid, cons
 std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
-  return valuesOn({surface, boundaryOf(surface), 0}, grid, grid.wholeExtent());
+  winding::SerialExecutor serial;
+  return valuesOn({surface, boundaryOf(surface), 0, serial}, grid, grid.wholeExtent());
 }
 
 /// The largest difference to the direct sum among the samples that are not on the surface.
@@ -231,7 +232,8 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const Point away = random.point(-1, 1) * (i % 3 == 0 ? 1e3 : 1);
     const Mesh mesh = openCube().mapped([&](const Point& p) -> Point { return turn * p + away; });
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     // The middle sample of the grid is a point of the missing face.
     const Point on = turn * Point(random(0.1, 0.9), random(0.1, 0.9), 1) + away;
     const Grid grid = gridOf(on - Point::Constant(0.0625), Point::Constant(0.0625), {3, 3, 3});
@@ -252,7 +254,8 @@ TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)
   for (const Mesh& mesh : {cube(), icosphere(2), torus(12, 8), icosphere(1).with(icosphere(1))})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     EXPECT_EQ(capped.capTriangles(), 0u);
     const Grid grid = gridAround(mesh, 16);
     for (const double value : valuesOn(capped, grid, grid.wholeExtent()))
@@ -266,7 +269,9 @@ TEST(CappedSurface, KeepsToleranceOnGridsHoweverFarTheyReach)
 {
   SCOPED_TRACE("seed 146");
   const winding::Surface surface = clean(damaged(icosphere(3), 0.3, 146));
-  const CappedSurface capped(surface, boundaryOf(surface), 1e-3, CappedSurface::CapSum::farField);
+  winding::SerialExecutor serial;
+  const CappedSurface capped(
+    surface, boundaryOf(surface), 1e-3, serial, CappedSurface::CapSum::farField);
   for (const double far : {1e2, 1e6, 1e10, 1e14, 1e20, 1e40, 1e80})
   {
     for (const Grid& grid :
@@ -296,12 +301,12 @@ TEST(CappedSurface, ClassifiesWithoutTheValuesAsWithThem)
   for (const Mesh& mesh : {icosphere(2), damaged(icosphere(2), 0.1, 144), openCube().reversed()})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     const Grid grid = gridAround(mesh, 12);
     const std::size_t count = winding::sampleCount(grid.wholeExtent());
     std::vector<float> values(count);
     std::vector<unsigned char> only(count, 99);
-    winding::SerialExecutor serial;
     for (const auto rule : {winding::InsideRule::signedThreshold,
            winding::InsideRule::absoluteThreshold, winding::InsideRule::odd})
     {
@@ -325,7 +330,8 @@ TEST(CappedSurface, HasTheSameBitsInAnyPiecesAndOnAnyThreads)
   SCOPED_TRACE("seed 145");
   const Mesh mesh = damaged(torus(24, 12), 0.1, 145).with(openCube());
   const winding::Surface surface = clean(mesh);
-  const CappedSurface capped(surface, boundaryOf(surface), 0);
+  winding::SerialExecutor serial;
+  const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
   const Grid grid = gridOf({-1.5, -1.5, -0.5}, {0.125, 0.125, 0.125}, {26, 25, 14});
   const Extent whole = grid.wholeExtent();
   const std::vector<double> expected = valuesOn(capped, grid, whole);
