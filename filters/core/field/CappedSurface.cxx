@@ -15,7 +15,8 @@ namespace winding
 
 CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
   Executor& executor, CapSum capSum)
-  : rows_(surface.vertices, surface, {cap_, capMultiplicities_})
+  : surface_(surface)
+  , rows_(surface.vertices, surface, {cap_, capMultiplicities_})
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
   , bounds_(surface.bounds)
   , choice_(capSum)
@@ -25,11 +26,10 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain,
     BoundaryChain ordered;
     ordered.edges = chain.edges;
     sortByCoordinates(ordered.edges, surface.vertices, executor);
-    const RepeatedLoops repeated(boundaryLoops(ordered, surface.vertices.size()));
-    cap_ = capOf(repeated.loops);
-    capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
+    loops_ = std::make_unique<const RepeatedLoops>(boundaryLoops(ordered, surface.vertices.size()));
+    cap_ = capOf(loops_->loops);
+    capMultiplicities_ = loops_->multiplicities(trianglesOfCap);
     capArea_ = approximateAreaOf(surface.vertices, cap_);
-    otherCap_ = std::make_unique<const OtherCap>(surface, repeated, cap_);
   }
   if (tolerance < FarFieldAccuracy::finest || cap_.empty())
   {
@@ -267,6 +267,8 @@ void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
   {
     return;
   }
+  std::call_once(isOtherCapMade_,
+    [this] { otherCap_ = std::make_unique<const OtherCap>(surface_, *loops_, cap_); });
   std::vector<double> values;
   otherCap_->resolve(grid, samples, values);
   for (std::size_t n = 0; n < samples.size(); ++n)

@@ -8,8 +8,10 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "surface/Boundary.h"
+#include "surface/RepeatedLoops.h"
 
 #include <memory>
+#include <mutex>
 
 namespace winding
 {
@@ -82,11 +84,14 @@ private:
   void resolveOnCap(const Grid& grid, const Extent& extent, const std::vector<SampleOnCap>& samples,
     const FieldOutput& output) const;
 
+  const Surface& surface_;
   std::vector<Triangle> cap_;
   Multiplicities capMultiplicities_;
   double capArea_ = 0;
-  std::unique_ptr<const OtherCap> otherCap_; ///< null where there is no cap
-  RowCrossings rows_;                        ///< crossings of M + C
+  std::unique_ptr<const RepeatedLoops> loops_; ///< the surface's rims; null where there is no cap
+  mutable std::once_flag isOtherCapMade_;
+  mutable std::unique_ptr<const OtherCap> otherCap_; ///< made for the first sample on the cap
+  RowCrossings rows_;                                ///< crossings of M + C
   TriangleSum capSum_;
   Bounds bounds_; ///< box of the surface
   CapSum choice_;

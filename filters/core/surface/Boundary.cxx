@@ -1,7 +1,6 @@
 #include "surface/Boundary.h"
 
 #include "base/BucketSort.h"
-#include "base/CountingSort.h"
 #include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
@@ -158,19 +157,32 @@ void sortByCoordinates(std::vector<BoundaryEdge>& edges,
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
 {
-  CountingSort<BoundaryEdge> leaving; // by the vertex that they leave
-  leaving.sort(vertices,
-    [&](const auto& visit)
-    {
-      for (const BoundaryEdge& edge : chain.edges)
-      {
-        visit(static_cast<std::size_t>(edge.from), edge);
-      }
-    });
-  std::vector<BoundaryEdge*> next(vertices);
-  for (std::size_t v = 0; v < vertices; ++v)
+  // All that a walk asks about a vertex stands in one place, as vertices come in any order.
+  struct Vertex
   {
-    next[v] = leaving.begin(v);
+    std::uint32_t next = 0, end = 0; // its leaving edges that have not been walked along yet
+    std::int32_t placeInPath = -1;
+  };
+  struct Leaving
+  {
+    std::int32_t to, multiplicity;
+  };
+  std::vector<Vertex> at(vertices);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    ++at[edge.from].end;
+  }
+  std::uint32_t start = 0;
+  for (Vertex& vertex : at)
+  {
+    vertex.next = start;
+    start += vertex.end;
+    vertex.end = vertex.next;
+  }
+  std::vector<Leaving> leaving(chain.edges.size()); // by the vertex that they leave
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    leaving[at[edge.from].end++] = {edge.to, edge.multiplicity};
   }
 
   // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
@@ -178,36 +190,34 @@ std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t 
   // began.
   std::vector<BoundaryLoop> loops;
   std::vector<std::int32_t> path;
-  std::vector<std::int32_t> placeInPath(vertices, -1);
   for (const BoundaryEdge& seed : chain.edges)
   {
     std::int32_t here = seed.from;
     while (true)
     {
-      if (placeInPath[here] >= 0)
+      Vertex& vertex = at[here];
+      if (vertex.placeInPath >= 0)
       {
-        const auto cut = path.begin() + placeInPath[here];
+        const auto cut = path.begin() + vertex.placeInPath;
         loops.emplace_back(cut, path.end());
         for (auto visited = cut; visited != path.end(); ++visited)
         {
-          placeInPath[*visited] = -1;
+          at[*visited].placeInPath = -1;
         }
         path.erase(cut, path.end());
       }
-      BoundaryEdge*& edge = next[here];
-      BoundaryEdge* const end = leaving.end(static_cast<std::size_t>(here));
-      while (edge != end && edge->multiplicity == 0)
+      while (vertex.next != vertex.end && leaving[vertex.next].multiplicity == 0)
       {
-        ++edge;
+        ++vertex.next;
       }
-      if (edge == end)
+      if (vertex.next == vertex.end)
       {
         break;
       }
-      placeInPath[here] = static_cast<std::int32_t>(path.size());
+      vertex.placeInPath = static_cast<std::int32_t>(path.size());
       path.push_back(here);
-      --edge->multiplicity;
-      here = edge->to;
+      --leaving[vertex.next].multiplicity;
+      here = leaving[vertex.next].to;
     }
   }
   return loops;
