@@ -264,6 +264,17 @@ TEST(SourceArea, IsThatOfTheTriangles)
   EXPECT_EQ(winding::areaOf(surface.vertices, {}), 0);
 }
 
+TEST(SourceArea, IsNearlyThatOfTheTrianglesWhereSomeOfManyAreAsked)
+{
+  const winding::Surface few = clean(icosphere(3)), many = clean(icosphere(7));
+  EXPECT_EQ(winding::approximateAreaOf(few.vertices, few.triangles),
+    winding::areaOf(few.vertices, few.triangles));
+  EXPECT_EQ(winding::approximateAreaOf(few.vertices, {}), 0);
+  ASSERT_GT(many.triangles.size(), 4 * 65536u);
+  const double area = winding::areaOf(many.vertices, many.triangles);
+  EXPECT_NEAR(winding::approximateAreaOf(many.vertices, many.triangles), area, 0.01 * area);
+}
+
 TEST(SourceArea, HasSamplesInTheBoundsAndATwentiethAround)
 {
   const winding::Bounds bounds(Point(1, 1, 1), Point(2, 3, 5));
