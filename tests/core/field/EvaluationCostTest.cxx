@@ -98,6 +98,11 @@ TEST(EvaluationCost, GrowsWithWhatThereIsToDo)
   }
   EXPECT_LT(winding::costOfRows(sourceOf(Primitive::triangle, 100'000, 10'000'000)).seconds,
     winding::costOfFarField(sourceOf(Primitive::triangle, 100'000, 10'000'000), 3).seconds);
+  // Most triangles smaller than voxels lie between the rows.
+  SampledSource large = sourceOf(Primitive::triangle, 20'000'000, 1'000'000), small = large;
+  large.area = 20'000'000;
+  small.area = 200'000;
+  EXPECT_LT(1.5 * winding::costOfRows(small).seconds, winding::costOfRows(large).seconds);
 }
 
 TEST(EvaluationCost, OfTheDirectSumIsThatOfItsTerms)
