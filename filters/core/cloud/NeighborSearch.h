@@ -28,8 +28,8 @@ public:
   explicit NeighborSearch(const DistinctPoints& places);
   ~NeighborSearch();
 
-  /// What searches of one thread leave to the next: memory, and how far the last one had to go,
-  /// which bounds how far the next one has to if its place is near. It changes no result.
+  /// A search leaves this to the next one of its thread: memory, and how far it had to go, which
+  /// bounds how far the next one has to if its place is near. It changes no result.
   class Last
   {
     friend class NeighborSearch;
