@@ -223,6 +223,7 @@ void LevelEdges::addSides(const std::vector<SideCounts>& layers)
 }
 
 bool LevelEdges::advanceByRuns(Executor& executor)
+try
 {
   const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
@@ -255,6 +256,10 @@ bool LevelEdges::advanceByRuns(Executor& executor)
   this->addEdges(layers, nullptr, executor);
   nextLayer_ = grid_.dimensions[2];
   return true;
+}
+catch (const Interrupted&)
+{
+  return false;
 }
 
 bool LevelEdges::advanceBySamples(Executor& executor)

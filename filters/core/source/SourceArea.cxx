@@ -35,9 +35,9 @@ double approximateAreaOf(
   constexpr std::size_t enough = 65536;
   // An odd step meets all kinds of triangles also where pairs or fours of them alternate.
   const std::size_t step = triangles.size() < 2 * enough ? 1 : (triangles.size() / enough - 1) | 1;
-  const auto seen = static_cast<double>((triangles.size() + step - 1) / step);
   const double area = areaOfEvery(step, vertices, triangles);
-  return seen > 0 ? area / seen * static_cast<double>(triangles.size()) : 0;
+  const auto seen = static_cast<double>((triangles.size() + step - 1) / step);
+  return step == 1 ? area : area / seen * static_cast<double>(triangles.size());
 }
 
 double distanceBetweenSamples(const Bounds& bounds, std::size_t samples)
