@@ -422,7 +422,9 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
   // Bounds need no normals. What a user interface asks for before anything is executed must not
   // fail, or nobody could be asked there whether to estimate them.
   options.estimateNormals = true;
-  const winding::Bounds& found = this->Source->bounds(source, options, *this->Ranks);
+  // Nothing is to interrupt what happens before anything is executed.
+  winding::SmpExecutor executor(nullptr, this->NumberOfThreads);
+  const winding::Bounds& found = this->Source->bounds(source, options, executor, *this->Ranks);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = found.min()[axis];

@@ -64,7 +64,8 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   return field_.get();
 }
 
-const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& options, Ranks& ranks)
+const Bounds& SourceField::bounds(
+  vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks)
 {
   std::optional<InputViews> views;
   Memory memory = boundedSource_;
@@ -81,8 +82,8 @@ const Bounds& SourceField::bounds(vtkDataObject* source, const InputOptions& opt
     ranks.agree(
       [&]
       {
-        const Bounds own =
-          views->isSurface() ? boundsOf(views->triangles()) : boundsOf(views->orientedPoints());
+        const Bounds own = views->isSurface() ? boundsOf(views->triangles(), executor)
+                                              : boundsOf(views->orientedPoints(), executor);
         if (!own.isEmpty())
         {
           corners.insert(corners.end(), own.min().data(), own.min().data() + 3);

@@ -35,8 +35,10 @@ public:
     Ranks& ranks, bool onlyOnFirst);
 
   /// The bounds of the usable primitives of the source, those of all ranks, found without building
-  /// a field, and kept for as long as the source stays the same. Collective. Throws Refusal.
-  const Bounds& bounds(vtkDataObject* source, const InputOptions& options, Ranks& ranks);
+  /// a field, and kept for as long as the source stays the same. The executor must not interrupt.
+  /// Collective. Throws Refusal.
+  const Bounds& bounds(
+    vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks);
 
   /// Information on the last field; before the first, that of an empty one.
   const FieldInfo& info() const;

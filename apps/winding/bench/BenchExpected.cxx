@@ -42,7 +42,7 @@ template <class Make> Taken taken(const Make& make)
 }
 
 template <class Filter>
-vtkSmartPointer<Filter> filterFor(vtkPointSet* source, bool withDistances, const Options& options)
+vtkSmartPointer<Filter> filterFor(bool withDistances, const Options& options)
 {
   auto filter = vtkSmartPointer<Filter>::New();
   filter->SetEstimateNormals(true);
@@ -72,7 +72,7 @@ BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& 
     {
       const auto make = [&]
       {
-        auto field = filterFor<vtkWindingNumberField>(source, withDistances, options);
+        auto field = filterFor<vtkWindingNumberField>(withDistances, options);
         field->SetInputDataObject(source);
         field->SetResolution(resolution);
         return field;
@@ -87,7 +87,7 @@ BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& 
       const auto queries = randomPoints(bounds, static_cast<std::size_t>(points));
       const auto make = [&]
       {
-        auto probe = filterFor<vtkWindingNumberProbe>(source, withDistances, options);
+        auto probe = filterFor<vtkWindingNumberProbe>(withDistances, options);
         probe->SetInputData(queries);
         probe->SetSourceData(source);
         return probe;

@@ -168,7 +168,8 @@ public:
     const winding::RowBands bands = {0, static_cast<int>(cells.sizeOf(cells.taskLevel(), 1))};
     const auto findCrossings = [&]
     {
-      const auto onGrid = rows.on(grid, all, bands);
+      winding::SerialExecutor serial;
+      const auto onGrid = rows.on(grid, all, bands, serial);
       for (int k = all[4]; k <= all[5]; ++k)
       {
         for (std::size_t band = 0; band < bands.countIn(all); ++band)

@@ -182,9 +182,10 @@ std::vector<Eigen::Vector3d> estimateNormals(
       [&](std::size_t, std::size_t first, std::size_t last)
       {
         std::vector<Neighbor> found;
+        NeighborSearch::Last lastSearch;
         for (std::size_t place = first; place < last; ++place)
         {
-          search.find(place, count, found);
+          search.find(place, count, found, lastSearch);
           ofPlaces[place] = normalOf(places, place, found);
           graph.set(place, found);
         }

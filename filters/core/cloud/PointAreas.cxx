@@ -57,6 +57,7 @@ private:
   struct Workspace
   {
     std::vector<Neighbor> neighbors;
+    NeighborSearch::Last last;
     std::vector<Eigen::Vector2d> around;        ///< neighbours that count, in the tangent plane
     std::vector<double> angles, openDirections; ///< angles in [0, 2π)
     std::vector<Gap> gaps;
@@ -211,7 +212,7 @@ void VoronoiAreas::forEachSiteOf(const std::vector<std::uint32_t>& places, std::
       for (std::size_t i = first; i < last; ++i)
       {
         const std::size_t place = places[i];
-        search_.find(place, neighbors, space.neighbors);
+        search_.find(place, neighbors, space.neighbors, space.last);
         for (std::size_t site = sites_.begin(place); site < sites_.end(place); ++site)
         {
           this->flatten(place, site, space);
@@ -265,11 +266,18 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
     },
     executor);
 
-  for (std::size_t point = 0; point < areas.size(); ++point)
-  {
-    const std::size_t site = sites_.siteOf(point);
-    areas[point] = areas_[site] / sites_[site].points / places_.scale() / places_.scale();
-  }
+  constexpr std::size_t pointsPerBlock = 16384;
+  runBlocks(
+    areas.size(), pointsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t point = first; point < last; ++point)
+      {
+        const std::size_t site = sites_.siteOf(point);
+        areas[point] = areas_[site] / sites_[site].points / places_.scale() / places_.scale();
+      }
+    },
+    executor);
   return areas;
 }
 

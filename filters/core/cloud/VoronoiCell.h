@@ -27,21 +27,28 @@ public:
     {
       corner.position *= radius;
     }
+    this->findFarthest();
   }
 
   /// Cuts off the part that is nearer to a point than to the origin; a point at the origin cuts
   /// nothing.
   void cut(const Eigen::Vector2d& point)
   {
-    const double half = 0.5 * point.squaredNorm();
-    const auto excess = [&](const Corner& corner)
+    // A bisector cuts nothing if it is farther away than all corners, by more than rounding: so do
+    // most points, which come in the order of their distances.
+    constexpr double beyondRounding = 1 + 1e-9;
+    const double squared = point.squaredNorm();
+    if (squared > 4 * beyondRounding * squaredFarthest_)
     {
-      return point.dot(corner.position) - half;
-    };
+      return;
+    }
+    const double half = 0.5 * squared;
+    excesses_.clear();
     bool cuts = false;
     for (const Corner& corner : corners_)
     {
-      cuts = cuts || excess(corner) > 0;
+      excesses_.push_back(point.dot(corner.position) - half);
+      cuts = cuts || excesses_.back() > 0;
     }
     if (!cuts)
     {
@@ -50,9 +57,9 @@ public:
     kept_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i)
     {
-      const Corner& from = corners_[i];
-      const Corner& to = corners_[i + 1 < corners_.size() ? i + 1 : 0];
-      const double before = excess(from), after = excess(to);
+      const std::size_t next = i + 1 < corners_.size() ? i + 1 : 0;
+      const Corner &from = corners_[i], &to = corners_[next];
+      const double before = excesses_[i], after = excesses_[next];
       if (before <= 0)
       {
         kept_.push_back(from);
@@ -66,6 +73,7 @@ public:
       }
     }
     corners_.swap(kept_);
+    this->findFarthest();
   }
 
   /// 0 or more, also where rounding leaves nothing of the cell.
@@ -130,7 +138,19 @@ private:
     return corners;
   }
 
+  void findFarthest()
+  {
+    squaredFarthest_ = 0;
+    for (const Corner& corner : corners_)
+    {
+      squaredFarthest_ = std::max(squaredFarthest_, corner.position.squaredNorm());
+    }
+  }
+
   std::vector<Corner> corners_, kept_;
+  std::vector<double>
+    excesses_; ///< by corner: how far the point's bisector cuts it off, or less than 0
+  double squaredFarthest_ = 0; ///< square of the distance of the farthest corner
 };
 
 } // namespace winding

@@ -3,6 +3,7 @@
 #include "source/CoordinateOrder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace winding
@@ -96,15 +97,30 @@ std::size_t mostPieces(std::size_t triangles, std::size_t samples)
 }
 
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles)
+  const std::vector<Triangle>& triangles, Executor& executor)
 {
-  return std::all_of(triangles.begin(), triangles.end(),
-    [&](const Triangle& t)
+  const auto isLeft = [&](const Triangle& t)
+  {
+    const Longest triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    return triangle.length <= rule.longestSide ||
+           triangle.length <= rule.allowedFor(triangle.a, triangle.b, triangle.c);
+  };
+  std::atomic<bool> areAllLeft = true;
+  constexpr std::size_t trianglesPerBlock = 16384;
+  runBlocks(
+    triangles.size(), trianglesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const Longest triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
-      return triangle.length <= rule.longestSide ||
-             triangle.length <= rule.allowedFor(triangle.a, triangle.b, triangle.c);
-    });
+      for (; first < last && areAllLeft.load(std::memory_order_relaxed); ++first)
+      {
+        if (!isLeft(triangles[first]))
+        {
+          areAllLeft = false;
+        }
+      }
+    },
+    executor);
+  return areAllLeft;
 }
 
 void forEachPiece(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,

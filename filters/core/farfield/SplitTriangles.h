@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Bounds.h"
+#include "base/Executor.h"
 #include "source/Surface.h"
 
 #include <functional>
@@ -42,9 +43,9 @@ struct SplitRule
  */
 std::size_t mostPieces(std::size_t triangles, std::size_t samples);
 
-/// Whether the rule leaves all triangles whole.
+/// Whether the rule leaves all triangles whole. Throws Interrupted.
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles);
+  const std::vector<Triangle>& triangles, Executor& executor);
 
 /// A piece of a triangle, or a whole one that was not cut.
 struct TrianglePiece

@@ -80,9 +80,16 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   {
     rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
   }
-  if (leavesWhole(rule, vertices_, triangles_.triangles()))
+  try
   {
-    return this->whole(executor);
+    if (leavesWhole(rule, vertices_, triangles_.triangles(), executor))
+    {
+      return this->whole(executor);
+    }
+  }
+  catch (const Interrupted&)
+  {
+    return nullptr;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_ || !(rule == rule_))

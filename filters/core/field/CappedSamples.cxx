@@ -18,11 +18,11 @@ class CappedSurface::Differences final : public PointSink
 public:
   /// integers: χ at each sample. References are kept.
   Differences(const VectorsView& samples, const std::vector<float>& integers,
-    const FieldOutput& output, const OtherCap& otherCap)
+    const FieldOutput& output, const CappedSurface& surface)
     : samples_(samples)
     , integers_(integers)
     , output_(output)
-    , otherCap_(otherCap)
+    , surface_(surface)
   {
   }
 
@@ -48,7 +48,7 @@ public:
         const std::size_t count = std::min(perBlock, onCap_.size() - block * perBlock);
         const std::vector<PointOnCap> some(first, first + static_cast<std::ptrdiff_t>(count));
         std::vector<double> values;
-        otherCap_.resolve(some, values);
+        surface_.otherCap().resolve(some, values);
         for (std::size_t n = 0; n < count; ++n)
         {
           output_.fill(values[n], some[n].sample, 1);
@@ -60,7 +60,7 @@ private:
   const VectorsView& samples_;
   const std::vector<float>& integers_;
   const FieldOutput& output_;
-  const OtherCap& otherCap_;
+  const CappedSurface& surface_;
   mutable std::mutex mutex_;
   mutable std::vector<PointOnCap> onCap_;
 };
@@ -95,7 +95,7 @@ bool CappedSurface::evaluate(
     return false;
   }
   share.set(0.5, 0.9);
-  const Differences differences(samples, integers, output, *otherCap_);
+  const Differences differences(samples, integers, output, *this);
   if (this->usesFarFieldAtPoints(samples.size()))
   {
     const std::shared_ptr<const FarField> farField = capFarField_->suiting(samples, executor);

@@ -13,9 +13,10 @@
 namespace winding
 {
 
-CappedSurface::CappedSurface(
-  const Surface& surface, const BoundaryChain& chain, double tolerance, CapSum capSum)
-  : rows_(surface.vertices, surface, {cap_, capMultiplicities_})
+CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
+  Executor& executor, CapSum capSum)
+  : surface_(surface)
+  , rows_(surface.vertices, surface, {cap_, capMultiplicities_})
   , points_(surface.vertices, surface, {cap_, capMultiplicities_}, surface.bounds)
   , capSum_(surface.vertices, {cap_, capMultiplicities_}, surface.bounds)
   , bounds_(surface.bounds)
@@ -25,12 +26,11 @@ CappedSurface::CappedSurface(
   {
     BoundaryChain ordered;
     ordered.edges = chain.edges;
-    sortByCoordinates(ordered.edges, surface.vertices);
-    const RepeatedLoops repeated(boundaryLoops(ordered, surface.vertices.size()));
-    cap_ = capOf(repeated.loops);
-    capMultiplicities_ = repeated.multiplicities(trianglesOfCap);
-    capArea_ = areaOf(surface.vertices, cap_);
-    otherCap_ = std::make_unique<const OtherCap>(surface, repeated, cap_);
+    sortByCoordinates(ordered.edges, surface.vertices, executor);
+    loops_ = std::make_unique<const RepeatedLoops>(boundaryLoops(ordered, surface.vertices.size()));
+    cap_ = capOf(loops_->loops);
+    capMultiplicities_ = loops_->multiplicities(trianglesOfCap);
+    capArea_ = approximateAreaOf(surface.vertices, cap_);
   }
   if (tolerance < FarFieldAccuracy::finest || cap_.empty())
   {
@@ -119,6 +119,7 @@ private:
 
 bool CappedSurface::evaluateByFarField(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
+try
 {
   const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
   if (!farField)
@@ -151,7 +152,8 @@ bool CappedSurface::evaluateByFarField(
   // The rows of a bar make one band.
   const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
   const RowBands bands = {extent[2] / height * height, height};
-  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows_.on(grid, extent, bands);
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows_.on(grid, extent, bands, executor);
   return executor.run(starts.size() - 1,
     [&](std::size_t number)
     {
@@ -166,6 +168,10 @@ bool CappedSurface::evaluateByFarField(
       }
       bar.finish();
     });
+}
+catch (const Interrupted&)
+{
+  return false;
 }
 
 bool CappedSurface::usesFarField(std::size_t samples) const
@@ -255,6 +261,13 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
   }
 }
 
+const OtherCap& CappedSurface::otherCap() const
+{
+  std::call_once(isOtherCapMade_,
+    [this] { otherCap_ = std::make_unique<const OtherCap>(surface_, *loops_, cap_); });
+  return *otherCap_;
+}
+
 void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
   const std::vector<SampleOnCap>& samples, const FieldOutput& output) const
 {
@@ -263,7 +276,7 @@ void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
     return;
   }
   std::vector<double> values;
-  otherCap_->resolve(grid, samples, values);
+  this->otherCap().resolve(grid, samples, values);
   for (std::size_t n = 0; n < samples.size(); ++n)
   {
     const SampleOnCap& sample = samples[n];

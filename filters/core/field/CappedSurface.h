@@ -9,8 +9,10 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "surface/Boundary.h"
+#include "surface/RepeatedLoops.h"
 
 #include <memory>
+#include <mutex>
 
 namespace winding
 {
@@ -49,15 +51,15 @@ public:
   };
 
   /// Keeps a reference to the surface, which must outlive this; chain is its boundary. tolerance is
-  /// the largest absolute error of w; 0 leaves the direct sum.
+  /// the largest absolute error of w; 0 leaves the direct sum. Throws Interrupted.
   CappedSurface(const Surface& surface, const BoundaryChain& chain, double tolerance,
-    CapSum capSum = CapSum::cheapest);
+    Executor& executor, CapSum capSum = CapSum::cheapest);
   ~CappedSurface();
 
   /// The number of the cap's different triangles: 0 if the surface is closed.
   std::size_t capTriangles() const { return cap_.size(); }
 
-  /// The area of the cap, in squares of the unit of length.
+  /// About the area of the cap, in squares of the unit of length.
   double capArea() const { return capArea_; }
 
   /// The crossings of the surface and its cap, which give χ.
@@ -103,15 +105,20 @@ private:
   void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
     const std::vector<RowRun>& runs, const FieldOutput& output,
     std::vector<SampleOnCap>& onCap) const;
+  /// The other cap, made when it is first asked for; only where there is a cap.
+  const OtherCap& otherCap() const;
   void resolveOnCap(const Grid& grid, const Extent& extent, const std::vector<SampleOnCap>& samples,
     const FieldOutput& output) const;
 
+  const Surface& surface_;
   std::vector<Triangle> cap_;
   Multiplicities capMultiplicities_;
   double capArea_ = 0;
-  std::unique_ptr<const OtherCap> otherCap_; ///< null where there is no cap
-  RowCrossings rows_;                        ///< crossings of M + C
-  PointCrossings points_;                    ///< the same at scattered samples
+  std::unique_ptr<const RepeatedLoops> loops_; ///< the surface's rims; null where there is no cap
+  mutable std::once_flag isOtherCapMade_;
+  mutable std::unique_ptr<const OtherCap> otherCap_; ///< made for the first sample on the cap
+  RowCrossings rows_;                                ///< crossings of M + C
+  PointCrossings points_;                            ///< the same at scattered samples
   TriangleSum capSum_;
   Bounds bounds_; ///< box of the surface
   CapSum choice_;

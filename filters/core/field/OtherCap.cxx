@@ -66,8 +66,9 @@ void addRows(const RowCrossings& rows, int factor, const Grid& grid, const Sampl
     extent[2] = std::min(extent[2], sample.j);
     extent[3] = std::max(extent[3], sample.j);
   }
+  SerialExecutor serial; // samples are resolved in blocks that run in parallel
   const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
-    rows.on(grid, extent, {extent[2], extent[3] - extent[2] + 1});
+    rows.on(grid, extent, {extent[2], extent[3] - extent[2] + 1}, serial);
   for (std::size_t next = 0; next < samples.size();)
   {
     // The rows of a layer come in ascending order, as the samples do.
@@ -101,22 +102,26 @@ OtherCap::OtherCap(
   , fanSum_(vertices_, {fan_, fanMultiplicities_}, surface.bounds)
 {
   // Only the loops' vertices are kept, for each resolve() looks at all that there are.
-  std::vector<std::int32_t> used;
+  std::vector<std::int32_t> places(surface.vertices.size(), -1);
   for (const BoundaryLoop& loop : repeated.loops)
   {
-    used.insert(used.end(), loop.begin(), loop.end());
+    for (const std::int32_t vertex : loop)
+    {
+      places[vertex] = 0;
+    }
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const auto placeOf = [&used](std::int32_t vertex)
+  for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
   {
-    return static_cast<std::int32_t>(
-      std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+    if (places[vertex] == 0)
+    {
+      places[vertex] = static_cast<std::int32_t>(vertices_.size());
+      vertices_.push_back(surface.vertices[vertex]);
+    }
+  }
+  const auto placeOf = [&places](std::int32_t vertex)
+  {
+    return places[vertex];
   };
-  for (const std::int32_t vertex : used)
-  {
-    vertices_.push_back(surface.vertices[vertex]);
-  }
   for (Triangle& triangle : cap_)
   {
     std::transform(triangle.begin(), triangle.end(), triangle.begin(), placeOf);

@@ -50,7 +50,7 @@ SurfaceField::SurfaceField(
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
-  this->chooseMethod(options, chain);
+  this->chooseMethod(options, chain, executor);
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }
 
@@ -90,7 +90,8 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
   }
 }
 
-void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain& chain)
+void SurfaceField::chooseMethod(
+  const FieldOptions& options, const BoundaryChain& chain, Executor& executor)
 {
   const Method asked = options.method;
   isFarFieldAskedFor_ = asked == Method::hierarchical;
@@ -135,7 +136,7 @@ void SurfaceField::chooseMethod(const FieldOptions& options, const BoundaryChain
     return;
   }
 
-  capped_ = std::make_unique<CappedSurface>(*distinct_, chain, options.tolerance);
+  capped_ = std::make_unique<CappedSurface>(*distinct_, chain, options.tolerance, executor);
   info_.capTriangles = capped_->capTriangles();
   const std::string cap = std::to_string(info_.capTriangles) + " triangles over " +
                           std::to_string(chain.edges.size()) + " boundary edges";
@@ -274,7 +275,7 @@ double SurfaceField::expectedSecondsOfBuilding() const
 double SurfaceField::area() const
 {
   std::call_once(
-    isAreaKnown_, [this] { area_ = areaOf(distinct_->vertices, distinct_->triangles); });
+    isAreaKnown_, [this] { area_ = approximateAreaOf(distinct_->vertices, distinct_->triangles); });
   return area_;
 }
 

@@ -48,7 +48,7 @@ protected:
 
 private:
   void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
-  void chooseMethod(const FieldOptions& options, const BoundaryChain& chain);
+  void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);
 

@@ -177,7 +177,8 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
   const int rowsPerBand = static_cast<int>(
     std::clamp<std::int64_t>(samplesPerBlock / (width * samplesPerVoxel), 1, height));
   const RowBands bands = {samples[2], rowsPerBand * perAxis_};
-  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows.on(samples_, samples, bands);
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows.on(samples_, samples, bands, executor);
   const auto bandCount = bands.countIn(samples);
   const auto layers = static_cast<std::size_t>(extent_[5] - extent_[4] + 1);
   const bool isComplete = executor.run(layers * bandCount,

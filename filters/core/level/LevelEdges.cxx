@@ -176,15 +176,11 @@ LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, do
   , threshold_(threshold)
   , border_(withBorder ? 1 : 0)
   , layersPerSlab_(layersOfSlab(grid, slabBytes))
+  , rows_(field.integerRows())
   , lastLayer_(std::make_unique<Layer>(border_))
   , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
   , beginsInside_(starts_.size() / 3, 0)
 {
-  if (const RowCrossings* rows = field.integerRows())
-  {
-    // All rows of a layer make one band.
-    rows_ = rows->on(grid, grid.wholeExtent(), {0, grid.dimensions[1]});
-  }
 }
 
 LevelEdges::~LevelEdges() = default;
@@ -227,6 +223,7 @@ void LevelEdges::addSides(const std::vector<SideCounts>& layers)
 }
 
 bool LevelEdges::advanceByRuns(Executor& executor)
+try
 {
   const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
@@ -236,9 +233,12 @@ bool LevelEdges::advanceByRuns(Executor& executor)
       static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
   };
   std::vector<SideCounts> sides(depth);
+  // All rows of a layer make one band.
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows_->on(grid_, grid_.wholeExtent(), {0, grid_.dimensions[1]}, executor);
   const auto findLayer = [&](std::size_t k)
   {
-    rows_->evaluate(static_cast<int>(k), 0,
+    onGrid->evaluate(static_cast<int>(k), 0,
       [&](int, int, const std::vector<RowRun>& runs)
       {
         layers[k + 1].addRow(runs, stateOf);
@@ -256,6 +256,10 @@ bool LevelEdges::advanceByRuns(Executor& executor)
   this->addEdges(layers, nullptr, executor);
   nextLayer_ = grid_.dimensions[2];
   return true;
+}
+catch (const Interrupted&)
+{
+  return false;
 }
 
 bool LevelEdges::advanceBySamples(Executor& executor)

@@ -135,7 +135,7 @@ private:
   double threshold_;
   int border_; ///< layers of samples around the grid: 1 or 0
   int layersPerSlab_;
-  std::unique_ptr<const RowCrossings::OnGrid> rows_; ///< null unless whole rows are integers
+  const RowCrossings* rows_; ///< null unless whole rows are integers
   int nextLayer_ = 0;
   std::unique_ptr<Layer> lastLayer_; ///< layer before nextLayer_
   std::unique_ptr<Slab> slab_;       ///< values of the last layers before nextLayer_

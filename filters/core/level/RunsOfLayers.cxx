@@ -21,7 +21,8 @@ RunsOfLayers::RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first
   extent[4] = first;
   extent[5] = last;
   bandsPerLayer_ = bands_.countIn(extent);
-  const std::unique_ptr<const RowCrossings::OnGrid> onGrid = rows.on(grid, extent, bands_);
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows.on(grid, extent, bands_, executor);
   blocks_.resize(bandsPerLayer_ * static_cast<std::size_t>(last - first + 1));
   std::vector<SideCounts> sides(blocks_.size());
   const auto work = [&](std::size_t number)

@@ -1,6 +1,8 @@
 #include "rays/RowCrossings.h"
 
+#include "base/BucketSort.h"
 #include "base/CountingSort.h"
+#include "base/DividedShare.h"
 #include "rays/RowTriangle.h"
 
 #include <algorithm>
@@ -12,6 +14,61 @@ namespace winding
 namespace
 {
 
+/// A vertex among the rows and layers of an extent. Along each axis it has a number that grows with
+/// its coordinate: 0 before the first index, 2i + 1 at index i, counted from the first, 2i + 2
+/// between i and i + 1 or behind the last index. Two numbers take a third of the room of three
+/// coordinates, so that more vertices stay in the caches.
+class VertexPlace
+{
+public:
+  VertexPlace() = default;
+  VertexPlace(const Eigen::Vector3d& vertex, const Grid& grid, const Extent& extent)
+    : row_(numberOf(vertex, grid, extent, 1))
+    , layer_(numberOf(vertex, grid, extent, 2))
+  {
+  }
+
+  ///@{
+  /// The indices of an extent between the lowest and the highest of three vertices: those that
+  /// indicesBetween() their coordinates in grid units are.
+  static IndexRange rowsOf(
+    const VertexPlace& a, const VertexPlace& b, const VertexPlace& c, int low)
+  {
+    return range(std::minmax({a.row_, b.row_, c.row_}), low);
+  }
+  static IndexRange layersOf(
+    const VertexPlace& a, const VertexPlace& b, const VertexPlace& c, int low)
+  {
+    return range(std::minmax({a.layer_, b.layer_, c.layer_}), low);
+  }
+  ///@}
+
+private:
+  static std::uint32_t numberOf(
+    const Eigen::Vector3d& vertex, const Grid& grid, const Extent& extent, int axis)
+  {
+    const int low = extent[2 * axis], high = extent[2 * axis + 1];
+    const double place = grid.inGridUnits(vertex, axis);
+    if (!(place >= low))
+    {
+      return 0;
+    }
+    const int whole = place > high ? high : static_cast<int>(place);
+    return 2 * static_cast<std::uint32_t>(whole - low) + 1 + (whole < place ? 1 : 0);
+  }
+
+  static IndexRange range(const std::pair<std::uint32_t, std::uint32_t>& numbers, int low)
+  {
+    const auto first = static_cast<long long>(numbers.first / 2);
+    const auto last = static_cast<long long>((numbers.second - 1) / 2);
+    return numbers.second == 0 || last < first
+             ? IndexRange{0, -1}
+             : IndexRange{static_cast<int>(low + first), static_cast<int>(low + last)};
+  }
+
+  std::uint32_t row_, layer_;
+};
+
 /**
  * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of
  * a layer that stand beside each other; the first may begin before the extent.
@@ -19,36 +76,62 @@ namespace
 class Bands
 {
 public:
-  Bands(const Extent& extent, const RowBands& rows, const std::vector<Eigen::Vector3d>& vertices,
-    const ChainView& triangles, const ChainView& cap)
-    : firstLayer_(extent[4])
+  Bands(const Grid& grid, const Extent& extent, const RowBands& rows,
+    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap,
+    Executor& executor)
+    : extent_(extent)
+    , rows_(rows)
     , perLayer_(rows.countIn(extent))
   {
-    const auto forEach = [&](const auto& visit)
-    {
-      std::uint32_t number = 0;
-      for (const ChainView* list : {&triangles, &cap})
+    std::unique_ptr<VertexPlace[]> places(new VertexPlace[vertices.size()]);
+    runBlocks(
+      vertices.size(), itemsPerBlock,
+      [&](std::size_t, std::size_t first, std::size_t last)
       {
-        for (const Triangle& triangle : list->triangles())
+        for (std::size_t i = first; i < last; ++i)
         {
-          const auto [firstRow, lastRow] = samplesBetween(vertices, triangle, 1, extent);
-          const auto [firstLayer, lastLayer] = samplesBetween(vertices, triangle, 2, extent);
-          if (firstRow <= lastRow)
+          places[i] = VertexPlace(vertices[i], grid, extent);
+        }
+      },
+      executor);
+
+    // Most triangles of fine meshes lie between the rows, and are looked at once only.
+    const std::vector<std::uint32_t> reaching =
+      this->trianglesThatReachRows(places.get(), triangles, cap, executor);
+    const std::size_t bands = static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_;
+    // A block counts what it has for each band; together the blocks have at most so many counts.
+    constexpr std::size_t mostCounts = 1 << 20;
+    const std::size_t mostBlocks = std::max<std::size_t>(1, mostCounts / bands);
+    const std::size_t perBlock =
+      std::max<std::size_t>(itemsPerBlock, (reaching.size() + mostBlocks - 1) / mostBlocks);
+    triangles_ = distribute<std::uint32_t>(
+      reaching.size(), bands,
+      [&](std::size_t first, std::size_t last, const auto& put)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const std::uint32_t number = reaching[i];
+          const bool isOfCap = number >= triangles.size();
+          const Reach reach = this->reachOf(
+            places.get(), isOfCap ? cap[number - triangles.size()] : triangles[number]);
+          const std::size_t firstBand = rows.bandOf(reach.rows.first);
+          const std::size_t lastBand = rows.bandOf(reach.rows.second);
+          for (int k = reach.layers.first; k <= reach.layers.second; ++k)
           {
-            const std::size_t firstBand = rows.bandOf(firstRow), lastBand = rows.bandOf(lastRow);
-            for (int k = firstLayer; k <= lastLayer; ++k)
+            for (std::size_t band = firstBand; band <= lastBand; ++band)
             {
-              for (std::size_t band = firstBand; band <= lastBand; ++band)
-              {
-                visit(this->place(k, band), number);
-              }
+              put(this->place(k, band), number);
             }
           }
-          ++number;
         }
-      }
-    };
-    triangles_.sort(static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_, forEach);
+      },
+      executor, perBlock);
+  }
+
+  /// The number of triangles in all bands together.
+  std::size_t size() const
+  {
+    return static_cast<std::size_t>(triangles_.end(triangles_.count() - 1) - triangles_.begin(0));
   }
 
   const std::uint32_t* begin(int k, std::size_t band) const
@@ -61,23 +144,73 @@ public:
   }
 
 private:
-  /// The indices of an extent along an axis between a triangle's lowest and highest vertex.
-  static IndexRange samplesBetween(const std::vector<Eigen::Vector3d>& vertices,
-    const Triangle& triangle, int axis, const Extent& extent)
+  static constexpr std::size_t itemsPerBlock = 16384;
+
+  struct Reach
   {
-    const auto [low, high] = std::minmax(
-      {vertices[triangle[0]][axis], vertices[triangle[1]][axis], vertices[triangle[2]][axis]});
-    return indicesBetween(low, high, extent[2 * axis], extent[2 * axis + 1]);
+    IndexRange rows, layers;
+  };
+
+  Reach reachOf(const VertexPlace* places, const Triangle& triangle) const
+  {
+    const VertexPlace &a = places[triangle[0]], &b = places[triangle[1]], &c = places[triangle[2]];
+    return {VertexPlace::rowsOf(a, b, c, extent_[2]), VertexPlace::layersOf(a, b, c, extent_[4])};
+  }
+
+  /// The numbers of the triangles that reach rows of the extent, those of the cap after the others.
+  std::vector<std::uint32_t> trianglesThatReachRows(const VertexPlace* places,
+    const ChainView& triangles, const ChainView& cap, Executor& executor) const
+  {
+    const std::size_t count = triangles.size() + cap.size();
+    std::vector<std::vector<std::uint32_t>> ofBlocks((count + itemsPerBlock - 1) / itemsPerBlock);
+    runBlocks(
+      count, itemsPerBlock,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        std::uint32_t numbers[itemsPerBlock];
+        std::size_t found = 0;
+        const auto addThose =
+          [&](const ChainView& list, std::size_t begin, std::size_t end, std::size_t numberOfFirst)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            // Nobody could predict which triangles reach rows, so that all are written down.
+            const Reach reach = this->reachOf(places, list[i]);
+            numbers[found] = static_cast<std::uint32_t>(numberOfFirst + i);
+            found +=
+              reach.rows.first <= reach.rows.second && reach.layers.first <= reach.layers.second;
+          }
+        };
+        addThose(triangles, first, std::min(last, triangles.size()), 0);
+        addThose(cap, std::max(first, triangles.size()) - triangles.size(),
+          std::max(last, triangles.size()) - triangles.size(), triangles.size());
+        ofBlocks[block].assign(numbers, numbers + found);
+      },
+      executor);
+    std::size_t size = 0;
+    for (const std::vector<std::uint32_t>& ofBlock : ofBlocks)
+    {
+      size += ofBlock.size();
+    }
+    std::vector<std::uint32_t> all;
+    all.reserve(size);
+    for (std::vector<std::uint32_t>& ofBlock : ofBlocks)
+    {
+      all.insert(all.end(), ofBlock.begin(), ofBlock.end());
+      ofBlock = {}; // so that its memory is free at once
+    }
+    return all;
   }
 
   std::size_t place(int k, std::size_t band) const
   {
-    return static_cast<std::size_t>(k - firstLayer_) * perLayer_ + band;
+    return static_cast<std::size_t>(k - extent_[4]) * perLayer_ + band;
   }
 
-  int firstLayer_;
+  Extent extent_;
+  RowBands rows_;
   std::size_t perLayer_;
-  CountingSort<std::uint32_t> triangles_;
+  Buckets<std::uint32_t> triangles_;
 };
 
 struct Crossing
@@ -114,21 +247,38 @@ void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<Ro
   }
 }
 
-/// A chain's vertices in units of a grid, and its triangles by the bands that they reach.
+/// A chain in units of a grid: its triangles by the bands that they reach, and its vertices where
+/// the bands ask for most of them. Where few are asked for, as most triangles lie between the rows,
+/// each is brought to units of the grid when it is.
 class ChainOnGrid final : public RowCrossings::OnGrid
 {
 public:
   ChainOnGrid(const Grid& grid, const Extent& extent, const RowBands& rows,
-    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap)
-    : extent_(extent)
+    const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap,
+    Executor& executor)
+    : grid_(grid)
+    , extent_(extent)
     , rows_(rows)
-    , vertices_(vertices.size())
+    , vertices_(vertices)
     , triangles_(triangles)
     , cap_(cap)
+    , bands_(grid, extent, rows, vertices, triangles, cap, executor)
   {
-    std::transform(vertices.begin(), vertices.end(), vertices_.begin(),
-      [&grid](const Eigen::Vector3d& vertex) { return grid.inGridUnits(vertex); });
-    bands_ = std::make_unique<const Bands>(extent, rows, vertices_, triangles_, cap_);
+    if (3 * bands_.size() > vertices.size())
+    {
+      inGridUnits_.resize(vertices.size());
+      constexpr std::size_t verticesPerBlock = 16384;
+      runBlocks(
+        vertices.size(), verticesPerBlock,
+        [&](std::size_t, std::size_t first, std::size_t last)
+        {
+          for (std::size_t i = first; i < last; ++i)
+          {
+            inGridUnits_[i] = grid.inGridUnits(vertices[i]);
+          }
+        },
+        executor);
+    }
   }
 
   void evaluate(int k, std::size_t band, const RowCrossings::RowWork& work) const override
@@ -136,7 +286,7 @@ public:
     const int firstRow = std::max(extent_[2], rows_.firstRowOf(band));
     const int lastRow = rows_.lastRowIn(extent_, band);
     std::vector<Crossing> crossings;
-    for (const std::uint32_t* number = bands_->begin(k, band); number != bands_->end(k, band);
+    for (const std::uint32_t* number = bands_.begin(k, band); number != bands_.end(k, band);
          ++number)
     {
       const bool isOfCap = *number >= triangles_.size();
@@ -144,7 +294,7 @@ public:
       const std::size_t place = isOfCap ? *number - triangles_.size() : *number;
       const Triangle& ids = list[place];
       const std::int32_t multiplicity = list.multiplicity(place);
-      const RowTriangle triangle(vertices_[ids[0]], vertices_[ids[1]], vertices_[ids[2]]);
+      const RowTriangle triangle(this->vertex(ids[0]), this->vertex(ids[1]), this->vertex(ids[2]));
       const RowTriangle::Range range = triangle.rowsIn(k, firstRow, lastRow);
       for (int j = range.first; j <= range.last; ++j)
       {
@@ -178,11 +328,18 @@ public:
   }
 
 private:
+  Eigen::Vector3d vertex(std::int32_t id) const
+  {
+    return inGridUnits_.empty() ? grid_.inGridUnits(vertices_[id]) : inGridUnits_[id];
+  }
+
+  Grid grid_;
   Extent extent_;
   RowBands rows_;
-  std::vector<Eigen::Vector3d> vertices_;
+  const std::vector<Eigen::Vector3d>& vertices_;
   ChainView triangles_, cap_;
-  std::unique_ptr<const Bands> bands_;
+  Bands bands_;
+  std::vector<Eigen::Vector3d> inGridUnits_; ///< the vertices; empty where few are asked for
 };
 
 } // namespace
@@ -202,9 +359,10 @@ const std::vector<Triangle>& RowCrossings::noTriangles()
 }
 
 std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
-  const Grid& grid, const Extent& extent, const RowBands& rows) const
+  const Grid& grid, const Extent& extent, const RowBands& rows, Executor& executor) const
 {
-  return std::make_unique<const ChainOnGrid>(grid, extent, rows, vertices_, triangles_, cap_);
+  return std::make_unique<const ChainOnGrid>(
+    grid, extent, rows, vertices_, triangles_, cap_, executor);
 }
 
 bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
@@ -218,6 +376,7 @@ bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t 
 
 bool RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
   std::size_t samplesPerBlock, const BlockWork& work, Executor& executor) const
+try
 {
   if (sampleCount(extent) == 0)
   {
@@ -230,8 +389,11 @@ bool RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
     extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
   const std::size_t bands = rows.countIn(extent);
   const std::size_t layers = this->layersAtATime(grid, extent, rows);
-  const auto [first, last] = executor.share();
-  const double perLayer = (last - first) / static_cast<double>(depth);
+  const auto shareOf = [depth](std::size_t done)
+  {
+    return static_cast<double>(done) / static_cast<double>(depth);
+  };
+  DividedShare divided(executor);
   bool isComplete = true;
   for (std::size_t done = 0; isComplete && done < depth; done += layers)
   {
@@ -239,14 +401,16 @@ bool RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
     Extent slab = extent;
     slab[4] = extent[4] + static_cast<int>(done);
     slab[5] = extent[4] + static_cast<int>(end - 1);
-    const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows);
-    executor.setShare(first + perLayer * static_cast<double>(done),
-      end == depth ? last : first + perLayer * static_cast<double>(end));
+    divided.set(shareOf(done), shareOf(end));
+    const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows, executor);
     isComplete = executor.run(bands * (end - done), [&](std::size_t block)
       { work(*onGrid, slab[4] + static_cast<int>(block / bands), block % bands); });
   }
-  executor.setShare(first, last);
   return isComplete;
+}
+catch (const Interrupted&)
+{
+  return false;
 }
 
 std::size_t RowCrossings::layersAtATime(

@@ -54,9 +54,10 @@ struct RowBands
  * sample; grids whose voxels are smaller than 1e-150 of that distance leave the range of the
  * predicates.
  *
- * The time is linear in the triangles, the crossings and the runs. The memory is 24 bytes per
- * vertex, 4 per triangle, layer and band that it reaches, 8 per layer and band, and the crossings
- * at work.
+ * The time is linear in the triangles, the crossings and the runs. The memory is 4 bytes per
+ * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work; 24
+ * bytes per vertex unless most triangles lie between the rows; and 8 per vertex and 4 per triangle
+ * that reaches a row while the triangles are distributed to the bands.
  */
 class RowCrossings
 {
@@ -70,10 +71,11 @@ public:
   RowCrossings(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
     const ChainView& cap = noTriangles());
 
-  /// The data that the rows of an extent need, made once for all of them.
+  /// The data that the rows of an extent need, made once for all of them. The object that is
+  /// returned refers to this one. Throws Interrupted.
   class OnGrid;
   std::unique_ptr<const OnGrid> on(
-    const Grid& grid, const Extent& extent, const RowBands& rows) const;
+    const Grid& grid, const Extent& extent, const RowBands& rows, Executor& executor) const;
 
   /// The work for a band of layer k, called once for each, from the executor's threads.
   using BlockWork = std::function<void(const OnGrid& onGrid, int k, std::size_t band)>;

@@ -121,10 +121,11 @@ void lookAtNeighbors(const DistinctPoints& places, const std::vector<Eigen::Vect
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
       std::vector<Neighbor> neighbors;
+      NeighborSearch::Last lastSearch;
       Pairs pairs;
       for (std::size_t place = first; place < last; ++place)
       {
-        search.find(place, normals.empty() ? 1 : neighborsCompared, neighbors);
+        search.find(place, normals.empty() ? 1 : neighborsCompared, neighbors, lastSearch);
         const Eigen::Vector3d offset =
           places.positions()[neighbors[0].place] - places.positions()[place];
         distances[place] = offset.stableNorm();

@@ -50,6 +50,12 @@ struct Grid
     return (position - firstSample).cwiseQuotient(spacing);
   }
 
+  /// A coordinate of inGridUnits(), with the same bits.
+  double inGridUnits(const Eigen::Vector3d& position, int axis) const
+  {
+    return (position[axis] - firstSample[axis]) / spacing[axis];
+  }
+
   Extent wholeExtent() const
   {
     return {0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1};

@@ -166,6 +166,60 @@ void forEachUsable(const std::vector<View>& views, const Work& work)
   }
 }
 
+constexpr std::size_t primitivesPerBlock = 16384;
+
+std::size_t blocksOf(std::size_t primitives)
+{
+  return (primitives + primitivesPerBlock - 1) / primitivesPerBlock;
+}
+
+/// The bounds of all items without a fault; extend(view, item, box) extends a box by an item.
+/// Throws Refusal for the first item that is out of range.
+template <class View, class Extend>
+Bounds boundsOfUsable(const std::vector<View>& views, const Extend& extend, Executor& executor)
+{
+  const Concatenation items(views, [](const View& view) { return sizeOf(view); });
+  struct OfBlock
+  {
+    Bounds bounds;
+    bool isOutOfRange = false;
+  };
+  std::vector<OfBlock> blocks(blocksOf(items.size()));
+  runBlocks(
+    items.size(), primitivesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      OfBlock found;
+      items.forEachPart(first, last,
+        [&](std::size_t number, std::size_t begin, std::size_t end, std::size_t)
+        {
+          const View& view = views[number];
+          using Fault = decltype(faultOf(view, 0));
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const Fault fault = faultOf(view, i);
+            found.isOutOfRange = found.isOutOfRange || fault == Fault::outOfRange;
+            if (fault == Fault::none)
+            {
+              extend(view, i, found.bounds);
+            }
+          }
+        });
+      blocks[block] = found;
+    },
+    executor);
+  Bounds bounds;
+  for (const OfBlock& block : blocks)
+  {
+    if (block.isOutOfRange)
+    {
+      forEachUsable(views, [](std::size_t, std::size_t) {}); // throws for the first of them
+    }
+    bounds.extend(block.bounds);
+  }
+  return bounds;
+}
+
 double longestSide(const Bounds& bounds)
 {
   return bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
@@ -216,13 +270,6 @@ bool allOrNone(
       "give " + what + " to all parts of the cloud: some have them and others have none");
   }
   return any;
-}
-
-constexpr std::size_t primitivesPerBlock = 16384;
-
-std::size_t blocksOf(std::size_t primitives)
-{
-  return (primitives + primitivesPerBlock - 1) / primitivesPerBlock;
 }
 
 /// The number of primitives of a block by their fault; the first number is that of those without.
@@ -469,28 +516,43 @@ bool isUsable(const OrientedPointsView& view, std::size_t point)
 
 Bounds boundsOf(const std::vector<TrianglesView>& views)
 {
-  Bounds bounds;
-  forEachUsable(views,
-    [&](std::size_t view, std::size_t triangle)
+  SerialExecutor serial;
+  return boundsOf(views, serial);
+}
+
+Bounds boundsOf(const std::vector<TrianglesView>& views, Executor& executor)
+{
+  const Bounds bounds = boundsOfUsable(
+    views,
+    [](const TrianglesView& view, std::size_t triangle, Bounds& box)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        bounds.extend(corner(views[view], triangle, i));
+        box.extend(corner(view, triangle, i));
       }
-    });
+    },
+    executor);
   checkSize(bounds);
   return bounds;
 }
 
 Bounds boundsOf(const std::vector<OrientedPointsView>& views)
 {
+  SerialExecutor serial;
+  return boundsOf(views, serial);
+}
+
+Bounds boundsOf(const std::vector<OrientedPointsView>& views, Executor& executor)
+{
   for (const OrientedPointsView& view : views)
   {
     checkLengths(view);
   }
-  Bounds bounds;
-  forEachUsable(views,
-    [&](std::size_t view, std::size_t point) { bounds.extend(views[view].positions[point]); });
+  const Bounds bounds = boundsOfUsable(
+    views,
+    [](const OrientedPointsView& view, std::size_t point, Bounds& box)
+    { box.extend(view.positions[point]); },
+    executor);
   checkSize(bounds);
   return bounds;
 }

@@ -55,9 +55,14 @@ bool isUsable(const TrianglesView& view, std::size_t triangle);
 bool isUsable(const OrientedPointsView& view, std::size_t point);
 ///@}
 
+///@{
 /// The bounds that sanitize() would find, without building anything; empty for no valid primitive.
-/// Throws Refusal for coordinates out of range, and when a view's arrays differ in length.
+/// Throws Refusal for coordinates out of range, and when a view's arrays differ in length; with an
+/// executor, Interrupted.
 Bounds boundsOf(const std::vector<TrianglesView>& views);
 Bounds boundsOf(const std::vector<OrientedPointsView>& views);
+Bounds boundsOf(const std::vector<TrianglesView>& views, Executor& executor);
+Bounds boundsOf(const std::vector<OrientedPointsView>& views, Executor& executor);
+///@}
 
 } // namespace winding

@@ -12,6 +12,11 @@ namespace winding
 /// The sum of the areas of triangles, in squares of their coordinates' unit.
 double areaOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
 
+/// About areaOf(), for what only needs its size: of more than 65536 triangles every so manieth is
+/// looked at, 65536 of them at least. The order of the triangles decides which.
+double approximateAreaOf(
+  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+
 /// The distance between samples, if so many are spread evenly over a box that is larger than the
 /// bounds by a twentieth of the longest side on each side, as grids usually are. 0 if there is
 /// none.

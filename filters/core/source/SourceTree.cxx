@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace winding
 {
@@ -80,15 +81,23 @@ void sortLeaf(Item* first, Item* last, const SourceTree::IsBefore& isBefore)
 SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize,
   Executor& executor, const IsBefore& isBefore)
 {
-  std::vector<Item> items(centers.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
-  {
-    items[i] = {centers[i], static_cast<std::uint32_t>(i)};
-  }
+  constexpr std::size_t itemsPerBlock = 16384;
+  // std::make_unique() would fill them with zeros first. NOLINTNEXTLINE(modernize-make-unique)
+  const std::unique_ptr<Item[]> items(new Item[centers.size()]);
+  runBlocks(
+    centers.size(), itemsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        items[i] = {centers[i], static_cast<std::uint32_t>(i)};
+      }
+    },
+    executor);
   depthStarts_.push_back(0);
-  if (!items.empty())
+  if (!centers.empty())
   {
-    nodes_.push_back({0, static_cast<std::uint32_t>(items.size()), 0, 0});
+    nodes_.push_back({0, static_cast<std::uint32_t>(centers.size()), 0, 0});
   }
   std::vector<std::array<Item*, 5>> limits;
   while (depthStarts_.back() < nodes_.size())
@@ -107,8 +116,8 @@ SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t 
         for (std::size_t i = firstOfBlock; i < lastOfBlock; ++i)
         {
           SourceNode& node = nodes_[first + i];
-          Item* const begin = items.data() + node.begin;
-          Item* const end = items.data() + node.end;
+          Item* const begin = items.get() + node.begin;
+          Item* const end = items.get() + node.end;
           if (node.size() > leafSize)
           {
             node.children = static_cast<std::uint32_t>(cutInFour(begin, end, leafSize, limits[i]));
@@ -125,14 +134,22 @@ SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t 
       nodes_[first + i].firstChild = static_cast<std::uint32_t>(nodes_.size());
       for (std::uint32_t child = 0; child < nodes_[first + i].children; ++child)
       {
-        nodes_.push_back({static_cast<std::uint32_t>(limits[i][child] - items.data()),
-          static_cast<std::uint32_t>(limits[i][child + 1] - items.data()), 0, 0});
+        nodes_.push_back({static_cast<std::uint32_t>(limits[i][child] - items.get()),
+          static_cast<std::uint32_t>(limits[i][child + 1] - items.get()), 0, 0});
       }
     }
   }
-  order_.resize(items.size());
-  std::transform(
-    items.begin(), items.end(), order_.begin(), [](const Item& item) { return item.number; });
+  order_.resize(centers.size());
+  runBlocks(
+    centers.size(), itemsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        order_[i] = items[i].number;
+      }
+    },
+    executor);
 }
 
 } // namespace winding

@@ -1,10 +1,12 @@
 #include "surface/Boundary.h"
 
-#include "base/CountingSort.h"
+#include "base/BucketSort.h"
 #include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace winding
@@ -86,8 +88,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   return chain;
 }
 
-void sortByCoordinates(
-  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices)
+void sortByCoordinates(std::vector<BoundaryEdge>& edges,
+  const std::vector<Eigen::Vector3d>& vertices, Executor& executor)
 {
   // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
   struct Keyed
@@ -100,42 +102,87 @@ void sortByCoordinates(
   {
     return compareCoordinates(vertices[a], vertices[b]) < 0;
   };
-  std::vector<Keyed> keyed;
-  keyed.reserve(edges.size());
-  for (const BoundaryEdge& edge : edges)
+  const auto keyedOf = [&](const BoundaryEdge& edge) -> Keyed
   {
     const auto [lower, higher] =
       isBefore(edge.from, edge.to) ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
-    keyed.push_back({vertices[lower][0], lower, higher, edge});
+    return {vertices[lower][0], lower, higher, edge};
+  };
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const BoundaryEdge& edge : edges)
+  {
+    const double x = std::min(vertices[edge.from][0], vertices[edge.to][0]);
+    least = std::min(least, x);
+    most = std::max(most, x);
   }
-  std::sort(keyed.begin(), keyed.end(),
-    [&isBefore](const Keyed& a, const Keyed& b)
+  // Slices of x follow each other, so that each may be sorted by itself. Rounding is monotone: it
+  // puts no edge into a slice before that of an edge with a smaller x.
+  constexpr std::size_t wantedInSlice = 4096;
+  const std::size_t slices = std::clamp<std::size_t>(edges.size() / wantedInSlice, 1, mostBuckets);
+  const double slicesPerUnit = static_cast<double>(slices) / (most - least);
+  const double perUnit = most > least && std::isfinite(slicesPerUnit) ? slicesPerUnit : 0;
+  const auto sliceOf = [&](double x)
+  {
+    return std::min(static_cast<std::size_t>((x - least) * perUnit), slices - 1);
+  };
+  Buckets<Keyed> keyed = distribute<Keyed>(
+    edges.size(), slices,
+    [&](std::size_t first, std::size_t last, const auto& put)
     {
-      if (a.x != b.x || a.lower == b.lower)
+      for (std::size_t i = first; i < last; ++i)
       {
-        return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
+        const Keyed item = keyedOf(edges[i]);
+        put(sliceOf(item.x), item);
       }
-      return isBefore(a.lower, b.lower);
-    });
-  std::transform(
-    keyed.begin(), keyed.end(), edges.begin(), [](const Keyed& item) { return item.edge; });
+    },
+    executor);
+  runBlocks(
+    slices, 1,
+    [&](std::size_t slice, std::size_t, std::size_t)
+    {
+      std::sort(keyed.begin(slice), keyed.end(slice),
+        [&isBefore](const Keyed& a, const Keyed& b)
+        {
+          if (a.x != b.x || a.lower == b.lower)
+          {
+            return a.x != b.x ? a.x < b.x : isBefore(a.higher, b.higher);
+          }
+          return isBefore(a.lower, b.lower);
+        });
+    },
+    executor);
+  std::transform(keyed.begin(0), keyed.end(slices - 1), edges.begin(),
+    [](const Keyed& item) { return item.edge; });
 }
 
 std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
 {
-  CountingSort<BoundaryEdge> leaving; // by the vertex that they leave
-  leaving.sort(vertices,
-    [&](const auto& visit)
-    {
-      for (const BoundaryEdge& edge : chain.edges)
-      {
-        visit(static_cast<std::size_t>(edge.from), edge);
-      }
-    });
-  std::vector<BoundaryEdge*> next(vertices);
-  for (std::size_t v = 0; v < vertices; ++v)
+  // All that a walk asks about a vertex stands in one place, as vertices come in any order.
+  struct Vertex
   {
-    next[v] = leaving.begin(v);
+    std::uint32_t next = 0, end = 0; // its leaving edges that have not been walked along yet
+    std::int32_t placeInPath = -1;
+  };
+  struct Leaving
+  {
+    std::int32_t to, multiplicity;
+  };
+  std::vector<Vertex> at(vertices);
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    ++at[edge.from].end;
+  }
+  std::uint32_t start = 0;
+  for (Vertex& vertex : at)
+  {
+    vertex.next = start;
+    start += vertex.end;
+    vertex.end = vertex.next;
+  }
+  std::vector<Leaving> leaving(chain.edges.size()); // by the vertex that they leave
+  for (const BoundaryEdge& edge : chain.edges)
+  {
+    leaving[at[edge.from].end++] = {edge.to, edge.multiplicity};
   }
 
   // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
@@ -143,36 +190,34 @@ std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t 
   // began.
   std::vector<BoundaryLoop> loops;
   std::vector<std::int32_t> path;
-  std::vector<std::int32_t> placeInPath(vertices, -1);
   for (const BoundaryEdge& seed : chain.edges)
   {
     std::int32_t here = seed.from;
     while (true)
     {
-      if (placeInPath[here] >= 0)
+      Vertex& vertex = at[here];
+      if (vertex.placeInPath >= 0)
       {
-        const auto cut = path.begin() + placeInPath[here];
+        const auto cut = path.begin() + vertex.placeInPath;
         loops.emplace_back(cut, path.end());
         for (auto visited = cut; visited != path.end(); ++visited)
         {
-          placeInPath[*visited] = -1;
+          at[*visited].placeInPath = -1;
         }
         path.erase(cut, path.end());
       }
-      BoundaryEdge*& edge = next[here];
-      BoundaryEdge* const end = leaving.end(static_cast<std::size_t>(here));
-      while (edge != end && edge->multiplicity == 0)
+      while (vertex.next != vertex.end && leaving[vertex.next].multiplicity == 0)
       {
-        ++edge;
+        ++vertex.next;
       }
-      if (edge == end)
+      if (vertex.next == vertex.end)
       {
         break;
       }
-      placeInPath[here] = static_cast<std::int32_t>(path.size());
+      vertex.placeInPath = static_cast<std::int32_t>(path.size());
       path.push_back(here);
-      --edge->multiplicity;
-      here = edge->to;
+      --leaving[vertex.next].multiplicity;
+      here = leaving[vertex.next].to;
     }
   }
   return loops;

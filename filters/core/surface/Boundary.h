@@ -43,8 +43,9 @@ struct BoundaryChain
 /// Sorts edges by the coordinates of their lower, then of their higher end, by x, y and z: an order
 /// that depends neither on the numbers of vertices nor on the directions of edges, and stays where
 /// the source is moved. Each undirected edge may stand there once at most.
-void sortByCoordinates(
-  std::vector<BoundaryEdge>& edges, const std::vector<Eigen::Vector3d>& vertices);
+/// Throws Interrupted, and then the edges stand as they did.
+void sortByCoordinates(std::vector<BoundaryEdge>& edges,
+  const std::vector<Eigen::Vector3d>& vertices, Executor& executor);
 
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.
 BoundaryChain boundaryChain(const Surface& surface, Executor& executor);

@@ -19,7 +19,12 @@ BoundaryGradient::BoundaryGradient(const Surface& surface, std::vector<BoundaryE
 
 void BoundaryGradient::evaluateGradients(const SampleBlock& block, double* gradients) const
 {
-  std::call_once(areOrdered_, [this] { sortByCoordinates(edges_, surface_.vertices); });
+  std::call_once(areOrdered_,
+    [this]
+    {
+      SerialExecutor serial;
+      sortByCoordinates(edges_, surface_.vertices, serial);
+    });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   GradientSums sums;

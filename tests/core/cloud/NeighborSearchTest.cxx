@@ -38,9 +38,10 @@ void check(const std::vector<Point>& points, std::size_t count)
   const DistinctPoints places(points, 1, serial);
   const NeighborSearch search(places);
   std::vector<Neighbor> found;
+  NeighborSearch::Last last;
   for (std::size_t place = 0; place < places.size(); ++place)
   {
-    search.find(place, count, found);
+    search.find(place, count, found, last);
     const std::vector<double> expected = allSquaredDistances(places, place);
     ASSERT_EQ(found.size(), std::min(count, expected.size()));
     std::set<std::uint32_t> different{static_cast<std::uint32_t>(place)};
@@ -105,12 +106,13 @@ TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
   shapes::ShuffledThreads threads(941);
   winding::runBlocks(
     places.size(), 64,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t, std::size_t first, std::size_t end)
     {
       std::vector<Neighbor> found;
-      for (std::size_t place = first; place < last; ++place)
+      NeighborSearch::Last last;
+      for (std::size_t place = first; place < end; ++place)
       {
-        search.find(place, 10, found);
+        search.find(place, 10, found, last);
         for (const Neighbor& neighbor : found)
         {
           byThreads[place].push_back(neighbor.place);
@@ -119,9 +121,10 @@ TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
     },
     threads);
   std::vector<Neighbor> found;
+  NeighborSearch::Last last;
   for (std::size_t place = 0; place < places.size(); ++place)
   {
-    again.find(place, 10, found);
+    again.find(place, 10, found, last);
     ASSERT_EQ(found.size(), byThreads[place].size());
     for (std::size_t i = 0; i < found.size(); ++i)
     {
@@ -142,13 +145,44 @@ TEST(NeighborSearch, NeverFindsItselfWhereSquaresUnderflow)
   const DistinctPoints places(points, 1, serial);
   const NeighborSearch search(places);
   std::vector<Neighbor> found;
+  NeighborSearch::Last last;
   for (std::size_t place = 0; place < places.size(); ++place)
   {
-    search.find(place, 5, found);
+    search.find(place, 5, found, last);
     ASSERT_EQ(found.size(), 5u);
     for (const Neighbor& neighbor : found)
     {
       EXPECT_NE(neighbor.place, place);
+    }
+  }
+}
+
+TEST(NeighborSearch, FindsTheSameWhateverWasSearchedBefore)
+{
+  std::vector<Point> points = shapes::randomPoints(700, -1, 1, 951);
+  for (int i = 0; i < 700; ++i)
+  {
+    points.emplace_back(i % 9, i / 9 % 9, i / 81);           // full of equal distances
+    points.emplace_back(5 + std::ldexp(1.0, -i % 60), 0, 0); // far apart, and all but at one place
+  }
+  winding::SerialExecutor serial;
+  const DistinctPoints places(points, 1, serial);
+  const NeighborSearch search(places);
+  std::vector<Neighbor> found, expected;
+  NeighborSearch::Last last;
+  for (std::size_t n = 0; n < 3 * places.size(); ++n)
+  {
+    // The first round is in the order of places, the others jump about.
+    const std::size_t place = n < places.size() ? n : n * 7919 % places.size();
+    const std::size_t count = n % 50 == 0 ? 30 : 12;
+    search.find(place, count, found, last);
+    NeighborSearch::Last none;
+    search.find(place, count, expected, none);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_EQ(found[i].place, expected[i].place) << "place " << place;
+      ASSERT_EQ(found[i].squaredDistance, expected[i].squaredDistance);
     }
   }
 }

@@ -114,7 +114,8 @@ TEST(SplitTriangles, StayWholeWhereTheyAreSmallOrFar)
   const winding::Surface surface = clean(icosphere(2));
   const auto isWhole = [&](const SplitRule& rule)
   {
-    const bool leaves = winding::leavesWhole(rule, surface.vertices, surface.triangles);
+    winding::SerialExecutor serial;
+    const bool leaves = winding::leavesWhole(rule, surface.vertices, surface.triangles, serial);
     EXPECT_EQ(leaves, piecesOf(surface, rule) == trianglesOf(surface));
     return leaves;
   };

@@ -33,7 +33,8 @@ std::vector<double> valuesOn(const CappedSurface& capped, const Grid& grid, cons
 std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
-  return valuesOn({surface, boundaryOf(surface), 0}, grid, grid.wholeExtent());
+  winding::SerialExecutor serial;
+  return valuesOn({surface, boundaryOf(surface), 0, serial}, grid, grid.wholeExtent());
 }
 
 std::vector<double> valuesAt(const CappedSurface& capped, const std::vector<Point>& samples)
@@ -63,8 +64,9 @@ double largestError(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
   const std::vector<double> values = valuesOn(mesh, grid);
+  winding::SerialExecutor serial;
   const std::vector<double> scattered =
-    valuesAt({surface, boundaryOf(surface), 0}, samplesOf(grid));
+    valuesAt({surface, boundaryOf(surface), 0, serial}, samplesOf(grid));
   const winding::TriangleSum sum(surface);
   double largest = 0;
   for (std::size_t n = 0; n < values.size(); ++n)
@@ -258,7 +260,8 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const Point away = random.point(-1, 1) * (i % 3 == 0 ? 1e3 : 1);
     const Mesh mesh = openCube().mapped([&](const Point& p) -> Point { return turn * p + away; });
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     // The middle sample of the grid is a point of the missing face.
     const Point on = turn * Point(random(0.1, 0.9), random(0.1, 0.9), 1) + away;
     const Grid grid = gridOf(on - Point::Constant(0.0625), Point::Constant(0.0625), {3, 3, 3});
@@ -283,10 +286,11 @@ TEST(CappedSurface, KeepsToleranceAtScatteredSamplesByAFarFieldOfTheCap)
   samples.emplace_back(1e5, 0, 1);
   samples.emplace_back(std::nan(""), 0, 0);
   samples.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
-  const std::vector<double> exact = valuesAt({surface, chain, 0}, samples);
+  winding::SerialExecutor serial;
+  const std::vector<double> exact = valuesAt({surface, chain, 0, serial}, samples);
   for (const double tolerance : {1e-2, 1e-3, 1e-5})
   {
-    const CappedSurface capped(surface, chain, tolerance, CappedSurface::CapSum::farField);
+    const CappedSurface capped(surface, chain, tolerance, serial, CappedSurface::CapSum::farField);
     ASSERT_TRUE(capped.usesFarFieldAtPoints(samples.size()));
     const std::vector<double> values = valuesAt(capped, samples);
     for (std::size_t n = 0; n + 2 < samples.size(); ++n)
@@ -304,7 +308,8 @@ TEST(CappedSurface, AtASampleAloneHasTheBitsThatItHasAmongOthers)
 {
   const Mesh mesh = damaged(icosphere(2), 0.2, 13);
   const winding::Surface surface = clean(mesh);
-  const CappedSurface capped(surface, boundaryOf(surface), 0);
+  winding::SerialExecutor serial;
+  const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
   std::vector<Point> samples = randomPoints(300, -1.2, 1.2, 14);
   samples.insert(samples.end(), surface.vertices.begin(), surface.vertices.end());
   const std::vector<double> together = valuesAt(capped, samples);
@@ -319,7 +324,8 @@ TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)
   for (const Mesh& mesh : {cube(), icosphere(2), torus(12, 8), icosphere(1).with(icosphere(1))})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     EXPECT_EQ(capped.capTriangles(), 0u);
     const Grid grid = gridAround(mesh, 16);
     for (const double value : valuesOn(capped, grid, grid.wholeExtent()))
@@ -333,7 +339,9 @@ TEST(CappedSurface, KeepsToleranceOnGridsHoweverFarTheyReach)
 {
   SCOPED_TRACE("seed 146");
   const winding::Surface surface = clean(damaged(icosphere(3), 0.3, 146));
-  const CappedSurface capped(surface, boundaryOf(surface), 1e-3, CappedSurface::CapSum::farField);
+  winding::SerialExecutor serial;
+  const CappedSurface capped(
+    surface, boundaryOf(surface), 1e-3, serial, CappedSurface::CapSum::farField);
   for (const double far : {1e2, 1e6, 1e10, 1e14, 1e20, 1e40, 1e80})
   {
     for (const Grid& grid :
@@ -363,12 +371,12 @@ TEST(CappedSurface, ClassifiesWithoutTheValuesAsWithThem)
   for (const Mesh& mesh : {icosphere(2), damaged(icosphere(2), 0.1, 144), openCube().reversed()})
   {
     const winding::Surface surface = clean(mesh);
-    const CappedSurface capped(surface, boundaryOf(surface), 0);
+    winding::SerialExecutor serial;
+    const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     const Grid grid = gridAround(mesh, 12);
     const std::size_t count = winding::sampleCount(grid.wholeExtent());
     std::vector<float> values(count);
     std::vector<unsigned char> only(count, 99);
-    winding::SerialExecutor serial;
     for (const auto rule : {winding::InsideRule::signedThreshold,
            winding::InsideRule::absoluteThreshold, winding::InsideRule::odd})
     {
@@ -392,7 +400,8 @@ TEST(CappedSurface, HasTheSameBitsInAnyPiecesAndOnAnyThreads)
   SCOPED_TRACE("seed 145");
   const Mesh mesh = damaged(torus(24, 12), 0.1, 145).with(openCube());
   const winding::Surface surface = clean(mesh);
-  const CappedSurface capped(surface, boundaryOf(surface), 0);
+  winding::SerialExecutor serial;
+  const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
   const Grid grid = gridOf({-1.5, -1.5, -0.5}, {0.125, 0.125, 0.125}, {26, 25, 14});
   const Extent whole = grid.wholeExtent();
   const std::vector<double> expected = valuesOn(capped, grid, whole);

@@ -98,6 +98,11 @@ TEST(EvaluationCost, GrowsWithWhatThereIsToDo)
   }
   EXPECT_LT(winding::costOfRows(sourceOf(Primitive::triangle, 100'000, 10'000'000)).seconds,
     winding::costOfFarField(sourceOf(Primitive::triangle, 100'000, 10'000'000), 3).seconds);
+  // Most triangles smaller than voxels lie between the rows.
+  SampledSource large = sourceOf(Primitive::triangle, 20'000'000, 1'000'000), small = large;
+  large.area = 20'000'000;
+  small.area = 200'000;
+  EXPECT_LT(1.5 * winding::costOfRows(small).seconds, winding::costOfRows(large).seconds);
 }
 
 TEST(EvaluationCost, OfTheDirectSumIsThatOfItsTerms)
@@ -262,6 +267,17 @@ TEST(SourceArea, IsThatOfTheTriangles)
   const winding::Surface surface = clean(cube({1, 1, 1}, {2, 3, 4}));
   EXPECT_DOUBLE_EQ(winding::areaOf(surface.vertices, surface.triangles), 22);
   EXPECT_EQ(winding::areaOf(surface.vertices, {}), 0);
+}
+
+TEST(SourceArea, IsNearlyThatOfTheTrianglesWhereSomeOfManyAreAsked)
+{
+  const winding::Surface few = clean(icosphere(3)), many = clean(icosphere(7));
+  EXPECT_EQ(winding::approximateAreaOf(few.vertices, few.triangles),
+    winding::areaOf(few.vertices, few.triangles));
+  EXPECT_EQ(winding::approximateAreaOf(few.vertices, {}), 0);
+  ASSERT_GT(many.triangles.size(), 4 * 65536u);
+  const double area = winding::areaOf(many.vertices, many.triangles);
+  EXPECT_NEAR(winding::approximateAreaOf(many.vertices, many.triangles), area, 0.01 * area);
 }
 
 TEST(SourceArea, HasSamplesInTheBoundsAndATwentiethAround)

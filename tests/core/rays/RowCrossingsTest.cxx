@@ -183,6 +183,29 @@ TEST(RowCrossings, DoNotDependOnExtentBandsOrThreads)
   }
 }
 
+TEST(RowCrossings, OfMeshesFinerThanTheGridAreThoseOnAFinerGrid)
+{
+  // Rows along x, y and z through vertices of the sphere are among both grids' rows.
+  const winding::Surface surface = clean(icosphere(5));
+  const winding::RowCrossings rows(surface.vertices, surface.triangles);
+  const Grid coarse = gridOf(Point::Constant(-1.25), Point::Constant(0.25), {11, 11, 11});
+  const Grid fine = gridOf(Point::Constant(-1.25), Point::Constant(0.0625), {41, 41, 41});
+  winding::SerialExecutor serial;
+  const std::vector<int> expected = rowValues(rows, fine, fine.wholeExtent(), 65536, serial);
+  ShuffledThreads threads(166);
+  for (const std::size_t samplesPerBlock : {1, 40, 1'000'000})
+  {
+    const Extent whole = coarse.wholeExtent();
+    const std::vector<int> values = rowValues(rows, coarse, whole, samplesPerBlock, threads);
+    for (std::size_t n = 0; n < values.size(); ++n)
+    {
+      const Eigen::Vector3i index = 4 * winding::sampleIndex(whole, n);
+      ASSERT_EQ(values[n],
+        expected[winding::sampleNumber(fine.wholeExtent(), index[0], index[1], index[2])]);
+    }
+  }
+}
+
 TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
 {
   /// Remembers the shares of all work that it was told.

@@ -294,6 +294,11 @@ TEST(BoundsOf, AreThoseOfTheSanitizedSource)
   cloud.normals[8] = {0, 0, 0};
   const std::vector<OrientedPointsView> views{cloud.view()};
   EXPECT_TRUE(winding::boundsOf(views).isApprox(sanitize(views).bounds, 0));
+
+  shapes::ShuffledThreads threads(94);
+  EXPECT_TRUE(
+    winding::boundsOf(std::vector<TrianglesView>{mesh.view()}, threads).isApprox(bounds, 0));
+  EXPECT_TRUE(winding::boundsOf(views, threads).isApprox(winding::boundsOf(views), 0));
   EXPECT_TRUE(winding::boundsOf(std::vector<TrianglesView>()).isEmpty());
 }
 

@@ -181,13 +181,12 @@ inline ChainComparison compareWithDirectSum(const LatticeChain& chain, double fi
   winding::SerialExecutor serial;
   const BoundaryChain boundary = boundaryChain(chain.surface, serial);
   const CappedSurface capped(
-    chain.surface, boundary, fieldTolerance, CappedSurface::CapSum::farField);
+    chain.surface, boundary, fieldTolerance, serial, CappedSurface::CapSum::farField);
   const Extent whole = chain.grid.wholeExtent();
   std::vector<double> values(sampleCount(whole), std::nan(""));
   FieldOutput output;
   output.doubleValues = values.data();
-  SerialExecutor executor;
-  capped.evaluate(chain.grid, whole, output, executor);
+  capped.evaluate(chain.grid, whole, output, serial);
 
   ChainComparison result;
   for (std::size_t n = 0; n < values.size(); ++n)

@@ -2,6 +2,8 @@
 
 #include "core/support/LatticeChain.h"
 #include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+#include "source/CompareCoordinates.h"
 #include "source/Surface.h"
 
 #include <gtest/gtest.h>
@@ -226,6 +228,54 @@ TEST(BoundaryLoops, CoverEveryRandomChainAsOftenAsItSays)
   {
     SCOPED_TRACE(seed);
     ASSERT_NO_FATAL_FAILURE(expectSound(randomLatticeChain(seed, 40, 3).surface));
+  }
+}
+
+TEST(SortByCoordinates, OrdersManyEdgesAlikeOnAnyThreads)
+{
+  const winding::Surface sphere = clean(icosphere(5));
+  std::vector<BoundaryEdge> edges;
+  for (const winding::Triangle& t : sphere.triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      if (t[i] < t[(i + 1) % 3])
+      {
+        edges.push_back({t[i], t[(i + 1) % 3], 1});
+      }
+    }
+  }
+  ASSERT_GT(edges.size(), 30'000u);
+  // Slices of x are of no use where all points, or nearly all, have the same.
+  for (const double width : {1.0, 1e-312, 0.0})
+  {
+    std::vector<Point> vertices;
+    for (const Point& vertex : sphere.vertices)
+    {
+      vertices.emplace_back(width * vertex[0], vertex[1] + 3.7 * vertex[0], vertex[2]);
+    }
+    const auto ends = [&](const BoundaryEdge& edge)
+    {
+      const Point &a = vertices[edge.from], &b = vertices[edge.to];
+      return winding::compareCoordinates(a, b) < 0 ? std::pair(a, b) : std::pair(b, a);
+    };
+    winding::SerialExecutor serial;
+    std::vector<BoundaryEdge> sorted = edges, again(edges.rbegin(), edges.rend());
+    winding::sortByCoordinates(sorted, vertices, serial);
+    ShuffledThreads threads(105);
+    winding::sortByCoordinates(again, vertices, threads);
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+    {
+      ASSERT_EQ(std::pair(sorted[i].from, sorted[i].to), std::pair(again[i].from, again[i].to));
+      if (i > 0)
+      {
+        const auto [lower, higher] = ends(sorted[i - 1]);
+        const auto [nextLower, nextHigher] = ends(sorted[i]);
+        const int order = winding::compareCoordinates(lower, nextLower);
+        ASSERT_LE(order, 0);
+        ASSERT_TRUE(order < 0 || winding::compareCoordinates(higher, nextHigher) < 0);
+      }
+    }
   }
 }
 
