@@ -8,6 +8,8 @@ import sys
 import threading
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
+
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -27,6 +29,7 @@ def run(algorithm, *, progress_bar=False, message=""):
     raises KeyboardInterrupt. With progress_bar, tqdm shows how far the filter is.
     """
     with contextlib.ExitStack() as stack:
+        stack.enter_context(_errors_reported())
         errors = _Messages(stack, algorithm, "ErrorEvent")
         notes = _Messages(stack, algorithm, "WarningEvent")
         # The executive speaks of what is wrong before the filter runs, and repeats its failures.
@@ -42,6 +45,37 @@ def run(algorithm, *, progress_bar=False, message=""):
     for note in notes.texts:
         warnings.warn(note, WindingWarning, stacklevel=_levels_above_package())
     return algorithm
+
+
+@contextlib.contextmanager
+def _errors_reported():
+    """Has VTK report errors and warnings, which it keeps to itself where its display is off.
+
+    The display is that of the whole process: it is as before when the last of several threads is
+    through. Messages of filters go to their observers, so nothing is shown.
+    """
+    with _display.lock:
+        if _display.users == 0:
+            _display.before = vtkObject.GetGlobalWarningDisplay()
+            vtkObject.GlobalWarningDisplayOn()
+        _display.users += 1
+    try:
+        yield
+    finally:
+        with _display.lock:
+            _display.users -= 1
+            if _display.users == 0:
+                vtkObject.SetGlobalWarningDisplay(_display.before)
+
+
+class _Display:
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.users = 0
+        self.before = 1
+
+
+_display = _Display()
 
 
 def _observe(stack, reporter, event, callback):

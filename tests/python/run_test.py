@@ -13,7 +13,7 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonCore import vtkObject, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -63,6 +63,16 @@ class ErrorTest(unittest.TestCase):
         self.assertIsInstance(caught.exception, RuntimeError)
         self.assertNotIn("\n", str(caught.exception))
         self.assertNotIn("0x", str(caught.exception))
+
+    def test_errors_are_raised_where_vtk_shows_none(self):
+        before = vtkObject.GetGlobalWarningDisplay()
+        self.addCleanup(vtkObject.SetGlobalWarningDisplay, before)
+        vtkObject.GlobalWarningDisplayOff()
+        for call in (vtkwinding.field, vtkwinding.surface):
+            self.assertRaises(vtkwinding.WindingError, call, CORNERS, CUBE, resolution=100_000)
+        with self.assertWarns(vtkwinding.WindingWarning):
+            vtkwinding.winding_number(CORNERS, CORNERS, CUBE[:, ::-1])
+        self.assertEqual(vtkObject.GetGlobalWarningDisplay(), 0)
 
     def test_errors_of_the_pipeline_are_raised(self):
         report = vtkSurfaceReport()
