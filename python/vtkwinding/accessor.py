@@ -228,16 +228,10 @@ class WindingAccessor:
             surface, progress_bar, "Extracting the inside", options, association)
         algorithm.ExtractInsideOn()
         algorithm.SetInsideOut(_options.flag("inside_out", inside_out))
-        algorithm.GenerateInsideOn()
+        # Arrays of the mesh stay, even one with the name of the filter's.
+        algorithm.GenerateInsideOff()
         algorithm.GenerateWindingNumberOff()
-        part = _without_notes(update())
-        for block in part.recursive_iterator(skip_none=True) if isinstance(
-                part, pv.MultiBlock) else [part]:
-            if isinstance(block, pv.DataSet):
-                data = block.cell_data if association == "cell" else block.point_data
-                if "Inside" in data:
-                    del data["Inside"]
-        return part
+        return _without_notes(update())
 
     def signed_distance(self, surface, *, inplace=False, progress_bar=False, **options):
         """A copy with the point array 'implicit_distance': distances to a surface, negative inside.
