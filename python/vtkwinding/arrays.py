@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import _grids
+from . import _grids, _options
 from ._meshes import array_of, points_of, source_of, triangles_of
 from ._options import configured
 from ._run import run
@@ -41,10 +41,19 @@ class Grid(NamedTuple):
     spacing: np.ndarray
 
 
+def _float_type(dtype):
+    """float32 or float64, by any of the names that NumPy knows them by."""
+    try:
+        found = None if dtype is None else np.dtype(dtype)
+    except TypeError:
+        raise TypeError(f"dtype must be float32 or float64, not {dtype!r}") from None
+    if found not in (np.float32, np.float64):
+        raise ValueError(f"dtype must be float32 or float64, not {found}")
+    return found
+
+
 def _set_type(algorithm, dtype):
-    if dtype not in (np.float32, np.float64):
-        raise ValueError(f"dtype must be float32 or float64, not {dtype}")
-    if np.dtype(dtype) == np.float64:
+    if _float_type(dtype) == np.float64:
         algorithm.SetOutputScalarTypeToDouble()
 
 
@@ -127,9 +136,9 @@ def surface(vertices, faces=None, *, normals=None, areas=None, resolution=None, 
     if dtype is not None:
         _set_type(algorithm, dtype)
         algorithm.SetOutputPointsPrecision(
-            algorithm.DOUBLE_PRECISION if np.dtype(dtype) == np.float64
+            algorithm.DOUBLE_PRECISION if _float_type(dtype) == np.float64
             else algorithm.SINGLE_PRECISION)
-    algorithm.SetCloseBorder(bool(close_border))
+    algorithm.SetCloseBorder(_options.flag("close_border", close_border))
     algorithm.GenerateNormalsOff()
     algorithm.SetInputData(source.data)
-    return triangles_of(run(algorithm).GetOutput())
+    return triangles_of(run(algorithm).GetOutput(), np.float32 if dtype is None else dtype)
