@@ -30,6 +30,7 @@ def run(algorithm, *, progress_bar=False, message=""):
     """
     with contextlib.ExitStack() as stack:
         stack.enter_context(_errors_reported())
+        _threads.are_started = True
         errors = _Messages(stack, algorithm, "ErrorEvent")
         notes = _Messages(stack, algorithm, "WarningEvent")
         # The executive speaks of what is wrong before the filter runs, and repeats its failures.
@@ -76,6 +77,26 @@ class _Display:
 
 
 _display = _Display()
+
+
+class _Threads:
+    """Has filters work in one thread in a child of os.fork(), where VTK's threads are gone.
+
+    VTK would wait for them without end. Filters ask this variable of the environment which backend
+    of vtkSMPTools was chosen; that of VTK's wheels is Sequential, which they pass over otherwise.
+    """
+
+    def __init__(self):
+        self.are_started = False
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(after_in_child=self._note_fork)
+
+    def _note_fork(self):
+        if self.are_started:
+            os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
+
+
+_threads = _Threads()
 
 
 def _observe(stack, reporter, event, callback):

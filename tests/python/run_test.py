@@ -1,6 +1,7 @@
 """How functions run: errors, warnings, Ctrl-C, threads, and which VTK they need."""
 
 import contextlib
+import os
 import pathlib
 import shutil
 import signal
@@ -174,6 +175,28 @@ class ThreadTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(faults, [])
+
+
+@unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+@unittest.skipIf(vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 907,
+                 "VTK's threads are those of the system's backend")
+class ForkTest(unittest.TestCase):
+    def test_children_of_fork_work(self):
+        """VTK's threads, which the parent has started, do not live on in a child."""
+        vertices, faces, _ = sphere(60)
+        expected = vtkwinding.field(vertices, faces[:-5], resolution=20).values
+        child = os.fork()
+        if child == 0:
+            found = vtkwinding.field(vertices, faces[:-5], resolution=20).values
+            os._exit(0 if np.array_equal(found, expected) else 3)
+        end, status = time.time() + 60, None
+        while status is None and time.time() < end:
+            done, code = os.waitpid(child, os.WNOHANG)
+            status = code if done else time.sleep(0.05)
+        if status is None:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+        self.assertEqual(status, 0)
 
 
 class VersionTest(unittest.TestCase):
