@@ -81,14 +81,14 @@ class Options:
     tolerance: float = 1e-3
     threshold: float = 0.5
     rule: str = "signed"
-    n_threads: int = None
+    n_threads: int | None = None
     longest_expected_time: float = 600
     as_points: bool = False
     estimate_normals: bool = False
     n_neighbors: int = 20
     regularization: float = 0
-    normals_array: str = None
-    areas_array: str = None
+    normals_array: str | None = None
+    areas_array: str | None = None
 
     def apply(self, algorithm):
         algorithm.SetMethod(choice("method", self.method, METHODS))

@@ -52,7 +52,7 @@ def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rou
             counts = size / _grids.spacings(spacing)
         counts[counts < 1] = 1
         if not counts.max() < 2**31 - 1:
-            raise ValueError(f"choose larger voxels: there would be {counts.max():.3g} along a side")
+            raise ValueError(f"choose larger voxels: {counts.max():.3g} along a side are too many")
         if rounding_func is not None and not callable(rounding_func):
             raise TypeError("rounding_func must be a function, not a "
                             f"{type(rounding_func).__name__}")

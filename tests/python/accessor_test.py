@@ -1,7 +1,9 @@
 """mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
 
+import inspect
 import subprocess
 import sys
+import typing
 import unittest
 import warnings
 
@@ -46,6 +48,13 @@ class AccessorTest(Warned):
         code = "import pyvista; print(pyvista.Sphere().winding.report()['closed'])"
         found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual((found.stdout.strip(), found.returncode), ("1", 0), found.stderr)
+
+    def test_all_arguments_have_types(self):
+        kind = type(ball().winding)
+        for name in (name for name in vars(kind) if not name.startswith("_")):
+            method = getattr(kind, name)
+            names = set(inspect.signature(method).parameters) - {"self"} | {"return"}
+            self.assertEqual(set(typing.get_type_hints(method)), names, name)
 
     def test_other_back_ends_are_refused(self):
         code = ("import pyvista; pyvista.vtk_backend = lambda: 'cvista'\n"

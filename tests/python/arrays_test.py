@@ -1,5 +1,7 @@
 """The functions of NumPy arrays: what they give, which arrays they take, and what they refuse."""
 
+import inspect
+import typing
 import unittest
 import warnings
 
@@ -164,6 +166,13 @@ class ArraysTest(unittest.TestCase):
         self.assertTrue(notes)
         self.assertEqual({note.filename for note in notes}, {__file__})
         self.assertTrue(all(note.category is vtkwinding.WindingWarning for note in notes))
+
+
+class TypesTest(unittest.TestCase):
+    def test_all_arguments_have_types(self):
+        for function in (winding_number, contains, signed_distance, field, surface):
+            names = set(inspect.signature(function).parameters) | {"return"}
+            self.assertEqual(set(typing.get_type_hints(function)), names)
 
 
 class BadInputTest(unittest.TestCase):
