@@ -8,7 +8,7 @@ from . import _options
 def _three(name, value, convert):
     """Three of what is one number or a sequence of three."""
     values = [value] * 3 if _is_scalar(value) else value
-    if isinstance(values, str) or not hasattr(values, "__len__"):
+    if isinstance(values, str) or not hasattr(values, "__getitem__"):
         raise TypeError(f"{name} must be numbers, not {type(value).__name__}")
     if len(values) != 3:
         raise ValueError(f"{name} must be one number or three, not {len(values)}")
@@ -89,9 +89,12 @@ def _lay_bricks(algorithm, bounds, steps):
     for axis, step in enumerate(steps):
         low, high = bounds[2 * axis], bounds[2 * axis + 1]
         # A box that is a whole number of voxels up to rounding stays as it is.
-        count = max(1, math.ceil((high - low) / step * (1 - 1e-12)))
+        count = (high - low) / step * (1 - 1e-12)
+        if count > 2**31 - 1:
+            raise ValueError(f"spacing[{axis}] must be larger: {step} gives {count:.3g} voxels")
+        count = max(1, math.ceil(count))
         margin = (count * step - (high - low)) / 2
-        counts.append(_options.integer("dimensions of the grid", count, 1, 2**31 - 1))
+        counts.append(count)
         ends += [low - margin, high + margin]
     algorithm.UseInputBoundsOff()
     algorithm.SetSamplingBounds(*ends)

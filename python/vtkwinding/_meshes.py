@@ -14,6 +14,9 @@ def _numbers(name, array, kinds, words):
         found = np.asarray(array)
     except ValueError as error:  # rows of several lengths
         raise ValueError(f"{name} must be an array of {words}: {error}") from error
+    # NumPy would hand out what lies below a mask.
+    if np.ma.is_masked(array):
+        raise ValueError(f"{name} must have no masked entries: leave them out, or fill them")
     if found.size and found.dtype.kind not in kinds:
         raise TypeError(f"{name} must be an array of {words}, not of {found.dtype}")
     return found
@@ -133,6 +136,8 @@ def source_of(vertices, faces, normals, areas, options):
         mesh.add_array("Normals", array)
         options["normals_array"] = "Normals"
     if areas is not None:
+        if faces is not None and not options.get("as_points"):
+            raise ValueError("give faces or areas: only clouds (as_points=True) have areas")
         mesh.add_array("Area", scalars("areas", areas, count))
         options["areas_array"] = "Area"
     return mesh, options
@@ -143,10 +148,10 @@ def array_of(attributes, name):
     return vtk_to_numpy(attributes.GetArray(name))
 
 
-def triangles_of(polydata):
-    """Vertices (V, 3) and faces (F, 3) of a surface of triangles."""
+def triangles_of(polydata, empty_type):
+    """Vertices (V, 3) and faces (F, 3) of a surface of triangles; the type is for no vertices."""
     points, cells = polydata.GetPoints(), polydata.GetPolys()
     if polydata.GetNumberOfPoints() == 0:
-        return np.empty((0, 3), np.float32), np.empty((0, 3), np.int64)
+        return np.empty((0, 3), empty_type), np.empty((0, 3), np.int64)
     ids = vtk_to_numpy(cells.GetConnectivityArray())
     return vtk_to_numpy(points.GetData()), ids.reshape(-1, 3)

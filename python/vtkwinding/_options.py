@@ -4,6 +4,8 @@ import dataclasses
 import math
 import numbers
 
+import numpy as np
+
 METHODS = {"auto": 0, "rows": 1, "hierarchical": 2, "direct": 3, "parity": 4}
 RULES = {"signed": 0, "absolute": 1, "odd": 2}
 COVERAGES = {"center": 0, "any": 1, "fraction": 2}
@@ -20,13 +22,20 @@ def choice(name, value, choices):
     return choices[value]
 
 
+def _plain(value):
+    """Python's own number or bool, where NumPy's scalar or an array without axes is given."""
+    return value.item() if isinstance(value, (np.generic, np.ndarray)) and not value.ndim else value
+
+
 def flag(name, value):
-    if not isinstance(value, numbers.Integral) and type(value).__name__ != "bool_":
+    value = _plain(value)
+    if not isinstance(value, numbers.Integral):
         raise TypeError(f"{name} must be a bool, not {type(value).__name__}")
     return bool(value)
 
 
 def integer(name, value, least=None, most=None):
+    value = _plain(value)
     if not isinstance(value, numbers.Integral) or isinstance(value, bool):
         raise TypeError(f"{name} must be an int, not {type(value).__name__}")
     return _in_range(name, int(value), least, most)
@@ -34,11 +43,16 @@ def integer(name, value, least=None, most=None):
 
 def number(name, value, least=None, most=None):
     """A finite number in a range."""
+    value = _plain(value)
     if not isinstance(value, numbers.Real) or isinstance(value, bool):
         raise TypeError(f"{name} must be a number, not {type(value).__name__}")
-    if not math.isfinite(value):
-        raise ValueError(f"{name} must be finite, not {value}")
-    return _in_range(name, float(value), least, most)
+    try:
+        found = float(value)
+    except OverflowError:  # integers and fractions have no bound
+        found = math.inf
+    if not math.isfinite(found):
+        raise ValueError(f"{name} must be finite, not {found}")
+    return _in_range(name, found, least, most)
 
 
 def _in_range(name, value, least, most):
@@ -67,14 +81,14 @@ class Options:
     tolerance: float = 1e-3
     threshold: float = 0.5
     rule: str = "signed"
-    n_threads: int = None
+    n_threads: int | None = None
     longest_expected_time: float = 600
     as_points: bool = False
     estimate_normals: bool = False
     n_neighbors: int = 20
     regularization: float = 0
-    normals_array: str = None
-    areas_array: str = None
+    normals_array: str | None = None
+    areas_array: str | None = None
 
     def apply(self, algorithm):
         algorithm.SetMethod(choice("method", self.method, METHODS))

@@ -8,6 +8,8 @@ import sys
 import threading
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
+
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -27,6 +29,8 @@ def run(algorithm, *, progress_bar=False, message=""):
     raises KeyboardInterrupt. With progress_bar, tqdm shows how far the filter is.
     """
     with contextlib.ExitStack() as stack:
+        stack.enter_context(_errors_reported())
+        _threads.are_started = True
         errors = _Messages(stack, algorithm, "ErrorEvent")
         notes = _Messages(stack, algorithm, "WarningEvent")
         # The executive speaks of what is wrong before the filter runs, and repeats its failures.
@@ -42,6 +46,57 @@ def run(algorithm, *, progress_bar=False, message=""):
     for note in notes.texts:
         warnings.warn(note, WindingWarning, stacklevel=_levels_above_package())
     return algorithm
+
+
+@contextlib.contextmanager
+def _errors_reported():
+    """Has VTK report errors and warnings, which it keeps to itself where its display is off.
+
+    The display is that of the whole process: it is as before when the last of several threads is
+    through. Messages of filters go to their observers, so nothing is shown.
+    """
+    with _display.lock:
+        if _display.users == 0:
+            _display.before = vtkObject.GetGlobalWarningDisplay()
+            vtkObject.GlobalWarningDisplayOn()
+        _display.users += 1
+    try:
+        yield
+    finally:
+        with _display.lock:
+            _display.users -= 1
+            if _display.users == 0:
+                vtkObject.SetGlobalWarningDisplay(_display.before)
+
+
+class _Display:
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.users = 0
+        self.before = 1
+
+
+_display = _Display()
+
+
+class _Threads:
+    """Has filters work in one thread in a child of os.fork(), where VTK's threads are gone.
+
+    VTK would wait for them without end. Filters ask this variable of the environment which backend
+    of vtkSMPTools was chosen; that of VTK's wheels is Sequential, which they pass over otherwise.
+    """
+
+    def __init__(self):
+        self.are_started = False
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(after_in_child=self._note_fork)
+
+    def _note_fork(self):
+        if self.are_started:
+            os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
+
+
+_threads = _Threads()
 
 
 def _observe(stack, reporter, event, callback):

@@ -1,5 +1,7 @@
 """The geometry of masks, laid out as voxelize_binary_mask() of PyVista does it."""
 
+import math
+
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkFiltersStatistics import vtkLengthDistribution
@@ -11,6 +13,8 @@ def outer_surface(mesh):
     """The triangles of any mesh; of all blocks, where it has some."""
     if isinstance(mesh, pv.MultiBlock):
         mesh = mesh.combine() if mesh.n_blocks else pv.PolyData()
+    if isinstance(mesh, pv.PointSet):
+        mesh = mesh.cast_to_polydata(deep=False)
     if not isinstance(mesh, pv.PolyData):
         mesh = mesh.extract_surface(algorithm="dataset_surface", pass_pointid=False,
                                     pass_cellid=False)
@@ -44,10 +48,18 @@ def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rou
             spacing = max(size) / _options.integer("resolution", resolution, 1, 2**31 - 1)
         elif spacing is None:
             spacing = _typical_length(surface, cell_length_percentile, cell_length_sample_size)
-        counts = size / _grids.spacings(spacing)
+        with np.errstate(over="ignore"):
+            counts = size / _grids.spacings(spacing)
         counts[counts < 1] = 1
+        if not counts.max() < 2**31 - 1:
+            raise ValueError(f"choose larger voxels: {counts.max():.3g} along a side are too many")
+        if rounding_func is not None and not callable(rounding_func):
+            raise TypeError("rounding_func must be a function, not a "
+                            f"{type(rounding_func).__name__}")
         dimensions = np.array((rounding_func or np.round)(counts), dtype=int)
     dimensions = _grids.dimensions_of(dimensions)
+    if math.prod(dimensions) >= 2**63:  # VTK would end the process
+        raise ValueError(f"choose larger voxels: {math.prod(dimensions):.3g} are too many")
     steps = size / dimensions
     return pv.ImageData(dimensions=dimensions, spacing=np.where(steps > 0, steps, 1),
                         origin=np.array(surface.bounds[::2]) + steps / 2)
@@ -65,9 +77,14 @@ def _typical_length(surface, percentile, sample_size):
     percentile = 0.1 if percentile is None else percentile
     percentile = _options.number("cell_length_percentile", percentile, 0, 1)
     count = 100_000 if sample_size is None else sample_size
+    count = _options.integer("cell_length_sample_size", count, 1)
+    triangles = surface.triangulate()
+    if triangles.n_cells == 0:  # VTK would end the process
+        raise ValueError("give dimensions, spacing or resolution: there are no triangles here, "
+                         "whose edges would tell the size of voxels")
     lengths = vtkLengthDistribution()
-    lengths.SetInputData(surface.triangulate())
-    lengths.SetSampleSize(_options.integer("cell_length_sample_size", count, 1))
+    lengths.SetInputData(triangles)
+    lengths.SetSampleSize(count)
     lengths.Update()
     return lengths.GetLengthQuantile(percentile)
 
@@ -75,7 +92,10 @@ def _typical_length(surface, percentile, sample_size):
 def mask_type(*values):
     """The smallest type of a mask with these values, by PyVista's rule."""
     for value in values:
-        _options.number("background_value and foreground_value", value)
-    if all(isinstance(value, (int, np.integer)) and 0 <= value < 256 for value in values):
+        if not isinstance(value, (bool, np.bool_)):
+            _options.number("background_value and foreground_value", value)
+    whole = (int, np.integer, np.bool_)
+    if all(isinstance(value, whole) and 0 <= value < 256 for value in values):
         return np.uint8
-    return np.int_ if all(round(value) == value for value in values) else np.float64
+    is_whole = all(round(value) == value and abs(value) < 2**63 for value in values)
+    return np.int_ if is_whole else np.float64

@@ -10,8 +10,14 @@ active ones, and with its areas, where these are known. Methods return copies, a
 PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pyvista as pv
+from numpy.typing import ArrayLike
 
 from . import _grids, _images, _options, _voxels
 from ._options import configured
@@ -85,12 +91,15 @@ def _without_notes(mesh):
 class WindingAccessor:
     """Winding numbers of this mesh, or at its points."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh: pv.DataObject) -> None:
         self._mesh = mesh
 
-    def field(self, *, reference_volume=None, dimensions=None, spacing=None, resolution=None,
-              bounds=None, padding=0.05, inside=False, signed_distance=False, coverage="center",
-              distance_band=None, association="point", progress_bar=False, **options):
+    def field(self, *, reference_volume: pv.ImageData | None = None,
+              dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+              resolution: int | None = None, bounds: ArrayLike | None = None, padding: float = 0.05,
+              inside: bool = False, signed_distance: bool = False, coverage: str = "center",
+              distance_band: float | None = None, association: str = "point",
+              progress_bar: bool = False, **options: Any) -> pv.ImageData:
         """The winding number on a grid: ImageData with the array 'WindingNumber'.
 
         The grid is that of reference_volume, or has dimensions, voxels of a spacing (one number or
@@ -126,11 +135,14 @@ class WindingAccessor:
         image = _without_notes(pv.wrap(algorithm.GetOutput()))
         return image if reference_volume is None else _images.in_place_of(reference_volume, image)
 
-    def voxelize_binary_mask(self, *, background_value=0, foreground_value=1,
-                             reference_volume=None, dimensions=None, spacing=None,
-                             resolution=None, rounding_func=None, cell_length_percentile=None,
-                             cell_length_sample_size=None, coverage="center",
-                             progress_bar=False, **options):
+    def voxelize_binary_mask(self, *, background_value: float = 0, foreground_value: float = 1,
+                             reference_volume: pv.ImageData | None = None,
+                             dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+                             resolution: int | None = None,
+                             rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
+                             cell_length_percentile: float | None = None,
+                             cell_length_sample_size: int | None = None, coverage: str = "center",
+                             progress_bar: bool = False, **options: Any) -> pv.ImageData:
         """ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask makes it.
 
         The mesh need not be closed. coverage: 'center', 'any' or 'fraction' (half) of a voxel has
@@ -154,9 +166,13 @@ class WindingAccessor:
         result["mask"] = inside
         return result
 
-    def voxelize(self, *, reference_volume=None, dimensions=None, spacing=None, resolution=None,
-                 rounding_func=None, cell_length_percentile=None, cell_length_sample_size=None,
-                 coverage="center", progress_bar=False, **options):
+    def voxelize(self, *, reference_volume: pv.ImageData | None = None,
+                 dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+                 resolution: int | None = None,
+                 rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
+                 cell_length_percentile: float | None = None,
+                 cell_length_sample_size: int | None = None, coverage: str = "center",
+                 progress_bar: bool = False, **options: Any) -> pv.UnstructuredGrid:
         """UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
         As there, dimensions are those of the points of the voxels, one more than there are voxels.
@@ -175,9 +191,10 @@ class WindingAccessor:
         del cells.cell_data["mask"]
         return cells
 
-    def surface(self, *, dimensions=None, spacing=None, resolution=None, bounds=None,
-                padding=0.05, close_border=False, compute_normals=True, progress_bar=False,
-                **options):
+    def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+                resolution: int | None = None, bounds: ArrayLike | None = None,
+                padding: float = 0.05, close_border: bool = False, compute_normals: bool = True,
+                progress_bar: bool = False, **options: Any) -> pv.PolyData:
         """The smooth surface w = threshold, closed over holes: PolyData.
 
         The grid is that of field(). close_border closes the surface where bounds cut it off.
@@ -204,8 +221,9 @@ class WindingAccessor:
         return algorithm, lambda: pv.wrap(run(
             algorithm, progress_bar=progress_bar, message=message).GetOutputDataObject(0))
 
-    def select_interior_points(self, surface, *, inside_out=False, check_surface=False,
-                               progress_bar=False, **options):
+    def select_interior_points(self, surface: pv.DataObject, *, inside_out: bool = False,
+                               check_surface: bool = False, progress_bar: bool = False,
+                               **options: Any) -> pv.DataObject:
         """A copy with the bool point array 'selected_points': which points are inside a surface.
 
         The surface need not be closed; check_surface raises a RuntimeError where it is not, as
@@ -220,26 +238,22 @@ class WindingAccessor:
         return _fill(_copied(self._mesh), update(),
                      {"selected_points": ("Inside", np.bool_)})
 
-    def extract_interior(self, surface, *, association="point", inside_out=False,
-                         progress_bar=False, **options):
+    def extract_interior(self, surface: pv.DataObject, *, association: str = "point",
+                         inside_out: bool = False, progress_bar: bool = False,
+                         **options: Any) -> pv.DataObject:
         """The part of this mesh that is inside a surface: cells whose points all are, or with
         association='cell' those whose centre is; points, where there are no cells."""
         algorithm, update = self._probe(
             surface, progress_bar, "Extracting the inside", options, association)
         algorithm.ExtractInsideOn()
         algorithm.SetInsideOut(_options.flag("inside_out", inside_out))
-        algorithm.GenerateInsideOn()
+        # Arrays of the mesh stay, even one with the name of the filter's.
+        algorithm.GenerateInsideOff()
         algorithm.GenerateWindingNumberOff()
-        part = _without_notes(update())
-        for block in part.recursive_iterator(skip_none=True) if isinstance(
-                part, pv.MultiBlock) else [part]:
-            if isinstance(block, pv.DataSet):
-                data = block.cell_data if association == "cell" else block.point_data
-                if "Inside" in data:
-                    del data["Inside"]
-        return part
+        return _without_notes(update())
 
-    def signed_distance(self, surface, *, inplace=False, progress_bar=False, **options):
+    def signed_distance(self, surface: pv.DataObject, *, inplace: bool = False,
+                        progress_bar: bool = False, **options: Any) -> pv.DataObject:
         """A copy with the point array 'implicit_distance': distances to a surface, negative inside.
 
         They are those of DataSetFilters.compute_implicit_distance, but their signs come from
@@ -252,7 +266,8 @@ class WindingAccessor:
         target = self._mesh if _options.flag("inplace", inplace) else self._mesh.copy()
         return _fill(target, update(), {"implicit_distance": ("SignedDistance", None)})
 
-    def sample(self, surface, *, association="point", progress_bar=False, **options):
+    def sample(self, surface: pv.DataObject, *, association: str = "point",
+               progress_bar: bool = False, **options: Any) -> pv.DataObject:
         """A copy with the array 'WindingNumber' of a surface, at the points of this mesh or at the
         centres of its cells."""
         _, update = self._probe(
@@ -268,7 +283,8 @@ class WindingAccessor:
         algorithm.SetInputData(_check_source("the mesh", self._mesh))
         return run(algorithm, progress_bar=progress_bar, message="Looking at the mesh")
 
-    def report(self, *, normals_array=None, progress_bar=False):
+    def report(self, *, normals_array: str | None = None,
+               progress_bar: bool = False) -> dict[str, Any]:
         """What is wrong with this mesh or cloud, and what to do: a dict.
 
         vtkSurfaceReport says what the entries mean; 'advice' sums them up in words.
@@ -277,7 +293,7 @@ class WindingAccessor:
         return {found.GetArrayName(i): _value_of(found.GetAbstractArray(i))
                 for i in range(found.GetNumberOfArrays())}
 
-    def fix_orientation(self, *, progress_bar=False):
+    def fix_orientation(self, *, progress_bar: bool = False) -> pv.PolyData:
         """A copy as PolyData, its faces turned so that they look outward."""
         algorithm = self._report(progress_bar, None, True)
         result = pv.wrap(algorithm.GetOutput())
@@ -287,9 +303,10 @@ class WindingAccessor:
                 del result.field_data[report.GetArrayName(index)]
         return result
 
-    def estimate_areas(self, *, method="voronoi", point_area=0, n_neighbors=20,
-                       estimate_normals=False, normals_array=None, n_threads=None,
-                       progress_bar=False):
+    def estimate_areas(self, *, method: str = "voronoi", point_area: float = 0,
+                       n_neighbors: int = 20, estimate_normals: bool = False,
+                       normals_array: str | None = None, n_threads: int | None = None,
+                       progress_bar: bool = False) -> pv.DataObject:
         """A copy with the point array 'Area': the area that each point of a cloud stands for.
 
         method: 'voronoi', 'mesh' (a third of every triangle around a point) or 'constant'

@@ -18,11 +18,14 @@ estimate_normals, n_neighbors, regularization: for clouds; default False, 20 and
 What a filter refuses is a WindingError, wrong arguments are a TypeError or a ValueError.
 """
 
-from typing import NamedTuple
+from __future__ import annotations
+
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import _grids
+from . import _grids, _options
 from ._meshes import array_of, points_of, source_of, triangles_of
 from ._options import configured
 from ._run import run
@@ -33,18 +36,32 @@ from .vtkFiltersWinding import (
 )
 
 
+FloatArray = NDArray[np.floating]
+BoolArray = NDArray[np.bool_]
+IdArray = NDArray[np.int64]
+
+
 class Grid(NamedTuple):
     """Samples on a grid: values[i, j, k] is that at origin + spacing * (i, j, k)."""
 
-    values: np.ndarray
-    origin: np.ndarray
-    spacing: np.ndarray
+    values: FloatArray
+    origin: FloatArray
+    spacing: FloatArray
+
+
+def _float_type(dtype):
+    """float32 or float64, by any of the names that NumPy knows them by."""
+    try:
+        found = None if dtype is None else np.dtype(dtype)
+    except TypeError:
+        raise TypeError(f"dtype must be float32 or float64, not {dtype!r}") from None
+    if found not in (np.float32, np.float64):
+        raise ValueError(f"dtype must be float32 or float64, not {found}")
+    return found
 
 
 def _set_type(algorithm, dtype):
-    if dtype not in (np.float32, np.float64):
-        raise ValueError(f"dtype must be float32 or float64, not {dtype}")
-    if np.dtype(dtype) == np.float64:
+    if _float_type(dtype) == np.float64:
         algorithm.SetOutputScalarTypeToDouble()
 
 
@@ -63,20 +80,24 @@ def _at_points(name, points, vertices, faces, normals, areas, dtype, options):
     return array_of(run(probe).GetOutput().GetPointData(), name)
 
 
-def winding_number(points, vertices, faces=None, *, normals=None, areas=None, dtype=np.float32,
-                   **options):
+def winding_number(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
+                   normals: ArrayLike | None = None, areas: ArrayLike | None = None,
+                   dtype: DTypeLike = np.float32, **options: Any) -> FloatArray:
     """The winding number of a surface or a cloud at points (N, 3): (N,) floats."""
     return _at_points("WindingNumber", points, vertices, faces, normals, areas, dtype, options)
 
 
-def contains(points, vertices, faces=None, *, normals=None, areas=None, **options):
+def contains(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
+             normals: ArrayLike | None = None, areas: ArrayLike | None = None,
+             **options: Any) -> BoolArray:
     """Whether points (N, 3) are inside of a surface or a cloud: (N,) bools."""
     inside = _at_points("Inside", points, vertices, faces, normals, areas, np.float32, options)
     return inside.view(np.bool_)
 
 
-def signed_distance(points, vertices, faces=None, *, normals=None, areas=None, dtype=np.float32,
-                    **options):
+def signed_distance(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
+                    normals: ArrayLike | None = None, areas: ArrayLike | None = None,
+                    dtype: DTypeLike = np.float32, **options: Any) -> FloatArray:
     """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative inside:
     (N,) floats."""
     return _at_points("SignedDistance", points, vertices, faces, normals, areas, dtype, options)
@@ -91,8 +112,11 @@ def _lay(algorithm, source, **grid):
     _grids.lay(algorithm, bounds, **grid)
 
 
-def field(vertices, faces=None, *, normals=None, areas=None, resolution=None, dimensions=None,
-          spacing=None, bounds=None, padding=0.05, dtype=np.float32, **options):
+def field(vertices: ArrayLike, faces: ArrayLike | None = None, *, normals: ArrayLike | None = None,
+          areas: ArrayLike | None = None, resolution: int | None = None,
+          dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+          bounds: ArrayLike | None = None, padding: float = 0.05, dtype: DTypeLike = np.float32,
+          **options: Any) -> Grid:
     """The winding number on a grid over a surface or a cloud: a Grid.
 
     resolution is the number of cubic voxels along the longest side (64 where nothing is said),
@@ -113,8 +137,12 @@ def field(vertices, faces=None, *, normals=None, areas=None, resolution=None, di
                 np.array(image.GetSpacing()))
 
 
-def surface(vertices, faces=None, *, normals=None, areas=None, resolution=None, dimensions=None,
-            spacing=None, bounds=None, padding=0.05, close_border=False, dtype=None, **options):
+def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
+            normals: ArrayLike | None = None, areas: ArrayLike | None = None,
+            resolution: int | None = None, dimensions: ArrayLike | None = None,
+            spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
+            padding: float = 0.05, close_border: bool = False, dtype: DTypeLike | None = None,
+            **options: Any) -> tuple[FloatArray, IdArray]:
     """The smooth surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
 
     The grid is that of field(). dtype is that of the vertices: float32, float64, or None for
@@ -127,9 +155,9 @@ def surface(vertices, faces=None, *, normals=None, areas=None, resolution=None, 
     if dtype is not None:
         _set_type(algorithm, dtype)
         algorithm.SetOutputPointsPrecision(
-            algorithm.DOUBLE_PRECISION if np.dtype(dtype) == np.float64
+            algorithm.DOUBLE_PRECISION if _float_type(dtype) == np.float64
             else algorithm.SINGLE_PRECISION)
-    algorithm.SetCloseBorder(bool(close_border))
+    algorithm.SetCloseBorder(_options.flag("close_border", close_border))
     algorithm.GenerateNormalsOff()
     algorithm.SetInputData(source.data)
-    return triangles_of(run(algorithm).GetOutput())
+    return triangles_of(run(algorithm).GetOutput(), np.float32 if dtype is None else dtype)

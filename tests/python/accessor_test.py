@@ -1,7 +1,9 @@
 """mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
 
+import inspect
 import subprocess
 import sys
+import typing
 import unittest
 import warnings
 
@@ -46,6 +48,13 @@ class AccessorTest(Warned):
         code = "import pyvista; print(pyvista.Sphere().winding.report()['closed'])"
         found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual((found.stdout.strip(), found.returncode), ("1", 0), found.stderr)
+
+    def test_all_arguments_have_types(self):
+        kind = type(ball().winding)
+        for name in (name for name in vars(kind) if not name.startswith("_")):
+            method = getattr(kind, name)
+            names = set(inspect.signature(method).parameters) - {"self"} | {"return"}
+            self.assertEqual(set(typing.get_type_hints(method)), names, name)
 
     def test_other_back_ends_are_refused(self):
         code = ("import pyvista; pyvista.vtk_backend = lambda: 'cvista'\n"
@@ -102,6 +111,12 @@ class AccessorTest(Warned):
             self.assertEqual(ours, theirs)
         thin = pv.Plane().winding.voxelize(spacing=0.1, coverage="any", dimensions=None)
         self.assertGreaterEqual(thin.n_cells, 100)
+
+    def test_values_of_masks(self):
+        for value in (True, np.True_, 300, 10**30):
+            mask = ball(8).winding.voxelize_binary_mask(dimensions=(3, 3, 3),
+                                                        foreground_value=value)["mask"]
+            self.assertEqual(mask.max(), value)
 
     def test_open_meshes_have_masks(self):
         whole = ball().winding.voxelize_binary_mask(dimensions=(20, 20, 20))["mask"].sum()
@@ -161,6 +176,9 @@ class AccessorTest(Warned):
         self.assertIsInstance(part, pv.UnstructuredGrid)
         self.assertEqual(part.array_names, ["number"])
         self.assertLess(np.abs(part.points).max(), 0.5)
+        mesh["Inside"] = mesh.points[:, 0]  # an array of the user's, with the filter's name
+        kept = mesh.winding.extract_interior(ball())
+        np.testing.assert_array_equal(kept["Inside"], kept.points[:, 0])
         more = mesh.winding.extract_interior(ball(), association="cell")
         self.assertGreater(more.n_cells, part.n_cells)
         rest = mesh.winding.extract_interior(ball(), association="cell", inside_out=True)
@@ -296,6 +314,13 @@ class BadInputTest(Warned):
         self.refuses(TypeError, "dimensions and spacing cannot both", mask, dimensions=(4, 4, 4),
                      spacing=1)
         self.refuses(TypeError, "foreground_value must be a number", mask, foreground_value="1")
+        for kind in (pv.PolyData(), pv.UnstructuredGrid(), pv.MultiBlock(), pv.Line(),
+                     pv.PolyData(ball().points), ball().cast_to_pointset()):
+            self.refuses(ValueError, "give dimensions, spacing or resolution",
+                         kind.winding.voxelize_binary_mask, estimate_normals=True)
+        for spacing in (1e-9, 1e-12, 1e-320):
+            self.refuses(ValueError, "choose larger voxels", mask, spacing=spacing)
+        self.refuses(TypeError, "rounding_func must be a function", mask, rounding_func=3)
         self.refuses(ValueError, "2 or more", ball().winding.voxelize, dimensions=(1, 4, 4))
         self.refuses(vtkwinding.WindingError, "nothing", field, normals_array="nothing",
                      as_points=True, resolution=4)

@@ -1,5 +1,7 @@
 """The functions of NumPy arrays: what they give, which arrays they take, and what they refuse."""
 
+import inspect
+import typing
 import unittest
 import warnings
 
@@ -166,6 +168,13 @@ class ArraysTest(unittest.TestCase):
         self.assertTrue(all(note.category is vtkwinding.WindingWarning for note in notes))
 
 
+class TypesTest(unittest.TestCase):
+    def test_all_arguments_have_types(self):
+        for function in (winding_number, contains, signed_distance, field, surface):
+            names = set(inspect.signature(function).parameters) | {"return"}
+            self.assertEqual(set(typing.get_type_hints(function)), names)
+
+
 class BadInputTest(unittest.TestCase):
     def refuses(self, kind, words, *arguments, function=winding_number, **options):
         with self.assertRaisesRegex(kind, words) as caught:
@@ -206,6 +215,16 @@ class BadInputTest(unittest.TestCase):
         huge = winding_number(np.full((4, 3), 1e308), CORNERS, CUBE)
         np.testing.assert_array_equal(huge, 0)
 
+    def test_masked_arrays(self):
+        mask = np.zeros(POINTS.shape, bool)
+        whole = winding_number(np.ma.array(POINTS, mask=mask), CORNERS, CUBE)
+        np.testing.assert_array_equal(whole, [1, 0])
+        mask[1] = True
+        self.refuses(ValueError, "points must have no masked", np.ma.array(POINTS, mask=mask),
+                     CORNERS, CUBE)
+        self.refuses(ValueError, "faces must have no masked", POINTS, CORNERS,
+                     np.ma.array(CUBE, mask=CUBE == 7))
+
     def test_faces_out_of_range(self):
         self.refuses(ValueError, "faces .*0 to 7: row 2", POINTS, CORNERS,
                      np.where(CUBE == 4, 8, CUBE))
@@ -221,8 +240,9 @@ class BadInputTest(unittest.TestCase):
                      normals_array="Normals")
 
     def test_options(self):
-        def refuses(kind, words, **options):
-            self.refuses(kind, words, POINTS, CORNERS, CUBE, **options)
+        def refuses(kind, words, function=winding_number, **options):
+            points = [] if function is surface else [POINTS]
+            self.refuses(kind, words, *points, CORNERS, CUBE, function=function, **options)
 
         refuses(TypeError, "no option metod; the options are method", metod="rows")
         refuses(ValueError, "method must be one of auto, rows", method="fast")
@@ -237,7 +257,29 @@ class BadInputTest(unittest.TestCase):
         refuses(ValueError, "n_neighbors must be 3 to 1000", n_neighbors=2)
         refuses(ValueError, "regularization must be 0 to 4", regularization=5)
         refuses(TypeError, "as_points must be a bool", as_points="yes")
-        refuses(ValueError, "dtype must be float32 or float64", dtype=int)
+        for bad in (int, np.float16, ">f8", None):
+            refuses(ValueError, "dtype must be float32 or float64", dtype=bad)
+        for bad in ("junk", np.array([1, 2])):
+            refuses(TypeError, "dtype must be float32 or float64", dtype=bad)
+        refuses(ValueError, "tolerance must be finite", tolerance=10**400)
+        refuses(ValueError, "only clouds .* have areas", areas=np.ones(len(CORNERS)))
+        refuses(TypeError, "close_border must be a bool", function=surface, close_border="no")
+
+    def test_names_and_scalars_of_numpy(self):
+        for kind in (float, "float64", "f8", np.dtype(float)):
+            self.assertEqual(winding_number(POINTS, CORNERS, CUBE, dtype=kind).dtype, np.float64)
+            self.assertEqual(winding_number([], CORNERS, CUBE, dtype=kind).dtype, np.float64)
+            some, _ = surface(CORNERS, CUBE, resolution=9, padding=0.5, dtype=kind)
+            self.assertEqual(some.dtype, np.float64)
+            with self.assertWarns(vtkwinding.WindingWarning):
+                none, _ = surface(CORNERS, CUBE, resolution=9, threshold=7, dtype=kind)
+            self.assertEqual((none.shape, none.dtype), ((0, 3), np.float64))
+        for yes in (np.True_, np.array(True)):
+            cloud = winding_number(POINTS, CORNERS, CUBE, as_points=yes)
+            np.testing.assert_array_equal(
+                cloud, winding_number(POINTS, CORNERS, CUBE, as_points=True))
+        self.assertEqual(field(CORNERS, CUBE, spacing=np.array(0.5), padding=0).values.shape,
+                         (2, 2, 2))
 
     def test_grids(self):
         def refuses(kind, words, function=field, **grid):
@@ -256,7 +298,9 @@ class BadInputTest(unittest.TestCase):
         refuses(ValueError, "padding must be 0 or more", padding=-1)
         refuses(vtkwinding.WindingError, "choose larger voxels", resolution=100_000)
         refuses(vtkwinding.WindingError, "choose larger voxels", spacing=1e-12)
-        refuses(ValueError, "dimensions of the grid", spacing=(1e-12, 1, 1))
+        refuses(ValueError, r"spacing\[0\] must be larger", spacing=(1e-12, 1, 1))
+        refuses(ValueError, r"spacing\[1\] must be larger", spacing=(1, 1e-320, 1))
+        refuses(TypeError, "spacing must be numbers, not set", spacing={1, 2, 3})
         refuses(vtkwinding.WindingError, "one voxel along x", function=surface,
                 dimensions=(1, 4, 4))
 

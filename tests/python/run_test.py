@@ -1,6 +1,7 @@
 """How functions run: errors, warnings, Ctrl-C, threads, and which VTK they need."""
 
 import contextlib
+import os
 import pathlib
 import shutil
 import signal
@@ -13,7 +14,7 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonCore import vtkObject, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -63,6 +64,16 @@ class ErrorTest(unittest.TestCase):
         self.assertIsInstance(caught.exception, RuntimeError)
         self.assertNotIn("\n", str(caught.exception))
         self.assertNotIn("0x", str(caught.exception))
+
+    def test_errors_are_raised_where_vtk_shows_none(self):
+        before = vtkObject.GetGlobalWarningDisplay()
+        self.addCleanup(vtkObject.SetGlobalWarningDisplay, before)
+        vtkObject.GlobalWarningDisplayOff()
+        for call in (vtkwinding.field, vtkwinding.surface):
+            self.assertRaises(vtkwinding.WindingError, call, CORNERS, CUBE, resolution=100_000)
+        with self.assertWarns(vtkwinding.WindingWarning):
+            vtkwinding.winding_number(CORNERS, CORNERS, CUBE[:, ::-1])
+        self.assertEqual(vtkObject.GetGlobalWarningDisplay(), 0)
 
     def test_errors_of_the_pipeline_are_raised(self):
         report = vtkSurfaceReport()
@@ -164,6 +175,28 @@ class ThreadTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(faults, [])
+
+
+@unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+@unittest.skipIf(vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 907,
+                 "VTK's threads are those of the system's backend")
+class ForkTest(unittest.TestCase):
+    def test_children_of_fork_work(self):
+        """VTK's threads, which the parent has started, do not live on in a child."""
+        vertices, faces, _ = sphere(60)
+        expected = vtkwinding.field(vertices, faces[:-5], resolution=20).values
+        child = os.fork()
+        if child == 0:
+            found = vtkwinding.field(vertices, faces[:-5], resolution=20).values
+            os._exit(0 if np.array_equal(found, expected) else 3)
+        end, status = time.time() + 60, None
+        while status is None and time.time() < end:
+            done, code = os.waitpid(child, os.WNOHANG)
+            status = code if done else time.sleep(0.05)
+        if status is None:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+        self.assertEqual(status, 0)
 
 
 class VersionTest(unittest.TestCase):
