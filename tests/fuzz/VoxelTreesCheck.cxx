@@ -67,10 +67,12 @@ std::string checkVoxelTrees(Choices& choices)
   const Extent whole = grid.wholeExtent();
   std::vector<unsigned char> inside(sampleCount(whole));
   std::vector<float> values(inside.size());
-  std::vector<double> doubleValues(options.asDouble ? inside.size() : 0);
+  // Without values, the side is that of single precision (FieldOutput.h).
+  const bool isDouble = options.asDouble && options.withValues;
+  std::vector<double> doubleValues(isDouble ? inside.size() : 0);
   FieldOutput output;
   output.values = values.data();
-  output.doubleValues = options.asDouble ? doubleValues.data() : nullptr;
+  output.doubleValues = isDouble ? doubleValues.data() : nullptr;
   output.inside = inside.data();
   output.rule = options.rule;
   output.threshold = options.threshold;
@@ -84,7 +86,7 @@ std::string checkVoxelTrees(Choices& choices)
     const std::size_t number = sampleNumber(bricks.whole(), brick);
     const VoxelTree& tree = trees[number];
     const std::size_t leaf = leafOf(tree, voxel - brick * bricks.side(), bricks.depth);
-    const double value = options.asDouble ? doubleValues[n] : double{values[n]};
+    const double value = isDouble ? doubleValues[n] : double{values[n]};
     // The middle is rounded to the precision of the array.
     const double rounding = tolerance == 0 ? 0 : 1e-7 * std::abs(value);
     if (tree.isBeyond[leaf] || tree.inside[leaf] != inside[n])
