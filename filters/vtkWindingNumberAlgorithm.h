@@ -91,8 +91,8 @@ public:
   enum MethodType
   {
     AUTOMATIC = 0,    ///< the fastest method that keeps the tolerance
-    ROWS = 1,         ///< surfaces: whole rows of a grid at once, exact but for a cap over holes;
-                      ///< for closed surfaces also at scattered samples
+    ROWS = 1,         ///< surfaces: whole rows of a grid at once, or a ray from each scattered
+                      ///< sample; exact but for a cap over holes
     HIERARCHICAL = 2, ///< near primitives are summed, far ones act through expansions
     DIRECT = 3,       ///< the sum over all primitives, exact up to rounding
     PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only

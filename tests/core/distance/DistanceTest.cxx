@@ -195,6 +195,60 @@ TEST(Distance, OfCloudsIsThatOfTheirNearestPoint)
   }
 }
 
+TEST(Distance, OfASampleDoesNotDependOnTheOthers)
+{
+  SCOPED_TRACE("seeds 71 … 73");
+  // Needles of all widths, with sides of up to 1, stand among triangles of all sizes.
+  Random random(71);
+  Mesh needles;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Point at = random.point(-1, 1), along = random.direction() * random(0, 1);
+    const Point aside = random.direction() * std::pow(10.0, random(-17, 0));
+    const auto first = static_cast<int>(needles.points.size());
+    needles.points.insert(needles.points.end(), {at, at + along, at + 0.3 * along + aside});
+    needles.triangles.push_back({first, first + 1, first + 2});
+  }
+  std::vector<std::shared_ptr<const Field>> fields = {
+    fieldOf(needles), fieldOf(icosphere(3)), fieldOf(sphereCloud(2000)), fieldOf(cube())};
+  for (const std::shared_ptr<const Field>& field : fields)
+  {
+    std::vector<Point> samples = randomPoints(3000, -1.3, 1.3, 72);
+    Random sizes(73);
+    for (const Point& vertex : needles.points)
+    {
+      samples.push_back(vertex);
+      samples.push_back(vertex + sizes.direction() * std::pow(10.0, sizes(-17, 0)));
+    }
+    for (int i = 0; i < 300; ++i)
+    {
+      samples.emplace_back(0, 0, 0);
+      samples.push_back(sizes.direction() * std::pow(10.0, sizes(0, 9)));
+      samples.push_back(sizes.direction() * std::pow(10.0, sizes(-9, 0)));
+    }
+    for (const double limit : {infinite, 0.1})
+    {
+      const Distances together = evaluate(*field, samples, limit);
+      std::vector<Point> reversed(samples.rbegin(), samples.rend());
+      const Distances turned = evaluate(*field, reversed, limit);
+      for (std::size_t n = 0; n < samples.size(); ++n)
+      {
+        ASSERT_EQ(together.distances[n], turned.distances[samples.size() - 1 - n]) << n;
+      }
+      // So few samples are searched for one by one.
+      for (std::size_t n = 0; n + 5 <= samples.size(); n += 10)
+      {
+        const auto first = samples.begin() + static_cast<std::ptrdiff_t>(n);
+        const Distances few = evaluate(*field, std::vector<Point>(first, first + 5), limit);
+        for (std::size_t i = 0; i < 5; ++i)
+        {
+          ASSERT_EQ(together.distances[n + i], few.distances[i]) << n + i;
+        }
+      }
+    }
+  }
+}
+
 TEST(Distance, CloseSamplesAreAsExact)
 {
   SCOPED_TRACE("seed 813");
