@@ -237,6 +237,11 @@ private:
   {
     hasEvaluated_ = true;
     const std::vector<NearItems>& kept = lists_.nearItems(cell, firstNode);
+    if (cell.low == cell.high)
+    {
+      this->evaluateEqual(piece, kept);
+      return;
+    }
     for (const NearItems& run : kept)
     {
       work_ += static_cast<double>(piece.last - piece.first) * (run.last - run.first);
@@ -256,6 +261,21 @@ private:
       {
         this->write(squared[n], first[n].sample);
       }
+    }
+  }
+
+  /// Writes the distance of samples at one place, found once: there may be any number of them.
+  void evaluateEqual(const Piece& piece, const std::vector<NearItems>& kept) const
+  {
+    SampleBlock block;
+    alignas(64) double squared[SampleBlock::capacity];
+    std::fill_n(squared, SampleBlock::capacity, std::numeric_limits<double>::infinity());
+    block.count = 1;
+    block.set(0, piece.first->position);
+    tree_.lowerSquaredDistances(kept, block, squared);
+    for (const Place* place = piece.first; place != piece.last; ++place)
+    {
+      this->write(squared[0], place->sample);
     }
   }
 

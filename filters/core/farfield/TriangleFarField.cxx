@@ -80,6 +80,13 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   {
     rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());
   }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (last_ && rule == rule_)
+    {
+      return last_; // without a look at all triangles
+    }
+  }
   try
   {
     if (leavesWhole(rule, vertices_, triangles_.triangles(), executor))

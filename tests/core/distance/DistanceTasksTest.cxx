@@ -1,0 +1,189 @@
+#include "distance/DistanceTree.h"
+#include "distance/GridDistances.h"
+#include "distance/NearestKernels.h"
+#include "distance/SampleDistances.h"
+
+#include "core/support/FieldDistances.h"
+#include "core/support/Interruption.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+/**
+ * How distances are cut into tasks, what is shown of them as progress, and how they are
+ * interrupted.
+ */
+namespace
+{
+
+using namespace shapes;
+using winding::Extent;
+using winding::Field;
+using winding::Grid;
+using winding::sampleCount;
+using winding::sampleIndex;
+using winding::sampleNumber;
+
+/// Counts tasks.
+class CountingTasks final : public winding::Executor
+{
+public:
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    tasks += count;
+    return winding::SerialExecutor().run(count, work);
+  }
+  std::size_t tasks = 0;
+};
+
+/// Cubic voxels beside and in a sphere of about unit size.
+Grid gridOverASphere()
+{
+  winding::GridRequest request;
+  request.bounds = winding::Bounds(Point(-1.6, -1.5, -1.4), Point(1.3, 1.5, 1.7));
+  request.dimensions = {11, 13, 12};
+  return winding::layOutGrid(request);
+}
+
+} // namespace
+
+TEST(DistanceTasks, InterruptionIsToldWhereverItCame)
+{
+  const Grid grid = gridOverASphere();
+  int runs = 0;
+  for (bool isOver = false; !isOver; ++runs)
+  {
+    const auto field = fieldOf(icosphere(2));
+    Interruption executor(runs);
+    Distances result(sampleCount(grid.wholeExtent()));
+    const bool isComplete =
+      field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor);
+    isOver = !executor.cameToPass();
+    EXPECT_EQ(isComplete, isOver) << runs;
+    // An interruption leaves the next evaluation as good as any.
+    EXPECT_EQ(evaluate(*field, grid).distances, evaluate(*fieldOf(icosphere(2)), grid).distances);
+  }
+  EXPECT_GT(runs, 3) << "values, the tree in some steps, and distances";
+}
+
+TEST(DistanceTasks, AreSmallWhereEverythingIsAsNear)
+{
+  // All points are as near to all samples, and all samples are one block. Triangles would not do:
+  // the few that lie deepest in their sphere are nearest everywhere about its centre.
+  winding::SerialExecutor serial;
+  const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-18);
+  grid.firstSample.setConstant(0);
+  const Extent whole = grid.wholeExtent(), part = {3, 4, 9, 9, 15, 15};
+  Distances all(sampleCount(whole)), some(sampleCount(part)), scattered(sampleCount(whole));
+  const auto tasksFor = [&](const Extent& extent, Distances& result)
+  {
+    CountingTasks executor;
+    const winding::FieldOutput output = result.output(infinite);
+    EXPECT_TRUE(winding::GridDistances(tree, grid, extent, output).evaluate(executor));
+    return executor.tasks;
+  };
+  EXPECT_EQ(tasksFor(part, some), 1u);
+  EXPECT_GT(tasksFor(whole, all), 1u);
+
+  const std::vector<Point> samples = samplesOf(grid);
+  CountingTasks executor;
+  EXPECT_TRUE(winding::evaluateDistances(tree,
+    winding::VectorsView(samples[0].data(), samples.size()), scattered.output(infinite), executor));
+  // The samples are sorted by two runs of one task each.
+  EXPECT_GT(executor.tasks, 3u);
+
+  for (std::size_t n = 0; n < all.distances.size(); ++n)
+  {
+    ASSERT_NEAR(all.distances[n], -1, 1e-14) << n;
+    ASSERT_NEAR(scattered.distances[n], -1, 1e-14) << n;
+  }
+  for (std::size_t n = 0; n < some.distances.size(); ++n)
+  {
+    EXPECT_EQ(some.distances[n], all.distances[sampleNumber(whole, sampleIndex(part, n))]);
+  }
+}
+
+TEST(DistanceTasks, OfEqualSamplesTakeNoLongerThanOfOne)
+{
+  // One by one they would take more than a minute, in a task that cannot be interrupted.
+  winding::SerialExecutor serial;
+  const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
+  const std::vector<Point> samples(2'000'000, Point(0, 0, 0));
+  Distances found(samples.size());
+  EXPECT_TRUE(winding::evaluateDistances(
+    tree, winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), serial));
+  EXPECT_NEAR(found.distances[0], -1, 1e-14);
+  EXPECT_EQ(std::count(found.distances.begin(), found.distances.end(), found.distances[0]),
+    static_cast<std::ptrdiff_t>(samples.size()));
+}
+
+TEST(DistanceTasks, WorkThatTasksLeaveShowsNoProgressOnceMore)
+{
+  /// Counts the calls whose tasks show progress, and those whose tasks do not.
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++shown;
+      return winding::SerialExecutor().run(count, work);
+    }
+    bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++brief;
+      return winding::SerialExecutor().run(count, work);
+    }
+    int shown = 0, brief = 0;
+  };
+  // All points are as near to all of the grid: few of them are done in one go, many are not.
+  Grid grid;
+  grid.dimensions = {16, 16, 16};
+  grid.spacing.setConstant(1e-18);
+  grid.firstSample.setConstant(0);
+  int brief[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const Cloud cloud = sphereCloud(i == 0 ? 1000 : 80'000);
+    winding::FieldOptions options;
+    options.method = winding::Method::direct;
+    options.pointAreaMethod = winding::PointAreaMethod::constant;
+    options.pointArea = 1;
+    winding::SerialExecutor serial;
+    const auto field =
+      Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+    ASSERT_TRUE(field->prepareDistances(serial));
+    Counting executor;
+    Distances result(sampleCount(grid.wholeExtent()));
+    EXPECT_TRUE(field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor));
+    EXPECT_EQ(executor.shown, 2) << "values, and distances";
+    brief[i] = executor.brief;
+  }
+  EXPECT_EQ(brief[0], 0);
+  EXPECT_GT(brief[1], 0);
+}
+
+TEST(DistanceTasks, TreeIsMadeOnceAndBeforeIfAskedFor)
+{
+  /// Counts the calls of run().
+  class Counting final : public winding::Executor
+  {
+  public:
+    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      ++runs;
+      return winding::SerialExecutor().run(count, work);
+    }
+    int runs = 0;
+  };
+  const auto field = fieldOf(icosphere(2));
+  Counting preparing, again;
+  EXPECT_TRUE(field->prepareDistances(preparing));
+  EXPECT_GT(preparing.runs, 1);
+  EXPECT_TRUE(field->prepareDistances(again));
+  EXPECT_EQ(again.runs, 0);
+  EXPECT_GT(field->expectedCostOfDistances(1000).bytes, 320 * sizeof(winding::NearTriangle));
+}
