@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Table table(file.name());
     for (std::size_t column = 0; column < table.columns(); ++column)
     {
-      if (table.isNumeric(column) && table.numbers(column).size() != table.rows())
+      if (table.isNumeric(column) && table.numbers({column}).size() != table.rows())
       {
         __builtin_trap();
       }
