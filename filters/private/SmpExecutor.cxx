@@ -19,14 +19,20 @@ namespace winding
 namespace
 {
 
-/// The active backend, or STDThread where Sequential is active though nobody asked for it.
+/// The active backend, or STDThread where Sequential is active though nobody asked for it. Where the
+/// environment asks for Sequential, that holds: two threads that choose a backend for their filters
+/// at a time may leave VTK with that of one of them.
 std::string backendToUse()
 {
   std::string active = vtkSMPTools::GetBackend();
   const bool isSequential = active == "Sequential";
 #if VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL && VTK_SMP_ENABLE_STDTHREAD
   const char* asked = std::getenv("VTK_SMP_BACKEND_IN_USE");
-  return isSequential && (!asked || std::strcmp(asked, "Sequential") != 0) ? "STDThread" : active;
+  if (asked && std::strcmp(asked, "Sequential") == 0)
+  {
+    return asked;
+  }
+  return isSequential ? "STDThread" : active;
 #else
   (void)isSequential;
   return active;
