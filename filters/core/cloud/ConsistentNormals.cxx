@@ -266,8 +266,9 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph, const 
     patches.handOn(largest, turns);
     best.take(normals, turns, cloud.deviationOf(normals, turns));
   }
+}
 
-  /// Turns points one by one as long as that helps.
+/// Turns points one by one as long as that helps.
   void polish(const DistinctPoints& places, Cloud& cloud, Best& best)
   {
     constexpr int mostRounds = 3;
