@@ -88,6 +88,9 @@ static_assert(isNumber(winding::PointAreasFrom::voronoi, Filter::VORONOI));
 static_assert(isNumber(winding::PointAreasFrom::mesh, Filter::MESH));
 static_assert(isNumber(winding::PointAreasFrom::constant, Filter::CONSTANT));
 static_assert(isNumber(winding::PointAreasFrom::array, Filter::ARRAY));
+static_assert(isNumber(winding::NormalEstimation::automatic, Filter::ESTIMATION_AUTOMATIC));
+static_assert(isNumber(winding::NormalEstimation::spanningTree, Filter::SPANNING_TREE));
+static_assert(isNumber(winding::NormalEstimation::consistent, Filter::WINDING_CONSISTENT));
 static_assert(isNumber(winding::SourceDistribution::automatic, Filter::DISTRIBUTION_AUTOMATIC));
 static_assert(isNumber(winding::SourceDistribution::distributed, Filter::DISTRIBUTED));
 static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICATED));
@@ -533,6 +536,12 @@ double vtkWindingNumberAlgorithm::GetMeanPointArea() const
 bool vtkWindingNumberAlgorithm::GetNormalsWereEstimated() const
 {
   return this->GetSourceInfo().normalsAreEstimated;
+}
+
+const char* vtkWindingNumberAlgorithm::GetNormalEstimationUsed() const
+{
+  const winding::FieldInfo& info = this->GetSourceInfo();
+  return info.normalsAreEstimated ? winding::nameOf(info.normalEstimation) : "";
 }
 
 double vtkWindingNumberAlgorithm::GetClearShare() const

@@ -37,7 +37,7 @@ template <class Class> void expectPrinted(const std::vector<std::string>& words)
 TEST(Print, HasThePropertiesOfEveryClass)
 {
   const std::vector<std::string> ofSources = {"Method: 0", "Tolerance: 0.001", "PointAreaMethod: 0",
-    "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
+    "NormalEstimation: 0", "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
   expectPrinted<vtkWindingNumberField>(ofSources);
   expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
     "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",

@@ -53,6 +53,8 @@ BadValues<int> choices(const std::string& names, int beyond, int before = -1)
 const BadValues<int> methods =
   choices("AUTOMATIC (0), ROWS (1), HIERARCHICAL (2), DIRECT (3) or PARITY (4)", 5);
 const BadValues<int> areaMethods = choices("VORONOI (0), MESH (1), CONSTANT (2) or ARRAY (3)", 4);
+const BadValues<int> estimations =
+  choices("ESTIMATION_AUTOMATIC (0), SPANNING_TREE (1) or WINDING_CONSISTENT (2)", 3);
 const BadValues<int> insideRules = choices("SIGNED (0), ABSOLUTE (1) or ODD (2)", 3);
 const BadValues<int> neighborCounts = {
   {2, "2; it must be 3 to 1000"}, {1001, "1001; it must be 3 to 1000"}};
@@ -122,6 +124,7 @@ template <class Filter> void expectCommonPropertiesRefused(Filter* filter)
   EXPECT_REFUSED(filter, Method, methods);
   EXPECT_REFUSED(filter, Tolerance, notPositive);
   EXPECT_REFUSED(filter, PointAreaMethod, areaMethods);
+  EXPECT_REFUSED(filter, NormalEstimation, estimations);
   EXPECT_REFUSED(filter, NumberOfNeighbors, neighborCounts);
   EXPECT_REFUSED(filter, PointArea, notPositive);
   EXPECT_REFUSED(filter, Regularization, regularizations);
@@ -286,6 +289,7 @@ TEST_F(PropertyRanges, OfTheImplicitFunction)
   EXPECT_NO_FIELD(function, Method, methods);
   EXPECT_NO_FIELD(function, Tolerance, notPositive);
   EXPECT_NO_FIELD(function, PointAreaMethod, areaMethods);
+  EXPECT_NO_FIELD(function, NormalEstimation, estimations);
   EXPECT_NO_FIELD(function, NumberOfNeighbors, neighborCounts);
   EXPECT_NO_FIELD(function, PointArea, notPositive);
   EXPECT_NO_FIELD(function, Regularization, regularizations);

@@ -12,6 +12,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);
   filter->SetEstimateNormals(options.estimateNormals);
+  filter->SetNormalEstimation(options.normalEstimation);
   filter->SetPointAreaMethod(options.areas);
   filter->SetNumberOfNeighbors(options.neighbors);
   filter->SetRegularization(options.regularization);

@@ -152,7 +152,8 @@ void addBench(CLI::App& app, Options& options)
       "samples | expected FILE..., the times that users are told, of surfaces and clouds, beside "
       "those taken | hierarchical FILE..., the far field of surfaces, of their vertices and of "
       "their "
-      "caps, in its parts | hierarchical, the same of spheres with few and many sources")
+      "caps, in its parts | hierarchical, the same of spheres with few and many sources | "
+      "orientation FILE..., points on surfaces with estimated normals, beside the surfaces")
     ->required()
     ->type_name("");
   bench
@@ -164,7 +165,7 @@ void addBench(CLI::App& app, Options& options)
   bench
     ->add_option("--points", options.bench.points,
       "vtk, expected: scattered points to ask about, one or more (1000 10000 100000, expected: "
-      "1000000, too)")
+      "1000000, too); orientation: points on the surfaces (50000)")
     ->type_name("N...")
     ->group("Grid");
   bench

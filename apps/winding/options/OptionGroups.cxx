@@ -128,6 +128,15 @@ void addMethod(CLI::App* command, Options& options)
     ->add_flag("--estimate-normals", options.estimateNormals,
       "Estimate the normals of points that have none, orient them, and check them by the field")
     ->group(group);
+  command
+    ->add_option("--normal-estimation", options.normalEstimation,
+      "How normals are estimated: tree, handed on from neighbour to neighbour | consistent, such "
+      "that w is 1/2 at the points, for thin, close and separate parts | auto, tree where its "
+      "check finds it right (auto)")
+    ->transform(oneOf({{"auto", Filter::ESTIMATION_AUTOMATIC}, {"tree", Filter::SPANNING_TREE},
+      {"consistent", Filter::WINDING_CONSISTENT}}))
+    ->type_name("NAME")
+    ->group(group);
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);
 }

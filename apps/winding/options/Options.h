@@ -6,7 +6,7 @@
 /// The options of bench. An empty list stands for the values that suit the subject.
 struct BenchOptions
 {
-  /// Files; or "seed" or "kernels"; or "clouds" or "vtk" with files behind it; or "hierarchical"
+  /// Files; or "seed" or "kernels"; or "clouds", "vtk", "expected" or "orientation" with files behind it; or "hierarchical"
   /// with files or without.
   std::vector<std::string> subjects;
   std::vector<int> resolutions;
@@ -41,6 +41,7 @@ struct Options
   int neighbors = 20;
   double regularization = 0;
   bool estimateNormals = false;
+  int normalEstimation = 0;
   bool asPoints = false;
 
   // The output. Choices have the numbers that the filters give them.
