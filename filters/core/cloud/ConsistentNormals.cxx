@@ -33,15 +33,10 @@ constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
 /// The field is looked at in so many places.
 constexpr std::size_t mostTestimonies = 1536;
 
+constexpr std::size_t placesPerBlock = 512;
+
 using Turns = std::vector<unsigned char>;
 using Normals = std::vector<Eigen::Vector3d>;
-
-/// What the neighbourhoods of places tell about the cloud.
-struct Surroundings
-{
-  std::vector<double> spacings; ///< of each place: the square root of its area
-  double noise = 0; ///< the points' distance from a smooth surface, in spacings; 0 for clean clouds
-};
 
 /// The quantile of some values, which it moves.
 double quantile(std::vector<double>& values, double share)
@@ -52,35 +47,48 @@ double quantile(std::vector<double>& values, double share)
   return *at;
 }
 
-Surroundings surroundingsOf(
-  const DistinctPoints& places, const NeighborGraph& graph, Executor& executor)
+/// The deviations of points from the planes of their neighbourhoods, in spacings.
+std::vector<double> deviationsOf(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& spacings, std::size_t neighbors, Executor& executor)
 {
-  Surroundings result;
-  result.spacings.resize(places.size());
-  std::vector<double> near(places.size()), far(places.size());
-  constexpr std::size_t placesPerBlock = 512;
+  std::vector<double> deviations(places.size());
   runBlocks(
     places.size(), placesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t place = first; place < last; ++place)
       {
-        // The area of a place is that of the circle through a near neighbour, for each place in it.
-        const std::uint32_t* const end = graph.end(place, fewNeighbors);
-        const auto neighbors = static_cast<double>(end - graph.begin(place));
-        const double radius = (places.positions()[*(end - 1)] - places.positions()[place]).norm();
-        const double spacing = radius * std::sqrt(pi / neighbors);
-        result.spacings[place] = spacing;
-        near[place] = planeOf(places, graph, place, fewNeighbors).deviation / spacing;
-        far[place] = planeOf(places, graph, place, graph.neighborsPerPlace()).deviation / spacing;
+        deviations[place] = planeOf(places, graph, place, neighbors).deviation / spacings[place];
       }
     },
     executor);
-  // Small planes of noisy points deviate by 0.3 spacings and more nearly everywhere; those of clean
-  // ones do so in some places only, at edges and thin parts.
+  return deviations;
+}
+
+/// The distance of each place from others: the square root of its area, which is that of the circle
+/// through a near neighbour, for each place in it.
+std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph& graph)
+{
+  std::vector<double> spacings(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    const std::uint32_t* const end = graph.end(place, fewNeighbors);
+    const auto neighbors = static_cast<double>(end - graph.begin(place));
+    const double radius = (places.positions()[*(end - 1)] - places.positions()[place]).norm();
+    spacings[place] = radius * std::sqrt(pi / neighbors);
+  }
+  return spacings;
+}
+
+/// Whether points are scattered about their surface. Small planes of noisy points deviate by 0.3
+/// spacings and more nearly everywhere; those of clean ones do so in some places only, at edges and
+/// thin parts.
+bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& spacings, Executor& executor)
+{
   constexpr double clean = 0.2;
-  result.noise = quantile(near, 0.25) > clean ? quantile(far, 0.5) : 0;
-  return result;
+  std::vector<double> deviations = deviationsOf(places, graph, spacings, fewNeighbors, executor);
+  return quantile(deviations, 0.25) > clean;
 }
 
 /// Places of a cloud with what does not depend on their normals.
@@ -269,114 +277,128 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph, const 
 }
 
 /// Turns points one by one as long as that helps.
-  void polish(const DistinctPoints& places, Cloud& cloud, Best& best)
+void polish(const DistinctPoints& places, Cloud& cloud, Best& best)
+{
+  constexpr int mostRounds = 3;
+  Turns turns = best.turns;
+  for (int round = 0; round < mostRounds; ++round)
   {
-    constexpr int mostRounds = 3;
-    Turns turns = best.turns;
-    for (int round = 0; round < mostRounds; ++round)
+    const Normals normals = best.normals;
+    const double before = best.deviation;
+    turns = uphill(cloud.gradients(normals, turns, places.positions()), normals);
+    best.take(normals, turns, cloud.deviationOf(normals, turns));
+    if (best.deviation == before)
     {
-      const Normals normals = best.normals;
-      const double before = best.deviation;
-      turns = uphill(cloud.gradients(normals, turns, places.positions()), normals);
-      best.take(normals, turns, cloud.deviationOf(normals, turns));
-      if (best.deviation == before)
-      {
-        return;
-      }
+      return;
     }
   }
+}
 
-  Normals turned(Normals normals, const Turns& turns)
+Normals turned(Normals normals, const Turns& turns)
+{
+  for (std::size_t place = 0; place < normals.size(); ++place)
   {
-    for (std::size_t place = 0; place < normals.size(); ++place)
-    {
-      normals[place] *= turns[place] ? -1 : 1;
-    }
-    return normals;
+    normals[place] *= turns[place] ? -1 : 1;
   }
+  return normals;
+}
 
-  /// A cloud whose points have normals: by place, and by how much w deviates from 1/2 there.
-  struct OrientedPlaces
-  {
-    Normals normals;
-    double deviation;
-  };
+/// A cloud whose points have normals: by place, and by how much w deviates from 1/2 there.
+struct OrientedPlaces
+{
+  Normals normals;
+  double deviation;
+};
 
-  /// Every so manieth place of a noisy cloud, such that noise is no more than about half a spacing.
-  std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
+/// Every so manieth place of a noisy cloud, such that noise is no more than about half a spacing.
+std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
+{
+  constexpr double wanted = 0.6;
+  const double ratio = noise / wanted;
+  const std::size_t step =
+    std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::min(ratio * ratio, 64.0))));
+  std::vector<Eigen::Vector3d> some;
+  for (std::size_t place = step / 2; place < places.size(); place += step)
   {
-    constexpr double wanted = 0.6;
-    const double ratio = noise / wanted;
-    const std::size_t step = std::max<std::size_t>(
-      1, static_cast<std::size_t>(std::lround(std::min(ratio * ratio, 64.0))));
-    std::vector<Eigen::Vector3d> some;
-    for (std::size_t place = step / 2; place < places.size(); place += step)
-    {
-      some.push_back(places.positions()[place]);
-    }
-    return some;
+    some.push_back(places.positions()[place]);
   }
+  return some;
+}
 
-  /// Orients a cloud by all ways and takes the one with the least deviation.
-  OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& graph,
-    std::size_t neighbors, const Surroundings& surroundings, Executor& executor)
+/// Orients a cloud by all ways and takes the one with the least deviation. The graph of noisy
+/// clouds has twice as many neighbours.
+OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& spacings, std::size_t neighbors, bool isNoisy, Executor& executor)
+{
+  constexpr double spreadOfNoise = 3;
+  Cloud cloud(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
+  Best best;
+  Normals normals = planeNormals(places, graph, neighbors, executor);
+  orientByTree(places, graph, normals);
+  const Turns none(places.size(), 0), all(places.size(), 1);
+  best.take(normals, none, cloud.deviationOf(normals, none));
+  best.take(normals, all, cloud.deviationOf(normals, all));
+  // The deviation of a whole cloud that the spanning tree orients well is small, and not 0 where
+  // solids overlap, for w is 3/2 on the parts within others. Turning these would lessen it.
+  constexpr double small = 0.05;
+  if (best.deviation < small)
   {
-    // The deviation of a whole cloud that the spanning tree orients well is small, and not 0 where
-    // solids overlap, for w is 3/2 on the parts within others. Turning these would lessen it.
-    constexpr double small = 0.05;
-    const bool isNoisy = surroundings.noise > 0;
-    constexpr double spreadOfNoise = 3;
-    Cloud cloud(places, surroundings.spacings, isNoisy ? spreadOfNoise : 1, executor);
-    Best best;
-    Normals normals = planeNormals(places, graph, neighbors, executor);
-    orientByTree(places, graph, normals);
-    const Turns none(places.size(), 0), all(places.size(), 1);
-    best.take(normals, none, cloud.deviationOf(normals, none));
-    best.take(normals, all, cloud.deviationOf(normals, all));
-    if (best.deviation < small)
-    {
-      return {turned(best.normals, best.turns), best.deviation};
-    }
-    // Small planes tell the sheets of thin parts apart, large ones see through noise.
-    const std::vector<std::size_t> sizes =
-      isNoisy ? std::vector<std::size_t>{neighbors, 2 * neighbors}
-              : std::vector<std::size_t>{fewNeighbors, (fewNeighbors + neighbors) / 2, neighbors};
-    for (const std::size_t size : sizes)
-    {
-      normals = planeNormals(places, graph, size, executor);
-      tryPatches(places, graph, normals, cloud, executor, best);
-    }
-    polish(places, cloud, best);
     return {turned(best.normals, best.turns), best.deviation};
   }
-
-  OrientedPlaces orientPlaces(
-    const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+  // Small planes tell the sheets of thin parts apart, large ones see through noise.
+  const std::vector<std::size_t> sizes =
+    isNoisy ? std::vector<std::size_t>{neighbors, 2 * neighbors}
+            : std::vector<std::size_t>{fewNeighbors, (fewNeighbors + neighbors) / 2, neighbors};
+  for (const std::size_t size : sizes)
   {
-    if (places.size() < 2)
-    {
-      return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0};
-    }
-    const NeighborGraph graph(places, 2 * neighbors, executor);
-    const Surroundings surroundings = surroundingsOf(places, graph, executor);
-    const std::vector<Eigen::Vector3d> some = thinned(places, surroundings.noise);
-    constexpr std::size_t enough = 1000;
-    if (surroundings.noise == 0 || some.size() == places.size() || some.size() < enough)
-    {
-      return orientDensely(places, graph, neighbors, surroundings, executor);
-    }
-    const DistinctPoints sparse(some, 1, executor);
-    const NeighborGraph sparseGraph(sparse, 2 * neighbors, executor);
-    const Surroundings sparseSurroundings = surroundingsOf(sparse, sparseGraph, executor);
-    const OrientedPlaces oriented =
-      orientDensely(sparse, sparseGraph, neighbors, sparseSurroundings, executor);
-    constexpr double spread = 2;
-    Cloud cloud(sparse, sparseSurroundings.spacings, spread, executor);
-    const Normals gradients =
-      cloud.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
-    const Normals normals = planeNormals(places, graph, 2 * neighbors, executor);
-    return {turned(normals, uphill(gradients, normals)), oriented.deviation};
+    normals = planeNormals(places, graph, size, executor);
+    tryPatches(places, graph, normals, cloud, executor, best);
   }
+  polish(places, cloud, best);
+  return {turned(best.normals, best.turns), best.deviation};
+}
+
+/// Orients a noisy cloud, of which only some places are needed to tell its sides.
+OrientedPlaces orientNoisy(const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+{
+  const NeighborGraph graph(places, 2 * neighbors, executor);
+  const std::vector<double> spacings = spacingsOf(places, graph);
+  std::vector<double> deviations = deviationsOf(places, graph, spacings, 2 * neighbors, executor);
+  const std::vector<Eigen::Vector3d> some = thinned(places, quantile(deviations, 0.5));
+  constexpr std::size_t enough = 1000;
+  if (some.size() == places.size() || some.size() < enough)
+  {
+    return orientDensely(places, graph, spacings, neighbors, true, executor);
+  }
+  const DistinctPoints sparse(some, 1, executor);
+  const NeighborGraph sparseGraph(sparse, 2 * neighbors, executor);
+  const std::vector<double> wide = spacingsOf(sparse, sparseGraph);
+  const OrientedPlaces oriented = orientDensely(
+    sparse, sparseGraph, wide, neighbors, isNoisy(sparse, sparseGraph, wide, executor), executor);
+  constexpr double spread = 2;
+  Cloud cloud(sparse, wide, spread, executor);
+  const Normals gradients =
+    cloud.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
+  const Normals normals = planeNormals(places, graph, 2 * neighbors, executor);
+  return {turned(normals, uphill(gradients, normals)), oriented.deviation};
+}
+
+OrientedPlaces orientPlaces(const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+{
+  if (places.size() < 2)
+  {
+    return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0};
+  }
+  {
+    const NeighborGraph graph(places, neighbors, executor);
+    const std::vector<double> spacings = spacingsOf(places, graph);
+    if (!isNoisy(places, graph, spacings, executor))
+    {
+      return orientDensely(places, graph, spacings, neighbors, false, executor);
+    }
+  }
+  return orientNoisy(places, neighbors, executor);
+}
 
 } // namespace
 

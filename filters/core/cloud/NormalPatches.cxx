@@ -1,7 +1,6 @@
 #include "cloud/NormalPatches.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace winding
 {
@@ -13,6 +12,7 @@ NormalPatches::NormalPatches(const DistinctPoints& places, const NeighborGraph& 
 {
   constexpr std::size_t stepsPerPlace = 10, placesPerBlock = 4096;
   const std::size_t perPlace = std::min(stepsPerPlace, graph.neighborsPerPlace());
+  const Link none = {0, 0, 0, 0}; // from a place to itself
   links_.resize(places.size() * perPlace);
   runBlocks(
     places.size(), placesPerBlock,
@@ -23,15 +23,30 @@ NormalPatches::NormalPatches(const DistinctPoints& places, const NeighborGraph& 
         Link* link = &links_[place * perPlace];
         for (const std::uint32_t* to = graph.begin(place); to != graph.end(place, perPlace); ++to)
         {
+          const std::uint32_t* const end = graph.end(*to, perPlace);
+          if (*to < place && std::find(graph.begin(*to), end, place) != end)
+          {
+            *link++ = none;
+            continue;
+          }
           const NeighborStep step = stepBetween(places, normals, place, *to);
-          *link++ = {step.doubt, step.from, step.to, normals[place].dot(normals[*to]) < 0};
+          const bool areOpposite = normals[place].dot(normals[*to]) < 0;
+          *link++ = {step.doubt, step.from, step.to, areOpposite};
         }
       }
     },
     executor);
+  links_.erase(std::remove_if(links_.begin(), links_.end(),
+                 [](const Link& link) { return link.from == link.to; }),
+    links_.end());
+  links_.shrink_to_fit();
   std::sort(links_.begin(), links_.end(),
     [](const Link& a, const Link& b)
-    { return std::tie(a.doubt, a.from, a.to) < std::tie(b.doubt, b.from, b.to); });
+    {
+      return a.doubt != b.doubt ? a.doubt < b.doubt
+             : a.from != b.from ? a.from < b.from
+                                : a.to < b.to;
+    });
 }
 
 void NormalPatches::grow(float doubt)
@@ -39,8 +54,8 @@ void NormalPatches::grow(float doubt)
   for (; joined_ < links_.size() && links_[joined_].doubt <= doubt; ++joined_)
   {
     const Link& link = links_[joined_];
-    sets_.unite(
-      static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to), link.areOpposite);
+    sets_.unite(static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to),
+      link.areOpposite != 0);
   }
 }
 
@@ -128,13 +143,13 @@ void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& i
     {
       continue;
     }
-    const bool areRootsOpposite = link.areOpposite != (a.isOpposite != b.isOpposite);
+    const bool areRootsOpposite = (link.areOpposite != 0) != (a.isOpposite != b.isOpposite);
     const std::size_t low = std::min(first, second);
     const bool isSensed = hasSense[first] || hasSense[second];
     const std::size_t known = hasSense[second] ? second : first;
     const bool isKnownTurned = isRootTurned[known] != 0;
-    sets.unite(
-      static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to), link.areOpposite);
+    sets.unite(static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to),
+      link.areOpposite != 0);
     hasSense[low] = isSensed;
     isRootTurned[low] = isKnownTurned != (known != low && areRootsOpposite);
   }

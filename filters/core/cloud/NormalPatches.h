@@ -16,8 +16,8 @@ namespace winding
 class NormalPatches
 {
 public:
-  /// The normals may have any sense. All must outlive this. Takes 20 bytes for each of ten steps
-  /// per place. Throws Interrupted.
+  /// The normals may have any sense. All must outlive this. Takes
+  /// about 100 bytes per place. Throws Interrupted.
   NormalPatches(const DistinctPoints& places, const NeighborGraph& graph,
     const std::vector<Eigen::Vector3d>& normals, Executor& executor);
 
@@ -45,11 +45,14 @@ public:
   void handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const;
 
 private:
+  /// A step and whether its normals have opposite senses. Both ends are neighbours of each other
+  /// mostly, and have one link then.
   struct Link
   {
     float doubt;
-    std::uint32_t from, to;
-    bool areOpposite;
+    std::uint32_t from;
+    std::uint32_t to : 31;
+    std::uint32_t areOpposite : 1;
   };
 
   std::vector<Link> links_; ///< in order of their doubt

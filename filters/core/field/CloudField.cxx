@@ -97,7 +97,11 @@ void CloudField::findNormals(const FieldOptions& options, Executor& executor)
   };
   find(options.normalEstimation == NormalEstimation::consistent ? NormalEstimation::consistent
                                                                 : NormalEstimation::spanningTree);
-  if (options.normalEstimation == NormalEstimation::automatic && !info_.orientation.isClear())
+  // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
+  // others. Where the spanning tree is right all the same, the other way soon ends with it.
+  constexpr double sureShare = 0.98;
+  if (options.normalEstimation == NormalEstimation::automatic &&
+      info_.orientation.outward < sureShare)
   {
     find(NormalEstimation::consistent);
   }
