@@ -6,8 +6,8 @@
 /// The options of bench. An empty list stands for the values that suit the subject.
 struct BenchOptions
 {
-  /// Files; or "seed" or "kernels"; or "clouds", "vtk", "expected" or "orientation" with files behind it; or "hierarchical"
-  /// with files or without.
+  /// Files; or "seed" or "kernels"; or "clouds", "vtk", "expected" or "orientation" with files
+  /// behind it; or "hierarchical" with files or without.
   std::vector<std::string> subjects;
   std::vector<int> resolutions;
   std::vector<double> tolerances; ///< of the far fields of "hierarchical"

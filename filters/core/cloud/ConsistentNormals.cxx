@@ -119,7 +119,7 @@ public:
     }
   }
 
-  /// What each patch gives to w at the testimonies.
+  /// Returns the share of each patch in w at the testimonies.
   Eigen::MatrixXd sharesOf(
     const Normals& normals, const NormalPatches::Largest& patches, const Turns& turns)
   {

@@ -92,7 +92,7 @@ struct FieldInfo
   std::size_t capTriangles = 0;     ///< triangles that close the surface for method rows
   double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
-  /// What estimated the normals, if they are: never automatic.
+  /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;
   CloudOrientation orientation; ///< orientation of estimated normals, once turned outward
   Bounds bounds;                    ///< box of the vertices or points
