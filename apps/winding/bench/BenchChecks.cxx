@@ -41,6 +41,8 @@ void checkSubject(const BenchOptions& options)
     "bench vtk needs files: surfaces, which VTK's filters are compared at");
   requireUsage(subject != "expected" || subjects.size() > 1,
     "bench expected needs files: surfaces or clouds, whose times are compared with expected ones");
+  requireUsage(subject != "orientation" || subjects.size() > 1,
+    "bench orientation needs files: surfaces, on which points are put");
   for (const char* name : {"seed", "kernels"})
   {
     requireUsage(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

@@ -69,6 +69,7 @@ void warnOfIdleOptions(
     return;
   }
   const std::pair<const char*, bool> forPoints[] = {{"--estimate-normals", options.estimateNormals},
+    {"--normal-estimation", options.normalEstimation != Options().normalEstimation},
     {"--regularization", options.regularization > 0},
     {"--areas", options.areas != vtkWindingNumberField::VORONOI},
     {"--neighbors", options.neighbors != Options().neighbors}};
