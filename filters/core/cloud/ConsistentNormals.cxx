@@ -325,8 +325,22 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
   return some;
 }
 
-/// Orients a cloud by all ways and takes the one with the least deviation. The graph of noisy
-/// clouds has twice as many neighbours.
+/// The deviation of clean clouds whose normals are right is less than this: 0.001 to 0.01. It is
+/// more where solids overlap, for w is 3/2 on the parts within others.
+constexpr double smallDeviation = 0.02;
+
+/// Takes normals as they are, or all turned round.
+void tryAsTheyAre(const Normals& normals, Cloud& cloud, Best& best)
+{
+  for (const unsigned char isTurned : {0, 1})
+  {
+    const Turns turns(normals.size(), isTurned);
+    best.take(normals, turns, cloud.deviationOf(normals, turns));
+  }
+}
+
+/// Orients a cloud by all ways and takes the one with the least deviation. The graph has at least
+/// so many neighbours.
 OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, std::size_t neighbors, bool isNoisy, Executor& executor)
 {
@@ -335,23 +349,23 @@ OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& 
   Best best;
   Normals normals = planeNormals(places, graph, neighbors, executor);
   orientByTree(places, graph, normals);
-  const Turns none(places.size(), 0), all(places.size(), 1);
-  best.take(normals, none, cloud.deviationOf(normals, none));
-  best.take(normals, all, cloud.deviationOf(normals, all));
-  // The deviation of a whole cloud that the spanning tree orients well is small, and not 0 where
-  // solids overlap, for w is 3/2 on the parts within others. Turning these would lessen it.
-  constexpr double small = 0.05;
-  if (best.deviation < small)
+  tryAsTheyAre(normals, cloud, best);
+  if (best.deviation < smallDeviation)
   {
     return {turned(best.normals, best.turns), best.deviation};
   }
-  // Small planes tell the sheets of thin parts apart, large ones see through noise.
-  const std::vector<std::size_t> sizes =
-    isNoisy ? std::vector<std::size_t>{neighbors, 2 * neighbors}
-            : std::vector<std::size_t>{fewNeighbors, (fewNeighbors + neighbors) / 2, neighbors};
+  // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
+  // sheets that are closer than the points.
+  std::vector<std::size_t> sizes = {neighbors, 2 * neighbors};
+  if (!isNoisy)
+  {
+    sizes.insert(sizes.begin(), {fewNeighbors, (fewNeighbors + neighbors) / 2});
+  }
   for (const std::size_t size : sizes)
   {
-    normals = planeNormals(places, graph, size, executor);
+    normals = size <= graph.neighborsPerPlace()
+                ? planeNormals(places, graph, size, executor)
+                : planeNormals(places, NeighborGraph(places, size, executor), size, executor);
     tryPatches(places, graph, normals, cloud, executor, best);
   }
   polish(places, cloud, best);
@@ -419,6 +433,44 @@ ConsistentNormals consistentNormals(
     }
   }
   return result;
+}
+
+std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,
+  const std::vector<Eigen::Vector3d>& normals, Executor& executor)
+{
+  constexpr std::size_t neighbors = 10;
+  const DistinctPoints places(positions, unitScaleOf(positions), executor);
+  Normals ofPlaces(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    ofPlaces[place] = normals[*places.begin(place)];
+  }
+  Best best;
+  best.normals = ofPlaces;
+  if (places.size() > 1)
+  {
+    const NeighborGraph graph(places, neighbors, executor);
+    Cloud cloud(places, spacingsOf(places, graph), 1, executor);
+    tryAsTheyAre(ofPlaces, cloud, best);
+    if (best.deviation >= smallDeviation)
+    {
+      Normals byTree = ofPlaces;
+      orientByTree(places, graph, byTree);
+      tryAsTheyAre(byTree, cloud, best);
+      tryPatches(places, graph, ofPlaces, cloud, executor, best);
+      polish(places, cloud, best);
+    }
+    ofPlaces = turned(best.normals, best.turns);
+  }
+  std::vector<unsigned char> turns(positions.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+    {
+      turns[*point] = normals[*point].dot(ofPlaces[place]) < 0;
+    }
+  }
+  return turns;
 }
 
 } // namespace winding

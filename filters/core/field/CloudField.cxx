@@ -98,12 +98,21 @@ void CloudField::findNormals(const FieldOptions& options, Executor& executor)
   find(options.normalEstimation == NormalEstimation::consistent ? NormalEstimation::consistent
                                                                 : NormalEstimation::spanningTree);
   // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
-  // others. Where the spanning tree is right all the same, the other way soon ends with it.
+  // others. Where the spanning tree is right all the same, as of solids that overlap, its field is
+  // the clearer one; where nothing is clear, as of noisy points, that says nothing.
   constexpr double sureShare = 0.98;
   if (options.normalEstimation == NormalEstimation::automatic &&
       info_.orientation.outward < sureShare)
   {
+    const PointCloud byTree = cloud_;
+    const CloudOrientation orientation = info_.orientation;
     find(NormalEstimation::consistent);
+    if (orientation.isClear() && orientation.outward >= info_.orientation.outward)
+    {
+      cloud_ = byTree;
+      info_.orientation = orientation;
+      info_.normalEstimation = NormalEstimation::spanningTree;
+    }
   }
   const CloudOrientation& orientation = info_.orientation;
   if (!orientation.isClear())

@@ -159,6 +159,40 @@ TEST(ConsistentNormals, HaveTheSameBitsForAnyThreadsAndOrder)
   }
 }
 
+TEST(NormalsToTurn, AreThoseThatHaveBeenTurned)
+{
+  const Scan scan = plates();
+  winding::SerialExecutor serial;
+  EXPECT_EQ(winding::normalsToTurn(scan.positions, scan.normals, serial),
+    std::vector<unsigned char>(scan.normals.size(), 0));
+  Random random(8);
+  for (const double share : {0.02, 0.5, 1.0})
+  {
+    std::vector<Point> normals = scan.normals;
+    std::vector<unsigned char> expected;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      // What is turned are regions, as the scans that a cloud is merged from.
+      const int region = static_cast<int>(
+        std::floor(5 * scan.positions[i][0]) + 7 * std::floor(5 * scan.positions[i][1]));
+      const bool isTurned = share == 1 || (share == 0.5 ? region % 2 == 0 : random(0, 1) < share);
+      expected.push_back(isTurned);
+      normals[i] *= isTurned ? -1 : 1;
+    }
+    const std::vector<unsigned char> turns =
+      winding::normalsToTurn(scan.positions, normals, serial);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < turns.size(); ++i)
+    {
+      wrong += turns[i] != expected[i];
+    }
+    // A few normals among many leave w about right, and are found by their neighbours only where
+    // others are wrong, too.
+    const double most = share < 0.1 ? 1.01 * share : 0.01;
+    EXPECT_LE(static_cast<double>(wrong), most * static_cast<double>(turns.size())) << share;
+  }
+}
+
 /// Clouds that enclose nothing, or are no surfaces at all.
 TEST(ConsistentNormals, OfDegenerateCloudsAreFinite)
 {
