@@ -36,8 +36,8 @@
  *    counts as closed here if a cap of at most half of its own area closes it, but it makes no
  *    cavity of a component that is really closed.
  *
- * Of a cloud it turns normals round that disagree with its field: such that w is about ½ at the
- * points (ConsistentNormals.h). Directions and lengths of normals stay, and points whose normals
+ * Normals of a cloud are turned round where they disagree with its field: such that w is about ½
+ * at the points (ConsistentNormals.h). Directions and lengths of normals stay, and points whose normals
  * agree already stay as they are.
  *
  * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips

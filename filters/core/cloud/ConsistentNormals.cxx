@@ -326,8 +326,8 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
 }
 
 /// The deviation of clean clouds whose normals are right is less than this: 0.001 to 0.01. It is
-/// more where solids overlap, for w is 3/2 on the parts within others.
-constexpr double smallDeviation = 0.02;
+/// more where solids overlap, for w is 3/2 on the parts within others, and for noisy clouds.
+constexpr double smallDeviation = 0.02, smallDeviationOfNoise = 0.05;
 
 /// Takes normals as they are, or all turned round.
 void tryAsTheyAre(const Normals& normals, Cloud& cloud, Best& best)
@@ -350,7 +350,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& 
   Normals normals = planeNormals(places, graph, neighbors, executor);
   orientByTree(places, graph, normals);
   tryAsTheyAre(normals, cloud, best);
-  if (best.deviation < smallDeviation)
+  if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
   {
     return {turned(best.normals, best.turns), best.deviation};
   }

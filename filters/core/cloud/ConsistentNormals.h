@@ -37,9 +37,9 @@ struct ConsistentNormals
 ConsistentNormals consistentNormals(
   const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);
 
-/// Tells which normals of a cloud are to be turned round, where their directions are right but their
-/// senses may not be: 1 for those. It is found by the same patches, and none is turned where w is
-/// about 1/2 already. positions and unit normals: as many. Throws Interrupted.
+/// Tells which normals of a cloud are to be turned round, where their directions are right but
+/// their senses may not be: 1 for those. It is found by the same patches, and none is turned where
+/// w is about 1/2 already. positions and unit normals: as many. Throws Interrupted.
 std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,
   const std::vector<Eigen::Vector3d>& normals, Executor& executor);
 

@@ -172,7 +172,7 @@ TEST(NormalsToTurn, AreThoseThatHaveBeenTurned)
     std::vector<unsigned char> expected;
     for (std::size_t i = 0; i < normals.size(); ++i)
     {
-      // What is turned are regions, as the scans that a cloud is merged from.
+      // Regions are turned, as if a cloud were merged from scans.
       const int region = static_cast<int>(
         std::floor(5 * scan.positions[i][0]) + 7 * std::floor(5 * scan.positions[i][1]));
       const bool isTurned = share == 1 || (share == 0.5 ? region % 2 == 0 : random(0, 1) < share);
