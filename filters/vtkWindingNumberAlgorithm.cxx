@@ -332,7 +332,12 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   {
     throw winding::Interrupted();
   }
-  const winding::FieldInfo& info = field->info();
+  this->TellFaults(field->info());
+  return *field;
+}
+
+void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
+{
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);
@@ -342,7 +347,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
     vtkWarningMacro(
       << "give a surface or points: the source has none to sum over, so its field is 0");
   }
-  return *field;
 }
 
 void vtkWindingNumberAlgorithm::EstimateCost(
@@ -355,7 +359,7 @@ void vtkWindingNumberAlgorithm::EstimateCost(
     cost += field.expectedCostOfDistances(count, this->GetDistanceLimit());
   }
   cost += this->GetAdditionalCost(field, samples);
-  this->ExpectedSeconds = cost.seconds / threads;
+  this->ExpectedSeconds = this->EarlierExpectedSeconds + cost.seconds / threads;
   this->ExpectedMemory =
     static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
 }
