@@ -7,6 +7,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointSet.h"
@@ -37,11 +38,7 @@ public:
       this->addBlocks(blocks);
       return;
     }
-    blocks_.push_back({nameOf(about, blocks_.size() + 1), block});
-    if (!block)
-    {
-      blocks_.back().source = vtkSmartPointer<vtkPolyData>::New();
-    }
+    blocks_.push_back({nameOf(about, blocks_.size() + 1), block ? block : nothing_.Get()});
   }
 
   void addBlocks(vtkMultiBlockDataSet* blocks)
@@ -74,6 +71,7 @@ public:
 
 private:
   std::vector<SolidBlock> blocks_;
+  vtkNew<vtkPolyData> nothing_;
 };
 
 /// Finds what there is to a block, in all of its pieces.
