@@ -7,32 +7,7 @@ namespace
 
 using Filter = vtkWindingNumberField;
 
-void addGrid(CLI::App* command, Options& options)
-{
-  const std::string group = "Grid";
-  CLI::Option* resolution = command->add_option(
-    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
-  CLI::Option* voxelSize = command->add_option(
-    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
-  CLI::Option* dimensions = command->add_option(
-    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
-  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
-    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
-  CLI::Option* padding = command->add_option("--padding", options.padding,
-    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
-  CLI::Option* cells = command->add_flag("--cells", options.cells,
-    command->get_name() == "field" ? "Make the samples cells of the image, not points"
-                                   : "As for field; makes no difference to the surface");
-  dimensions->expected(3)->type_name("NX NY NZ");
-  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
-  resolution->excludes(voxelSize)->excludes(dimensions);
-  voxelSize->excludes(dimensions);
-  bounds->excludes(padding);
-  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
-  {
-    option->group(group);
-  }
-}
+constexpr const char* inputFormats = ".vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv";
 
 } // namespace
 
@@ -60,10 +35,20 @@ CLI::Validator oneOf(const Choices& choices)
 void addInput(CLI::App* command, Options& options)
 {
   command
-    ->add_option("IN", options.input,
-      "Surface or oriented points: .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv")
+    ->add_option("IN", options.input, std::string("Surface or oriented points: ") + inputFormats)
     ->required()
     ->type_name("");
+}
+
+void addInputs(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("IN", options.inputs,
+      std::string("Surfaces or oriented points, a solid each; or one surface, whose parts by "
+                  "connectivity or by --region-array are the solids: ") +
+        inputFormats)
+    ->required()
+    ->type_name("...");
 }
 
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes)
@@ -81,6 +66,34 @@ void addOverwrite(CLI::App* command, Options& options)
     ->add_flag("--overwrite", options.overwrite,
       "Replace a file that is read, if it is the output, too; without it, that is refused")
     ->group("Output");
+}
+
+void addGrid(CLI::App* command, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution = command->add_option(
+    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
+  CLI::Option* voxelSize = command->add_option(
+    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
+  CLI::Option* dimensions = command->add_option(
+    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
+  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
+    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
+  CLI::Option* padding = command->add_option("--padding", options.padding,
+    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
+  CLI::Option* cells = command->add_flag("--cells", options.cells,
+    command->get_name() == "field" || command->get_name() == "labels"
+      ? "Make the samples cells of the image, not points"
+      : "As for field; makes no difference to the surface");
+  dimensions->expected(3)->type_name("NX NY NZ");
+  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  resolution->excludes(voxelSize)->excludes(dimensions);
+  voxelSize->excludes(dimensions);
+  bounds->excludes(padding);
+  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
+  {
+    option->group(group);
+  }
 }
 
 void addMethod(CLI::App* command, Options& options)
@@ -162,6 +175,10 @@ void addCoverage(CLI::App* command, Options& options)
 {
   std::string description = "A voxel is inside if: center, its centre is | any, it overlaps the "
                             "solid or its surface | fraction, half of it is (center)";
+  if (command->get_name() == "labels")
+  {
+    description += ". The latter adds the shares of each voxel, see --shares";
+  }
   if (command->get_name() == "field")
   {
     description += ". The latter two add the array Inside, fraction the array Coverage, the share "

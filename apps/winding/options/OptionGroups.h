@@ -21,12 +21,17 @@ using Choices = std::vector<std::pair<std::string, int>>;
 CLI::Validator oneOf(const Choices& choices);
 
 void addInput(CLI::App* command, Options& options);
+
+/// Adds several inputs, each of them a solid, or one with several.
+void addInputs(CLI::App* command, Options& options);
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes);
 
 /// Adds what commands with outputs have: leave to replace the input.
 void addOverwrite(CLI::App* command, Options& options);
 
 void addMethod(CLI::App* command, Options& options);
+
+void addGrid(CLI::App* command, Options& options);
 
 /// Adds the options of commands that make a field: grid, method and verification.
 void addFieldOptions(CLI::App* command, Options& options);
