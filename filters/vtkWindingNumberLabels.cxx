@@ -262,7 +262,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
     {
       const winding::Stopwatch stopwatch(this->EvaluateSeconds);
       merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
-        labels.addSharesOf(solids.name(i)));
+        labels.addSharesOf(solids.label(i)));
       executor.setShare(0, 1);
       evaluation.run(field, grid, extent, merge, executor);
       if (looksInside && !merge.hasInside() && field.info().primitives > 0)

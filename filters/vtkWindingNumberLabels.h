@@ -109,7 +109,7 @@ public:
     /// that have them, "FirstLabel" and "SecondLabel" (unsigned short), 0 for none. Of equal shares
     /// that of the solid that comes first is the larger one.
     TWO_LARGEST = 0,
-    /// An array of floats for each solid, "Coverage " and its name: the share of the voxel.
+    /// An array of floats for each solid, "Coverage " and its label: the share of the voxel.
     EACH_LABEL = 1
   };
 
@@ -121,7 +121,8 @@ public:
 
   ///@{
   /// The name of the cell array that says of a single data set which cells are a solid. Default: no
-  /// name, for the parts by connectivity. It has no effect for blocks.
+  /// name, for the parts by connectivity; the name None means the same if no array has it. It has no
+  /// effect for blocks.
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);
   ///@}

@@ -54,13 +54,13 @@ template <class T> T* LabelImage::add(int type, const std::string& name)
   return static_cast<T*>(made_.back()->GetVoidPointer(0));
 }
 
-float* LabelImage::addSharesOf(const std::string& solid)
+float* LabelImage::addSharesOf(unsigned short label)
 {
   if (!withShares_)
   {
     return nullptr;
   }
-  float* shares = this->add<float>(VTK_FLOAT, "Coverage " + solid);
+  float* shares = this->add<float>(VTK_FLOAT, "Coverage " + std::to_string(label));
   std::fill_n(shares, sampleCount(arrays_.extent), 0.0F);
   return shares;
 }

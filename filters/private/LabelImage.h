@@ -36,8 +36,8 @@ public:
 
   const LabelArrays& arrays() const { return arrays_; }
 
-  /// A new array for the shares of the solid of that name, all 0; null if they are not wanted.
-  float* addSharesOf(const std::string& solid);
+  /// A new array for the shares of the solid of that label, all 0; null if they are not wanted.
+  float* addSharesOf(unsigned short label);
 
   /// Adds the arrays; that of the labels becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;

@@ -103,7 +103,10 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
         data_ = checkedCells(data);
         return true;
       });
-    if (options.regionArray.empty())
+    // Lists of arrays in ParaView have the entry None, which arrives here as a name.
+    const bool isNone =
+      options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
+    if (options.regionArray.empty() || isNone)
     {
       this->addParts(data_, ranks, executor);
     }

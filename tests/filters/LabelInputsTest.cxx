@@ -137,6 +137,9 @@ TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
 {
   const Surfaces balls = fiveBalls();
   const auto expected = made(asAssembly(balls));
+  labels->SetRegionArray("None");
+  made(withRegions(balls, 1));
+  EXPECT_EQ(names()[0], "Part 1") << "the way in which ParaView says that there is no array";
   labels->SetRegionArray("Region");
   EXPECT_EQ(made(withRegions(balls, 1)), expected);
   EXPECT_EQ(names()[4], "Region 5");
@@ -275,8 +278,8 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   expectRefused(blocks, "leave block 'Block 3' out");
   expectRefused(points, "give blocks, one for each solid");
 
-  labels->SetRegionArray("None");
-  expectRefused(withRegions(balls, 1), "'None' is none of the cells");
+  labels->SetRegionArray("Nothing");
+  expectRefused(withRegions(balls, 1), "'Nothing' is none of the cells");
   labels->SetRegionArray("Region");
   expectRefused(withRegions(balls, 0), "choose another Label Offset (--label-offset): ");
   expectRefused(withRegions(balls, 65532), "labels are 1 to 65535, and region 65536 of 'Region'");

@@ -180,7 +180,7 @@ TEST_F(Labels, SharesAreThoseOfSingleFields)
     for (std::size_t n = 0; n < single.size(); ++n)
     {
       const double share = single[n]->GetArray("Coverage")->GetTuple1(at);
-      const std::string name = "Coverage solid " + std::to_string(n);
+      const std::string name = "Coverage " + std::to_string(n + 1);
       ASSERT_EQ(each->GetArray(name.c_str())->GetTuple1(at), share);
       shares.emplace_back(-share, static_cast<int>(n) + 1);
     }
