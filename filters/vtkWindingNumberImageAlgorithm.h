@@ -112,8 +112,8 @@ protected:
   /// Throws a refusal for a source that the filter cannot work with, before the grid is laid.
   virtual void CheckSource(vtkDataObject*) {}
 
-  /// Makes the arrays of an extent of samples, and adds them to these attributes of the image, whose
-  /// extent, origin and spacing are set. The grid has been laid over the source.
+  /// Makes the arrays of an extent of samples, and adds them to these attributes of the image,
+  /// whose extent, origin and spacing are set. The grid has been laid over the source.
   virtual void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
     vtkDataSetAttributes* attributes) = 0;
 

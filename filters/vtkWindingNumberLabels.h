@@ -80,11 +80,11 @@ public:
   {
     FIRST = 0, ///< that of the first of them, in the order of the labels
     LAST = 1,  ///< that of the last
-    /// That of the solid with the largest w at the centre, in float, or with the largest |w| for
-    /// the inside rule ABSOLUTE; the first of equal ones.
+    /// The label of the solid with the largest w at the centre, in float, or with the largest |w|
+    /// for the inside rule ABSOLUTE; the first of equal ones.
     LARGEST_WINDING_NUMBER = 2,
-    /// That of the solid of the smallest volume, which is exact for closed surfaces and about right
-    /// for others (SourceVolume.h); the first of equal ones. So a part within a part shows.
+    /// The label of the solid of the smallest volume, which is exact for closed surfaces and about
+    /// right for others (SourceVolume.h); the first of equal ones. So a part within a part shows.
     SMALLEST_VOLUME = 3
   };
 
@@ -121,8 +121,8 @@ public:
 
   ///@{
   /// The name of the cell array that says of a single data set which cells are a solid. Default: no
-  /// name, for the parts by connectivity; the name None means the same if no array has it. It has no
-  /// effect for blocks.
+  /// name, for the parts by connectivity; the name None means the same if no array has it. It has
+  /// no effect for blocks.
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);
   ///@}

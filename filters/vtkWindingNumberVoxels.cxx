@@ -104,8 +104,8 @@ std::vector<unsigned short> labelsOf(vtkDataArray* values)
 
 constexpr const char* memoryAdvice = "choose larger voxels, or extract a part of the image";
 
-/// The voxels of an image, but for their labels. Throws a Refusal if the array does not have as many
-/// values, or if there is no memory for the labels.
+/// The voxels of an image, but for their labels. Throws a Refusal if the array does not have as
+/// many values, or if there is no memory for the labels.
 template <class Label>
 winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, bool asCells)
 {

@@ -11,18 +11,18 @@
  * InsideRule and WindingThreshold say which voxels are inside; NaN is outside. If the image has an
  * array "Coverage", each quad carries the value of its voxel, as cell data to colour it by.
  *
- * **Labels.** With ByLabel the array has labels, as that of vtkWindingNumberLabels: integers from 0,
- * outside, to 65535. There is a quad for every face between voxels of different labels, once; so the
- * surfaces of neighbours meet without gaps, and each label's own, of all quads that have it on a
- * side, is closed. A quad looks outside, or from the smaller label to the larger. Its cell data tell
- * both: "BoundaryLabels", the label that it looks away from and the one that it looks to, 0 outside;
- * and "Label", the former alone, which is active. InsideRule and WindingThreshold have no effect
- * then.
+ * **Labels.** With ByLabel the array has labels, as that of vtkWindingNumberLabels: integers from
+ * 0, outside, to 65535. There is one quad for every face between voxels of different labels. So the
+ * surfaces of neighbours meet without gaps, and the surface of each label, of all quads that have
+ * it on a side, is closed. A quad looks outside, or from the smaller label to the larger. Its cell
+ * data tell both: "BoundaryLabels", the label that it looks away from and the one that it looks to,
+ * 0 outside; and "Label", the former alone, which is active. InsideRule and WindingThreshold have
+ * no effect then.
  *
  * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
  * are taken, or else those of the cells. Time is linear in voxels and quads; working memory is a
- * byte for each voxel and 9 for each quad, or with ByLabel 2 bytes and 10. The order of points and quads depends on the input only.
- * The filter works on the whole image: where several pieces are asked for, the first has
+ * byte for each voxel and 9 for each quad, or with ByLabel 2 bytes and 10. The order of points and
+ * quads depends on the input only. The filter works on the whole image: where several pieces are asked for, the first has
  * everything. When it is aborted, its output is empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberLabels vtkThreshold
@@ -57,8 +57,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether the array has labels, so that there are quads between voxels of different ones. Default
-  /// off.
+  /// Whether the array has labels, so that there are quads between voxels of different ones.
+  /// Default off.
   vtkSetMacro(ByLabel, vtkTypeBool);
   vtkGetMacro(ByLabel, vtkTypeBool);
   vtkBooleanMacro(ByLabel, vtkTypeBool);

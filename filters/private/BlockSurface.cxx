@@ -70,8 +70,8 @@ template <class Label> vtkIdType BlockSurface<Label>::countFaces(const VoxelSide
 
 template <class Label> double BlockSurface<Label>::bytesOf(vtkIdType faces)
 {
-  // A face has four ids of corners, its place in the list of those, its voxel and a label. There are
-  // about as many corners as faces.
+  // A face has four ids of corners, its place in the list of those, its voxel and a label. There
+  // are about as many corners as faces.
   constexpr double perFace = 6 * sizeof(vtkIdType) + 3 * sizeof(double) + sizeof(Label);
   return perFace * static_cast<double>(faces);
 }

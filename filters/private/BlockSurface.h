@@ -33,8 +33,8 @@ template <class Label> struct VoxelSides
 };
 
 /**
- * The faces between voxels of different labels, as quads. A face at the outside looks there, and one
- * between two solids looks away from the smaller label. A voxel at the border of the image has
+ * The faces between voxels of different labels, as quads. A face at the outside looks there, and
+ * one between two solids looks away from the smaller label. A voxel at the border of the image has
  * nothing but outside beyond that border, so that the surface of each label is closed.
  */
 template <class Label> class BlockSurface

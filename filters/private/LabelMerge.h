@@ -37,7 +37,7 @@ struct LabelArrays
   ///@}
 };
 
-/// What was found about one solid for an extent of samples, within that of the arrays.
+/// The findings about one solid for an extent of samples, within that of the arrays.
 struct SolidVoxels
 {
   Extent extent = {0, -1, 0, -1, 0, -1};

@@ -10,8 +10,8 @@ namespace winding
 
 class LabelMerge;
 
-/// How to evaluate voxels, but for the arrays that results go to; and whether a LabelMerge is to get
-/// values of w.
+/// How to evaluate voxels, but for the arrays that results go to; and whether a LabelMerge is to
+/// get values of w.
 struct SolidEvaluationOptions
 {
   VoxelEvaluation voxels;

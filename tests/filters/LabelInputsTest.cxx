@@ -155,8 +155,8 @@ TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
   EXPECT_EQ(far, expected);
 }
 
-/// The parts by connectivity have labels by their triangles, most first; of as many, by their lowest
-/// vertices.
+/// The parts by connectivity have labels by their triangles, most first; of as many, by their
+/// lowest vertices.
 TEST_F(LabelInputs, PartsByConnectivityAreSolids)
 {
   const Surfaces balls = fiveBalls();

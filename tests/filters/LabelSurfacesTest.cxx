@@ -114,7 +114,7 @@ TEST(LabelSurfaces, EncloseTheVoxelsOfEachLabel)
   }
 }
 
-/// With one label, the quads are those of the voxels inside.
+/// The quads of a single label are those of the voxels inside.
 TEST(LabelSurfaces, OfOneLabelAreThoseOfTheInside)
 {
   const auto image = randomLabels(7, 1);

@@ -29,7 +29,7 @@ public:
   /// Reads the input and gives it to the filter, with the options. Keeps the references.
   FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
 
-  /// As the other constructor, with an input that is read in another way.
+  /// Does what the other constructor does, with an input that is read in another way.
   FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages,
     const std::function<vtkSmartPointer<vtkDataObject>()>& read);
   ~FieldRun();

@@ -37,7 +37,7 @@ std::vector<std::int32_t> solidsOfComponents(
   return solids;
 }
 
-/// What the number of a solid depends on.
+/// The measures that decide on the number of a solid.
 struct Rank
 {
   std::int32_t component = 0;
