@@ -22,8 +22,8 @@
  * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
  * are taken, or else those of the cells. Time is linear in voxels and quads; working memory is a
  * byte for each voxel and 9 for each quad, or with ByLabel 2 bytes and 10. The order of points and
- * quads depends on the input only. The filter works on the whole image: where several pieces are asked for, the first has
- * everything. When it is aborted, its output is empty.
+ * quads depends on the input only. The filter works on the whole image: where several pieces are
+ * asked for, the first has everything. When it is aborted, its output is empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberLabels vtkThreshold
  */
