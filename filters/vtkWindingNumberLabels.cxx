@@ -27,6 +27,8 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace
 {
@@ -95,11 +97,6 @@ void vtkWindingNumberLabels::CheckProperties()
   winding::checkChoice("CoverageArrays", this->CoverageArrays, {"TWO_LARGEST", "EACH_LABEL"});
   winding::checkRange(
     "LabelOffset", this->LabelOffset, -winding::largestLabel, winding::largestLabel);
-  if (this->VerifySamples > 0)
-  {
-    throw winding::Refusal("set VerifySamples to 0, or verify the fields of single solids (filter "
-                           "Winding Number Field): labels have no values to verify");
-  }
 }
 
 void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
@@ -218,6 +215,8 @@ void vtkWindingNumberLabels::LookInside(const winding::Field& field, const std::
 void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[6],
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
+  this->CheckVerification(true);
+  this->ForgetVerification();
   *this->Facts = winding::LabelFacts();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::SolidOptions options;
@@ -237,6 +236,51 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[
   this->DescribeSolids(solids, image);
   this->DescribeMethod(image);
   this->WarnOfSolids(solids);
+}
+
+/// Verifies the values of one more solid, and adds the findings to those of the solids before it.
+void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const winding::Extent& extent)
+{
+  const double maxError = this->MaxError, nearMaxError = this->NearMaxError;
+  const double besideMaxError = this->MaxErrorBesidePoints;
+  const double squares = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  const vtkIdType verified = this->NumberOfVerifiedSamples;
+  const vtkIdType near = this->NumberOfNearVerifiedSamples;
+  const vtkIdType onSurface = this->NumberOfSamplesOnSurface;
+  const vtkIdType besidePoints = this->NumberOfSamplesBesidePoints;
+
+  const std::size_t samples = winding::sampleCount(extent);
+  winding::refuseBeyondFreeMemory(static_cast<double>(samples * sizeof(float)),
+    "the verification of " + std::to_string(samples) + " voxels",
+    "verify fewer voxels at a time, in pieces");
+  std::vector<float> values(samples);
+  winding::FieldOutput output;
+  output.values = values.data();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  if (!field.evaluate(this->GetSampling(), extent, output, executor))
+  {
+    throw winding::Interrupted();
+  }
+  this->Verify(field, extent.data(), [&values](std::size_t n) { return values[n]; });
+
+  const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  this->MaxError = std::max(maxError, this->MaxError);
+  this->NearMaxError = std::max(nearMaxError, this->NearMaxError);
+  this->MaxErrorBesidePoints = std::max(besideMaxError, this->MaxErrorBesidePoints);
+  this->NumberOfVerifiedSamples += verified;
+  this->NumberOfNearVerifiedSamples += near;
+  this->NumberOfSamplesOnSurface += onSurface;
+  this->NumberOfSamplesBesidePoints += besidePoints;
+  this->RMSError = std::sqrt((squares + more) / std::max<double>(1, this->NumberOfVerifiedSamples));
+}
+
+/// Forgets the findings of an earlier verification.
+void vtkWindingNumberLabels::ForgetVerification()
+{
+  this->MaxError = this->RMSError = this->NearMaxError = this->MaxErrorBesidePoints = 0;
+  this->NumberOfVerifiedSamples = this->NumberOfNearVerifiedSamples = 0;
+  this->NumberOfSamplesOnSurface = this->NumberOfSamplesBesidePoints = 0;
 }
 
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
@@ -271,6 +315,10 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
       }
     }
     evaluateSeconds += this->EvaluateSeconds;
+    if (this->VerifySamples > 0 && field.info().primitives > 0)
+    {
+      this->VerifySolid(field, extent);
+    }
   }
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;

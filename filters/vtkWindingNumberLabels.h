@@ -39,10 +39,10 @@
  * or cells of any regions. Connectivity is for one rank.
  *
  * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
- * OutputScalarType have no effect, and VerifySamples must be 0, for there are no values to verify:
- * sides are decided on values in float. LongestExpectedTime is compared with the sum of all solids
- * so far. Facts about the source are sums over all solids, and the method is that of the solid with
- * the most primitives.
+ * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each
+ * solid are compared, for which its values are made once more; the findings are those of all solids
+ * together. LongestExpectedTime is compared with the sum of all solids so far. Facts about the
+ * source are sums over all solids, and the method is that of the solid with the most primitives.
  *
  * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and labels that
  * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not tell
@@ -56,6 +56,7 @@
 
 #include "vtkWindingNumberImageAlgorithm.h"
 
+#include <array>   // for extents
 #include <cstddef> // for std::size_t
 #include <string>  // for the names of solids
 
@@ -173,6 +174,8 @@ private:
   winding::SolidEvaluationOptions GetEvaluationOptions() const;
   const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
+  void VerifySolid(const winding::Field& field, const std::array<int, 6>& extent);
+  void ForgetVerification();
   void LookInside(const winding::Field& field, const std::string& name);
   void DescribeSolids(const winding::Solids& solids, vtkImageData* image) const;
   void WarnOfSolids(const winding::Solids& solids);

@@ -323,7 +323,9 @@ TEST_F(Labels, RefuseWhatTheyCannotDoInOneLine)
   expectRefused("LabelOffset is 70000");
   labels->SetLabelOffset(0);
   labels->SetVerifySamples(10);
-  expectRefused("set VerifySamples to 0");
+  labels->SetMethod(Filter::PARITY);
+  expectRefused("parity is no winding number");
+  labels->SetMethod(Filter::AUTOMATIC);
   labels->SetVerifySamples(0);
   // Refusals of single solids have their names.
   vtkNew<vtkPoints> nowhere;
@@ -332,6 +334,25 @@ TEST_F(Labels, RefuseWhatTheyCannotDoInOneLine)
   solids[2]->SetPoints(nowhere);
   labels->SetUseInputBounds(false);
   expectRefused("(solid 'solid 2')");
+}
+
+TEST_F(Labels, ValuesOfAllSolidsAreVerified)
+{
+  labels->SetVerifySamples(50);
+  for (int round = 0; round < 2; ++round)
+  {
+    labels->Modified();
+    const auto verified = made();
+    EXPECT_EQ(labels->GetNumberOfVerifiedSamples() + labels->GetNumberOfNearVerifiedSamples() +
+                labels->GetNumberOfSamplesOnSurface(),
+      2 * 5 * 50);
+    EXPECT_LT(labels->GetMaxError(), 1e-3);
+    EXPECT_LE(labels->GetRMSError(), labels->GetMaxError());
+    labels->SetVerifySamples(0);
+    EXPECT_EQ(made(), verified);
+    EXPECT_EQ(labels->GetNumberOfVerifiedSamples(), 0);
+    labels->SetVerifySamples(50);
+  }
 }
 
 TEST_F(Labels, LongWorkIsRefusedByTheSumOfAllSolids)

@@ -134,8 +134,7 @@ void addLabels(CLI::App& app, Options& options)
   }
   addThreshold(labels, options);
   addCoverage(labels, options);
-  addGrid(labels, options);
-  addMethod(labels, options);
+  addFieldOptions(labels, options);
   labels
     ->add_option("--pieces", options.pieces,
       "Make and write the labels in this many pieces, to save memory (1)")

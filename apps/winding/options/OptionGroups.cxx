@@ -9,6 +9,34 @@ using Filter = vtkWindingNumberField;
 
 constexpr const char* inputFormats = ".vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv";
 
+void addGrid(CLI::App* command, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution = command->add_option(
+    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
+  CLI::Option* voxelSize = command->add_option(
+    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
+  CLI::Option* dimensions = command->add_option(
+    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
+  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
+    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
+  CLI::Option* padding = command->add_option("--padding", options.padding,
+    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
+  CLI::Option* cells = command->add_flag("--cells", options.cells,
+    command->get_name() == "field" || command->get_name() == "labels"
+      ? "Make the samples cells of the image, not points"
+      : "As for field; makes no difference to the surface");
+  dimensions->expected(3)->type_name("NX NY NZ");
+  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  resolution->excludes(voxelSize)->excludes(dimensions);
+  voxelSize->excludes(dimensions);
+  bounds->excludes(padding);
+  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
+  {
+    option->group(group);
+  }
+}
+
 } // namespace
 
 CLI::Validator oneOf(const Choices& choices)
@@ -66,34 +94,6 @@ void addOverwrite(CLI::App* command, Options& options)
     ->add_flag("--overwrite", options.overwrite,
       "Replace a file that is read, if it is the output, too; without it, that is refused")
     ->group("Output");
-}
-
-void addGrid(CLI::App* command, Options& options)
-{
-  const std::string group = "Grid";
-  CLI::Option* resolution = command->add_option(
-    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
-  CLI::Option* voxelSize = command->add_option(
-    "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
-  CLI::Option* dimensions = command->add_option(
-    "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
-  CLI::Option* bounds = command->add_option("--bounds", options.bounds,
-    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
-  CLI::Option* padding = command->add_option("--padding", options.padding,
-    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
-  CLI::Option* cells = command->add_flag("--cells", options.cells,
-    command->get_name() == "field" || command->get_name() == "labels"
-      ? "Make the samples cells of the image, not points"
-      : "As for field; makes no difference to the surface");
-  dimensions->expected(3)->type_name("NX NY NZ");
-  bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
-  resolution->excludes(voxelSize)->excludes(dimensions);
-  voxelSize->excludes(dimensions);
-  bounds->excludes(padding);
-  for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
-  {
-    option->group(group);
-  }
 }
 
 void addMethod(CLI::App* command, Options& options)

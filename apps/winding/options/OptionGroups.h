@@ -31,8 +31,6 @@ void addOverwrite(CLI::App* command, Options& options);
 
 void addMethod(CLI::App* command, Options& options);
 
-void addGrid(CLI::App* command, Options& options);
-
 /// Adds the options of commands that make a field: grid, method and verification.
 void addFieldOptions(CLI::App* command, Options& options);
 
