@@ -335,7 +335,12 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   {
     throw winding::Interrupted();
   }
-  const winding::FieldInfo& info = field->info();
+  this->TellFaults(field->info());
+  return *field;
+}
+
+void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
+{
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);
@@ -345,7 +350,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
     vtkWarningMacro(
       << "give a surface or points: the source has none to sum over, so its field is 0");
   }
-  return *field;
 }
 
 void vtkWindingNumberAlgorithm::EstimateCost(
@@ -360,7 +364,7 @@ void vtkWindingNumberAlgorithm::EstimateCost(
   cost += this->GetAdditionalCost(field, samples);
   // The pipeline's request and the start of threads take as long for the smallest field.
   constexpr double secondsToStart = 0.3e-3;
-  this->ExpectedSeconds = secondsToStart + cost.seconds / threads;
+  this->ExpectedSeconds = this->EarlierExpectedSeconds + secondsToStart + cost.seconds / threads;
   this->ExpectedMemory =
     static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
 }

@@ -441,6 +441,16 @@ protected:
   const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
   ///@}
 
+  /// Warns about faults of a source whose field was prepared.
+  virtual void TellFaults(const winding::FieldInfo& info);
+
+  /// Information on the field that facts are told of: the last one, unless a filter with several
+  /// sources says otherwise.
+  virtual const winding::FieldInfo& GetSourceInfo() const;
+
+  /// Everything that the field of a source depends on beside the source.
+  winding::SourceOptions GetSourceOptions();
+
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
   void LookAtSource(vtkDataObject* source);
 
@@ -529,15 +539,14 @@ protected:
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;
   vtkIdType ExpectedMemory = 0;
+  double EarlierExpectedSeconds = 0; ///< those of sources before this one in the same execution
 
 private:
   template <class Samples>
   const winding::Field& PrepareFieldFor(
     vtkDataObject* source, const Samples& samples, std::size_t count);
-  winding::SourceOptions GetSourceOptions();
   void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
   void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
-  const winding::FieldInfo& GetSourceInfo() const;
   int RepeatRefusal(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
   bool IsNewError();

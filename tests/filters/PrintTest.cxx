@@ -7,6 +7,7 @@
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -44,6 +45,10 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "OutputAssociation: 0", "DistanceBand: 0", "GenerateInside: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0", "GenerateNormals:"});
+  expectPrinted<vtkWindingNumberLabels>(ofSources);
+  expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
+    "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",
+    "RegionArray: ", "LabelOffset: 0", "NumberOfSolids: 0"});
   expectPrinted<vtkWindingNumberHyperTree>(ofSources);
   expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
     "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});
@@ -51,7 +56,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberProbe>(
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
   expectPrinted<vtkImplicitWindingNumber>(ofSources);
-  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0"});
+  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 0"});
   expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
     "EstimateNormals: 0", "ResultArrayName: Area", "TotalArea: 0"});
   expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});

@@ -13,6 +13,7 @@
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -174,6 +175,28 @@ TEST_F(PropertyRanges, OfTheField)
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   expectWorking(field);
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+}
+
+TEST_F(PropertyRanges, OfTheLabels)
+{
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->SetInputConnection(sphere->GetOutputPort());
+  labels->SetResolution(6);
+  vtkWindingNumberLabels* filter = labels;
+  expectCommonPropertiesRefused(filter);
+  expectPropertiesOfGridsRefused(filter);
+  EXPECT_REFUSED(filter, OutputAssociation, choices("POINTS (0) or CELLS (1)", 2));
+  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
+  EXPECT_REFUSED(filter, CoverageSamples,
+    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+  EXPECT_REFUSED(filter, OverlapRule,
+    choices("FIRST (0), LAST (1), LARGEST_WINDING_NUMBER (2) or SMALLEST_VOLUME (3)", 4));
+  EXPECT_REFUSED(filter, CoverageArrays, choices("TWO_LARGEST (0) or EACH_LABEL (1)", 2));
+  EXPECT_REFUSED(filter, LabelOffset,
+    (BadValues<int>{{-65536, "-65536; it must be -65535 to 65535"},
+      {65536, "65536; it must be -65535 to 65535"}}));
+  EXPECT_EQ(labels->GetStatus(), vtkWindingNumberLabels::REFUSED);
+  expectWorking(labels);
 }
 
 TEST_F(PropertyRanges, OfTheHyperTree)

@@ -19,8 +19,9 @@ struct BenchOptions
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
-  std::string command; ///< field, surface, voxels, probe, check or bench
+  std::string command; ///< field, surface, voxels, labels, probe, check or bench
   std::string input;
+  std::vector<std::string> inputs; ///< all files that labels reads; `input` names them then
   std::string queries;
   std::string output;
   bool overwrite = false; ///< whether an output may replace a file that is read
@@ -59,6 +60,13 @@ struct Options
   bool closeBorder = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
+
+  // The labels of several solids. Choices have the numbers that the filter gives them.
+  int overlap = 0;
+  int shares = 0;
+  bool count = false;
+  std::string regionArray;
+  int labelOffset = 0;
 
   // The treatment of a surface by check.
   bool fixOrientation = false;
