@@ -47,8 +47,10 @@ class vtkPolyData;
 
 namespace winding
 {
+class LevelEdges;
+class LevelRoots;
 class SmpExecutor;
-}
+} // namespace winding
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberGridAlgorithm
 {
@@ -56,6 +58,27 @@ public:
   static vtkWindingNumberSurface* New();
   vtkTypeMacro(vtkWindingNumberSurface, vtkWindingNumberGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The ways to make the surface of what is inside.
+  enum FeaturesType
+  {
+    SMOOTH = 0, ///< marching cubes; edges of the source are cut off inside of voxels
+    SHARP = 1   ///< dual contouring; edges and corners of the source stay sharp
+  };
+
+  ///@{
+  /// Whether edges and corners of the source stay sharp, as described above. Default SMOOTH.
+  vtkSetMacro(Features, int);
+  vtkGetMacro(Features, int);
+  ///@}
+
+  ///@{
+  /// Whether all polygons of a sharp surface are triangles; a smooth one has no others. Default
+  /// off: the sharp surface has quads, and four triangles where no diagonal of a quad is good.
+  vtkSetMacro(GenerateTriangles, vtkTypeBool);
+  vtkGetMacro(GenerateTriangles, vtkTypeBool);
+  vtkBooleanMacro(GenerateTriangles, vtkTypeBool);
+  ///@}
 
   ///@{
   /// Whether to close the surface where the solid reaches the border of the grid, by faces on the
@@ -109,6 +132,8 @@ protected:
     const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 
+  int Features = SMOOTH;
+  vtkTypeBool GenerateTriangles = 0;
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
   int OutputPointsPrecision = DEFAULT_PRECISION;
@@ -117,6 +142,13 @@ private:
   void CheckGrid() const;
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
+  void FindEdges(
+    winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor);
+  void FindRoots(winding::LevelRoots& roots, winding::SmpExecutor& executor) const;
+  void MakeSmooth(const winding::Field& field, const winding::LevelEdges& edges,
+    winding::SmpExecutor& executor, vtkPolyData* output);
+  void MakeSharp(const winding::Field& field, const winding::LevelEdges& edges,
+    winding::SmpExecutor& executor, vtkPolyData* output);
   void TellEmpty(bool isAllInside);
   void VerifyWholeGrid(const winding::Field& field);
 };

@@ -1,0 +1,123 @@
+#include "level/FeatureVertex.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double margin = 1.0 / (1 << 12);
+
+/// The error function's share, beside its largest eigenvalue, along directions that are dropped. It
+/// is there to choose among the points of a cell that are equally good otherwise.
+constexpr double shareOfDropped = 1.0 / (1 << 20);
+
+/// A quadratic function by its minimum and its second derivatives.
+struct Quadratic
+{
+  Eigen::Vector3d minimum;
+  Eigen::Matrix3d metric;
+
+  double at(const Eigen::Vector3d& point) const
+  {
+    const Eigen::Vector3d offset = point - minimum;
+    return offset.dot(metric * offset);
+  }
+};
+
+Quadratic errorFunction(const HermiteCrossing* crossings, std::size_t count)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    mean += crossings[n].position;
+  }
+  mean /= static_cast<double>(count);
+  Eigen::Matrix3d planes = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d offsets = Eigen::Vector3d::Zero();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const Eigen::Vector3d& normal = crossings[n].normal;
+    planes += normal * normal.transpose();
+    offsets += normal * normal.dot(crossings[n].position - mean);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(planes);
+  const Eigen::Vector3d& eigenvalues = solver.eigenvalues();
+  const double largest = eigenvalues[2];
+  Quadratic error = {mean, Eigen::Matrix3d::Zero()};
+  for (int n = 0; n < 3; ++n)
+  {
+    const Eigen::Vector3d direction = solver.eigenvectors().col(n);
+    const bool isKept = eigenvalues[n] > 0 && eigenvalues[n] >= leastEigenvalue * largest;
+    if (isKept)
+    {
+      error.minimum += direction * (direction.dot(offsets) / eigenvalues[n]);
+    }
+    const double weight = isKept ? eigenvalues[n] : shareOfDropped * largest;
+    error.metric += weight * direction * direction.transpose();
+  }
+  if (!(largest > 0))
+  {
+    error.metric.setIdentity();
+  }
+  return error;
+}
+
+/// The minimum of a function on a face, an edge or a corner of a box, or inside of it: where
+/// sides[axis] is 0 or 1 the point is at the low or high end of the box, where it is 2 it is free.
+Eigen::Vector3d minimumAt(const Quadratic& function, const Eigen::Vector3d& low,
+  const Eigen::Vector3d& high, const int (&sides)[3])
+{
+  // Rows of axes that are held are those of the identity.
+  Eigen::Matrix3d matrix = function.metric;
+  Eigen::Vector3d right = function.metric * function.minimum;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (sides[axis] < 2)
+    {
+      matrix.row(axis) = Eigen::RowVector3d::Unit(axis);
+      right[axis] = sides[axis] == 0 ? low[axis] : high[axis];
+    }
+  }
+  return matrix.partialPivLu().solve(right);
+}
+
+/// The minimum of a function in a box, which is at one of its faces, edges or corners.
+Eigen::Vector3d minimumInBox(
+  const Quadratic& function, const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+{
+  Eigen::Vector3d best = function.minimum.cwiseMax(low).cwiseMin(high);
+  double least = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < 26; ++n) // 26 would be free along all axes
+  {
+    const int sides[3] = {n % 3, n / 3 % 3, n / 9};
+    const Eigen::Vector3d found = minimumAt(function, low, high, sides);
+    const Eigen::Vector3d point = found.cwiseMax(low).cwiseMin(high);
+    const double error = function.at(point);
+    if (point.allFinite() && error < least)
+    {
+      least = error;
+      best = point;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+Eigen::Vector3d featureVertex(
+  const HermiteCrossing* crossings, std::size_t count, const Eigen::Vector3d& size)
+{
+  const Quadratic error = errorFunction(crossings, count);
+  const Eigen::Vector3d low = margin * size, high = (1 - margin) * size;
+  const bool isInside =
+    (error.minimum.array() >= low.array()).all() && (error.minimum.array() <= high.array()).all();
+  return isInside ? error.minimum : minimumInBox(error, low, high);
+}
+
+} // namespace winding
