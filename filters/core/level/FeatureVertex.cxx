@@ -30,40 +30,87 @@ struct Quadratic
   }
 };
 
-Quadratic errorFunction(const HermiteCrossing* crossings, std::size_t count)
+/// The normal equations of the planes, about the mean of the crossings.
+struct PlaneSums
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    mean += crossings[n].position;
-  }
-  mean /= static_cast<double>(count);
   Eigen::Matrix3d planes = Eigen::Matrix3d::Zero();
   Eigen::Vector3d offsets = Eigen::Vector3d::Zero();
+};
+
+PlaneSums sumsOf(const HermiteCrossing* crossings, std::size_t count)
+{
+  PlaneSums sums;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    sums.mean += crossings[n].position;
+  }
+  sums.mean /= static_cast<double>(count);
   for (std::size_t n = 0; n < count; ++n)
   {
     const Eigen::Vector3d& normal = crossings[n].normal;
-    planes += normal * normal.transpose();
-    offsets += normal * normal.dot(crossings[n].position - mean);
+    sums.planes += normal * normal.transpose();
+    sums.offsets += normal * normal.dot(crossings[n].position - sums.mean);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(planes);
+  return sums;
+}
+
+/// The error function of planes that are so nearly parallel that no eigenvalue but the largest is
+/// kept, which is told without finding them, for most patches are flat. Returns whether they are.
+bool isFlat(
+  const HermiteCrossing* crossings, std::size_t count, const PlaneSums& sums, Quadratic& error)
+{
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const Eigen::Vector3d& normal = crossings[n].normal;
+    direction += normal.dot(crossings[0].normal) < 0 ? -normal : normal;
+  }
+  const double length = direction.norm();
+  if (!(length > 0))
+  {
+    return false;
+  }
+  direction /= length;
+  // The other eigenvalues are not more than what is left of the trace.
+  const double along = direction.dot(sums.planes * direction);
+  if (!(sums.planes.trace() - along < leastEigenvalue * along))
+  {
+    return false;
+  }
+  error.minimum = sums.mean + direction * (direction.dot(sums.offsets) / along);
+  error.metric = along * ((1 - shareOfDropped) * direction * direction.transpose() +
+                           shareOfDropped * Eigen::Matrix3d::Identity());
+  return true;
+}
+
+Quadratic errorFunction(const HermiteCrossing* crossings, std::size_t count)
+{
+  const PlaneSums sums = sumsOf(crossings, count);
+  Quadratic error = {sums.mean, Eigen::Matrix3d::Zero()};
+  if (isFlat(crossings, count, sums, error))
+  {
+    return error;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(sums.planes);
   const Eigen::Vector3d& eigenvalues = solver.eigenvalues();
   const double largest = eigenvalues[2];
-  Quadratic error = {mean, Eigen::Matrix3d::Zero()};
-  for (int n = 0; n < 3; ++n)
-  {
-    const Eigen::Vector3d direction = solver.eigenvectors().col(n);
-    const bool isKept = eigenvalues[n] > 0 && eigenvalues[n] >= leastEigenvalue * largest;
-    if (isKept)
-    {
-      error.minimum += direction * (direction.dot(offsets) / eigenvalues[n]);
-    }
-    const double weight = isKept ? eigenvalues[n] : shareOfDropped * largest;
-    error.metric += weight * direction * direction.transpose();
-  }
   if (!(largest > 0))
   {
     error.metric.setIdentity();
+    return error;
+  }
+  for (int n = 0; n < 3; ++n)
+  {
+    const Eigen::Vector3d direction = solver.eigenvectors().col(n);
+    const bool isKept = eigenvalues[n] >= leastEigenvalue * largest;
+    if (isKept)
+    {
+      error.minimum += direction * (direction.dot(sums.offsets) / eigenvalues[n]);
+    }
+    const double weight = isKept ? eigenvalues[n] : shareOfDropped * largest;
+    error.metric += weight * direction * direction.transpose();
   }
   return error;
 }
