@@ -15,6 +15,7 @@
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
 #include "private/Stopwatch.h"
+#include "private/SurfaceFidelity.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -65,6 +66,7 @@ void vtkWindingNumberSurface::CheckProperties()
   winding::checkChoice("Features", this->Features, {"SMOOTH", "SHARP"});
   winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
     {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
+  winding::checkRange("FidelitySamples", this->FidelitySamples, 0);
 }
 
 void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
@@ -75,6 +77,7 @@ void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->CloseBorder);
   hash.addValue(this->GenerateNormals);
   hash.addValue(this->OutputPointsPrecision);
+  hash.addValue(this->FidelitySamples);
 }
 
 double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
@@ -138,6 +141,7 @@ int vtkWindingNumberSurface::RequestData(
   }
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
+  this->TellFidelity(field, output);
   this->VerifyWholeGrid(field);
   return 1;
 }
@@ -276,6 +280,17 @@ void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
   }
 }
 
+void vtkWindingNumberSurface::TellFidelity(const winding::Field& field, vtkPolyData* output)
+{
+  if (this->FidelitySamples > 0)
+  {
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    executor.setShare(1, 1);
+    winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
+      static_cast<std::size_t>(this->FidelitySamples), output, executor);
+  }
+}
+
 /// Nothing else needs all of its values.
 void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
 {
@@ -299,4 +314,5 @@ void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CloseBorder: " << this->CloseBorder << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "FidelitySamples: " << this->FidelitySamples << "\n";
 }

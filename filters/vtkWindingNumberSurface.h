@@ -108,6 +108,25 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * How many points to draw from the source and from the surface, to tell how near they are to each
+   * other; 0, the default, tells nothing. The points are the same for every execution. The field
+   * data get these arrays of one number, lengths in the unit of the source:
+   *
+   * - `LargestDistanceFromInput`, `MeanDistanceFromInput`: distances of points of the source from
+   *   the surface;
+   * - `LargestDistanceToInput`, `MeanDistanceToInput`: distances of points of the surface from the
+   *   source;
+   * - `InputVolume`, NaN for a source that is not a closed surface, and `Volume`;
+   * - `InputComponents`, and `LostComponents`, those which the surface has nothing of: they are
+   *   smaller than voxels see, or lie inside of others;
+   * - `SelfIntersections`: pairs of the surface's triangles that pass through each other.
+   */
+  vtkSetMacro(FidelitySamples, int);
+  vtkGetMacro(FidelitySamples, int);
+  ///@}
+
   /// The output of port 0.
   vtkPolyData* GetOutput();
 
@@ -137,6 +156,7 @@ protected:
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  int FidelitySamples = 0;
 
 private:
   void CheckGrid() const;
@@ -150,6 +170,7 @@ private:
   void MakeSharp(const winding::Field& field, const winding::LevelEdges& edges,
     winding::SmpExecutor& executor, vtkPolyData* output);
   void TellEmpty(bool isAllInside);
+  void TellFidelity(const winding::Field& field, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 };
 

@@ -172,6 +172,11 @@ void addFeatures(CLI::App* command, Options& options)
     ->add_flag("--triangles", options.triangles,
       "With --features sharp: triangles only; without it, quads (but for .stl)")
     ->group("Output");
+  command
+    ->add_option("--fidelity", options.fidelity,
+      "Tell distances between input and output by this many points of each, volumes, lost parts "
+      "and self-intersections")
+    ->group("Run");
 }
 
 void addCoverage(CLI::App* command, Options& options)

@@ -58,6 +58,7 @@ struct Options
   int features = 0;
   bool triangles = false;
   bool closeBorder = false;
+  int fidelity = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
 
