@@ -43,7 +43,8 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",
     "OutputAssociation: 0", "DistanceBand: 0", "GenerateInside: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
-  expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0", "GenerateNormals:"});
+  expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0",
+    "GenerateNormals:", "Features: 0", "GenerateTriangles: 0", "FidelitySamples: 0"});
   expectPrinted<vtkWindingNumberHyperTree>(ofSources);
   expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
     "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});

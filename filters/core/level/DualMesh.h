@@ -45,6 +45,7 @@ public:
   struct Patch
   {
     std::array<int, 3> cell; ///< first corner of the cell
+    bool isAlone;            ///< whether the cell has no other patch
     int size;                ///< number of edges, 3 to 12
     CellEdges edges;         ///< of which `size` are valid
   };
@@ -108,7 +109,7 @@ template <class Visit> void DualMesh::forVertices(std::size_t layer, const Visit
     {
       for (int patch = 0; patch < patches.count; ++patch)
       {
-        Patch found = {cell, 0, {}};
+        Patch found = {cell, patches.count == 1, 0, {}};
         for (std::size_t n = 0; n < edges.size(); ++n)
         {
           if (patches.ofEdge[n] == patch)

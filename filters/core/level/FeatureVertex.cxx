@@ -158,10 +158,11 @@ Eigen::Vector3d minimumInBox(
 } // namespace
 
 Eigen::Vector3d featureVertex(
-  const HermiteCrossing* crossings, std::size_t count, const Eigen::Vector3d& size)
+  const HermiteCrossing* crossings, std::size_t count, const Bounds& cell)
 {
   const Quadratic error = errorFunction(crossings, count);
-  const Eigen::Vector3d low = margin * size, high = (1 - margin) * size;
+  const Eigen::Vector3d low = cell.min() + margin * cell.sizes();
+  const Eigen::Vector3d high = cell.max() - margin * cell.sizes();
   const bool isInside =
     (error.minimum.array() >= low.array()).all() && (error.minimum.array() <= high.array()).all();
   return isInside ? error.minimum : minimumInBox(error, low, high);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "base/Bounds.h"
 
 #include <cstddef>
 
@@ -26,11 +26,11 @@ struct HermiteCrossing
  * along them. Where the minimum is outside the cell, the point is the one of the cell with the
  * least error.
  *
- * The cell reaches from 0 to `size`; the point keeps 2⁻¹² of that away from its faces. Crossings
- * are one or more, and on edges of the cell.
+ * The cell is a box that has all crossings on its edges, of which there are one or more. The point
+ * keeps 2⁻¹² of the cell's size away from its faces.
  */
 Eigen::Vector3d featureVertex(
-  const HermiteCrossing* crossings, std::size_t count, const Eigen::Vector3d& size);
+  const HermiteCrossing* crossings, std::size_t count, const Bounds& cell);
 
 /// Two planes have this ratio of eigenvalues if they form an angle of 8 degrees.
 constexpr double leastEigenvalue = 0.005;

@@ -97,8 +97,19 @@ Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
     }
     crossings[n] = {place.cwiseProduct(size), normal.cast<double>()};
   }
+  // Patches of one cell keep to boxes of their own, so that they seldom get into each other's way.
+  const Bounds cell(Eigen::Vector3d::Zero(), size);
+  Bounds room = cell;
+  if (!patch.isAlone)
+  {
+    room.setEmpty();
+    for (int n = 0; n < patch.size; ++n)
+    {
+      room.extend(crossings[n].position);
+    }
+  }
   return corner +
-         featureVertex(crossings, static_cast<std::size_t>(patch.size), size).cwiseQuotient(size);
+         featureVertex(crossings, static_cast<std::size_t>(patch.size), room).cwiseQuotient(size);
 }
 
 QuadSplit SharpVertices::splitOf(std::size_t edge) const

@@ -15,8 +15,6 @@ using shapes::Random;
 using winding::featureVertex;
 using winding::HermiteCrossing;
 
-const Point unitCell = Point::Ones();
-
 /// Crossings of planes through one point, two with each.
 std::vector<HermiteCrossing> crossingsOf(
   const std::vector<Point>& normals, const Point& common, Random& random)
@@ -33,9 +31,10 @@ std::vector<HermiteCrossing> crossingsOf(
   return crossings;
 }
 
-Point vertexOf(const std::vector<HermiteCrossing>& crossings, const Point& size = unitCell)
+Point vertexOf(const std::vector<HermiteCrossing>& crossings, const Point& size = Point::Ones())
 {
-  return featureVertex(crossings.data(), crossings.size(), size);
+  return featureVertex(
+    crossings.data(), crossings.size(), winding::Bounds(Point(Point::Zero()), size));
 }
 
 } // namespace
