@@ -200,7 +200,7 @@ TEST_F(PropertyRanges, OfTheSurface)
   EXPECT_REFUSED(filter, OutputPointsPrecision,
     choices("SINGLE_PRECISION (0), DOUBLE_PRECISION (1) or DEFAULT_PRECISION (2)", 3));
   EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
-  EXPECT_REFUSED(filter, FidelitySamples, (BadValues<int>{{-1, "-1; it must be at least 0"}}));
+  EXPECT_REFUSED(filter, FidelitySamples, negative);
   expectWorking(surface);
 }
 
