@@ -1,6 +1,6 @@
 /**
  * @class   vtkWindingNumberSurface
- * @brief   smooth surface of the solid that a source encloses: w = WindingThreshold
+ * @brief   smooth or sharp surface of the solid that a source encloses: w = WindingThreshold
  *
  * The filter takes a source (see vtkWindingNumberAlgorithm) and gives the surface of its inside, as
  * triangles: where w crosses WindingThreshold or, more generally, where InsideRule changes its
@@ -17,6 +17,14 @@
  * of the grid. So the steps that a contour of a field of 0 and 1 shows do not come about: where the
  * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from
  * it, so that no two have the same place.
+ *
+ * **Sharp edges.** With Features SHARP the surface is made by dual contouring instead (Ju et al.,
+ * Dual contouring of Hermite data, 2002). Every cell of eight samples has a vertex for each piece
+ * of surface in it, where the planes of the source's triangles meet that cross the cell's edges; so
+ * edges and corners stay sharp, if the cell sees the faces that meet there. Where no triangle
+ * crosses, planes follow the gradient of w. Every crossed edge of the grid has a quad between the
+ * four vertices around it. The surface is 2-manifold, also where two pieces of surface pass one
+ * cell; in such cells triangles may pass through each other, and in no others.
  *
  * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
  * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
@@ -93,7 +101,8 @@ public:
   /// Whether to add point normals, which point outward. A vertex has the normal of the source's
   /// triangle on which it lies, so that edges and details which voxels blur show in the shading. A
   /// vertex off the source's triangles, and any vertex of a cloud's surface, has the mean of the
-  /// normals of the surface's own triangles around it, weighted by area. Default on.
+  /// normals of the surface's own triangles around it, weighted by area. A sharp surface gets
+  /// normals of its faces as cell data instead. Default on.
   vtkSetMacro(GenerateNormals, vtkTypeBool);
   vtkGetMacro(GenerateNormals, vtkTypeBool);
   vtkBooleanMacro(GenerateNormals, vtkTypeBool);

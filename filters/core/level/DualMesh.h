@@ -37,8 +37,9 @@ public:
   /// The corner of a quad that would lie outside the grid.
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// Four vertices, counterclockwise as seen from outside; vertex n lies on the same side of the
-  /// edge as that of the cell which firstCorner() and the sense of the edge tell.
+  /// Four vertices around an edge, counterclockwise as seen from its end. The first lies before the
+  /// edge along both axes across it, the second behind it along the first of these axes, which
+  /// follows the edge's own in the order x, y, z, x.
   using Quad = std::array<std::uint32_t, 4>;
 
   /// A vertex: its cell and the edges that the patch crosses.
@@ -57,8 +58,7 @@ public:
   /// The number of vertices.
   std::size_t size() const { return layerStarts_.back(); }
 
-  /// The quad of an edge. Its corners go around the edge counterclockwise as seen from the edge's
-  /// end, and begin before the edge along both other axes, the one after the edge's axis first.
+  /// The quad of an edge.
   const Quad& quad(std::size_t edge) const { return quads_[edge]; }
 
   /// Whether the edge has four cells around it: others have no quad.

@@ -12,6 +12,10 @@ namespace
 /// Crossings that differ by less than this fraction of the edge are equally near.
 constexpr double equallyNear = 1e-6;
 
+/// Triangles stay so far away, as a share of the tetrahedra's sizes, from where they would leave
+/// them or lose their area: more than single precision rounds.
+constexpr double margin = 1.0 / (1 << 10);
+
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   return a[0] * b[1] - a[1] * b[0];
@@ -31,7 +35,7 @@ double crossingOfSplit(const QuadAroundEdge& quad, int from)
   const double ofA = std::abs(cross(c, third)), ofC = std::abs(cross(third, a));
   const double ofThird = std::abs(side);
   const double crossing = (ofA * a[2] + ofC * c[2] + ofThird * third[2]) / (ofA + ofC + ofThird);
-  if (!(crossing >= 0 && crossing <= 1))
+  if (!(crossing >= margin && crossing <= 1 - margin))
   {
     return nan;
   }
@@ -42,7 +46,9 @@ double crossingOfSplit(const QuadAroundEdge& quad, int from)
   const Eigen::Vector3d met = (shareOfA * a + shareOfC * c) / (shareOfA + shareOfC);
   const double share = met.head<2>().dot(other.head<2>()) / other.head<2>().squaredNorm();
   const double along = met[2] - share * other[2];
-  return share <= 1 && along >= 0 && along <= 1 - share ? crossing : nan;
+  const double room = 1 - share;
+  const bool isInside = room >= margin && along >= margin * room && along <= (1 - margin) * room;
+  return isInside ? crossing : nan;
 }
 
 } // namespace

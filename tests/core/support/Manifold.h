@@ -8,7 +8,7 @@
 namespace shapes
 {
 
-/// What is wrong with polygons as the surface of a solid.
+/// The faults of polygons as the surface of a solid.
 struct ManifoldFaults
 {
   std::size_t edges = 0; ///< directed edges that are not there once in each direction
