@@ -1,7 +1,6 @@
 #include "level/FeatureVertex.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <limits>
 
@@ -115,23 +114,38 @@ Quadratic errorFunction(const HermiteCrossing* crossings, std::size_t count)
   return error;
 }
 
-/// The minimum of a function on a face, an edge or a corner of a box, or inside of it: where
-/// sides[axis] is 0 or 1 the point is at the low or high end of the box, where it is 2 it is free.
+/// The minimum of a function on a face, an edge or a corner of a box: where sides[axis] is 0 or 1
+/// the point is at the low or high end of the box, where it is 2 it is free, as at most two are.
 Eigen::Vector3d minimumAt(const Quadratic& function, const Eigen::Vector3d& low,
   const Eigen::Vector3d& high, const int (&sides)[3])
 {
-  // Rows of axes that are held are those of the identity.
-  Eigen::Matrix3d matrix = function.metric;
-  Eigen::Vector3d right = function.metric * function.minimum;
+  const Eigen::Matrix3d& m = function.metric;
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  int free[3], count = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (sides[axis] < 2)
+    if (sides[axis] == 2)
     {
-      matrix.row(axis) = Eigen::RowVector3d::Unit(axis);
-      right[axis] = sides[axis] == 0 ? low[axis] : high[axis];
+      free[count++] = axis;
+    }
+    else
+    {
+      offset[axis] = (sides[axis] == 0 ? low[axis] : high[axis]) - function.minimum[axis];
     }
   }
-  return matrix.partialPivLu().solve(right);
+  const Eigen::Vector3d slope = m * offset;
+  if (count == 1)
+  {
+    offset[free[0]] = -slope[free[0]] / m(free[0], free[0]);
+  }
+  else if (count == 2)
+  {
+    const int u = free[0], v = free[1];
+    const double determinant = m(u, u) * m(v, v) - m(u, v) * m(u, v);
+    offset[u] = (m(u, v) * slope[v] - m(v, v) * slope[u]) / determinant;
+    offset[v] = (m(u, v) * slope[u] - m(u, u) * slope[v]) / determinant;
+  }
+  return function.minimum + offset;
 }
 
 /// The minimum of a function in a box, which is at one of its faces, edges or corners.
