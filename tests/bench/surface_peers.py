@@ -4,7 +4,7 @@ Usage: surface_peers.py <winding> <resolution> <mesh>…
 
 Meshes are .stl, .obj or .ply, and closed. Compared are `winding surface`, smooth and sharp;
 vtkFlyingEdges3D on the signed distances of `winding field`; vtkSurfaceNets3D on what that finds
-inside; and, if it is installed, MeshLib's remeshing by voxels, in its modes Standard and Sharpening.
+inside; and, if it is installed, MeshLib's remeshing by voxels, as it is and with sharp edges.
 Seconds of VTK's filters are without those of the field, which stand beside it.
 
 For each surface it prints distances of 20 000 points of the input from it and of 20 000 points of
@@ -114,8 +114,8 @@ class Mesh:
 
 
 def winding(program, command, mesh, output, resolution, *more):
-    run = subprocess.run([program, command, mesh, "-o", output, "--resolution", resolution, "--json",
-                          *more], check=True, capture_output=True, text=True)
+    arguments = [program, command, mesh, "-o", output, "--resolution", resolution, "--json", *more]
+    run = subprocess.run(arguments, check=True, capture_output=True, text=True)
     return json.loads(run.stdout)
 
 
@@ -145,8 +145,8 @@ def surfaces(program, path, resolution, folder):
     for features in ("smooth", "sharp"):
         output = f"{folder}/{features}.vtp"
         # VTK would cut quads along other diagonals.
-        more = ["--triangles"] if features == "sharp" else []
-        report = winding(program, "surface", path, output, resolution, "--features", features, *more)
+        more = ["--features", features] + ["--triangles"] * (features == "sharp")
+        report = winding(program, "surface", path, output, resolution, *more)
         voxel = max(report["grid"]["spacing"])
         seconds = report["seconds"]["prepare"] + report["seconds"]["evaluate"]
         yield f"winding {features}", read(output), seconds, voxel
@@ -180,10 +180,11 @@ def main(program, resolution, *paths):
                 surface = Mesh(data)
                 to = surface.distances(points) / voxel
                 back = source.distances(surface.sampled()) / voxel
+                volume = 100 * surface.volume() / source.volume() - 100
                 print(f"  {name:19} within 0.05: {100 * (to < 0.05).mean():6.2f} %, "
                       f"largest {to.max():.3f}, mean {to.mean():.4f}; back {back.max():.3f}, "
-                      f"{back.mean():.4f}; volume {100 * surface.volume() / source.volume() - 100:+.3f}"
-                      f" %; bad edges {surface.bad_edges()}; intersecting {surface.intersecting()}; "
+                      f"{back.mean():.4f}; volume {volume:+.3f} %; "
+                      f"bad edges {surface.bad_edges()}; intersecting {surface.intersecting()}; "
                       f"{len(surface.triangles)} triangles; {seconds:.3f} s", flush=True)
 
 
