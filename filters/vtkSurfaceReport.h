@@ -37,8 +37,8 @@
  *    cavity of a component that is really closed.
  *
  * Normals of a cloud are turned round where they disagree with its field: such that w is about ½
- * at the points (ConsistentNormals.h). Directions and lengths of normals stay, and points whose normals
- * agree already stay as they are.
+ * at the points (ConsistentNormals.h). Directions and lengths of normals stay, and points whose
+ * normals agree already stay as they are.
  *
  * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips
  * of a surface in which something is turned become triangles, each with the cell data of its strip.

@@ -11,10 +11,14 @@
 #include "private/PropertyChecks.h"
 #include "private/Ranks.h"
 #include "private/ResultArrays.h"
+#include "private/SharpContour.h"
 #include "private/SmpExecutor.h"
 #include "private/SourceProperties.h"
 #include "private/Stopwatch.h"
+#include "private/SurfaceFidelity.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,6 +31,14 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+
+namespace
+{
+
+/// About what rounds take beside the grid: much where there is something to search for.
+constexpr double progressOfGrid = 0.5;
+
+} // namespace
 
 vtkStandardNewMacro(vtkWindingNumberSurface);
 
@@ -51,16 +63,21 @@ int vtkWindingNumberSurface::RequestInformation(
 void vtkWindingNumberSurface::CheckProperties()
 {
   this->Superclass::CheckProperties();
+  winding::checkChoice("Features", this->Features, {"SMOOTH", "SHARP"});
   winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
     {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
+  winding::checkRange("FidelitySamples", this->FidelitySamples, 0);
 }
 
 void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
+  hash.addValue(this->Features);
+  hash.addValue(this->GenerateTriangles);
   hash.addValue(this->CloseBorder);
   hash.addValue(this->GenerateNormals);
   hash.addValue(this->OutputPointsPrecision);
+  hash.addValue(this->FidelitySamples);
 }
 
 double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
@@ -124,6 +141,7 @@ int vtkWindingNumberSurface::RequestData(
   }
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
+  this->TellFidelity(field, output);
   this->VerifyWholeGrid(field);
   return 1;
 }
@@ -156,11 +174,23 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
 {
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  // About what rounds take beside the grid: much where there is something to search for.
-  constexpr double progressOfGrid = 0.5;
-  const winding::Grid& grid = this->GetSampling();
-  const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
-  winding::LevelEdges edges(field, grid, rule, this->WindingThreshold, this->CloseBorder != 0);
+  winding::LevelEdges edges(field, this->GetSampling(), winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->CloseBorder != 0);
+  this->FindEdges(edges, field, executor);
+  if (this->Features == SHARP)
+  {
+    this->MakeSharp(field, edges, executor, output);
+  }
+  else
+  {
+    this->MakeSmooth(field, edges, executor, output);
+  }
+  this->UpdateProgress(1);
+}
+
+void vtkWindingNumberSurface::FindEdges(
+  winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor)
+{
   while (!edges.isDone())
   {
     executor.setShare(progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
@@ -170,18 +200,20 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
     }
   }
   // The edges are counted now, however many the source's area promised.
-  winding::refuseBeyondFreeMemory(
-    static_cast<double>(
-      winding::costOfLevelSurface(field, grid, static_cast<double>(edges.size())).bytes),
+  winding::refuseBeyondFreeMemory(static_cast<double>(winding::costOfLevelSurface(
+                                    field, this->GetSampling(), static_cast<double>(edges.size()))
+                                                        .bytes),
     "the surface", "choose larger voxels");
   this->TellSides(field, edges.sides(), executor);
   if (edges.size() == 0)
   {
     this->TellEmpty(edges.beginsInside(0, 0));
   }
-  const winding::GridContour contour(grid, edges, executor);
-  winding::LevelRoots roots(
-    field, grid, edges, rule, this->WindingThreshold, this->Tolerance, executor);
+}
+
+void vtkWindingNumberSurface::FindRoots(
+  winding::LevelRoots& roots, winding::SmpExecutor& executor) const
+{
   for (double progress = progressOfGrid; !roots.isDone();)
   {
     const double next = progress + (1 - progress) / 8;
@@ -192,6 +224,16 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
       throw winding::Interrupted();
     }
   }
+}
+
+void vtkWindingNumberSurface::MakeSmooth(const winding::Field& field,
+  const winding::LevelEdges& edges, winding::SmpExecutor& executor, vtkPolyData* output)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::GridContour contour(grid, edges, executor);
+  winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->Tolerance, executor);
+  this->FindRoots(roots, executor);
   const vtkSmartPointer<vtkPoints> points =
     contour.place(roots.fractions(), this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor);
   output->SetPoints(points);
@@ -200,7 +242,23 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
   {
     output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
   }
-  this->UpdateProgress(1);
+}
+
+void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
+  const winding::LevelEdges& edges, winding::SmpExecutor& executor, vtkPolyData* output)
+{
+  const winding::Grid& grid = this->GetSampling();
+  winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->Tolerance, executor);
+  this->FindRoots(roots, executor);
+  const winding::SharpContour contour(
+    field, grid, edges, roots, this->GenerateTriangles != 0, executor);
+  output->SetPoints(contour.points(this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor));
+  output->SetPolys(contour.polygons(executor));
+  if (this->GenerateNormals)
+  {
+    output->GetCellData()->SetNormals(contour.normals(executor));
+  }
 }
 
 /// Tells why the surface is empty, where all samples are inside or all are outside, and what to do.
@@ -222,6 +280,17 @@ void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
   }
 }
 
+void vtkWindingNumberSurface::TellFidelity(const winding::Field& field, vtkPolyData* output)
+{
+  if (this->FidelitySamples > 0)
+  {
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    executor.setShare(1, 1);
+    winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
+      static_cast<std::size_t>(this->FidelitySamples), output, executor);
+  }
+}
+
 /// Nothing else needs all of its values.
 void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
 {
@@ -240,7 +309,10 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Features: " << this->Features << "\n";
+  os << indent << "GenerateTriangles: " << this->GenerateTriangles << "\n";
   os << indent << "CloseBorder: " << this->CloseBorder << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "FidelitySamples: " << this->FidelitySamples << "\n";
 }

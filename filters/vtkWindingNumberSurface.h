@@ -1,6 +1,6 @@
 /**
  * @class   vtkWindingNumberSurface
- * @brief   smooth surface of the solid that a source encloses: w = WindingThreshold
+ * @brief   smooth or sharp surface of the solid that a source encloses: w = WindingThreshold
  *
  * The filter takes a source (see vtkWindingNumberAlgorithm) and gives the surface of its inside, as
  * triangles: where w crosses WindingThreshold or, more generally, where InsideRule changes its
@@ -17,6 +17,14 @@
  * of the grid. So the steps that a contour of a field of 0 and 1 shows do not come about: where the
  * source is closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from
  * it, so that no two have the same place.
+ *
+ * **Sharp edges.** With Features SHARP the surface is made by dual contouring instead (Ju et al.,
+ * Dual contouring of Hermite data, 2002). Every cell of eight samples has a vertex for each piece
+ * of surface in it, where the planes of the source's triangles meet that cross the cell's edges; so
+ * edges and corners stay sharp, if the cell sees the faces that meet there. Where no triangle
+ * crosses, planes follow the gradient of w. Every crossed edge of the grid has a quad between the
+ * four vertices around it. The surface is 2-manifold, also where two pieces of surface pass one
+ * cell; in such cells triangles may pass through each other, and in no others.
  *
  * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
  * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
@@ -47,8 +55,10 @@ class vtkPolyData;
 
 namespace winding
 {
+class LevelEdges;
+class LevelRoots;
 class SmpExecutor;
-}
+} // namespace winding
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberGridAlgorithm
 {
@@ -56,6 +66,27 @@ public:
   static vtkWindingNumberSurface* New();
   vtkTypeMacro(vtkWindingNumberSurface, vtkWindingNumberGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The ways to make the surface of what is inside.
+  enum FeaturesType
+  {
+    SMOOTH = 0, ///< marching cubes; edges of the source are cut off inside of voxels
+    SHARP = 1   ///< dual contouring; edges and corners of the source stay sharp
+  };
+
+  ///@{
+  /// Whether edges and corners of the source stay sharp, as described above. Default SMOOTH.
+  vtkSetMacro(Features, int);
+  vtkGetMacro(Features, int);
+  ///@}
+
+  ///@{
+  /// Whether all polygons of a sharp surface are triangles; a smooth one has no others. Default
+  /// off: the sharp surface has quads, and four triangles where no diagonal of a quad is good.
+  vtkSetMacro(GenerateTriangles, vtkTypeBool);
+  vtkGetMacro(GenerateTriangles, vtkTypeBool);
+  vtkBooleanMacro(GenerateTriangles, vtkTypeBool);
+  ///@}
 
   ///@{
   /// Whether to close the surface where the solid reaches the border of the grid, by faces on the
@@ -70,7 +101,8 @@ public:
   /// Whether to add point normals, which point outward. A vertex has the normal of the source's
   /// triangle on which it lies, so that edges and details which voxels blur show in the shading. A
   /// vertex off the source's triangles, and any vertex of a cloud's surface, has the mean of the
-  /// normals of the surface's own triangles around it, weighted by area. Default on.
+  /// normals of the surface's own triangles around it, weighted by area. A sharp surface gets
+  /// normals of its faces as cell data instead. Default on.
   vtkSetMacro(GenerateNormals, vtkTypeBool);
   vtkGetMacro(GenerateNormals, vtkTypeBool);
   vtkBooleanMacro(GenerateNormals, vtkTypeBool);
@@ -83,6 +115,25 @@ public:
   /// single precision. Default DEFAULT_PRECISION.
   vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many points to draw from the source and from the surface, to tell how near they are to each
+   * other; 0, the default, tells nothing. The points are the same for every execution. The field
+   * data get these arrays of one number, lengths in the unit of the source:
+   *
+   * - `LargestDistanceFromInput`, `MeanDistanceFromInput`: distances of points of the source from
+   *   the surface;
+   * - `LargestDistanceToInput`, `MeanDistanceToInput`: distances of points of the surface from the
+   *   source;
+   * - `InputVolume`, NaN for a source that is not a closed surface, and `Volume`;
+   * - `InputComponents`, and `LostComponents`, those which the surface has nothing of: they are
+   *   smaller than voxels see, or lie inside of others;
+   * - `SelfIntersections`: pairs of the surface's triangles that pass through each other.
+   */
+  vtkSetMacro(FidelitySamples, int);
+  vtkGetMacro(FidelitySamples, int);
   ///@}
 
   /// The output of port 0.
@@ -109,15 +160,26 @@ protected:
     const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 
+  int Features = SMOOTH;
+  vtkTypeBool GenerateTriangles = 0;
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  int FidelitySamples = 0;
 
 private:
   void CheckGrid() const;
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
+  void FindEdges(
+    winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor);
+  void FindRoots(winding::LevelRoots& roots, winding::SmpExecutor& executor) const;
+  void MakeSmooth(const winding::Field& field, const winding::LevelEdges& edges,
+    winding::SmpExecutor& executor, vtkPolyData* output);
+  void MakeSharp(const winding::Field& field, const winding::LevelEdges& edges,
+    winding::SmpExecutor& executor, vtkPolyData* output);
   void TellEmpty(bool isAllInside);
+  void TellFidelity(const winding::Field& field, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 };
 

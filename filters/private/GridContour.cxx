@@ -1,5 +1,6 @@
 #include "private/GridContour.h"
 
+#include "level/CrossedCells.h"
 #include "private/VtkVersions.h"
 
 #include "vtkCellArray.h"
@@ -10,9 +11,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <tuple>
-#include <utility>
 
 namespace winding
 {
@@ -26,95 +24,19 @@ constexpr std::size_t verticesPerBlock = 8192;
 /// than what single precision rounds.
 constexpr double margin = 1.0 / (1 << 12);
 
-/// The vertices on the edges along an axis that begin in a row, as one walks along it.
-class Line
-{
-public:
-  Line(const LevelEdges& edges, int axis, int j, int k)
-    : edges_(&edges)
-    , reach_(axis == 0 ? 0 : 1)
-  {
-    std::tie(next_, end_) = edges.inRow(axis, j, k);
-    this->look();
-  }
-
-  /// First cell from `cell` on that has a vertex of the line; `none` if there is none.
-  int firstCell(int cell, int none) const
-  {
-    return next_ == end_ ? none : std::max(cell, nextSample_ - reach_);
-  }
-
-  bool isAt(int i) const { return nextSample_ == i; }
-
-  /// Numbers of the vertices at i and at i + 1, where there are these.
-  std::pair<std::size_t, std::size_t> at(int i) const { return {next_, next_ + this->isAt(i)}; }
-
-  /// Leaves the one at i behind, if there is one. True if there is.
-  bool pass(int i)
-  {
-    const bool isThere = this->isAt(i);
-    next_ += isThere;
-    this->look();
-    return isThere;
-  }
-
-private:
-  void look()
-  {
-    nextSample_ = next_ == end_ ? std::numeric_limits<int>::max() : (*edges_)[next_].sample[0];
-  }
-
-  const LevelEdges* edges_;
-  int reach_; ///< a vertex belongs to so many more cells before its own
-  std::size_t next_, end_;
-  int nextSample_;
-};
-
 /// Adds the corners of the triangles in the cells between four rows.
 void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endOfCells,
   std::vector<std::uint32_t>& corners)
 {
-  // Four along x, then two along y and two along z.
-  Line lines[8] = {{edges, 0, j, k}, {edges, 0, j + 1, k}, {edges, 0, j, k + 1},
-    {edges, 0, j + 1, k + 1}, {edges, 1, j, k}, {edges, 1, j, k + 1}, {edges, 2, j, k},
-    {edges, 2, j + 1, k}};
-  // Whether the samples at i of the four rows are inside.
-  int inside[4] = {edges.beginsInside(j, k), edges.beginsInside(j + 1, k),
-    edges.beginsInside(j, k + 1), edges.beginsInside(j + 1, k + 1)};
   const MarchingCubesTable table;
-  for (int i = firstCell;; ++i)
-  {
-    int next = endOfCells;
-    for (const Line& line : lines)
+  forCrossedCells(edges, j, k, firstCell, endOfCells,
+    [&](int, int inside, const CellEdges& vertices)
     {
-      next = std::min(next, line.firstCell(i, endOfCells));
-    }
-    i = next;
-    if (i >= endOfCells)
-    {
-      break;
-    }
-    // Corners and edges in the order of VTK's table.
-    const auto y0 = lines[4].at(i), y1 = lines[5].at(i);
-    const auto z0 = lines[6].at(i), z1 = lines[7].at(i);
-    const std::size_t vertices[12] = {lines[0].at(i).first, y0.second, lines[1].at(i).first,
-      y0.first, lines[2].at(i).first, y1.second, lines[3].at(i).first, y1.first, z0.first,
-      z0.second, z1.first, z1.second};
-    int index = inside[0] | inside[1] << 3 | inside[2] << 4 | inside[3] << 7;
-    for (int row = 0; row < 4; ++row)
-    {
-      inside[row] ^= lines[row].pass(i);
-    }
-    index |= inside[0] << 1 | inside[1] << 2 | inside[2] << 5 | inside[3] << 6;
-    for (int line = 4; line < 8; ++line)
-    {
-      lines[line].pass(i);
-    }
-    for (const int* edge = table[index]; *edge >= 0; ++edge)
-    {
-      corners.push_back(static_cast<std::uint32_t>(vertices[*edge]));
-    }
-  }
+      for (const int* edge = table[inside]; *edge >= 0; ++edge)
+      {
+        corners.push_back(static_cast<std::uint32_t>(vertices[static_cast<std::size_t>(*edge)]));
+      }
+    });
 }
 
 /// Triangles of these corners, and where those of each list begin.

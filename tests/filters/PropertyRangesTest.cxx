@@ -225,6 +225,8 @@ TEST_F(PropertyRanges, OfTheSurface)
   expectPropertiesOfGridsRefused(filter);
   EXPECT_REFUSED(filter, OutputPointsPrecision,
     choices("SINGLE_PRECISION (0), DOUBLE_PRECISION (1) or DEFAULT_PRECISION (2)", 3));
+  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
+  EXPECT_REFUSED(filter, FidelitySamples, negative);
   expectWorking(surface);
 }
 

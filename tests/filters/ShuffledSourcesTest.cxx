@@ -230,6 +230,16 @@ TEST_P(ShuffledSharedData, GivesSmoothSurfacesOfTheSameBits)
   this->compare(surface.GetPointer(), expectSameMesh);
 }
 
+TEST_P(ShuffledSharedData, GivesSharpSurfacesOfTheSameBits)
+{
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetFeatures(vtkWindingNumberSurface::SHARP);
+  surface->SetResolution(std::string(GetParam()) == "tray_thin_cad.stl" ? 160 : 40); // it is thin
+  surface->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  surface->SetEstimateNormals(isCloud_);
+  this->compare(surface.GetPointer(), expectSameMesh);
+}
+
 TEST_P(ShuffledSharedData, GivesPointsTheSameAreas)
 {
   for (const int method : {vtkPointAreas::VORONOI, vtkPointAreas::MESH})

@@ -87,6 +87,9 @@ TEST_F(Surfaces, DefaultsAreTheDocumentedOnes)
   EXPECT_EQ(fresh->GetWindingThreshold(), 0.5);
   EXPECT_EQ(fresh->GetCloseBorder(), 0);
   EXPECT_EQ(fresh->GetGenerateNormals(), 1);
+  EXPECT_EQ(fresh->GetFeatures(), vtkWindingNumberSurface::SMOOTH);
+  EXPECT_EQ(fresh->GetGenerateTriangles(), 0);
+  EXPECT_EQ(fresh->GetFidelitySamples(), 0);
   EXPECT_EQ(fresh->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }
 

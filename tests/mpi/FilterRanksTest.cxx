@@ -474,26 +474,33 @@ TEST(SurfaceOnRanks, WithOtherPropertiesIsRefusedOnAll)
 
 TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
 {
-  for (const auto& [name, mesh] : meshes())
+  for (const int features : {vtkWindingNumberSurface::SMOOTH, vtkWindingNumberSurface::SHARP})
   {
-    SCOPED_TRACE(name);
-    const auto expected = filterOf<vtkWindingNumberSurface>(partOf(mesh, whole, 0, 1), true);
-    expected->SetResolution(17);
-    expected->Update();
-    const auto found =
-      filterOf<vtkWindingNumberSurface>(partOf(mesh, deals()[0], rank(), ranks()), false);
-    found->SetResolution(17);
-    updatePiece(found);
-    if (rank() > 0)
+    for (const auto& [name, mesh] : meshes())
     {
-      EXPECT_EQ(found->GetOutput()->GetNumberOfCells(), 0);
-      continue;
+      SCOPED_TRACE(name);
+      const auto surfaceOf = [features](vtkPolyData* source, bool isAlone)
+      {
+        auto surface = filterOf<vtkWindingNumberSurface>(source, isAlone);
+        surface->SetResolution(17);
+        surface->SetFeatures(features);
+        return surface;
+      };
+      const auto expected = surfaceOf(partOf(mesh, whole, 0, 1), true);
+      expected->Update();
+      const auto found = surfaceOf(partOf(mesh, deals()[0], rank(), ranks()), false);
+      updatePiece(found);
+      if (rank() > 0)
+      {
+        EXPECT_EQ(found->GetOutput()->GetNumberOfCells(), 0);
+        continue;
+      }
+      ASSERT_GT(expected->GetOutput()->GetNumberOfCells(), 0);
+      expectSame(
+        found->GetOutput()->GetPoints()->GetData(), expected->GetOutput()->GetPoints()->GetData());
+      expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
+        expected->GetOutput()->GetPolys()->GetConnectivityArray());
     }
-    ASSERT_GT(expected->GetOutput()->GetNumberOfCells(), 0);
-    expectSame(
-      found->GetOutput()->GetPoints()->GetData(), expected->GetOutput()->GetPoints()->GetData());
-    expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
-      expected->GetOutput()->GetPolys()->GetConnectivityArray());
   }
 }
 

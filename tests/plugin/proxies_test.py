@@ -78,6 +78,9 @@ SETTABLE = {
         "CloseBorder": (1, "1"),
         "GenerateNormals": (0, "0"),
         "OutputPointsPrecision": (1, "1"),
+        "Features": (1, "1"),
+        "GenerateTriangles": (1, "1"),
+        "FidelitySamples": (100, "100"),
     },
     "WindingNumberHyperTree": {
         **COMMON,

@@ -1,5 +1,6 @@
 #include "commands/FieldRun.h"
 
+#include "commands/FidelityReport.h"
 #include "commands/FieldParts.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
@@ -132,6 +133,7 @@ void FieldRun::write(vtkPolyData* surface, OutputFile* file)
       file->commit();
       output_ = {{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
         {"cells", surface->GetNumberOfCells()}};
+      fidelity_ = describeFidelity(surface);
     });
   writeSeconds_ = writing.seconds();
 }
@@ -370,6 +372,10 @@ Json FieldRun::report() const
   {
     report["output"] = output_;
   }
+  if (!fidelity_.is_null())
+  {
+    report["fidelity"] = fidelity_;
+  }
   return report;
 }
 
@@ -432,6 +438,10 @@ std::string FieldRun::summary(const Json& report) const
                          : "at a point, where w has no value") +
               ", and were not compared\n";
     }
+  }
+  if (!fidelity_.is_null())
+  {
+    text += fidelityInWords(fidelity_) + "\n";
   }
   text += "wrote " + options_.output;
   if (!output_.is_null())

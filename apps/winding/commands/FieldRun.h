@@ -92,7 +92,8 @@ private:
   double writeSeconds_ = 0;
   double totalSeconds_ = 0;
   Json additions_ = Json::object(); ///< of addToReport()
-  Json output_; ///< describes what was written, unless it is an image; null then
+  Json fidelity_; ///< how near a surface is to the input; null unless the options ask for it
+  Json output_;   ///< describes what was written, unless it is an image; null then
   Stopwatch execution_;
   // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
   // errors are maxima, and expectations are of the whole.

@@ -1,6 +1,7 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
 #include "commands/OpenOnFirstRank.h"
+#include "files/Suffix.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"
@@ -17,6 +18,10 @@ void runSurface(const Options& given, Messages& messages)
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
+  filter->SetFeatures(options.features);
+  // The format has triangles only.
+  filter->SetGenerateTriangles(options.triangles || suffixOf(options.output) == ".stl");
+  filter->SetFidelitySamples(options.fidelity);
   filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);
   run.update();

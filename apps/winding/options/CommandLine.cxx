@@ -64,6 +64,7 @@ void addSurface(CLI::App& app, Options& options)
     addCommand(app, options, "surface", "Smooth surface where the winding field is the threshold");
   addOutput(surface, options, surfaceFormats);
   addThreshold(surface, options);
+  addFeatures(surface, options);
   surface
     ->add_flag("--close-border", options.closeBorder,
       "Close the surface where it reaches the border of the grid")

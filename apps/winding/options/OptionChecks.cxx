@@ -6,6 +6,7 @@
 #include "program/Print.h"
 
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,10 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--threshold is " + shown(options.threshold) + "; give a finite number");
   requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),
     "--rule odd has no threshold; leave --threshold out");
+  requireUsage(options.fidelity >= 0,
+    "--fidelity is " + shown(options.fidelity) + "; give a number of points, 0 (none) or more");
+  requireUsage(!options.triangles || options.features == vtkWindingNumberSurface::SHARP,
+    "--triangles is for --features sharp; say that, too, or leave it out");
 }
 
 void checkOutput(const std::string& output, const std::string& whatWrites,

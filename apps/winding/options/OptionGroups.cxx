@@ -1,6 +1,7 @@
 #include "options/OptionGroups.h"
 
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberSurface.h"
 
 namespace
 {
@@ -178,6 +179,26 @@ void addThreshold(CLI::App* command, Options& options)
       oneOf({{"signed", Filter::SIGNED}, {"absolute", Filter::ABSOLUTE}, {"odd", Filter::ODD}}))
     ->type_name("NAME")
     ->group("Output");
+}
+
+void addFeatures(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("--features", options.features,
+      "Edges of the source: smooth, cut off inside of voxels | sharp, kept (smooth)")
+    ->transform(oneOf(
+      {{"smooth", vtkWindingNumberSurface::SMOOTH}, {"sharp", vtkWindingNumberSurface::SHARP}}))
+    ->type_name("NAME")
+    ->group("Output");
+  command
+    ->add_flag("--triangles", options.triangles,
+      "With --features sharp: triangles only; without it, quads (but for .stl)")
+    ->group("Output");
+  command
+    ->add_option("--fidelity", options.fidelity,
+      "Tell distances between input and output by this many points of each, volumes, lost parts "
+      "and self-intersections")
+    ->group("Run");
 }
 
 void addCoverage(CLI::App* command, Options& options)

@@ -35,6 +35,9 @@ void addMethod(CLI::App* command, Options& options);
 void addFieldOptions(CLI::App* command, Options& options);
 
 void addThreshold(CLI::App* command, Options& options);
+
+/// Adds what a surface makes of edges of its source.
+void addFeatures(CLI::App* command, Options& options);
 void addCoverage(CLI::App* command, Options& options);
 void addDistance(CLI::App* command, Options& options);
 void addArrayName(CLI::App* command, Options& options);

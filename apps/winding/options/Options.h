@@ -57,7 +57,10 @@ struct Options
   bool distance = false;
   double distanceBand = 0;
   double mergeTolerance = 0.01;
+  int features = 0;
+  bool triangles = false;
   bool closeBorder = false;
+  int fidelity = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
 

@@ -346,26 +346,7 @@ double SurfaceField::jumpWithin(const Eigen::Vector3d& sample, double distance) 
 
 Field::PointOnSource SurfaceField::pointOnSource() const
 {
-  std::vector<double> cumulativeAreas;
-  cumulativeAreas.reserve(surface_.triangles.size());
-  double area = 0;
-  for (const Triangle& t : surface_.triangles)
-  {
-    const Eigen::Vector3d& a = surface_.vertices[t[0]];
-    area += (surface_.vertices[t[1]] - a).cross(surface_.vertices[t[2]] - a).stableNorm();
-    cumulativeAreas.push_back(area);
-  }
-  return [this, areas = std::move(cumulativeAreas)](double u, double v, double t)
-  {
-    const auto found = std::upper_bound(areas.begin(), areas.end(), t * areas.back());
-    const std::size_t i = std::min<std::size_t>(
-      static_cast<std::size_t>(found - areas.begin()), surface_.triangles.size() - 1);
-    const Triangle& triangle = surface_.triangles[i];
-    const double root = std::sqrt(u);
-    return Eigen::Vector3d((1 - root) * surface_.vertices[triangle[0]] +
-                           root * (1 - v) * surface_.vertices[triangle[1]] +
-                           root * v * surface_.vertices[triangle[2]]);
-  };
+  return pointOnTriangles(surface_.vertices, surface_.triangles);
 }
 
 } // namespace winding

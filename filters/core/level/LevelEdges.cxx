@@ -440,6 +440,16 @@ void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Ex
     executor);
 }
 
+/// Every edge of its row before a sample changes the side.
+bool LevelEdges::isSampleInside(const std::array<int, 3>& sample) const
+{
+  const auto [first, last] = this->inRow(0, sample[1], sample[2]);
+  const auto begin = edges_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto found = std::lower_bound(begin, edges_.begin() + static_cast<std::ptrdiff_t>(last),
+    sample[0], [](const GridEdge& edge, int i) { return edge.sample[0] < i; });
+  return this->beginsInside(sample[1], sample[2]) != ((found - begin) % 2 != 0);
+}
+
 std::size_t LevelEdges::find(const std::array<int, 3>& sample, int axis) const
 {
   const auto [first, last] = this->inRow(axis, sample[1], sample[2]);

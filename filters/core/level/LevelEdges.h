@@ -86,6 +86,9 @@ public:
   /// border.
   bool beginsInside(int j, int k) const { return beginsInside_[this->lineOf(0, j, k) / 3] != 0; }
 
+  /// Whether a sample, of the border too if there is one, is inside.
+  bool isSampleInside(const std::array<int, 3>& sample) const;
+
   /// The number of the edge from a sample along an axis; size() if the inside rule does not change
   /// there.
   std::size_t find(const std::array<int, 3>& sample, int axis) const;

@@ -2,12 +2,12 @@
 
 #include "base/Bounds.h"
 #include "base/Pi.h"
+#include "base/UnitRandom.h"
 #include "source/PointCloud.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace winding
 {
@@ -26,21 +26,6 @@ bool contains(const Extent& extent, const Eigen::Vector3i& index)
   }
   return true;
 }
-
-/// Numbers in [0, 1) that are the same with every standard library.
-class UnitRandom
-{
-public:
-  explicit UnitRandom(unsigned seed)
-    : engine_(seed)
-  {
-  }
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  int below(int count) { return std::min(static_cast<int>((*this)() * count), count - 1); }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 std::vector<Eigen::Vector3i> drawEverywhere(
   const Grid& grid, std::size_t samples, UnitRandom& random)

@@ -1,6 +1,8 @@
 #include "source/SourceArea.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace winding
 {
@@ -38,6 +40,31 @@ double approximateAreaOf(
   const double area = areaOfEvery(step, vertices, triangles);
   const auto seen = static_cast<double>((triangles.size() + step - 1) / step);
   return step == 1 ? area : area / seen * static_cast<double>(triangles.size());
+}
+
+std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
+  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+{
+  std::vector<double> cumulativeAreas;
+  cumulativeAreas.reserve(triangles.size());
+  double area = 0;
+  for (const Triangle& t : triangles)
+  {
+    const Eigen::Vector3d& a = vertices[t[0]];
+    area += (vertices[t[1]] - a).cross(vertices[t[2]] - a).stableNorm();
+    cumulativeAreas.push_back(area);
+  }
+  return [&vertices, &triangles, areas = std::move(cumulativeAreas)](double u, double v, double t)
+  {
+    const auto found = std::upper_bound(areas.begin(), areas.end(), t * areas.back());
+    const std::size_t i =
+      std::min<std::size_t>(static_cast<std::size_t>(found - areas.begin()), triangles.size() - 1);
+    const Triangle& triangle = triangles[i];
+    const double root = std::sqrt(u);
+    return Eigen::Vector3d((1 - root) * vertices[triangle[0]] +
+                           root * (1 - v) * vertices[triangle[1]] +
+                           root * v * vertices[triangle[2]]);
+  };
 }
 
 double distanceBetweenSamples(const Bounds& bounds, std::size_t samples)

@@ -4,6 +4,7 @@
 #include "source/Surface.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace winding
@@ -15,6 +16,14 @@ double areaOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Tr
 /// About areaOf(), for what only needs its size: of more than 65536 triangles every so manieth is
 /// looked at, 65536 of them at least. The order of the triangles decides which.
 double approximateAreaOf(
+  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+
+/**
+ * A function that gives points of triangles, evenly distributed if its arguments are so over
+ * [0, 1). It takes linear time to make, keeps references, and its points for given arguments depend
+ * on the order of the triangles. There must be triangles.
+ */
+std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
   const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
 
 /// The distance between samples, if so many are spread evenly over a box that is larger than the

@@ -1,0 +1,133 @@
+#include "level/SharpVertices.h"
+
+#include "level/FeatureVertex.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double margin = 1.0 / (1 << 12);
+
+Eigen::Vector3d sampleOf(const GridEdge& edge)
+{
+  return Eigen::Vector3d(edge.sample[0], edge.sample[1], edge.sample[2]);
+}
+
+} // namespace
+
+SharpVertices::SharpVertices(const Field& field, const Grid& grid, const LevelEdges& edges,
+  const LevelRoots& roots, const DualMesh& mesh, Executor& executor)
+  : grid_(grid)
+  , edges_(edges)
+  , roots_(roots)
+  , mesh_(mesh)
+  , places_(mesh.size())
+{
+  this->addGradients(field, executor);
+  runBlocks(
+    mesh.layers(), 1,
+    [this](std::size_t layer, std::size_t, std::size_t)
+    {
+      mesh_.forVertices(layer, [this](std::size_t vertex, const DualMesh::Patch& patch)
+        { places_[vertex] = this->placeOf(patch); });
+    },
+    executor);
+}
+
+void SharpVertices::addGradients(const Field& field, Executor& executor)
+{
+  for (std::size_t edge = 0; edge < edges_.size(); ++edge)
+  {
+    if (roots_.normals()[edge].isZero(0) && !edges_.isAtBorder(edges_[edge]))
+    {
+      withGradient_.push_back(static_cast<std::uint32_t>(edge));
+    }
+  }
+  std::vector<double> samples(3 * withGradient_.size()), found(samples.size());
+  for (std::size_t n = 0; n < withGradient_.size(); ++n)
+  {
+    const Eigen::Vector3d sample =
+      grid_.firstSample + this->crossing(withGradient_[n]).cwiseProduct(grid_.spacing);
+    std::copy_n(sample.data(), 3, &samples[3 * n]);
+  }
+  if (!field.gradient(VectorsView(samples.data(), withGradient_.size()), found.data(), executor))
+  {
+    throw Interrupted();
+  }
+  gradients_.resize(withGradient_.size());
+  for (std::size_t n = 0; n < gradients_.size(); ++n)
+  {
+    const Eigen::Map<const Eigen::Vector3d> gradient(&found[3 * n]);
+    gradients_[n] = gradient.stableNormalized().cast<float>();
+  }
+}
+
+Eigen::Vector3d SharpVertices::crossing(std::size_t edge) const
+{
+  Eigen::Vector3d place = sampleOf(edges_[edge]);
+  place[edges_[edge].axis] += std::clamp(roots_.fractions()[edge], margin, 1 - margin);
+  return place;
+}
+
+/// A vertex is sought in units of the largest spacing, so that voxels have their shape, and no unit
+/// of length leaves the range of numbers.
+Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
+{
+  const Eigen::Vector3d corner(patch.cell[0], patch.cell[1], patch.cell[2]);
+  const Eigen::Vector3d size = grid_.spacing / grid_.spacing.maxCoeff();
+  HermiteCrossing crossings[12];
+  for (int n = 0; n < patch.size; ++n)
+  {
+    const std::size_t edge = patch.edges[static_cast<std::size_t>(n)];
+    Eigen::Vector3d place = sampleOf(edges_[edge]) - corner;
+    place[edges_[edge].axis] += roots_.fractions()[edge];
+    Eigen::Vector3f normal = roots_.normals()[edge];
+    if (edges_.isAtBorder(edges_[edge]))
+    {
+      normal = Eigen::Vector3f::Unit(edges_[edge].axis);
+    }
+    else if (normal.isZero(0))
+    {
+      const auto found = std::lower_bound(withGradient_.begin(), withGradient_.end(), edge);
+      normal = gradients_[static_cast<std::size_t>(found - withGradient_.begin())];
+    }
+    crossings[n] = {place.cwiseProduct(size), normal.cast<double>()};
+  }
+  // Patches of one cell keep to boxes of their own, so that they seldom get into each other's way.
+  const Bounds cell(Eigen::Vector3d::Zero(), size);
+  Bounds room = cell;
+  if (!patch.isAlone)
+  {
+    room.setEmpty();
+    for (int n = 0; n < patch.size; ++n)
+    {
+      room.extend(crossings[n].position);
+    }
+  }
+  return corner +
+         featureVertex(crossings, static_cast<std::size_t>(patch.size), room).cwiseQuotient(size);
+}
+
+QuadSplit SharpVertices::splitOf(std::size_t edge) const
+{
+  const int axes[3] = {(edges_[edge].axis + 1) % 3, (edges_[edge].axis + 2) % 3, edges_[edge].axis};
+  const Eigen::Vector3d start = sampleOf(edges_[edge]);
+  QuadAroundEdge quad;
+  for (int n = 0; n < 3; ++n)
+  {
+    quad.spacing[n] = grid_.spacing[axes[n]] / grid_.spacing.maxCoeff();
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      const Eigen::Vector3d& place = places_[mesh_.quad(edge)[corner]];
+      quad.corners[corner][n] = place[axes[n]] - start[axes[n]];
+    }
+  }
+  quad.crossing = roots_.fractions()[edge];
+  return betterSplit(quad);
+}
+
+} // namespace winding

@@ -1,0 +1,235 @@
+#include "level/DualMesh.h"
+
+#include "core/support/BitField.h"
+#include "core/support/Manifold.h"
+#include "core/support/ShuffledThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <bitset>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace shapes;
+using winding::DualMesh;
+using winding::LevelEdges;
+
+/// The edges and the dual mesh of a solid of samples, closed at the border of its grid.
+struct Dual
+{
+  Dual(const BitField& field, const winding::Grid& grid, winding::Executor& executor)
+    : edges(field, grid, winding::InsideRule::signedThreshold, 0.5, true)
+  {
+    while (!edges.isDone())
+    {
+      edges.advance(executor);
+    }
+    mesh = std::make_unique<DualMesh>(grid, edges, executor);
+  }
+
+  /// The quads, facing outward; cut along one diagonal or the other, as the bits of `cuts` say,
+  /// unless that is 0.
+  Polygons polygons(std::uint64_t cuts) const
+  {
+    Polygons polygons;
+    for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    {
+      const DualMesh::Quad& quad = mesh->quad(edge);
+      std::vector<std::uint32_t> corners(quad.begin(), quad.end());
+      if (!edges[edge].firstIsInside)
+      {
+        std::reverse(corners.begin(), corners.end());
+      }
+      if (cuts == 0)
+      {
+        polygons.push_back(corners);
+        continue;
+      }
+      std::rotate(corners.begin(), corners.begin() + (cuts >> edge % 64 & 1), corners.end());
+      polygons.push_back({corners[0], corners[1], corners[2]});
+      polygons.push_back({corners[0], corners[2], corners[3]});
+    }
+    return polygons;
+  }
+
+  LevelEdges edges;
+  std::unique_ptr<DualMesh> mesh;
+};
+
+/// Expects that a solid's quads, whole and cut at random, are closed and manifold.
+void expectManifold(const BitField& field, const winding::Grid& grid, std::uint64_t cuts)
+{
+  winding::SerialExecutor serial;
+  const Dual dual(field, grid, serial);
+  for (const std::uint64_t cut : {std::uint64_t(0), cuts | 1})
+  {
+    const ManifoldFaults faults = manifoldFaults(dual.polygons(cut));
+    ASSERT_FALSE(faults.any()) << faults.edges << " edges, " << faults.fans << " fans";
+  }
+}
+
+void setBits(BitField& field, std::size_t count, std::uint64_t bits)
+{
+  field.inside.resize(count);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    field.inside[n] = bits >> n & 1;
+  }
+}
+
+} // namespace
+
+TEST(CellPatches, OfOneCellAreDiscsAndTheDoubledFaceIsTheOnlyAmbiguousOne)
+{
+  int doubled = 0;
+  for (int inside = 0; inside < 256; ++inside)
+  {
+    int ambiguous = 0;
+    for (int face = 0; face < 6; ++face)
+    {
+      const std::array<int, 4>& corners = winding::cornersOfFace(face);
+      const auto isInside = [&](std::size_t n)
+      {
+        return (inside >> corners[n] & 1) != 0;
+      };
+      ambiguous +=
+        isInside(0) == isInside(2) && isInside(1) == isInside(3) && isInside(0) != isInside(1);
+    }
+    const auto& patches = winding::cellPatches(inside, winding::AmbiguousFaces::insideApart);
+    std::map<int, int> sizes;
+    for (const int patch : patches.ofEdge)
+    {
+      sizes[patch] += 1;
+    }
+    sizes.erase(-1);
+    EXPECT_EQ(sizes.size(), static_cast<std::size_t>(patches.count));
+    for (const auto& [patch, size] : sizes)
+    {
+      EXPECT_TRUE(patch < patches.count && size >= 3) << inside;
+    }
+    if (patches.doubledFace >= 0)
+    {
+      ++doubled;
+      EXPECT_EQ(ambiguous, 1) << inside;
+      const auto& cut = winding::cellPatches(inside, winding::AmbiguousFaces::outsideApart);
+      EXPECT_EQ(cut.count, patches.count + 1) << inside;
+      EXPECT_EQ(cut.doubledFace, -1) << inside;
+    }
+  }
+  // Two corners outside, on a diagonal of one of six faces; or one more beside one of these, not in
+  // the face.
+  EXPECT_EQ(doubled, 12 + 24);
+}
+
+/// An edge of the mesh depends on two cells that share a face and on nothing else, so this is all
+/// that can happen.
+TEST(DualMesh, OfAllPairsOfCellsIsClosedAndManifold)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Eigen::Vector3i dimensions(2, 2, 2);
+    dimensions[axis] = 3;
+    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
+    for (std::uint64_t bits = 0; bits < 4096; ++bits)
+    {
+      BitField field;
+      setBits(field, 12, bits);
+      ASSERT_NO_FATAL_FAILURE(expectManifold(field, grid, bits * 0x9e3779b97f4a7c15))
+        << std::bitset<12>(bits) << " along axis " << axis;
+    }
+  }
+}
+
+TEST(DualMesh, OfAMillionRandomLatticeSolidsIsClosedAndManifold)
+{
+  Random random(1);
+  for (int n = 0; n < 1000000; ++n)
+  {
+    const auto size = [&random]
+    {
+      return 2 + static_cast<int>(random.bits() % 2);
+    };
+    const Eigen::Vector3i dimensions(size(), size(), 3);
+    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
+    // Bits are set in 1 of 2, or in 1 of 4, or in 3 of 4.
+    std::uint64_t bits = random.bits();
+    bits = n % 3 == 0 ? bits : n % 3 == 1 ? bits & random.bits() : bits | random.bits();
+    BitField field;
+    setBits(field, static_cast<std::size_t>(dimensions.prod()), bits);
+    ASSERT_NO_FATAL_FAILURE(expectManifold(field, grid, random.bits()))
+      << bits << ", " << dimensions.transpose();
+  }
+}
+
+TEST(DualMesh, OfLargeRandomSolidsIsClosedAndManifoldAndTheSameForAnyExecutor)
+{
+  const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, {24, 23, 22});
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    BitField field;
+    for (int n = 0; n < grid.dimensions.prod(); ++n)
+    {
+      field.inside.push_back(random(0, 1) < 0.1 + 0.04 * seed);
+    }
+    ASSERT_NO_FATAL_FAILURE(expectManifold(field, grid, random.bits())) << seed;
+    winding::SerialExecutor serial;
+    ShuffledThreads threads(seed);
+    const Dual dual(field, grid, serial), again(field, grid, threads);
+    EXPECT_EQ(dual.polygons(0), again.polygons(0));
+    // Quads have no two diagonals, and no diagonal and side, in common.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::size_t count = 0;
+    for (const auto& quad : dual.polygons(0))
+    {
+      for (std::size_t a = 0; a < 4; ++a)
+      {
+        for (std::size_t b = a + 1; b < 4; ++b)
+        {
+          pairs.insert(std::minmax(quad[a], quad[b]));
+          count += (b - a) % 2 == 0 ? 2 : 1; // each side is that of two quads
+        }
+      }
+    }
+    EXPECT_EQ(2 * pairs.size(), count);
+  }
+}
+
+TEST(DualMesh, VisitsTheVerticesInOrderWithTheEdgesOfTheirPatches)
+{
+  const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, {9, 8, 7});
+  Random random(5);
+  BitField field;
+  for (int n = 0; n < grid.dimensions.prod(); ++n)
+  {
+    field.inside.push_back(random(0, 1) < 0.5);
+  }
+  winding::SerialExecutor serial;
+  const Dual dual(field, grid, serial);
+  std::size_t expected = 0, crossings = 0;
+  for (std::size_t layer = 0; layer < dual.mesh->layers(); ++layer)
+  {
+    dual.mesh->forVertices(layer,
+      [&](std::size_t vertex, const DualMesh::Patch& patch)
+      {
+        EXPECT_EQ(vertex, expected++);
+        for (int n = 0; n < patch.size; ++n)
+        {
+          const std::size_t edge = patch.edges[static_cast<std::size_t>(n)];
+          const DualMesh::Quad& quad = dual.mesh->quad(edge);
+          EXPECT_EQ(std::count(quad.begin(), quad.end(), vertex), 1);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            const int off = dual.edges[edge].sample[axis] - patch.cell[axis];
+            EXPECT_TRUE(off == 0 || (off == 1 && axis != dual.edges[edge].axis));
+          }
+          ++crossings;
+        }
+      });
+  }
+  EXPECT_EQ(expected, dual.mesh->size());
+  EXPECT_EQ(crossings, 4 * dual.edges.size());
+}
