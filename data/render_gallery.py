@@ -17,6 +17,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from panels import (
     SHELL, SMOOTH, SWOLLEN, actor_of, cut_open, ghost_of, line_actor, mesh_actors, middle_plane,
     read_surface, slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
+from label_pictures import draw_labels
 from task_pictures import draw_clip, draw_coverage, draw_distance, draw_soup
 from winding_program import Winding
 
@@ -139,6 +140,7 @@ def main():
             (draw_orientation, arguments.open),
             (draw_soup, arguments.closed),
             (draw_coverage, None),
+            (draw_labels, None),
             (draw_distance, arguments.open),
             (draw_clip, arguments.open),
         ):

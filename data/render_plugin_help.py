@@ -64,6 +64,17 @@ def show_voxels(view, scan, _):
          EdgeColor=(0.7, 0.68, 0.64))
 
 
+def show_labels(view, scan, _):
+    parts = [simple.Sphere(Radius=radius, Center=(x, y, 0), ThetaResolution=48, PhiResolution=32)
+             for x, y, radius in ((0, -0.35, 0.75), (0.45, 0.55, 0.6), (-0.35, 0.5, 0.5))]
+    for part in parts:
+        show(view, part, -1.3)
+    labels = simple.WindingNumberLabels(Input=simple.GroupDatasets(Input=parts), Resolution=48)
+    display = show(view, simple.WindingNumberVoxels(Input=labels, ByLabel=1), 1.3,
+                   Representation="Surface With Edges", EdgeColor=GREY)
+    color_by(view, display, "Label", 1, 3, "Viridis (matplotlib)", association="CELLS")
+
+
 def show_hyper_tree(view, scan, _):
     show(view, scan, -1.3)
     trees = simple.WindingNumberHyperTree(Input=scan, Resolution=64, MergeTolerance=0.05)
@@ -112,6 +123,7 @@ PICTURES = {
     "WindingNumberField": show_field,
     "WindingNumberSurface": show_surface,
     "WindingNumberVoxels": show_voxels,
+    "WindingNumberLabels": show_labels,
     "WindingNumberHyperTree": show_hyper_tree,
     "WindingNumberProbe": show_probe,
     "WindingNumberClip": show_clip,

@@ -106,6 +106,8 @@ public:
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
+  vtkSetMacro(NormalEstimation, int);
+  vtkGetMacro(NormalEstimation, int);
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
   vtkSetMacro(NumberOfNeighbors, int);
@@ -152,6 +154,7 @@ protected:
   vtkTypeBool SourceAsPoints = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
+  int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;
   int PointAreaMethod = vtkWindingNumberAlgorithm::VORONOI;
   int NumberOfNeighbors = 20;
   double PointArea = 0;

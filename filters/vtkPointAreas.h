@@ -93,9 +93,9 @@ public:
   ///@}
 
   ///@{
-  /// Whether points without normals get estimated ones, from the neighbours of each point. These
-  /// serve the areas only, and are not added to the output. Default off: points without normals are
-  /// refused.
+  /// Whether points without normals get estimated ones, from the neighbours of each point. Areas
+  /// need the directions of normals only, so that orientations are handed on along a spanning tree,
+  /// and normals are not added to the output. Default off: points without normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);

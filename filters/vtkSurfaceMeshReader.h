@@ -8,8 +8,10 @@
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
  *   many as vertices and no corner names the normal of another vertex. Texture coordinates,
  *   colours, groups and materials are passed over.
- * - PLY (.ply), as text or in either order of bytes: vertices, their normals "Normals" where there
- *   are any, and faces of up to 255 corners. Other elements and properties are passed over.
+ * - PLY (.ply), as text or in either order of bytes: vertices, and faces; at
+ *   the vertices, where there are any, normals "Normals", colours of bytes "RGB" or "RGBA", and
+ *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Other elements
+ *   and properties are passed over.
  * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
  *   in the order of the file. The filters of this module weld them; others may need
  *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.

@@ -5,6 +5,7 @@
 #include "private/ErrorReports.h"
 #include "private/FaultBlocks.h"
 #include "private/InputViews.h"
+#include "private/PointOrientation.h"
 #include "private/PolygonOrientation.h"
 #include "private/PropertyChecks.h"
 #include "private/Ranks.h"
@@ -18,10 +19,12 @@
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -30,6 +33,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -153,6 +157,15 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
     leaves = fix.leaves;
     views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
   }
+  std::optional<std::size_t> turnedNormals;
+  if (this->FixOrientation && !views->isSurface())
+  {
+    const winding::OrientedPointSets turned =
+      winding::orientNormals(leaves, options.normalsArray, executor);
+    turnedNormals = turned.points;
+    leaves = turned.leaves;
+    views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
+  }
   const bool isComposite = source->IsA("vtkCompositeDataSet") != 0;
   const vtkSmartPointer<vtkPolyData> surface =
     isComposite ? winding::appended(leaves) : leaves.front();
@@ -161,6 +174,13 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   const winding::SourceReport report =
     winding::reportOn(*views, shape, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
+  if (turnedNormals)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName("flipped_normals");
+    array->InsertNextValue(static_cast<vtkIdType>(*turnedNormals));
+    this->Report->AddArray(array);
+  }
   const vtkIdType oneSided = fixes ? this->GetNumberOfOneSidedComponents() : 0;
   if (oneSided > 0)
   {

@@ -36,6 +36,10 @@
  *    counts as closed here if a cap of at most half of its own area closes it, but it makes no
  *    cavity of a component that is really closed.
  *
+ * Normals of a cloud are turned round where they disagree with its field: such that w is about ½
+ * at the points (ConsistentNormals.h). Directions and lengths of normals stay, and points whose
+ * normals agree already stay as they are.
+ *
  * Nothing else changes: points, other cells and all data, normals too, stay as they are. The strips
  * of a surface in which something is turned become triangles, each with the cell data of its strip.
  * The report says how many triangles were turned, and a warning what could not be.
@@ -101,6 +105,7 @@
  *   with inward normals 0 and −1; no tuple without usable normals.
  * - **outward_share**, **inward_share**: the shares (0 to 1) of points that have such a field about
  *   them; no tuple without usable normals.
+ * - **flipped_normals**, with FixOrientation only: normals that were turned round.
  *
  * Data that is no source is an error, and so is a surface whose triangles are all unusable. The
  * filter works on the whole source: where several pieces are asked for, the first has everything.
@@ -144,7 +149,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether to turn polygons round so that the surface has an outside. Default off.
+  /// Whether to turn polygons of a surface, or normals of a cloud, round so that it has an outside.
+  /// Default off. Points without normals are refused then.
   vtkSetMacro(FixOrientation, bool);
   vtkGetMacro(FixOrientation, bool);
   vtkBooleanMacro(FixOrientation, bool);

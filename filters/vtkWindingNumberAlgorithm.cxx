@@ -88,6 +88,9 @@ static_assert(isNumber(winding::PointAreasFrom::voronoi, Filter::VORONOI));
 static_assert(isNumber(winding::PointAreasFrom::mesh, Filter::MESH));
 static_assert(isNumber(winding::PointAreasFrom::constant, Filter::CONSTANT));
 static_assert(isNumber(winding::PointAreasFrom::array, Filter::ARRAY));
+static_assert(isNumber(winding::NormalEstimation::automatic, Filter::ESTIMATION_AUTOMATIC));
+static_assert(isNumber(winding::NormalEstimation::spanningTree, Filter::SPANNING_TREE));
+static_assert(isNumber(winding::NormalEstimation::consistent, Filter::WINDING_CONSISTENT));
 static_assert(isNumber(winding::SourceDistribution::automatic, Filter::DISTRIBUTION_AUTOMATIC));
 static_assert(isNumber(winding::SourceDistribution::distributed, Filter::DISTRIBUTED));
 static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICATED));
@@ -332,7 +335,12 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   {
     throw winding::Interrupted();
   }
-  const winding::FieldInfo& info = field->info();
+  this->TellFaults(field->info());
+  return *field;
+}
+
+void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
+{
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);
@@ -342,7 +350,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
     vtkWarningMacro(
       << "give a surface or points: the source has none to sum over, so its field is 0");
   }
-  return *field;
 }
 
 void vtkWindingNumberAlgorithm::EstimateCost(
@@ -355,7 +362,9 @@ void vtkWindingNumberAlgorithm::EstimateCost(
     cost += field.expectedCostOfDistances(count, this->GetDistanceLimit());
   }
   cost += this->GetAdditionalCost(field, samples);
-  this->ExpectedSeconds = cost.seconds / threads;
+  // The pipeline's request and the start of threads take as long for the smallest field.
+  constexpr double secondsToStart = 0.3e-3;
+  this->ExpectedSeconds = this->EarlierExpectedSeconds + secondsToStart + cost.seconds / threads;
   this->ExpectedMemory =
     static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
 }
@@ -531,6 +540,12 @@ double vtkWindingNumberAlgorithm::GetMeanPointArea() const
 bool vtkWindingNumberAlgorithm::GetNormalsWereEstimated() const
 {
   return this->GetSourceInfo().normalsAreEstimated;
+}
+
+const char* vtkWindingNumberAlgorithm::GetNormalEstimationUsed() const
+{
+  const winding::FieldInfo& info = this->GetSourceInfo();
+  return info.normalsAreEstimated ? winding::nameOf(info.normalEstimation) : "";
 }
 
 double vtkWindingNumberAlgorithm::GetClearShare() const

@@ -115,6 +115,14 @@ public:
     ARRAY = 3     ///< the values of the point data array AreaArray
   };
 
+  /// The ways in which the normals of points that have none are estimated.
+  enum NormalEstimationType
+  {
+    ESTIMATION_AUTOMATIC = 0, ///< the spanning tree where its check finds it right, else the other
+    SPANNING_TREE = 1,        ///< orientations are handed on from neighbour to neighbour
+    WINDING_CONSISTENT = 2    ///< orientations that the winding number agrees with
+  };
+
   /// The ways in which the ranks of a parallel program may hold the source.
   enum SourceDistributionType
   {
@@ -182,6 +190,15 @@ public:
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The way in which normals are estimated, where EstimateNormals has it done. SPANNING_TREE takes
+  /// the least time, and fails where parts are thin, close to each other or separate.
+  /// WINDING_CONSISTENT turns patches of points such that w is 1/2 at them (ConsistentNormals.h);
+  /// it takes about ten times as long. Default ESTIMATION_AUTOMATIC.
+  vtkSetMacro(NormalEstimation, int);
+  vtkGetMacro(NormalEstimation, int);
   ///@}
 
   ///@{
@@ -358,11 +375,13 @@ public:
   ///@}
 
   ///@{
-  /// Facts about a cloud: the mean area of a point, and whether normals were estimated. The clear
-  /// share is known where they were: the share of the points with a field of about 1 behind and 0
-  /// before them, which is 1 for a closed cloud that is sampled well.
+  /// Facts about a cloud: the mean area of a point, whether normals were estimated, and by what:
+  /// "spanning tree", "winding consistent", or nothing. The clear share is known where they were:
+  /// the share of the points with a field of about 1 behind and 0 before them, which is 1 for a
+  /// closed cloud that is sampled well.
   double GetMeanPointArea() const;
   bool GetNormalsWereEstimated() const;
+  const char* GetNormalEstimationUsed() const;
   double GetClearShare() const;
   ///@}
 
@@ -421,6 +440,16 @@ protected:
     vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples);
   const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
   ///@}
+
+  /// Warns about faults of a source whose field was prepared.
+  virtual void TellFaults(const winding::FieldInfo& info);
+
+  /// Information on the field that facts are told of: the last one, unless a filter with several
+  /// sources says otherwise.
+  virtual const winding::FieldInfo& GetSourceInfo() const;
+
+  /// Everything that the field of a source depends on beside the source.
+  winding::SourceOptions GetSourceOptions();
 
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
   void LookAtSource(vtkDataObject* source);
@@ -487,6 +516,7 @@ protected:
   vtkTypeBool SourceAsPoints = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
+  int NormalEstimation = ESTIMATION_AUTOMATIC;
   int PointAreaMethod = VORONOI;
   int NumberOfNeighbors = 20;
   double PointArea = 0;
@@ -509,15 +539,14 @@ protected:
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;
   vtkIdType ExpectedMemory = 0;
+  double EarlierExpectedSeconds = 0; ///< those of sources before this one in the same execution
 
 private:
   template <class Samples>
   const winding::Field& PrepareFieldFor(
     vtkDataObject* source, const Samples& samples, std::size_t count);
-  winding::SourceOptions GetSourceOptions();
   void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
   void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
-  const winding::FieldInfo& GetSourceInfo() const;
   int RepeatRefusal(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
   bool IsNewError();

@@ -26,8 +26,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,128 @@ std::vector<unsigned char> classify(
 bool isAny(const std::vector<unsigned char>& inside)
 {
   return std::find(inside.begin(), inside.end(), 1) != inside.end();
+}
+
+struct ReadLabels
+{
+  template <class Array> void operator()(Array* values, std::vector<unsigned short>& labels) const
+  {
+    constexpr double largest = std::numeric_limits<unsigned short>::max();
+    const auto range = vtk::DataArrayValueRange<1>(values);
+    labels.reserve(static_cast<std::size_t>(range.size()));
+    for (const auto value : range)
+    {
+      const auto number = static_cast<double>(value);
+      if (!(number >= 0 && number <= largest && number == std::floor(number)))
+      {
+        throw winding::Refusal("choose an array of labels (Array; SetInputArrayToProcess), or turn "
+                               "By Label off: labels are integers from 0 to 65535, and '" +
+                               winding::textOf(values->GetName()) + "' has the value " +
+                               std::to_string(number));
+      }
+      labels.push_back(static_cast<unsigned short>(number));
+    }
+  }
+};
+
+/// Throws a Refusal for values that are no labels.
+std::vector<unsigned short> labelsOf(vtkDataArray* values)
+{
+  std::vector<unsigned short> labels;
+  if (!vtkArrayDispatch::Dispatch::Execute(values, ReadLabels{}, labels))
+  {
+    ReadLabels{}(values, labels);
+  }
+  return labels;
+}
+
+constexpr const char* memoryAdvice = "choose larger voxels, or extract a part of the image";
+
+/// The voxels of an image, but for their labels. Throws a Refusal if the array does not have as
+/// many values, or if there is no memory for the labels.
+template <class Label>
+winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, bool asCells)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  winding::VoxelSides<Label> sides;
+  vtkIdType voxelCount = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // A flat image has a layer of cells, too.
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    sides.dimensions[axis] = asCells ? std::max(1, points - 1) : points;
+    sides.firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
+    voxelCount *= sides.dimensions[axis];
+  }
+  if (values->GetNumberOfTuples() != voxelCount)
+  {
+    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
+                           winding::textOf(values->GetName()) + "' has " +
+                           std::to_string(values->GetNumberOfTuples()) + " values for " +
+                           std::to_string(voxelCount) + " voxels");
+  }
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(voxelCount) * sizeof(Label), "telling inside from outside", memoryAdvice);
+  return sides;
+}
+
+/// Gives the output the quads between voxels whose labels are known, and hands the surface on, for
+/// data of the quads. Throws a Refusal if there is no memory for them.
+template <class Label, class AddData>
+void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image, vtkAlgorithm* filter,
+  vtkPolyData* output, const AddData& addData)
+{
+  using Surface = winding::BlockSurface<Label>;
+  winding::refuseBeyondFreeMemory(
+    Surface::bytesOf(Surface::countFaces(sides)), "the surface", memoryAdvice);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> quads;
+  Surface surface(sides, image, points, quads);
+  surface.build(filter);
+  output->SetPoints(points);
+  output->SetPolys(quads);
+  addData(surface);
+}
+
+/// Gives each quad the labels on both of its sides.
+void addLabels(const winding::VoxelSides<unsigned short>& sides,
+  const winding::BlockSurface<unsigned short>& surface, vtkCellData* data)
+{
+  const vtkIdType count = surface.voxels()->GetNumberOfIds();
+  vtkNew<vtkUnsignedShortArray> both, own;
+  both->SetName("BoundaryLabels");
+  both->SetNumberOfComponents(2);
+  both->SetNumberOfTuples(count);
+  own->SetName("Label");
+  own->SetNumberOfTuples(count);
+  for (vtkIdType quad = 0; quad < count; ++quad)
+  {
+    const unsigned short label =
+      sides.labels[static_cast<std::size_t>(surface.voxels()->GetId(quad))];
+    own->SetValue(quad, label);
+    both->SetTypedComponent(quad, 0, label);
+    both->SetTypedComponent(quad, 1, surface.seenLabels()[static_cast<std::size_t>(quad)]);
+  }
+  data->AddArray(both);
+  data->SetScalars(own);
+}
+
+/// Gives each quad the coverage of its voxel, if the image has any.
+void addCoverage(
+  vtkDataSetAttributes* from, vtkIdType voxels, vtkIdList* ofQuads, vtkCellData* data)
+{
+  vtkDataArray* coverage = from->GetArray("Coverage");
+  if (coverage && coverage->GetNumberOfTuples() == voxels)
+  {
+    const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
+    shares->SetName(coverage->GetName());
+    shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
+    shares->SetNumberOfTuples(ofQuads->GetNumberOfIds());
+    coverage->GetTuples(ofQuads, shares);
+    data->SetScalars(shares);
+  }
 }
 
 } // namespace
@@ -137,65 +262,40 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   int association;
   vtkDataArray* values = this->FindValues(image, association);
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  int extent[6];
-  image->GetExtent(extent);
-  winding::VoxelSides sides;
-  vtkIdType voxelCount = 1;
-  for (int axis = 0; axis < 3; ++axis)
+  if (this->ByLabel)
   {
-    // A flat image has a layer of cells, too.
-    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
-    sides.dimensions[axis] = asCells ? std::max(1, points - 1) : points;
-    sides.firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
-    voxelCount *= sides.dimensions[axis];
+    auto voxels = voxelsOf<unsigned short>(image, values, asCells);
+    voxels.labels = labelsOf(values);
+    addQuads(voxels, image, this, output,
+      [&](const auto& surface) { addLabels(voxels, surface, output->GetCellData()); });
+    return;
   }
-  if (values->GetNumberOfTuples() != voxelCount)
+  auto voxels = voxelsOf<unsigned char>(image, values, asCells);
+  voxels.labels = classify(values, rule, this->WindingThreshold);
+  if (rule == winding::InsideRule::signedThreshold && !isAny(voxels.labels))
   {
-    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
-                           winding::textOf(values->GetName()) + "' has " +
-                           std::to_string(values->GetNumberOfTuples()) + " values for " +
-                           std::to_string(voxelCount) + " voxels");
+    this->WarnOfNegative(values);
   }
-
-  const char* advice = "choose larger voxels, or extract a part of the image";
-  winding::refuseBeyondFreeMemory(
-    static_cast<double>(voxelCount), "telling inside from outside", advice);
-  sides.inside = classify(values, rule, this->WindingThreshold);
-  winding::refuseBeyondFreeMemory(
-    winding::BlockSurface::bytesOf(winding::BlockSurface::countFaces(sides)), "the surface",
-    advice);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> quads;
-  if (rule == winding::InsideRule::signedThreshold && !isAny(sides.inside))
-  {
-    const winding::SideCounts counts =
-      winding::countSides(static_cast<std::size_t>(voxelCount), this->WindingThreshold,
-        [values](std::size_t i) { return values->GetTuple1(static_cast<vtkIdType>(i)); });
-    if (counts.negative > 0)
-    {
-      vtkWarningMacro(<< winding::insideOutAdvice(
-                        "faces or normals", counts, this->WindingThreshold));
-    }
-  }
-  winding::BlockSurface surface(sides, image, points, quads);
-  surface.build(this);
-  output->SetPoints(points);
-  output->SetPolys(quads);
   vtkDataSetAttributes* attributes = image->GetPointData();
   if (asCells)
   {
     attributes = image->GetCellData();
   }
-  vtkDataArray* coverage = attributes->GetArray("Coverage");
-  if (coverage && coverage->GetNumberOfTuples() == voxelCount)
+  addQuads(voxels, image, this, output,
+    [&](const auto& surface) {
+      addCoverage(attributes, values->GetNumberOfTuples(), surface.voxels(), output->GetCellData());
+    });
+}
+
+void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
+{
+  const winding::SideCounts counts = winding::countSides(
+    static_cast<std::size_t>(values->GetNumberOfTuples()), this->WindingThreshold,
+    [values](std::size_t i) { return values->GetTuple1(static_cast<vtkIdType>(i)); });
+  if (counts.negative > 0)
   {
-    const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
-    shares->SetName(coverage->GetName());
-    shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
-    shares->SetNumberOfTuples(surface.voxels()->GetNumberOfIds());
-    coverage->GetTuples(surface.voxels(), shares);
-    output->GetCellData()->SetScalars(shares);
+    vtkWarningMacro(<< winding::insideOutAdvice(
+                      "faces or normals", counts, this->WindingThreshold));
   }
 }
 
@@ -204,4 +304,5 @@ void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
+  os << indent << "ByLabel: " << this->ByLabel << "\n";
 }

@@ -74,8 +74,8 @@ void adaptToRanks(Options& options)
 void run(const Options& options)
 {
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
-    {"surface", runSurface}, {"voxels", runVoxels}, {"probe", runProbe}, {"check", runCheck},
-    {"bench", runBench}};
+    {"surface", runSurface}, {"voxels", runVoxels}, {"labels", runLabels}, {"probe", runProbe},
+    {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
   limitThreads(options.threads);
   try

@@ -12,15 +12,16 @@
 namespace winding
 {
 
-bool VoxelSides::isInside(int i, int j, int k) const
+template <class Label> Label VoxelSides<Label>::label(int i, int j, int k) const
 {
   const int* n = dimensions;
   const bool isThere = i >= 0 && j >= 0 && k >= 0 && i < n[0] && j < n[1] && k < n[2];
-  return isThere && inside[static_cast<std::size_t>(this->number(i, j, k))] != 0;
+  return isThere ? labels[static_cast<std::size_t>(this->number(i, j, k))] : Label(0);
 }
 
-BlockSurface::BlockSurface(
-  const VoxelSides& sides, vtkImageData* image, vtkPoints* points, vtkCellArray* quads)
+template <class Label>
+BlockSurface<Label>::BlockSurface(
+  const VoxelSides<Label>& sides, vtkImageData* image, vtkPoints* points, vtkCellArray* quads)
   : sides_(sides)
   , image_(image)
   , points_(points)
@@ -36,16 +37,16 @@ BlockSurface::BlockSurface(
   upper_.assign(corners, -1);
 }
 
-vtkIdType BlockSurface::countFaces(const VoxelSides& sides)
+template <class Label> vtkIdType BlockSurface<Label>::countFaces(const VoxelSides<Label>& sides)
 {
   const int* n = sides.dimensions;
-  const std::vector<unsigned char> outside(static_cast<std::size_t>(n[0]), 0);
+  const std::vector<Label> outside(static_cast<std::size_t>(n[0]), 0);
   const auto row = [&](int j, int k)
   {
     const bool isThere = j >= 0 && k >= 0 && j < n[1] && k < n[2];
-    return isThere ? sides.inside.data() + sides.number(0, j, k) : outside.data();
+    return isThere ? sides.labels.data() + sides.number(0, j, k) : outside.data();
   };
-  const auto countChanges = [](const unsigned char* a, const unsigned char* b, int count)
+  const auto countChanges = [](const Label* a, const Label* b, int count)
   {
     vtkIdType changes = 0;
     for (int i = 0; i < count; ++i)
@@ -59,28 +60,29 @@ vtkIdType BlockSurface::countFaces(const VoxelSides& sides)
   {
     for (int j = 0; j <= n[1]; ++j)
     {
-      const unsigned char* here = row(j, k);
-      faces += here[0] + here[n[0] - 1] + countChanges(here, here + 1, n[0] - 1);
+      const Label* here = row(j, k);
+      faces += (here[0] != 0) + (here[n[0] - 1] != 0) + countChanges(here, here + 1, n[0] - 1);
       faces += countChanges(here, row(j - 1, k), n[0]) + countChanges(here, row(j, k - 1), n[0]);
     }
   }
   return faces;
 }
 
-double BlockSurface::bytesOf(vtkIdType faces)
+template <class Label> double BlockSurface<Label>::bytesOf(vtkIdType faces)
 {
-  // A face has four ids of corners, its place in the list of those, and its voxel. There are about
-  // as many corners as faces.
-  constexpr double perFace = 6 * sizeof(vtkIdType) + 3 * sizeof(double);
+  // A face has four ids of corners, its place in the list of those, its voxel and a label. There
+  // are about as many corners as faces.
+  constexpr double perFace = 6 * sizeof(vtkIdType) + 3 * sizeof(double) + sizeof(Label);
   return perFace * static_cast<double>(faces);
 }
 
-void BlockSurface::build(vtkAlgorithm* filter)
+template <class Label> void BlockSurface<Label>::build(vtkAlgorithm* filter)
 {
   const int* n = sides_.dimensions;
   const vtkIdType faces = countFaces(sides_);
   quads_->AllocateExact(faces, 4 * faces);
   reserve(voxels_.Get(), faces);
+  seenLabels_.reserve(static_cast<std::size_t>(faces));
   reserve(points_, faces + 2);
   for (int k = 0; k <= n[2]; ++k)
   {
@@ -104,38 +106,49 @@ void BlockSurface::build(vtkAlgorithm* filter)
 }
 
 /// Adds the three faces on the low sides of voxel (i, j, k).
-void BlockSurface::addFacesOf(int i, int j, int k)
+template <class Label> void BlockSurface<Label>::addFacesOf(int i, int j, int k)
 {
-  const bool here = sides_.isInside(i, j, k);
-  const bool left = sides_.isInside(i - 1, j, k);
-  const bool front = sides_.isInside(i, j - 1, k);
-  const bool below = sides_.isInside(i, j, k - 1);
+  const Label here = sides_.label(i, j, k);
+  const Label left = sides_.label(i - 1, j, k);
+  const Label front = sides_.label(i, j - 1, k);
+  const Label below = sides_.label(i, j, k - 1);
   const vtkIdType voxel = sides_.number(i, j, k);
   if (here != left)
   {
-    voxels_->InsertNextId(here ? voxel : sides_.number(i - 1, j, k));
-    this->addQuad(left, {this->corner(i, j, k, 0), this->corner(i, j + 1, k, 0),
-                          this->corner(i, j + 1, k, 1), this->corner(i, j, k, 1)});
+    const bool looksUp = this->addSides(left, here, sides_.number(i - 1, j, k), voxel);
+    this->addQuad(looksUp, {this->corner(i, j, k, 0), this->corner(i, j + 1, k, 0),
+                             this->corner(i, j + 1, k, 1), this->corner(i, j, k, 1)});
   }
   if (here != front)
   {
-    voxels_->InsertNextId(here ? voxel : sides_.number(i, j - 1, k));
-    this->addQuad(front, {this->corner(i, j, k, 0), this->corner(i, j, k, 1),
-                           this->corner(i + 1, j, k, 1), this->corner(i + 1, j, k, 0)});
+    const bool looksUp = this->addSides(front, here, sides_.number(i, j - 1, k), voxel);
+    this->addQuad(looksUp, {this->corner(i, j, k, 0), this->corner(i, j, k, 1),
+                             this->corner(i + 1, j, k, 1), this->corner(i + 1, j, k, 0)});
   }
   if (here != below)
   {
-    voxels_->InsertNextId(here ? voxel : sides_.number(i, j, k - 1));
-    this->addQuad(below, {this->corner(i, j, k, 0), this->corner(i + 1, j, k, 0),
-                           this->corner(i + 1, j + 1, k, 0), this->corner(i, j + 1, k, 0)});
+    const bool looksUp = this->addSides(below, here, sides_.number(i, j, k - 1), voxel);
+    this->addQuad(looksUp, {this->corner(i, j, k, 0), this->corner(i + 1, j, k, 0),
+                             this->corner(i + 1, j + 1, k, 0), this->corner(i, j + 1, k, 0)});
   }
 }
 
-/// Adds a quad whose corners run counter-clockwise seen from the high side, where the face looks if
-/// the voxel on its low side is the inside one.
-void BlockSurface::addQuad(bool lowSideIsInside, std::array<vtkIdType, 4> corners)
+/// Notes the voxel that a quad looks away from and the label that it looks to, and returns whether
+/// it looks to the high side.
+template <class Label>
+bool BlockSurface<Label>::addSides(Label low, Label high, vtkIdType lowVoxel, vtkIdType highVoxel)
 {
-  if (lowSideIsInside == isMirrored_)
+  const bool looksUp = low != 0 && (high == 0 || low < high);
+  voxels_->InsertNextId(looksUp ? lowVoxel : highVoxel);
+  seenLabels_.push_back(looksUp ? high : low);
+  return looksUp;
+}
+
+/// Adds a quad whose corners run counter-clockwise seen from the high side.
+template <class Label>
+void BlockSurface<Label>::addQuad(bool looksUp, std::array<vtkIdType, 4> corners)
+{
+  if (looksUp == isMirrored_)
   {
     std::swap(corners[1], corners[3]);
   }
@@ -143,7 +156,7 @@ void BlockSurface::addQuad(bool lowSideIsInside, std::array<vtkIdType, 4> corner
 }
 
 /// The id of the corner (i, j, k + up), which is made when it is first asked for.
-vtkIdType BlockSurface::corner(int i, int j, int k, int up)
+template <class Label> vtkIdType BlockSurface<Label>::corner(int i, int j, int k, int up)
 {
   std::vector<vtkIdType>& layer = up ? upper_ : lower_;
   const std::size_t width = static_cast<std::size_t>(sides_.dimensions[0]) + 1;
@@ -158,5 +171,10 @@ vtkIdType BlockSurface::corner(int i, int j, int k, int up)
   }
   return known;
 }
+
+template struct VoxelSides<unsigned char>;
+template struct VoxelSides<unsigned short>;
+template class BlockSurface<unsigned char>;
+template class BlockSurface<unsigned short>;
 
 } // namespace winding

@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace winding
 {
@@ -71,6 +72,18 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
     const auto normals = handedOver(mesh.normals);
     normals->SetName("Normals");
     output->GetPointData()->SetNormals(normals);
+  }
+  if (!mesh.colors.empty())
+  {
+    const auto colors = handedOver<vtkUnsignedCharArray>(mesh.colors, mesh.colorComponents);
+    colors->SetName(mesh.colorComponents == 4 ? "RGBA" : "RGB");
+    output->GetPointData()->SetScalars(colors);
+  }
+  if (!mesh.textureCoordinates.empty())
+  {
+    const auto coordinates = handedOver<vtkFloatArray>(mesh.textureCoordinates, 2);
+    coordinates->SetName("TCoords");
+    output->GetPointData()->SetTCoords(coordinates);
   }
   if (!mesh.areas.empty())
   {

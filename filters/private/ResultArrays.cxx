@@ -25,8 +25,7 @@ namespace
 constexpr const char* coverageName = "Coverage";
 constexpr const char* distanceName = "SignedDistance";
 
-/// Asks for large pages where the system hands them out on request only. Touching fresh memory in
-/// small pages for the first time takes several times as long as filling it.
+/// Asks for large pages where the system hands them out on request only.
 void adviseLargePages(vtkDataArray* array)
 {
 #ifdef MADV_HUGEPAGE
@@ -43,15 +42,6 @@ void adviseLargePages(vtkDataArray* array)
 #else
   (void)array;
 #endif
-}
-
-vtkSmartPointer<vtkDataArray> makeArray(int type, const std::string& name, vtkIdType samples)
-{
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  array->SetName(name.c_str());
-  array->SetNumberOfTuples(samples);
-  adviseLargePages(array);
-  return array;
 }
 
 void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
@@ -83,6 +73,15 @@ void checkNames(const Names& names)
 
 } // namespace
 
+vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name, vtkIdType samples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(samples);
+  adviseLargePages(array);
+  return array;
+}
+
 vtkIdType bytesPerSample(const ResultOptions& options)
 {
   const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
@@ -108,20 +107,20 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
     "the result of " + std::to_string(samples) + " samples", options.remedy);
   if (options.withValues)
   {
-    values_ = makeArray(options.scalarType, name, samples);
+    values_ = makeResultArray(options.scalarType, name, samples);
   }
   if (options.withInside)
   {
-    inside_ =
-      vtkUnsignedCharArray::SafeDownCast(makeArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
+    inside_ = vtkUnsignedCharArray::SafeDownCast(
+      makeResultArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
   }
   if (options.withCoverage)
   {
-    coverage_ = vtkFloatArray::SafeDownCast(makeArray(VTK_FLOAT, coverageName, samples));
+    coverage_ = vtkFloatArray::SafeDownCast(makeResultArray(VTK_FLOAT, coverageName, samples));
   }
   if (options.withDistances)
   {
-    distances_ = makeArray(options.scalarType, distanceName, samples);
+    distances_ = makeResultArray(options.scalarType, distanceName, samples);
   }
 }
 

@@ -30,6 +30,11 @@ struct ResultOptions
 /// The memory for each sample: that of the arrays, and that of the evaluation meanwhile.
 vtkIdType bytesPerSample(const ResultOptions& options);
 
+/// An array of one number for each sample, which are not set, in large pages of memory where the
+/// system has them: touching fresh memory in small pages for the first time takes several times as
+/// long as filling it.
+vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name, vtkIdType samples);
+
 /// The arrays that a filter adds to its output.
 class ResultArrays
 {

@@ -4,6 +4,7 @@
 #include "private/VtkVersions.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -106,12 +107,22 @@ bool SmpExecutor::runBatches(
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
     if (filter_)
     {
-      const double progress = firstShare_ + (lastShare_ - firstShare_) * static_cast<double>(done) /
-                                              static_cast<double>(count);
-      filter_->UpdateProgress(showsProgress ? progress : filter_->GetProgress());
+      this->tellProgress(static_cast<double>(done) / static_cast<double>(count), showsProgress);
     }
   }
   return true;
+}
+
+void SmpExecutor::tellProgress(double done, bool showsProgress) const
+{
+  if (showsProgress)
+  {
+    filter_->UpdateProgress(firstShare_ + (lastShare_ - firstShare_) * done);
+    return;
+  }
+  // UpdateProgress() would shift and scale once more what the filter has shifted and scaled.
+  double progress = filter_->GetProgress();
+  filter_->InvokeEvent(vtkCommand::ProgressEvent, &progress);
 }
 
 bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)

@@ -44,6 +44,7 @@ private:
   void runOnBackend(const std::function<void()>& work);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
+  void tellProgress(double done, bool showsProgress) const;
   void runBatch(
     std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
 

@@ -114,6 +114,7 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addText(options.input.areaArray);
   hash.addValue(options.field.method);
   hash.addValue(options.field.tolerance);
+  hash.addValue(options.field.normalEstimation);
   hash.addValue(options.field.pointAreaMethod);
   hash.addValue(options.field.pointArea);
   hash.addValue(options.field.neighbors);

@@ -21,6 +21,13 @@ PointAreasFrom pointAreasFrom(int pointAreaMethod)
   return static_cast<PointAreasFrom>(pointAreaMethod);
 }
 
+NormalEstimation coreNormalEstimation(int estimation)
+{
+  checkChoice("NormalEstimation", estimation,
+    {"ESTIMATION_AUTOMATIC", "SPANNING_TREE", "WINDING_CONSISTENT"});
+  return static_cast<NormalEstimation>(estimation);
+}
+
 PointAreaMethod corePointAreaMethod(PointAreasFrom areas)
 {
   // An input with areas of its own leaves nothing to find.

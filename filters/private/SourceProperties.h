@@ -34,6 +34,7 @@ enum class PointAreasFrom
 Method coreMethod(int method);
 InsideRule coreInsideRule(int rule);
 PointAreasFrom pointAreasFrom(int pointAreaMethod);
+NormalEstimation coreNormalEstimation(int estimation);
 ///@}
 
 /// The method by which the core finds the areas that do not come with the input.
@@ -61,6 +62,7 @@ template <class Object> void checkSourceProperties(Object& object)
   coreMethod(object.GetMethod());
   checkRange("Tolerance", object.GetTolerance(), 0);
   pointAreasFrom(object.GetPointAreaMethod());
+  coreNormalEstimation(object.GetNormalEstimation());
   checkCloudProperties(object);
   checkRange("Regularization", object.GetRegularization(), 0, mostRegularization);
 }
@@ -80,6 +82,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.field.method = coreMethod(object.GetMethod());
   options.field.tolerance = object.GetTolerance();
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
+  options.field.normalEstimation = coreNormalEstimation(object.GetNormalEstimation());
   options.field.pointAreaMethod = corePointAreaMethod(areas);
   options.field.pointArea = object.GetPointArea();
   options.field.neighbors = object.GetNumberOfNeighbors();
@@ -97,6 +100,7 @@ void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
   os << indent << "SourceAsPoints: " << object.GetSourceAsPoints() << "\n";
   os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
   os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
+  os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";
   os << indent << "NumberOfNeighbors: " << object.GetNumberOfNeighbors() << "\n";
   os << indent << "PointAreaMethod: " << object.GetPointAreaMethod() << "\n";
   os << indent << "PointArea: " << object.GetPointArea() << "\n";

@@ -10,6 +10,7 @@ METHODS = {"auto": 0, "rows": 1, "hierarchical": 2, "direct": 3, "parity": 4}
 RULES = {"signed": 0, "absolute": 1, "odd": 2}
 COVERAGES = {"center": 0, "any": 1, "fraction": 2}
 ASSOCIATIONS = {"point": 0, "cell": 1}
+NORMAL_ESTIMATIONS = {"auto": 0, "tree": 1, "consistent": 2}
 AREA_METHODS = {"voronoi": 0, "mesh": 1, "constant": 2}
 
 
@@ -85,6 +86,7 @@ class Options:
     longest_expected_time: float = 600
     as_points: bool = False
     estimate_normals: bool = False
+    normal_estimation: str = "auto"
     n_neighbors: int = 20
     regularization: float = 0
     normals_array: str | None = None
@@ -100,6 +102,8 @@ class Options:
             number("longest_expected_time", self.longest_expected_time, 0))
         algorithm.SetSourceAsPoints(flag("as_points", self.as_points))
         algorithm.SetEstimateNormals(flag("estimate_normals", self.estimate_normals))
+        algorithm.SetNormalEstimation(
+            choice("normal_estimation", self.normal_estimation, NORMAL_ESTIMATIONS))
         algorithm.SetNumberOfNeighbors(integer("n_neighbors", self.n_neighbors, 3, 1000))
         algorithm.SetRegularization(number("regularization", self.regularization, 0, 4))
         if self.normals_array is not None:

@@ -13,7 +13,8 @@ threshold, rule: inside is w >= threshold ('signed'), |w| >= threshold ('absolut
 n_threads: the most threads to use; default None, for all. It changes no result.
 longest_expected_time: seconds beyond which work is refused before it begins; default 600.
 as_points: whether a surface is taken as the cloud of its vertices; default False.
-estimate_normals, n_neighbors, regularization: for clouds; default False, 20 and 0.
+estimate_normals, normal_estimation, n_neighbors, regularization: for clouds; default False, "auto"
+(or "tree" or "consistent"), 20 and 0.
 
 What a filter refuses is a WindingError, wrong arguments are a TypeError or a ValueError.
 """

@@ -172,6 +172,28 @@ TEST_F(BenchCommand, ExpectedTimesBesideThoseTaken)
   EXPECT_TRUE(none.saysInOneLine({"bench expected needs files"})) << none;
 }
 
+TEST_F(BenchCommand, EstimatedNormalsBesideTrueOnes)
+{
+  const nlohmann::json found = tables({"orientation", in, "--points", "1000"});
+  ASSERT_EQ(found.size(), 1u);
+  const nlohmann::json& rows = found[0]["rows"];
+  ASSERT_EQ(rows.size(), 6u) << "three draws without noise, and three with it";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    EXPECT_EQ(rows[i]["points"], 1000);
+    EXPECT_EQ(rows[i]["noise %"], i < 3 ? 0 : 0.5);
+    for (const char* normals : {"true", "spanning tree", "winding consistent", "automatic"})
+    {
+      EXPECT_GT(rows[i][normals], 0.9) << normals << rows[i]; // 0.95 and more
+      EXPECT_LE(rows[i][normals], 1) << normals << rows[i];
+    }
+    EXPECT_GT(rows[i]["outward"], 0.9);
+  }
+  const Outcome none = runProgram({"bench", "orientation"});
+  EXPECT_EQ(none.status, 1) << none;
+  EXPECT_TRUE(none.saysInOneLine({"bench orientation needs files"})) << none;
+}
+
 TEST_F(BenchCommand, Kernels)
 {
   const nlohmann::json found = tables({"kernels"});

@@ -187,40 +187,6 @@ TEST(PlyText, NeedsNoEndOfTheLastLine)
   }
 }
 
-/// VTK's reader of PLY keeps the number of corners of a face in one byte, and 256 would become 0.
-TEST(PlyText, FacesHave255CornersAtMost)
-{
-  const TemporaryFolder folder;
-  for (const int corners : {255, 256})
-  {
-    std::string vertices, ids;
-    for (int i = 0; i < corners; ++i)
-    {
-      const double angle = 2 * std::acos(-1.0) * i / corners;
-      vertices += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
-      ids += " " + std::to_string(i);
-    }
-    const std::string count = std::to_string(corners);
-    const Outcome run = runProgram({"check",
-      folder.write(
-        "a.ply", "ply\nformat ascii 1.0\nelement vertex " + count +
-                   "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                   "property list int int vertex_indices\nend_header\n" +
-                   vertices + count + ids + "\n"),
-      "--json"});
-    if (corners == 255)
-    {
-      ASSERT_EQ(run.status, 0) << run;
-      EXPECT_EQ(run.json()["triangles"], 253) << run;
-    }
-    else
-    {
-      EXPECT_EQ(run.status, 2) << run;
-      EXPECT_TRUE(run.saysInOneLine({"a.ply: line 266", "255 at most"})) << run;
-    }
-  }
-}
-
 /// A pipe, a device or a socket is refused, and nobody waits for a writer.
 TEST(NoRegularFile, IsRefusedAtOnce)
 {

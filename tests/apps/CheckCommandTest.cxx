@@ -334,10 +334,39 @@ TEST_F(CheckCommand, BlocksThatCannotBeWrittenLeaveNothingHalf)
     namesIn(folder.path("")), (std::vector<std::string>{"in.off", "large.off", "mine", "taken"}));
 }
 
+TEST_F(CheckCommand, TurnsNormalsOfACloud)
+{
+  Mesh ball = sphere(3);
+  std::string text = asXyz(ball);
+  std::istringstream lines(text);
+  std::string turned;
+  int number = 0;
+  for (std::string line; std::getline(lines, line); ++number)
+  {
+    std::istringstream words(line);
+    double x, y, z, nx, ny, nz;
+    words >> x >> y >> z >> nx >> ny >> nz;
+    const int sign = x > 0.3 ? -1 : 1;
+    std::ostringstream out;
+    out << x << " " << y << " " << z << " " << sign * nx << " " << sign * ny << " " << sign * nz;
+    turned += out.str() + "\n";
+  }
+  const std::string vtp = folder.path("out.vtp");
+  const Outcome run = runProgram(
+    {"check", folder.write("turned.xyz", turned), "--fix-orientation", "-o", vtp, "--json"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_GT(run.json()["flipped_normals"], 0.2 * number);
+  EXPECT_LT(run.json()["flipped_normals"], 0.5 * number);
+  EXPECT_EQ(run.json()["outward_share"], 1) << run;
+  const Outcome again = runProgram({"check", vtp, "--json"});
+  EXPECT_EQ(again.json()["outward_share"], 1) << again;
+}
+
 TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)
 {
   const std::string in = folder.write("in.off", asOff(sphere(1)));
   const std::string cloud = folder.write("in.xyz", asXyz(sphere(1)));
+  const std::string points = folder.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   const std::string vtp = folder.path("out.vtp"), vtm = folder.path("out.vtm");
   for (const auto& [arguments, status, part] :
     {std::make_tuple(std::vector<std::string>{in, "-o", vtp}, 1, "--fix-orientation"),
@@ -346,7 +375,7 @@ TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)
       std::make_tuple(std::vector<std::string>{in, "--blocks", vtp}, 1, ".vtm"),
       std::make_tuple(std::vector<std::string>{cloud, "--blocks", vtm}, 2, "has no faces"),
       std::make_tuple(
-        std::vector<std::string>{cloud, "--fix-orientation", "-o", vtp}, 2, "has no faces")})
+        std::vector<std::string>{points, "--fix-orientation", "-o", vtp}, 2, "or give normals")})
   {
     std::vector<std::string> command = {"check"};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -354,7 +383,7 @@ TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)
     EXPECT_EQ(run.status, status) << run;
     EXPECT_TRUE(run.saysInOneLine({part})) << run;
   }
-  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "in.xyz"}));
+  EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "in.xyz", "points.xyz"}));
 }
 
 TEST_F(CheckCommand, TextEndsWithAdvice)

@@ -84,8 +84,7 @@ TEST_F(Clouds, OnOnePlaceAreRefusedForTheirGridOrWarnedOf)
 {
   const Cloud equal{std::vector<Point>(50, {1, 1, 1}), std::vector<Point>(50, {0, 0, 1})};
   EXPECT_EQ(run(equal).status, 2);
-  expectField(
-    equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell none");
+  expectField(equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell none");
 }
 
 TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
@@ -143,7 +142,12 @@ TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
   EXPECT_TRUE(refused.saysInOneLine({"have normals estimated", "--estimate-normals"})) << refused;
   const nlohmann::json report = expectField(cloud, {"--estimate-normals"}, "");
   EXPECT_EQ(report["input"]["normals_estimated"], true);
+  EXPECT_EQ(report["input"]["normal_estimation"], "spanning tree");
   EXPECT_EQ(report["input"]["clear_share"], 1);
+  const nlohmann::json other =
+    expectField(cloud, {"--estimate-normals", "--normal-estimation", "consistent"}, "");
+  EXPECT_EQ(other["input"]["normal_estimation"], "winding consistent");
+  EXPECT_EQ(other["input"]["clear_share"], 1);
 }
 
 TEST_F(Clouds, WithAFarOutlierKeepTheirField)
@@ -200,8 +204,9 @@ TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
   const std::string mesh = folder.write("mesh.off", asOff(sphere(2)));
   const std::string out = folder.path("out.vti");
   const std::string csv = folder.path("out.csv");
-  const std::vector<std::string> options[] = {{"--estimate-normals"}, {"--regularization", "1"},
-    {"--areas", "constant"}, {"--neighbors", "10"}};
+  const std::vector<std::string> options[] = {{"--estimate-normals"},
+    {"--normal-estimation", "tree"}, {"--regularization", "1"}, {"--areas", "constant"},
+    {"--neighbors", "10"}};
   for (const std::vector<std::string>& option : options)
   {
     for (std::vector<std::string> command : {std::vector<std::string>{"field", mesh, "-o", out},

@@ -33,8 +33,35 @@ TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)
   ErrorLog log(probe);
   EXPECT_NEAR(this->windingNumber(sphereCloud(2000, 0)), 1, 0.01);
   EXPECT_TRUE(probe->GetNormalsWereEstimated());
+  EXPECT_STREQ(probe->GetNormalEstimationUsed(), "spanning tree");
   EXPECT_EQ(probe->GetClearShare(), 1);
   EXPECT_EQ(log.errors() + log.warnings(), "");
+}
+
+/// The spanning tree takes both spheres for outer surfaces.
+TEST_F(Clouds, NormalsOfNestedShellsAreThoseThatTheFieldAgreesWith)
+{
+  vtkNew<vtkMultiBlockDataSet> shells;
+  shells->SetBlock(0, sphereCloud(4000, 0));
+  vtkNew<vtkPoints> inner;
+  const auto sphere = sphereCloud(2000, 0);
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    sphere->GetPoint(i, x);
+    inner->InsertNextPoint(0.7 * x[0], 0.7 * x[1], 0.7 * x[2]);
+  }
+  vtkNew<vtkPolyData> cavity;
+  cavity->SetPoints(inner);
+  shells->SetBlock(1, cavity);
+  probe->EstimateNormalsOn();
+  EXPECT_NEAR(this->windingNumber(shells), 0, 0.01);
+  EXPECT_STREQ(probe->GetNormalEstimationUsed(), "winding consistent");
+  EXPECT_GT(probe->GetClearShare(), 0.95);
+
+  probe->SetNormalEstimation(vtkWindingNumberAlgorithm::SPANNING_TREE);
+  EXPECT_GT(std::abs(this->windingNumber(shells)), 1.9);
+  EXPECT_STREQ(probe->GetNormalEstimationUsed(), "spanning tree");
 }
 
 TEST_F(Clouds, NormalsThatThereAreAreKept)
@@ -42,6 +69,7 @@ TEST_F(Clouds, NormalsThatThereAreAreKept)
   probe->EstimateNormalsOn();
   EXPECT_NEAR(this->windingNumber(sphereCloud(2000, -1)), -1, 0.01);
   EXPECT_FALSE(probe->GetNormalsWereEstimated());
+  EXPECT_STREQ(probe->GetNormalEstimationUsed(), "");
 }
 
 TEST_F(Clouds, BlocksAreOrientedTogetherWhereOneHasNoNormals)

@@ -97,8 +97,8 @@ TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(sphere->GetOutputPort());
   surface->SetSamplingDimensions(2'000'000'000, 100, 100);
-  EXPECT_NE(errorsOf(surface.Get()).find("choose larger voxels: the surface needs"),
-    std::string::npos);
+  EXPECT_NE(
+    errorsOf(surface.Get()).find("choose larger voxels: the surface needs"), std::string::npos);
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
 }
 
@@ -107,7 +107,7 @@ TEST(MemoryOfWork, FacesOfVoxelsAreCounted)
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round)
   {
-    winding::VoxelSides sides;
+    winding::VoxelSides<unsigned char> sides;
     std::size_t voxels = 1;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -117,15 +117,16 @@ TEST(MemoryOfWork, FacesOfVoxelsAreCounted)
     }
     for (std::size_t i = 0; i < voxels; ++i)
     {
-      sides.inside.push_back(random() % 2);
+      sides.labels.push_back(random() % 2);
     }
     vtkNew<vtkImageData> image;
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> quads;
-    winding::BlockSurface surface(sides, image, points, quads);
+    winding::BlockSurface<unsigned char> surface(sides, image, points, quads);
     vtkNew<vtkSphereSource> anyFilter;
     surface.build(anyFilter);
-    EXPECT_EQ(winding::BlockSurface::countFaces(sides), quads->GetNumberOfCells()) << round;
+    EXPECT_EQ(winding::BlockSurface<unsigned char>::countFaces(sides), quads->GetNumberOfCells())
+      << round;
     EXPECT_EQ(surface.voxels()->GetNumberOfIds(), quads->GetNumberOfCells()) << round;
   }
 }

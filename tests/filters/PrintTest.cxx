@@ -7,6 +7,7 @@
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -37,7 +38,7 @@ template <class Class> void expectPrinted(const std::vector<std::string>& words)
 TEST(Print, HasThePropertiesOfEveryClass)
 {
   const std::vector<std::string> ofSources = {"Method: 0", "Tolerance: 0.001", "PointAreaMethod: 0",
-    "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
+    "NormalEstimation: 0", "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
   expectPrinted<vtkWindingNumberField>(ofSources);
   expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
     "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",
@@ -45,6 +46,10 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0",
     "GenerateNormals:", "Features: 0", "GenerateTriangles: 0", "FidelitySamples: 0"});
+  expectPrinted<vtkWindingNumberLabels>(ofSources);
+  expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
+    "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",
+    "RegionArray: ", "LabelOffset: 0", "NumberOfSolids: 0"});
   expectPrinted<vtkWindingNumberHyperTree>(ofSources);
   expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
     "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});
@@ -52,7 +57,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberProbe>(
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
   expectPrinted<vtkImplicitWindingNumber>(ofSources);
-  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0"});
+  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 0"});
   expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
     "EstimateNormals: 0", "ResultArrayName: Area", "TotalArea: 0"});
   expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});

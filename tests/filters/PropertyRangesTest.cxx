@@ -13,6 +13,7 @@
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -53,6 +54,8 @@ BadValues<int> choices(const std::string& names, int beyond, int before = -1)
 const BadValues<int> methods =
   choices("AUTOMATIC (0), ROWS (1), HIERARCHICAL (2), DIRECT (3) or PARITY (4)", 5);
 const BadValues<int> areaMethods = choices("VORONOI (0), MESH (1), CONSTANT (2) or ARRAY (3)", 4);
+const BadValues<int> estimations =
+  choices("ESTIMATION_AUTOMATIC (0), SPANNING_TREE (1) or WINDING_CONSISTENT (2)", 3);
 const BadValues<int> insideRules = choices("SIGNED (0), ABSOLUTE (1) or ODD (2)", 3);
 const BadValues<int> neighborCounts = {
   {2, "2; it must be 3 to 1000"}, {1001, "1001; it must be 3 to 1000"}};
@@ -122,6 +125,7 @@ template <class Filter> void expectCommonPropertiesRefused(Filter* filter)
   EXPECT_REFUSED(filter, Method, methods);
   EXPECT_REFUSED(filter, Tolerance, notPositive);
   EXPECT_REFUSED(filter, PointAreaMethod, areaMethods);
+  EXPECT_REFUSED(filter, NormalEstimation, estimations);
   EXPECT_REFUSED(filter, NumberOfNeighbors, neighborCounts);
   EXPECT_REFUSED(filter, PointArea, notPositive);
   EXPECT_REFUSED(filter, Regularization, regularizations);
@@ -171,6 +175,28 @@ TEST_F(PropertyRanges, OfTheField)
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   expectWorking(field);
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+}
+
+TEST_F(PropertyRanges, OfTheLabels)
+{
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->SetInputConnection(sphere->GetOutputPort());
+  labels->SetResolution(6);
+  vtkWindingNumberLabels* filter = labels;
+  expectCommonPropertiesRefused(filter);
+  expectPropertiesOfGridsRefused(filter);
+  EXPECT_REFUSED(filter, OutputAssociation, choices("POINTS (0) or CELLS (1)", 2));
+  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
+  EXPECT_REFUSED(filter, CoverageSamples,
+    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+  EXPECT_REFUSED(filter, OverlapRule,
+    choices("FIRST (0), LAST (1), LARGEST_WINDING_NUMBER (2) or SMALLEST_VOLUME (3)", 4));
+  EXPECT_REFUSED(filter, CoverageArrays, choices("TWO_LARGEST (0) or EACH_LABEL (1)", 2));
+  EXPECT_REFUSED(filter, LabelOffset,
+    (BadValues<int>{{-65536, "-65536; it must be -65535 to 65535"},
+      {65536, "65536; it must be -65535 to 65535"}}));
+  EXPECT_EQ(labels->GetStatus(), vtkWindingNumberLabels::REFUSED);
+  expectWorking(labels);
 }
 
 TEST_F(PropertyRanges, OfTheHyperTree)
@@ -288,6 +314,7 @@ TEST_F(PropertyRanges, OfTheImplicitFunction)
   EXPECT_NO_FIELD(function, Method, methods);
   EXPECT_NO_FIELD(function, Tolerance, notPositive);
   EXPECT_NO_FIELD(function, PointAreaMethod, areaMethods);
+  EXPECT_NO_FIELD(function, NormalEstimation, estimations);
   EXPECT_NO_FIELD(function, NumberOfNeighbors, neighborCounts);
   EXPECT_NO_FIELD(function, PointArea, notPositive);
   EXPECT_NO_FIELD(function, Regularization, regularizations);

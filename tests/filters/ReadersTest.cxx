@@ -298,6 +298,25 @@ TEST(SurfaceMeshReader, PlyWithNormals)
   EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
 }
 
+TEST(SurfaceMeshReader, PlyWithColoursAndTextureCoordinates)
+{
+  const auto mesh =
+    read<Surface>(plyHead +
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                    "property float u\nproperty float v\n" +
+                    plyFace + "0 0 0 1 2 3 0.5 0.25\n1 0 0 4 5 6 0 0\n0 1 0 7 8 255 1 1\n3 0 1 2\n",
+      ".ply");
+  vtkDataArray* const colors = mesh->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_STREQ(colors->GetName(), "RGB");
+  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+  expectRow(colors, 2, 7, 8, 255);
+  vtkDataArray* const coordinates = mesh->GetPointData()->GetTCoords();
+  ASSERT_TRUE(coordinates);
+  EXPECT_STREQ(coordinates->GetName(), "TCoords");
+  EXPECT_EQ(coordinates->GetComponent(0, 1), 0.25);
+}
+
 TEST(SurfaceMeshReader, RefusalsOfPlyAndStl)
 {
   expectRefusal<Surface>("solid\n", "is not ply: it does not begin like PLY", format, ".ply");

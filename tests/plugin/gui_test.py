@@ -28,8 +28,12 @@ WINDOW = "pqClientMainWindow"
 APPLY = f"{WINDOW}/propertiesDock/propertiesPanel/Accept"
 DIALOG = f"{WINDOW}/SelectInputDialog"
 
-# The source that a filter is applied to, where that is not the scan.
-INPUTS = {"WindingNumberVoxels": "WindingNumberField1"}
+# The source that a filter is applied to, where that is not the scan, which is open: labels warn of
+# that.
+INPUTS = {
+    "WindingNumberVoxels": "WindingNumberField1",
+    "WindingNumberLabels": "WindingNumberSurface1",
+}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
 COLORS = {"PointAreas": "Area"}
 # The filters whose results have cells and no points.

@@ -22,6 +22,7 @@ COMMON = {
     "PointArea": (0.125, "0.125"),
     "NumberOfNeighbors": (7, "7"),
     "EstimateNormals": (1, "1"),
+    "NormalEstimation": (2, "2"),
     "Regularization": (0.5, "0.5"),
     "AreaArray": ("Size", "Size"),
     "WindingThreshold": (1.5, "1.5"),
@@ -59,6 +60,18 @@ SETTABLE = {
         "CoverageSamples": (2, "2"),
         "DistanceBand": (2.5, "2.5"),
     },
+    "WindingNumberLabels": {
+        **COMMON,
+        **GRID,
+        "OutputAssociation": (1, "1"),
+        "Coverage": (2, "2"),
+        "CoverageSamples": (2, "2"),
+        "RegionArray": ("Material", "Material"),
+        "LabelOffset": (1, "1"),
+        "OverlapRule": (3, "3"),
+        "GenerateSolidCount": (1, "1"),
+        "CoverageArrays": (1, "1"),
+    },
     "WindingNumberSurface": {
         **COMMON,
         **GRID,
@@ -94,6 +107,7 @@ SETTABLE = {
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),
+        "ByLabel": (1, "1"),
     },
     "PointAreas": {
         "PointAreaMethod": (2, "2"),
@@ -124,6 +138,12 @@ GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
 REPORTED = {
     "SurfaceReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED,
+    "WindingNumberLabels": GRID_REPORTED | {
+        "NumberOfSolids",
+        "NumberOfEmptySolids",
+        "NumberOfOpenSolids",
+        "NumberOfInsideOutSolids",
+    },
     "WindingNumberSurface": GRID_REPORTED,
     "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves"},
     "WindingNumberProbe": COMMON_REPORTED,
@@ -138,6 +158,7 @@ LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfS
 INPUTS = {
     "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
+    "WindingNumberLabels": {"Input"},
     "WindingNumberSurface": {"Input"},
     "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
@@ -155,9 +176,17 @@ ENUMERATIONS = {
         "Nearest Integer Is Odd": 2,
     },
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
+    "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},
     "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
     "Coverage": {"Center Inside": 0, "Any Overlap": 1, "Half Inside": 2},
+    "OverlapRule": {
+        "First": 0,
+        "Last": 1,
+        "Largest Winding Number": 2,
+        "Smallest Volume": 3,
+    },
+    "CoverageArrays": {"Two Largest": 0, "Each Label": 1},
     "OutputAssociation": {"Points at Voxel Centers": 0, "Cells": 1},
     "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centers": 1},
@@ -166,7 +195,12 @@ ENUMERATIONS = {
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
 # array, faults must be seen on their surface, and the voxels inside rather than the box around them.
-DEFAULTS_OF_PANELS = {"NormalsArray": "None", "FaultThickness": "0.003", "MaskOutside": "1"}
+DEFAULTS_OF_PANELS = {
+    "NormalsArray": "None",
+    "RegionArray": "None",
+    "FaultThickness": "0.003",
+    "MaskOutside": "1",
+}
 
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
@@ -185,6 +219,7 @@ RANGES = {
     "Padding": (0, 1),
     "VerifySamples": (0, None),
     "CoverageSamples": (1, 10),
+    "LabelOffset": (-65535, 65535),
     "DistanceBand": (0, None),
     "MergeTolerance": (0, None),
 }
@@ -357,6 +392,7 @@ class TestProxies(unittest.TestCase):
         labels = {
             "SurfaceReport": "Surface Report",
             "WindingNumberField": "Winding Number Field",
+            "WindingNumberLabels": "Winding Number Labels",
             "WindingNumberSurface": "Winding Number Surface",
             "WindingNumberHyperTree": "Winding Number Hyper Tree",
             "WindingNumberProbe": "Winding Number Probe",

@@ -22,7 +22,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLASSES = re.findall(r"^  (vtk\w+)", re.search(
     r"set\(classes\n(.*?)\)", (ROOT / "filters" / "CMakeLists.txt").read_text(), re.DOTALL)[1],
     re.MULTILINE)
-ABSTRACT = {"vtkWindingNumberAlgorithm", "vtkWindingNumberGridAlgorithm"}
+ABSTRACT = {
+    "vtkWindingNumberAlgorithm",
+    "vtkWindingNumberGridAlgorithm",
+    "vtkWindingNumberImageAlgorithm",
+}
 
 
 def sphere(resolution=24):

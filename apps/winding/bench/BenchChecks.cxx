@@ -22,13 +22,14 @@ void checkSubject(const BenchOptions& options)
     requireUsage(!isGiven || subject == owner,
       std::string(option) + " is for bench " + owner + "; leave it out");
   };
-  requireUsage(options.points.empty() || subject == "vtk" || subject == "expected",
-    "--points is for bench vtk and bench expected; leave it out");
+  requireUsage(
+    options.points.empty() || subject == "vtk" || subject == "expected" || subject == "orientation",
+    "--points is for bench vtk, bench expected and bench orientation; leave it out");
   checkIdle(!options.tolerances.empty(), "--tolerance", "hierarchical");
   checkIdle(!options.sources.empty(), "--sources", "hierarchical");
   checkIdle(!options.data.empty(), "--data", "seed");
 
-  for (const char* name : {"hierarchical", "clouds", "vtk", "expected"})
+  for (const char* name : {"hierarchical", "clouds", "vtk", "expected", "orientation"})
   {
     requireUsage(std::count(subjects.begin() + 1, subjects.end(), name) == 0,
       std::string("bench ") + name + " comes before its files; for a file of that name give ./" +
@@ -40,6 +41,8 @@ void checkSubject(const BenchOptions& options)
     "bench vtk needs files: surfaces, which VTK's filters are compared at");
   requireUsage(subject != "expected" || subjects.size() > 1,
     "bench expected needs files: surfaces or clouds, whose times are compared with expected ones");
+  requireUsage(subject != "orientation" || subjects.size() > 1,
+    "bench orientation needs files: surfaces, on which points are put");
   for (const char* name : {"seed", "kernels"})
   {
     requireUsage(subjects.size() == 1 || std::count(subjects.begin(), subjects.end(), name) == 0,

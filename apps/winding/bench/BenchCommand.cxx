@@ -13,7 +13,8 @@ void runBench(const Options& options, Messages& messages)
   checkBenchOptions(options.bench);
   const std::map<std::string, std::vector<BenchTable> (*)(const Options&, Messages&)> subjects = {
     {"seed", benchSeed}, {"kernels", benchKernels}, {"clouds", benchClouds}, {"vtk", benchVtk},
-    {"expected", benchExpected}, {"hierarchical", benchHierarchical}};
+    {"expected", benchExpected}, {"hierarchical", benchHierarchical},
+    {"orientation", benchOrientation}};
   const auto subject = subjects.find(options.bench.subjects.front());
   const auto measure = subject == subjects.end() ? benchFiles : subject->second;
 

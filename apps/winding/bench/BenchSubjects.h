@@ -18,6 +18,7 @@ std::vector<BenchTable> benchKernels(const Options& options, Messages& messages)
 std::vector<BenchTable> benchClouds(const Options& options, Messages& messages);
 std::vector<BenchTable> benchExpected(const Options& options, Messages& messages);
 std::vector<BenchTable> benchVtk(const Options& options, Messages& messages);
+std::vector<BenchTable> benchOrientation(const Options& options, Messages& messages);
 std::vector<BenchTable> benchHierarchical(const Options& options, Messages& messages);
 
 /// The values of an option where the command line gave some, or else the usual ones of a subject.

@@ -113,12 +113,10 @@ std::string aligned(const Json& report)
 /// Throws Failure for options that are for surfaces where the input is none.
 void requireSurface(bool isSurface, const Options& options)
 {
-  if (!isSurface && (options.fixOrientation || !options.faults.empty()))
+  if (!isSurface && !options.faults.empty())
   {
-    throw Failure(REFUSED, options.input,
-      std::string("has no faces, and ") +
-        (options.fixOrientation ? "--fix-orientation" : "--blocks") +
-        " is for surfaces; leave it out");
+    throw Failure(
+      REFUSED, options.input, "has no faces, and --blocks is for surfaces; leave it out");
   }
 }
 

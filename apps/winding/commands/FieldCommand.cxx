@@ -53,7 +53,7 @@ void runField(const Options& options, Messages& messages)
     return;
   }
   vtkNew<vtkWindingNumberField> field;
-  applyImage(options, field);
+  applyField(options, field);
   if (suffixOf(options.output) == ".pvti")
   {
     writePieces(*field, options, messages);

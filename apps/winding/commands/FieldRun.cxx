@@ -29,11 +29,18 @@
 
 FieldRun::FieldRun(
   vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages)
+  : FieldRun(filter, options, messages,
+      [&]() -> vtkSmartPointer<vtkDataObject> { return readOnFirstRank(options.input, messages); })
+{
+}
+
+FieldRun::FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options,
+  Messages& messages, const std::function<vtkSmartPointer<vtkDataObject>()>& read)
   : options_(options)
   , messages_(messages)
   , filter_(&filter)
 {
-  const auto input = readOnFirstRank(options.input, messages);
+  const vtkSmartPointer<vtkDataObject> input = read();
   readSeconds_ = stopwatch_.seconds();
   filter_->SetInputDataObject(input);
   filter_->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
@@ -360,6 +367,7 @@ Json FieldRun::report() const
   {
     this->addErrors(report);
   }
+  report.update(additions_);
   if (!output_.is_null())
   {
     report["output"] = output_;

@@ -4,7 +4,10 @@
 #include "program/Print.h"
 #include "program/Stopwatch.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkWindingNumberGridAlgorithm.h"
+
+#include <functional>
 
 class Messages;
 class OutputFile;
@@ -25,6 +28,10 @@ class FieldRun
 public:
   /// Reads the input and gives it to the filter, with the options. Keeps the references.
   FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
+
+  /// Does what the other constructor does, with an input that is read in another way.
+  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages,
+    const std::function<vtkSmartPointer<vtkDataObject>()>& read);
   ~FieldRun();
 
   /// Makes the whole output of the filter.
@@ -48,6 +55,9 @@ public:
   /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves. The file
   /// is null on all ranks but the first.
   void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file);
+
+  /// Adds to the report.
+  void addToReport(const char* key, const Json& value) { additions_[key] = value; }
 
   /// Prints the report on all ranks, as JSON or for people, once the output is written.
   void print();
@@ -81,6 +91,7 @@ private:
   double readSeconds_ = 0;
   double writeSeconds_ = 0;
   double totalSeconds_ = 0;
+  Json additions_ = Json::object(); ///< of addToReport()
   Json fidelity_; ///< how near a surface is to the input; null unless the options ask for it
   Json output_;   ///< describes what was written, unless it is an image; null then
   Stopwatch execution_;

@@ -8,6 +8,10 @@ std::vector<std::string> filesToKeep(const Options& options)
   {
     return {};
   }
+  if (!options.inputs.empty())
+  {
+    return options.inputs;
+  }
   return options.queries.empty() ? std::vector<std::string>{options.input}
                                  : std::vector<std::string>{options.input, options.queries};
 }

@@ -5,6 +5,7 @@
 
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
@@ -12,6 +13,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);
   filter->SetEstimateNormals(options.estimateNormals);
+  filter->SetNormalEstimation(options.normalEstimation);
   filter->SetPointAreaMethod(options.areas);
   filter->SetNumberOfNeighbors(options.neighbors);
   filter->SetRegularization(options.regularization);
@@ -44,13 +46,28 @@ void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
   filter->SetVerifySamples(options.verify);
 }
 
-void applyImage(const Options& options, vtkWindingNumberField* filter)
+void applyImage(const Options& options, vtkWindingNumberImageAlgorithm* filter)
 {
   filter->SetOutputAssociation(
     options.cells ? vtkWindingNumberField::CELLS : vtkWindingNumberField::POINTS);
   filter->SetCoverage(options.coverage);
   filter->SetCoverageSamples(options.coverageSamples);
+}
+
+void applyField(const Options& options, vtkWindingNumberField* filter)
+{
+  applyImage(options, filter);
   filter->SetDistanceBand(options.distanceBand);
+}
+
+void applyLabels(const Options& options, vtkWindingNumberLabels* filter)
+{
+  applyImage(options, filter);
+  filter->SetOverlapRule(options.overlap);
+  filter->SetGenerateSolidCount(options.count);
+  filter->SetCoverageArrays(options.shares);
+  filter->SetRegionArray(options.regionArray.empty() ? nullptr : options.regionArray.c_str());
+  filter->SetLabelOffset(options.labelOffset);
 }
 
 void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter)
@@ -68,6 +85,7 @@ void warnOfIdleOptions(
     return;
   }
   const std::pair<const char*, bool> forPoints[] = {{"--estimate-normals", options.estimateNormals},
+    {"--normal-estimation", options.normalEstimation != Options().normalEstimation},
     {"--regularization", options.regularization > 0},
     {"--areas", options.areas != vtkWindingNumberField::VORONOI},
     {"--neighbors", options.neighbors != Options().neighbors}};

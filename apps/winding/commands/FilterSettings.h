@@ -7,6 +7,8 @@ class vtkWindingNumberAlgorithm;
 class vtkWindingNumberField;
 class vtkWindingNumberGridAlgorithm;
 class vtkWindingNumberHyperTree;
+class vtkWindingNumberImageAlgorithm;
+class vtkWindingNumberLabels;
 
 /// Hands on to a filter how to make winding numbers and what to make of them: method, areas,
 /// threshold, arrays, threads.
@@ -15,9 +17,14 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter);
 /// Hands on the grid, and how many samples to verify.
 void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter);
 
-/// Hands on what the samples are in the image, what makes a voxel inside, and how far distances
-/// reach.
-void applyImage(const Options& options, vtkWindingNumberField* filter);
+/// Hands on what the samples are in the image, and what makes a voxel inside.
+void applyImage(const Options& options, vtkWindingNumberImageAlgorithm* filter);
+
+/// Hands on what applyImage() does, and how far distances reach.
+void applyField(const Options& options, vtkWindingNumberField* filter);
+
+/// Hands on what applyImage() does, what the solids are, and which arrays they give.
+void applyLabels(const Options& options, vtkWindingNumberLabels* filter);
 
 /// Hands on what makes a voxel inside, and which voxels may share a cell.
 void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter);

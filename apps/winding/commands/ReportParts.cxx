@@ -20,6 +20,7 @@ Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm&
     input["normals_estimated"] = filter.GetNormalsWereEstimated();
     if (filter.GetNormalsWereEstimated())
     {
+      input["normal_estimation"] = filter.GetNormalEstimationUsed();
       input["clear_share"] = filter.GetClearShare();
     }
   }

@@ -30,7 +30,7 @@ void runVoxels(const Options& given, Messages& messages)
   }
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
-  applyImage(options, field);
+  applyField(options, field);
   FieldRun run(*field, options, messages);
   run.update();
   vtkNew<vtkWindingNumberVoxels> voxels;

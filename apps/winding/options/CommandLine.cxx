@@ -5,6 +5,8 @@
 #include "program/Failure.h"
 #include "program/ParallelRun.h"
 
+#include "vtkWindingNumberLabels.h"
+
 #include <algorithm>
 
 namespace
@@ -92,6 +94,57 @@ void addVoxels(CLI::App& app, Options& options)
   addReporting(voxels, options);
 }
 
+void addLabels(CLI::App& app, Options& options)
+{
+  CLI::App* labels =
+    app.add_subcommand("labels", "Which of several solids each voxel lies in, as labels");
+  addInputs(labels, options);
+  addOutput(labels, options,
+    std::string(".vti, the labels; or the surface between voxels of different ones: ") +
+      surfaceFormats);
+  labels
+    ->add_option("--overlap", options.overlap,
+      "A voxel in several solids gets the label of: first | last | largest, the one with the "
+      "largest winding number | smallest, the one of the smallest volume (first)")
+    ->transform(
+      oneOf({{"first", vtkWindingNumberLabels::FIRST}, {"last", vtkWindingNumberLabels::LAST},
+        {"largest", vtkWindingNumberLabels::LARGEST_WINDING_NUMBER},
+        {"smallest", vtkWindingNumberLabels::SMALLEST_VOLUME}}))
+    ->type_name("NAME");
+  labels->add_flag(
+    "--count", options.count, "Add the array SolidCount: how many solids each voxel lies in");
+  labels
+    ->add_option("--shares", options.shares,
+      "The shares that --coverage fraction adds: two, the largest two with their labels | each, "
+      "an array for each solid (two)")
+    ->transform(oneOf(
+      {{"two", vtkWindingNumberLabels::TWO_LARGEST}, {"each", vtkWindingNumberLabels::EACH_LABEL}}))
+    ->type_name("NAME");
+  labels
+    ->add_option("--region-array", options.regionArray,
+      "For one input: the cell array of integers, each of which is the label of a solid")
+    ->type_name("ARRAY");
+  labels
+    ->add_option("--label-offset", options.labelOffset,
+      "For --region-array: added to the integers, 1 where they begin with 0 (0)")
+    ->type_name("N");
+  for (const char* option :
+    {"--overlap", "--count", "--shares", "--region-array", "--label-offset"})
+  {
+    labels->get_option(option)->group("Output");
+  }
+  addThreshold(labels, options);
+  addCoverage(labels, options);
+  addFieldOptions(labels, options);
+  labels
+    ->add_option("--pieces", options.pieces,
+      "Make and write the labels in this many pieces, to save memory (1)")
+    ->group("Run");
+  addThreads(labels, options);
+  addLongestTime(labels, options);
+  addReporting(labels, options);
+}
+
 void addProbe(CLI::App& app, Options& options)
 {
   CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
@@ -153,7 +206,8 @@ void addBench(CLI::App& app, Options& options)
       "samples | expected FILE..., the times that users are told, of surfaces and clouds, beside "
       "those taken | hierarchical FILE..., the far field of surfaces, of their vertices and of "
       "their "
-      "caps, in its parts | hierarchical, the same of spheres with few and many sources")
+      "caps, in its parts | hierarchical, the same of spheres with few and many sources | "
+      "orientation FILE..., points on surfaces with estimated normals, beside the surfaces")
     ->required()
     ->type_name("");
   bench
@@ -165,7 +219,7 @@ void addBench(CLI::App& app, Options& options)
   bench
     ->add_option("--points", options.bench.points,
       "vtk, expected: scattered points to ask about, one or more (1000 10000 100000, expected: "
-      "1000000, too)")
+      "1000000, too); orientation: points on the surfaces (50000)")
     ->type_name("N...")
     ->group("Grid");
   bench
@@ -185,6 +239,13 @@ void addBench(CLI::App& app, Options& options)
     ->group("Grid");
   addThreads(bench, options);
   addReporting(bench, options);
+}
+
+/// One file, or the first of several and how many there are.
+std::string nameOfAll(const std::vector<std::string>& files)
+{
+  return files.size() == 1 ? files[0]
+                           : files[0] + " and " + std::to_string(files.size() - 1) + " more";
 }
 
 /// The words of the parser on one line, and where to look further.
@@ -211,7 +272,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
     "winding");
   app.set_version_flag("--version", WINDING_VERSION);
   app.require_subcommand(1);
-  for (const auto add : {addField, addSurface, addVoxels, addProbe, addCheck, addBench})
+  for (const auto add : {addField, addSurface, addVoxels, addLabels, addProbe, addCheck, addBench})
   {
     add(app, options);
   }
@@ -233,6 +294,10 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   const CLI::App* command = app.get_subcommands()[0];
   options.command = command->get_name();
+  if (!options.inputs.empty())
+  {
+    options.input = nameOfAll(options.inputs);
+  }
   checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
   return options;
 }

@@ -149,6 +149,25 @@ void checkHyperTree(const Options& options, const WasGiven& wasGiven)
     "out");
 }
 
+void checkLabels(const Options& options, const WasGiven& wasGiven)
+{
+  std::vector<std::string> suffixes = surfaceSuffixes;
+  suffixes.insert(suffixes.begin(), ".vti");
+  checkOutput(options.output, options.command, suffixes);
+  checkFieldOptions(options, wasGiven);
+  checkCoverage(options, wasGiven);
+  requireUsage(options.coverage == Filter::FRACTION || !wasGiven("--shares"),
+    "--shares is for --coverage fraction; say that, too, or leave it out");
+  requireUsage(options.inputs.size() == 1 || !wasGiven("--region-array"),
+    "--region-array is for one input, and several are a solid each; leave it out");
+  requireUsage(!wasGiven("--label-offset") || wasGiven("--region-array"),
+    "--label-offset is for --region-array; say that, too, or leave it out");
+  requireUsage(options.labelOffset >= -65535 && options.labelOffset <= 65535,
+    "--label-offset is " + std::to_string(options.labelOffset) + "; give -65535 to 65535");
+  requireUsage(suffixOf(options.output) == ".vti" || !wasGiven("--pieces"),
+    "--pieces is for images; give the output the suffix .vti, or leave it out");
+}
+
 } // namespace
 
 void checkOptions(const Options& options, const WasGiven& wasGiven)
@@ -168,6 +187,10 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   if (options.command == "probe")
   {
     checkOutput(options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv"});
+  }
+  else if (options.command == "labels")
+  {
+    checkLabels(options, wasGiven);
   }
   else if (options.command == "field")
   {

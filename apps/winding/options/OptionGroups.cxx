@@ -8,6 +8,8 @@ namespace
 
 using Filter = vtkWindingNumberField;
 
+constexpr const char* inputFormats = ".vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv";
+
 void addGrid(CLI::App* command, Options& options)
 {
   const std::string group = "Grid";
@@ -22,8 +24,9 @@ void addGrid(CLI::App* command, Options& options)
   CLI::Option* padding = command->add_option("--padding", options.padding,
     "Margin around the input's bounds, as a fraction of their longest side (0.05)");
   CLI::Option* cells = command->add_flag("--cells", options.cells,
-    command->get_name() == "field" ? "Make the samples cells of the image, not points"
-                                   : "As for field; makes no difference to the surface");
+    command->get_name() == "field" || command->get_name() == "labels"
+      ? "Make the samples cells of the image, not points"
+      : "As for field; makes no difference to the surface");
   dimensions->expected(3)->type_name("NX NY NZ");
   bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
   resolution->excludes(voxelSize)->excludes(dimensions);
@@ -61,10 +64,20 @@ CLI::Validator oneOf(const Choices& choices)
 void addInput(CLI::App* command, Options& options)
 {
   command
-    ->add_option("IN", options.input,
-      "Surface or oriented points: .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv")
+    ->add_option("IN", options.input, std::string("Surface or oriented points: ") + inputFormats)
     ->required()
     ->type_name("");
+}
+
+void addInputs(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("IN", options.inputs,
+      std::string("Surfaces or oriented points, a solid each; or one surface, whose parts by "
+                  "connectivity or by --region-array are the solids: ") +
+        inputFormats)
+    ->required()
+    ->type_name("...");
 }
 
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes)
@@ -129,6 +142,15 @@ void addMethod(CLI::App* command, Options& options)
     ->add_flag("--estimate-normals", options.estimateNormals,
       "Estimate the normals of points that have none, orient them, and check them by the field")
     ->group(group);
+  command
+    ->add_option("--normal-estimation", options.normalEstimation,
+      "How normals are estimated: tree, handed on from neighbour to neighbour | consistent, such "
+      "that w is 1/2 at the points, for thin, close and separate parts | auto, tree where its "
+      "check finds it right (auto)")
+    ->transform(oneOf({{"auto", Filter::ESTIMATION_AUTOMATIC}, {"tree", Filter::SPANNING_TREE},
+      {"consistent", Filter::WINDING_CONSISTENT}}))
+    ->type_name("NAME")
+    ->group(group);
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);
 }
@@ -183,6 +205,10 @@ void addCoverage(CLI::App* command, Options& options)
 {
   std::string description = "A voxel is inside if: center, its centre is | any, it overlaps the "
                             "solid or its surface | fraction, half of it is (center)";
+  if (command->get_name() == "labels")
+  {
+    description += ". The latter adds the shares of each voxel, see --shares";
+  }
   if (command->get_name() == "field")
   {
     description += ". The latter two add the array Inside, fraction the array Coverage, the share "

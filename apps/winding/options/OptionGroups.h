@@ -21,6 +21,9 @@ using Choices = std::vector<std::pair<std::string, int>>;
 CLI::Validator oneOf(const Choices& choices);
 
 void addInput(CLI::App* command, Options& options);
+
+/// Adds several inputs, each of them a solid, or one with several.
+void addInputs(CLI::App* command, Options& options);
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes);
 
 /// Adds what commands with outputs have: leave to replace the input.

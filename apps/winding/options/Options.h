@@ -6,8 +6,8 @@
 /// The options of bench. An empty list stands for the values that suit the subject.
 struct BenchOptions
 {
-  /// Files; or "seed" or "kernels"; or "clouds" or "vtk" with files behind it; or "hierarchical"
-  /// with files or without.
+  /// Files; or "seed" or "kernels"; or "clouds", "vtk", "expected" or "orientation" with files
+  /// behind it; or "hierarchical" with files or without.
   std::vector<std::string> subjects;
   std::vector<int> resolutions;
   std::vector<double> tolerances; ///< of the far fields of "hierarchical"
@@ -19,8 +19,9 @@ struct BenchOptions
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
-  std::string command; ///< field, surface, voxels, probe, check or bench
+  std::string command; ///< field, surface, voxels, labels, probe, check or bench
   std::string input;
+  std::vector<std::string> inputs; ///< all files that labels reads; `input` names them then
   std::string queries;
   std::string output;
   bool overwrite = false; ///< whether an output may replace a file that is read
@@ -41,6 +42,7 @@ struct Options
   int neighbors = 20;
   double regularization = 0;
   bool estimateNormals = false;
+  int normalEstimation = 0;
   bool asPoints = false;
 
   // The output. Choices have the numbers that the filters give them.
@@ -61,6 +63,13 @@ struct Options
   int fidelity = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
+
+  // The labels of several solids. Choices have the numbers that the filter gives them.
+  int overlap = 0;
+  int shares = 0;
+  bool count = false;
+  std::string regionArray;
+  int labelOffset = 0;
 
   // The treatment of a surface by check.
   bool fixOrientation = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "cloud/NeighborGraph.h"
 
 #include <Eigen/Core>
 
@@ -8,6 +9,17 @@
 
 namespace winding
 {
+
+/// How the normals of points that have none are estimated.
+enum class NormalEstimation
+{
+  /// The spanning tree where its check (CloudOrientation.h) finds it right, else the other.
+  automatic,
+  spanningTree, ///< planes and orientations that are handed on: estimateNormals()
+  consistent    ///< planes and orientations that the field agrees with: ConsistentNormals.h
+};
+
+const char* nameOf(NormalEstimation estimation);
 
 /**
  * Estimates unit normals for points that have none. They are oriented consistently where the points
@@ -31,5 +43,9 @@ namespace winding
  */
 std::vector<Eigen::Vector3d> estimateNormals(
   const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);
+
+/// Orients the normals of places along the graph, as estimateNormals() does.
+void orientByTree(
+  const DistinctPoints& places, const NeighborGraph& graph, std::vector<Eigen::Vector3d>& normals);
 
 } // namespace winding

@@ -162,17 +162,22 @@ void NearestLists::append(
   }
 }
 
-/// Makes the test of canBeNearest() with the distances of the items instead of boxes.
-const std::vector<NearItems>& NearestLists::nearItems(const Cell& cell, std::size_t firstNode)
+const std::vector<NearItems>& NearestLists::items(std::size_t firstNode)
 {
   runs_.clear();
-  kept_.clear();
   for (std::size_t n = firstNode; n < nodes_.size(); ++n)
   {
     const SourceNode& node = tree_.node(nodes_[n]);
     runs_.push_back({node.begin, node.end});
   }
-  if (runs_.empty())
+  return runs_;
+}
+
+/// Makes the test of canBeNearest() with the distances of the items instead of boxes.
+const std::vector<NearItems>& NearestLists::nearItems(const Cell& cell, std::size_t firstNode)
+{
+  kept_.clear();
+  if (this->items(firstNode).empty())
   {
     return kept_;
   }

@@ -67,8 +67,11 @@ public:
   /// The number of items in the list of leaves that begins at firstNode.
   std::size_t itemsFrom(std::size_t firstNode) const;
 
-  /// The items, as runs, that may be nearest to a sample of the cell, whose list of leaves begins
-  /// at firstNode. It is empty only if all of the source is beyond the limit.
+  /// The items, as runs, of the list of leaves that begins at firstNode.
+  const std::vector<NearItems>& items(std::size_t firstNode);
+
+  /// The items of the list that may be nearest to a sample of its cell. There are none only if all
+  /// of the source is beyond the limit.
   const std::vector<NearItems>& nearItems(const Cell& cell, std::size_t firstNode);
 
   /// The samples times items that have been looked at so far.

@@ -16,8 +16,9 @@ namespace
 {
 
 /// Samples are searched for one by one if there are fewer than one for so many items: lists for
-/// samples that are so far from each other are long.
-constexpr std::size_t itemsPerSample = 64;
+/// samples that are so far from each other are long. Lists take twice as long as searches for
+/// 10 000 random samples of 70 000 triangles, and two thirds as long for 100 000 (measured).
+constexpr std::size_t itemsPerSample = 4;
 
 /// Cells of this size are evaluated, unless their lists are long.
 constexpr std::size_t samplesPerCell = 64;
@@ -314,7 +315,7 @@ bool evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
 try
 {
   const std::size_t items = tree.empty() ? 0 : tree.node(0).size();
-  if (items == 0 || samples.size() < items / itemsPerSample || samples.size() < samplesPerCell)
+  if (items == 0 || samples.size() < std::max(items / itemsPerSample, samplesPerBucket))
   {
     return searchAll(tree, samples, output, executor);
   }

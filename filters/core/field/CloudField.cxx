@@ -3,6 +3,7 @@
 #include "base/Refusal.h"
 #include "cloud/CloudCost.h"
 #include "cloud/CloudOrientation.h"
+#include "cloud/ConsistentNormals.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
 #include "distance/DistanceTree.h"
@@ -61,12 +62,11 @@ CloudField::CloudField(
       throw Refusal("have normals estimated (Estimate Normals; --estimate-normals): the points "
                     "have none, and without them nothing tells inside from outside");
     }
-    cloud_.normals = estimateNormals(cloud_.positions, options.neighbors, executor);
+    this->findNormals(options, executor);
   }
-  this->chooseAreas(options, executor);
-  if (info_.normalsAreEstimated)
+  else
   {
-    this->turnOutward(executor);
+    this->chooseAreas(options, executor);
   }
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
@@ -80,8 +80,55 @@ void CloudField::warn(const std::string& what)
   info_.warning += (info_.warning.empty() ? "" : "; ") + what;
 }
 
-/// Turns estimated normals, which agree among themselves at best, outward as a whole, and warns
-/// where the field does not tell inside from outside clearly.
+/// Estimates normals, chooses areas and warns where the field does not tell inside from outside
+/// clearly. Automatic takes the second way where the first one is not clear, and what is clearer.
+void CloudField::findNormals(const FieldOptions& options, Executor& executor)
+{
+  const std::vector<double> areas = cloud_.areas;
+  const auto find = [&](NormalEstimation estimation)
+  {
+    cloud_.areas = areas;
+    cloud_.normals = estimation == NormalEstimation::spanningTree
+                       ? estimateNormals(cloud_.positions, options.neighbors, executor)
+                       : consistentNormals(cloud_.positions, options.neighbors, executor).normals;
+    this->chooseAreas(options, executor);
+    this->turnOutward(executor);
+    info_.normalEstimation = estimation;
+  };
+  find(options.normalEstimation == NormalEstimation::consistent ? NormalEstimation::consistent
+                                                                : NormalEstimation::spanningTree);
+  // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
+  // others. Where the spanning tree is right all the same, as of solids that overlap, its field is
+  // the clearer one; where nothing is clear, as of noisy points, that says nothing.
+  constexpr double sureShare = 0.98;
+  if (options.normalEstimation == NormalEstimation::automatic &&
+      info_.orientation.outward < sureShare)
+  {
+    const PointCloud byTree = cloud_;
+    const CloudOrientation orientation = info_.orientation;
+    find(NormalEstimation::consistent);
+    if (orientation.isClear() && orientation.outward >= info_.orientation.outward)
+    {
+      cloud_ = byTree;
+      info_.orientation = orientation;
+      info_.normalEstimation = NormalEstimation::spanningTree;
+    }
+  }
+  const CloudOrientation& orientation = info_.orientation;
+  if (!orientation.isClear())
+  {
+    char figures[200];
+    std::snprintf(figures, sizeof figures,
+      "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
+      100 * orientation.outward, orientation.behind, orientation.before);
+    this->warn(
+      std::string("take more points, or normals from where the points come from: estimated ones do "
+                  "not tell inside from outside everywhere, for ") +
+      figures);
+  }
+}
+
+/// Turns estimated normals, which agree among themselves at best, outward as a whole.
 void CloudField::turnOutward(Executor& executor)
 {
   CloudOrientation& orientation = info_.orientation;
@@ -93,17 +140,6 @@ void CloudField::turnOutward(Executor& executor)
       normal = -normal;
     }
     orientation = orientation.reversed();
-  }
-  if (!orientation.isClear())
-  {
-    char figures[200];
-    std::snprintf(figures, sizeof figures,
-      "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
-      100 * orientation.outward, orientation.behind, orientation.before);
-    this->warn(
-      std::string("take more points, or normals from where the points come from: estimated ones do "
-                  "not tell inside from outside everywhere, for ") +
-      figures);
   }
 }
 
@@ -207,9 +243,8 @@ bool CloudField::usesFarField(const Grid& grid) const
 /// is faster for few samples, but a far field that the user asked for is used for any.
 bool CloudField::usesFarField(std::size_t samples) const
 {
-  return farField_ &&
-         (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives, samples,
-                           farField_->order(), FarFieldState::built));
+  return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,
+                                        samples, farField_->order(), FarFieldState::built));
 }
 
 EvaluationCost CloudField::expectedCostOfValues(std::size_t samples) const

@@ -41,6 +41,7 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
+  void findNormals(const FieldOptions& options, Executor& executor);
   void turnOutward(Executor& executor);
   void warn(const std::string& what);
   void chooseAreas(const FieldOptions& options, Executor& executor);

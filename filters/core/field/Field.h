@@ -6,6 +6,7 @@
 #include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "cloud/CloudOrientation.h"
+#include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
 #include "rays/RowCrossings.h"
 #include "source/Grid.h"
@@ -52,6 +53,7 @@ struct FieldOptions
   double tolerance = 1e-3;
   /// Whether points without normals get estimated ones (NormalEstimation.h).
   bool estimateNormals = false;
+  NormalEstimation normalEstimation = NormalEstimation::automatic;
   PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
   /// The area of every point, for PointAreaMethod::constant only; 0 stands for the mean of the
   /// areas that PointAreaMethod::voronoi gives.
@@ -69,7 +71,8 @@ struct FieldOptions
   bool operator==(const FieldOptions& other) const
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
-           estimateNormals == other.estimateNormals && pointAreaMethod == other.pointAreaMethod &&
+           estimateNormals == other.estimateNormals &&
+           normalEstimation == other.normalEstimation && pointAreaMethod == other.pointAreaMethod &&
            neighbors == other.neighbors && regularization == other.regularization &&
            scattered == other.scattered;
   }
@@ -89,7 +92,9 @@ struct FieldInfo
   std::size_t capTriangles = 0;     ///< triangles that close the surface for method rows
   double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
-  CloudOrientation orientation;     ///< orientation of estimated normals, once turned outward
+  /// The way in which normals were estimated, if they were: never automatic.
+  NormalEstimation normalEstimation = NormalEstimation::spanningTree;
+  CloudOrientation orientation; ///< orientation of estimated normals, once turned outward
   Bounds bounds;                    ///< box of the vertices or points
   bool isScattered = false;       ///< whether scattered samples were announced, not those of grids
   Method method = Method::direct; ///< method that was chosen, never automatic

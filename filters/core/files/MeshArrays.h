@@ -35,8 +35,11 @@ struct MeshArrays
 {
   VectorArrays points;
   VectorArrays normals; ///< one for each point, as they are in the file; empty if there are none
-  PlainArray<double> areas; ///< one for each point; empty if there are none
-  CellArrays vertices;      ///< cells of single points or of many
+  PlainArray<double> areas;             ///< one for each point; empty if there are none
+  PlainArray<std::uint8_t> colors;      ///< colorComponents for each point; empty if there are none
+  int colorComponents = 0;              ///< 3, red, green and blue, or 4, and opacity
+  PlainArray<float> textureCoordinates; ///< two for each point; empty if there are none
+  CellArrays vertices;                  ///< cells of single points or of many
   CellArrays lines;
   CellArrays polygons;
 };

@@ -5,8 +5,7 @@
 #include "files/PlyNumbers.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <vector>
 
 namespace winding
 {
@@ -21,14 +20,28 @@ bool fitsFloat(const PlyProperty* property)
          property->type != PlyNumber::uint32;
 }
 
+/// Copies the properties of some items to their places in an array that has the same components.
+template <class Number>
+void copyParts(
+  const std::vector<const PlyProperty*>& parts, const PlyItems& items, PlainArray<Number>& into)
+{
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const PlyProperty& part = *parts[i];
+    const PlyColumn column = {items.at + items.layout.place(part).offset, items.layout.bytes(),
+      items.count, part.type, items.layout.encoding()};
+    copyColumn(column, into.data() + parts.size() * items.item + i, parts.size());
+  }
+}
+
 /// Three properties of vertices that make a vector.
 class Vector
 {
 public:
   /// The vertices need not have it.
-  Vector(const PlyElement& vertex, const std::array<const char*, 3>& names)
-    : parts_(vertex.findVector(names))
-    , areFloats_(parts_ && std::all_of(parts_->begin(), parts_->end(), fitsFloat))
+  Vector(const PlyElement& vertex, const std::vector<const char*>& names)
+    : parts_(vertex.findNumbers(names))
+    , areFloats_(std::all_of(parts_.begin(), parts_.end(), fitsFloat))
   {
   }
 
@@ -36,38 +49,31 @@ public:
   VectorArrays arrays(std::size_t count) const
   {
     VectorArrays made;
-    if (parts_ && areFloats_)
+    if (areFloats_)
     {
-      made.floats = PlainArray<float>(3 * count);
+      made.floats = PlainArray<float>(parts_.size() * count);
     }
-    else if (parts_)
+    else
     {
-      made.doubles = PlainArray<double>(3 * count);
+      made.doubles = PlainArray<double>(parts_.size() * count);
     }
     return made;
   }
 
   void copy(const PlyItems& items, VectorArrays& into) const
   {
-    for (std::size_t axis = 0; parts_ && axis < 3; ++axis)
+    if (areFloats_)
     {
-      const PlyProperty& part = *(*parts_)[axis];
-      const PlyColumn column = {items.at + items.layout.place(part).offset, items.layout.bytes(),
-        items.count, part.type, items.layout.encoding()};
-      const std::size_t first = 3 * items.item + axis;
-      if (areFloats_)
-      {
-        copyColumn(column, into.floats.data() + first, 3);
-      }
-      else
-      {
-        copyColumn(column, into.doubles.data() + first, 3);
-      }
+      copyParts(parts_, items, into.floats);
+    }
+    else
+    {
+      copyParts(parts_, items, into.doubles);
     }
   }
 
 private:
-  std::optional<std::array<const PlyProperty*, 3>> parts_;
+  std::vector<const PlyProperty*> parts_;
   bool areFloats_;
 };
 
@@ -120,16 +126,23 @@ private:
   void readVertices(PlyElementReader& reader, const PlyElement& vertex)
   {
     const Vector position(vertex, plyPosition), normal(vertex, plyNormal);
+    const std::vector<const PlyProperty*> color = vertex.color();
+    const std::vector<const PlyProperty*> texture = vertex.textureCoordinates();
     const auto count = static_cast<std::size_t>(vertex.count);
+    mesh_.colorComponents = static_cast<int>(color.size());
     do
     {
       mesh_.points = position.arrays(count);
       mesh_.normals = normal.arrays(count);
+      mesh_.colors = PlainArray<std::uint8_t>(color.size() * count);
+      mesh_.textureCoordinates = PlainArray<float>(texture.size() * count);
     } while (!reader.read(
       [&](const PlyItems& items)
       {
         position.copy(items, mesh_.points);
         normal.copy(items, mesh_.normals);
+        copyParts(color, items, mesh_.colors);
+        copyParts(texture, items, mesh_.textureCoordinates);
       },
       executor_));
   }

@@ -14,8 +14,8 @@ namespace winding
  * Items whose lists have the same lengths as those of the first one, as in meshes of triangles, are
  * read at once by all threads. For others one thread finds the places of the items first.
  *
- * Throws FileRefusal where the file ends before its last item, and for lists of a length below 0,
- * faces of more than mostPlyCorners corners, and corners that do not exist. Throws Interrupted.
+ * Throws FileRefusal where the file ends before its last item, for lists whose length is no
+ * whole number from 0 on, and for corners that do not exist. Throws Interrupted.
  */
 MeshArrays readPlyBinary(const InputFile& file, const PlyHeader& header, Executor& executor);
 

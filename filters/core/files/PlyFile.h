@@ -9,15 +9,16 @@ namespace winding
 
 /**
  * Reads a surface or points from the Polygon File Format (.ply) of version 1.0, as text or in
- * either order of bytes: the vertices, their normals (nx, ny, nz) where there are any, and the
- * faces (vertex_indices or vertex_index), of any number of corners. All other elements and
- * properties are passed over. Numbers may be of any type.
+ * either order of bytes: the vertices with their normals (nx, ny, nz), colours of bytes (red,
+ * green, blue, alpha) and texture coordinates (u and v, s and t, or texture_u and so on), where
+ * there are any, and the faces (vertex_indices or vertex_index). All other
+ * elements and properties are passed over. Numbers may be of any type.
  *
  * Positions are doubles in all text and where the file holds doubles or integers of four bytes, and
  * floats else; so are normals.
  *
  * Throws FileRefusal for headers that PLY does not know, files that hold less than they promise,
- * lists of a length below 0, faces of more than 255 corners, and corners that do not exist. Nothing
+ * lists whose length is no whole number from 0 on, and corners that do not exist. Nothing
  * is allocated for items that the file cannot hold. Throws Interrupted. The result is the same for
  * any number of threads.
  *

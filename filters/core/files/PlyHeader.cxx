@@ -201,7 +201,7 @@ private:
       refusePly(file_, "the header has no format line of version 1.0");
     }
     const PlyElement* const vertex = header_.find("vertex");
-    if (!vertex || !vertex->findVector(plyPosition))
+    if (!vertex || vertex->findNumbers(plyPosition).empty())
     {
       refusePly(file_, "the header has no vertices with x, y and z");
     }
@@ -244,6 +244,14 @@ const Named* findByName(const std::vector<Named>& candidates, const std::string&
   return found == candidates.end() ? nullptr : &*found;
 }
 
+/// A number that may be any, as files of floating-point ids and lengths have them.
+std::string inDigits(double number)
+{
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.15g", number);
+  return digits;
+}
+
 } // namespace
 
 const PlyProperty* PlyElement::find(const std::string& property) const
@@ -251,19 +259,45 @@ const PlyProperty* PlyElement::find(const std::string& property) const
   return findByName(properties, property);
 }
 
-std::optional<std::array<const PlyProperty*, 3>> PlyElement::findVector(
-  const std::array<const char*, 3>& names) const
+std::vector<const PlyProperty*> PlyElement::findNumbers(const std::vector<const char*>& names) const
 {
-  std::array<const PlyProperty*, 3> found = {};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::vector<const PlyProperty*> found;
+  for (const char* const part : names)
   {
-    found[axis] = this->find(names[axis]);
-    if (!found[axis] || found[axis]->lengthType)
+    found.push_back(this->find(part));
+    if (!found.back() || found.back()->lengthType)
     {
-      return std::nullopt;
+      return {};
     }
   }
   return found;
+}
+
+std::vector<const PlyProperty*> PlyElement::color() const
+{
+  std::vector<const PlyProperty*> found = this->findNumbers({"red", "green", "blue", "alpha"});
+  if (found.empty())
+  {
+    found = this->findNumbers({"red", "green", "blue"});
+  }
+  const bool areBytes = std::all_of(found.begin(), found.end(),
+    [](const PlyProperty* part) { return part->type == PlyNumber::uint8; });
+  return areBytes ? found : std::vector<const PlyProperty*>();
+}
+
+std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
+{
+  const std::vector<const char*> names[] = {
+    {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+  for (const std::vector<const char*>& pair : names)
+  {
+    const std::vector<const PlyProperty*> found = this->findNumbers(pair);
+    if (!found.empty())
+    {
+      return found;
+    }
+  }
+  return {};
 }
 
 const PlyProperty* PlyElement::corners() const
@@ -290,16 +324,13 @@ void refusePly(const InputFile& file, const std::string& message)
 
 std::string badPlyLength(double length)
 {
-  return "a list of " + std::to_string(length) + " numbers, of " + std::to_string(mostPlyCorners) +
-         " at most; it is damaged";
+  return "a list of " + inDigits(length) + " numbers; it is damaged";
 }
 
 std::string badPlyCorner(double id, std::int64_t vertices)
 {
-  char number[40]; // it may be any, as files of floating-point ids have them
-  std::snprintf(number, sizeof number, "%.15g", id);
-  return std::string("vertex ") + number + " does not exist; there are " +
-         std::to_string(vertices) + ", counted from 0";
+  return "vertex " + inDigits(id) + " does not exist; there are " + std::to_string(vertices) +
+         ", counted from 0";
 }
 
 } // namespace winding

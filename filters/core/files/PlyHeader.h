@@ -2,7 +2,6 @@
 
 #include "files/InputFile.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -50,9 +49,16 @@ struct PlyElement
   /// The first property of this name; null if there is none.
   const PlyProperty* find(const std::string& property) const;
 
-  /// The single numbers of these three names; none where any is missing.
-  std::optional<std::array<const PlyProperty*, 3>> findVector(
-    const std::array<const char*, 3>& names) const;
+  /// The single numbers of these names; none where any is missing.
+  std::vector<const PlyProperty*> findNumbers(const std::vector<const char*>& names) const;
+
+  /// The colour of a vertex: red, green, blue and, where there is one, alpha, from 0 to 255; none
+  /// where they are no single bytes.
+  std::vector<const PlyProperty*> color() const;
+
+  /// The two texture coordinates of a vertex, by any of their usual names; none where there are
+  /// none.
+  std::vector<const PlyProperty*> textureCoordinates() const;
 
   /// The list of the vertices of a face, by the name vertex_indices or vertex_index; null if there
   /// is none.
@@ -66,8 +72,8 @@ enum class PlyEncoding
   bigEndian
 };
 
-constexpr std::array<const char*, 3> plyPosition = {"x", "y", "z"};
-constexpr std::array<const char*, 3> plyNormal = {"nx", "ny", "nz"};
+inline const std::vector<const char*> plyPosition = {"x", "y", "z"};
+inline const std::vector<const char*> plyNormal = {"nx", "ny", "nz"};
 
 /// The header of a file: what follows behind it.
 struct PlyHeader
@@ -81,10 +87,6 @@ struct PlyHeader
   const PlyElement* find(const std::string& element) const;
 };
 
-/// The most corners that a face may have. Lengths of lists mostly are single bytes, and longer ones
-/// come from damage.
-constexpr std::int64_t mostPlyCorners = 255;
-
 /// Reads the header. Throws FileRefusal where the file is not PLY of version 1.0, promises more
 /// items of an element than it has bytes, has items without properties, vertices without x, y and
 /// z, or faces without corners.
@@ -93,7 +95,7 @@ PlyHeader readPlyHeader(const InputFile& file);
 /// Throws a FileRefusal about the file, with what to do about it.
 [[noreturn]] void refusePly(const InputFile& file, const std::string& message);
 
-/// Why a list of `length` numbers is refused.
+/// Why a list of `length` numbers is refused, where that is no whole number from 0 on.
 std::string badPlyLength(double length);
 
 /// Why a corner at a vertex of this number is refused, where there are so many vertices.

@@ -23,12 +23,10 @@ struct NotUniform
 
 } // namespace
 
-PlyLayout::PlyLayout(const InputFile& file, PlyEncoding encoding, const PlyElement& element,
-  const PlyProperty* limited)
+PlyLayout::PlyLayout(const InputFile& file, PlyEncoding encoding, const PlyElement& element)
   : file_(file)
   , encoding_(encoding)
   , element_(element)
-  , limited_(limited)
   , places_(element.properties.size())
 {
 }
@@ -42,8 +40,7 @@ std::size_t PlyLayout::lengthAt(const PlyProperty& property, const char* at) con
   }
   const double value = plyNumberAt(*property.lengthType, encoding_, at);
   // Lengths of 2^62 and more, which floats can be, are beyond the bytes of any file.
-  if (!(value >= 0 && value < 0x1p62) || value != std::floor(value) ||
-      (&property == limited_ && value > static_cast<double>(mostPlyCorners)))
+  if (!(value >= 0 && value < 0x1p62) || value != std::floor(value))
   {
     refusePly(file_, badPlyLength(value));
   }
@@ -104,7 +101,7 @@ PlyElementReader::PlyElementReader(const InputFile& file, PlyEncoding encoding,
   , encoding_(encoding)
   , element_(element)
   , list_(list)
-  , first_(file, encoding, element, list)
+  , first_(file, encoding, element)
   , hasLists_(std::any_of(element.properties.begin(), element.properties.end(),
       [](const PlyProperty& property) { return property.lengthType.has_value(); }))
   , blocks_{{start, 0, 0}}
@@ -156,7 +153,7 @@ void PlyElementReader::walk()
   const auto count = static_cast<std::size_t>(element_.count);
   blocks_.resize(1);
   Block at = blocks_[0];
-  PlyLayout layout(file_, encoding_, element_, list_);
+  PlyLayout layout(file_, encoding_, element_);
   PlainArray<char> window(std::min(bytesPerBlock, file_.size() - at.offset));
   std::size_t windowStart = at.offset, windowEnd = at.offset;
   while (at.item < count)
@@ -233,7 +230,7 @@ void PlyElementReader::readBlock(
     work({bytes.data(), last.item - first.item, first.item, first.entry, first_});
     return;
   }
-  PlyLayout layout(file_, encoding_, element_, list_);
+  PlyLayout layout(file_, encoding_, element_);
   const char* at = bytes.data();
   std::size_t entry = first.entry;
   for (std::size_t item = first.item; item < last.item; ++item)

@@ -15,10 +15,8 @@ namespace winding
 class PlyLayout
 {
 public:
-  /// Lengths of the list `limited` are mostPlyCorners at most; it may be null. All must live as
-  /// long as the layout.
-  PlyLayout(const InputFile& file, PlyEncoding encoding, const PlyElement& element,
-    const PlyProperty* limited);
+  /// All must live as long as the layout.
+  PlyLayout(const InputFile& file, PlyEncoding encoding, const PlyElement& element);
 
   /// Lays out the item that begins at `at`. False if it does not end at `end` or before. Throws
   /// FileRefusal for lists whose length cannot be one.
@@ -50,7 +48,6 @@ private:
   const InputFile& file_;
   PlyEncoding encoding_;
   const PlyElement& element_;
-  const PlyProperty* limited_;
   std::vector<Place> places_; ///< one for each property
   std::size_t bytes_ = 0;
 };
@@ -73,7 +70,7 @@ struct PlyItems
 class PlyElementReader
 {
 public:
-  /// Entries of `list` are counted, and are mostPlyCorners at most; it may be null. The items begin
+  /// Entries of `list` are counted; it may be null. The items begin
   /// at the place `start`. All must live as long as the reader.
   PlyElementReader(const InputFile& file, PlyEncoding encoding, const PlyElement& element,
     const PlyProperty* list, std::size_t start);

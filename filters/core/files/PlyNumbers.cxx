@@ -110,6 +110,12 @@ void copyColumn(const PlyColumn& column, float* into, std::size_t stride)
   withType(column.type, column.encoding, copy);
 }
 
+void copyColumn(const PlyColumn& column, std::uint8_t* into, std::size_t stride)
+{
+  const CopyOfNumbers<std::uint8_t> copy{column, into, stride};
+  withType(column.type, column.encoding, copy);
+}
+
 bool copyIds(const PlyColumn& column, std::int64_t* into, std::size_t stride, std::int64_t end)
 {
   const CopyOfIds copy{column, into, stride, end};

@@ -59,6 +59,7 @@ struct PlyColumn
 /// Copies a column into every `stride`-th number of `into`.
 void copyColumn(const PlyColumn& column, double* into, std::size_t stride);
 void copyColumn(const PlyColumn& column, float* into, std::size_t stride);
+void copyColumn(const PlyColumn& column, std::uint8_t* into, std::size_t stride);
 
 /// Copies a column of ids, without what is behind their point. False if any is not from 0 up to,
 /// without, `end`.

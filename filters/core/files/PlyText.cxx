@@ -4,9 +4,9 @@
 #include "files/ContentLines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace winding
@@ -20,6 +20,8 @@ struct NotUniform
 {
 };
 
+const char* const missing = "a number is missing; it is truncated or damaged; give another file";
+
 /// The next number of the present line.
 double takeNumber(LineScanner& words)
 {
@@ -27,32 +29,92 @@ double takeNumber(LineScanner& words)
   if (!words.tryNumber(value))
   {
     words.refuse(words.wordsLeft() == 0
-                   ? "a number is missing; it is truncated or damaged; give another file"
+                   ? missing
                    : "holds something that is no number; it is damaged; give another file");
   }
   return value;
 }
 
 /// The next number of the present line as the length of a list.
-double takeLength(LineScanner& words, bool areCorners)
+double takeLength(LineScanner& words)
 {
   const double value = takeNumber(words);
-  if (!(value >= 0) || value != std::floor(value) ||
-      (areCorners && value > static_cast<double>(mostPlyCorners)))
+  if (!(value >= 0) || value != std::floor(value))
   {
     words.refuse(badPlyLength(value) + "; give another file");
   }
   return value;
 }
 
+/// The next number of the present line as the number of corners behind it. More of them than are
+/// usual must be there, so that no memory is taken for what is not.
+std::size_t takeCorners(LineScanner& words)
+{
+  constexpr double usual = 255;
+  const double value = takeLength(words);
+  if (value > usual && value > static_cast<double>(words.wordsLeft()))
+  {
+    words.refuse(missing);
+  }
+  return static_cast<std::size_t>(value);
+}
+
 void passOver(LineScanner& words, const PlyProperty& property)
 {
-  const double count = property.lengthType ? takeLength(words, false) : 1;
+  const double count = property.lengthType ? takeLength(words) : 1;
   for (double i = 0; i < count; ++i)
   {
     takeNumber(words);
   }
 }
+
+/// Where the numbers of a property of all items go: nowhere, or into every so many places of an
+/// array.
+class Column
+{
+public:
+  Column() = default;
+  Column(double* first, std::size_t step)
+    : doubles_(first)
+    , step_(step)
+  {
+  }
+  Column(float* first, std::size_t step)
+    : floats_(first)
+    , step_(step)
+  {
+  }
+  Column(std::uint8_t* first, std::size_t step)
+    : bytes_(first)
+    , step_(step)
+  {
+  }
+
+  bool isWanted() const { return step_ > 0; }
+
+  /// Numbers that are no bytes become the nearest ones.
+  void set(std::size_t item, double value) const
+  {
+    if (doubles_)
+    {
+      doubles_[step_ * item] = value;
+    }
+    else if (floats_)
+    {
+      floats_[step_ * item] = static_cast<float>(value);
+    }
+    else
+    {
+      bytes_[step_ * item] = static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) : 0);
+    }
+  }
+
+private:
+  double* doubles_ = nullptr;
+  float* floats_ = nullptr;
+  std::uint8_t* bytes_ = nullptr;
+  std::size_t step_ = 0;
+};
 
 /// Reads the elements one behind the other.
 class PlyTextParser
@@ -79,8 +141,7 @@ public:
       this->readElement(element, first, there);
       if (there < last)
       {
-        file_.refuseLine(
-          file_.size() - 1, "a number is missing; it is truncated or damaged; give another file");
+        file_.refuseLine(file_.size() - 1, missing);
       }
       first = last;
     }
@@ -141,33 +202,34 @@ private:
     {
       return;
     }
-    // The numbers of each property go into every third place from here on; null if nowhere.
-    std::vector<double*> targets(vertex.properties.size(), nullptr);
-    const auto aim = [&](const std::array<const char*, 3>& names, PlainArray<double>& numbers)
+    const std::size_t count = last - first;
+    std::vector<Column> columns(vertex.properties.size());
+    const auto aim = [&](const std::vector<const PlyProperty*>& parts, auto& numbers)
     {
-      if (const auto parts = vertex.findVector(names))
+      using Numbers = std::decay_t<decltype(numbers)>;
+      numbers = Numbers(parts.size() * count);
+      for (std::size_t i = 0; i < parts.size(); ++i)
       {
-        numbers = PlainArray<double>(3 * (last - first));
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          targets[static_cast<std::size_t>((*parts)[axis] - vertex.properties.data())] =
-            numbers.data() + axis;
-        }
+        columns[static_cast<std::size_t>(parts[i] - vertex.properties.data())] =
+          Column(numbers.data() + i, parts.size());
       }
     };
-    aim(plyPosition, mesh_.points.doubles);
-    aim(plyNormal, mesh_.normals.doubles);
+    aim(vertex.findNumbers(plyPosition), mesh_.points.doubles);
+    aim(vertex.findNumbers(plyNormal), mesh_.normals.doubles);
+    aim(vertex.color(), mesh_.colors);
+    aim(vertex.textureCoordinates(), mesh_.textureCoordinates);
+    mesh_.colorComponents = static_cast<int>(vertex.color().size());
     lines_.visit(
       first, last,
       [&](std::size_t, ContentLines::Part& part)
       {
         while (part.nextLine())
         {
-          for (std::size_t i = 0; i < targets.size(); ++i)
+          for (std::size_t i = 0; i < columns.size(); ++i)
           {
-            if (targets[i])
+            if (columns[i].isWanted())
             {
-              targets[i][3 * (part.number() - first)] = takeNumber(part.words());
+              columns[i].set(part.number() - first, takeNumber(part.words()));
             }
             else
             {
@@ -297,7 +359,7 @@ private:
     {
       passOver(words, *property);
     }
-    return static_cast<std::size_t>(takeLength(words, true));
+    return takeCorners(words);
   }
 
   /// Reads the present line. place(corners) gives the array for the ids of so many corners.
@@ -312,7 +374,7 @@ private:
         passOver(words, property);
         continue;
       }
-      const auto corners = static_cast<std::size_t>(takeLength(words, true));
+      const auto corners = takeCorners(words);
       std::int64_t* const ids = place(corners);
       for (std::size_t i = 0; i < corners; ++i)
       {

@@ -12,8 +12,8 @@ namespace winding
  * what else is on its line is passed over, as are blank lines and lines that begin with '#'.
  * Coordinates and normals are doubles, whatever the header calls them: text may have more digits.
  *
- * Throws FileRefusal for numbers that are missing or are none, for lists of a length below 0, faces
- * of more than mostPlyCorners corners, and corners that do not exist. Throws Interrupted.
+ * Throws FileRefusal for numbers that are missing or are none, for lists whose length is no
+ * whole number from 0 on, and for corners that do not exist. Throws Interrupted.
  */
 MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor);
 

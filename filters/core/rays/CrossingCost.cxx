@@ -10,7 +10,7 @@ EvaluationCost costOfRows(const SampledSource& source)
   // There are as many rows as samples across them; triangles are crossed by rows in proportion to
   // their area. Where they are smaller than voxels, most lie between the rows.
   const double reaching = std::min(triangles, 4 * source.area);
-  return {slowdownByCacheMisses(source.primitives) * (25e-9 * triangles + 20e-9 * reaching) +
+  return {slowdownByCacheMisses(source.primitives) * (35e-9 * triangles + 20e-9 * reaching) +
             30e-9 * std::pow(samples, 2.0 / 3) + 15e-9 * source.area + secondsPerValue * samples,
     (bytesPerPrimitive + 20) * source.primitives};
 }
@@ -24,7 +24,7 @@ EvaluationCost costOfCrossings(
   const double slowdown = slowdownByCacheMisses(triangles);
   const double perSample = 50e-9 + 12.5e-9 * rays.layers;
   return {40e-9 * slowdown * static_cast<double>(triangles) + perSample * count +
-            65e-9 * slowdown * rays.widths * std::sqrt(count),
+            40e-9 * slowdown * rays.widths * std::sqrt(count),
     (bytesPerPrimitive + 140) * triangles + 42 * samples};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 /**
  * @file
@@ -27,6 +28,17 @@ inline double unitScale(const Bounds& bounds)
   }
   // The largest exponents are left out: 2^k itself must stay a finite, normal number.
   return longest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000)) : 1.0;
+}
+
+/// The scale of the box around positions.
+inline double unitScaleOf(const std::vector<Eigen::Vector3d>& positions)
+{
+  Bounds bounds;
+  for (const Eigen::Vector3d& position : positions)
+  {
+    bounds.extend(position);
+  }
+  return unitScale(bounds);
 }
 
 /**

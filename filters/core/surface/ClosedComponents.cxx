@@ -144,6 +144,13 @@ private:
   std::vector<std::int32_t> components_;
 };
 
+/// The closed components that a component lies inside of: how many, and the innermost.
+struct Place
+{
+  int depth = 0;
+  std::int32_t around = -1;
+};
+
 /// Finds which closed components lie inside which others.
 class Nesting
 {
@@ -155,23 +162,43 @@ public:
   {
   }
 
-  /// The number of closed components around each component, by component.
-  std::vector<int> depths(const Surface& surface, Executor& executor)
+  /// The places of all components, by component.
+  std::vector<Place> places(const Surface& surface, Executor& executor)
   {
     this->findCandidates(surface, executor);
     this->refute(executor);
-    std::vector<int> depths(bounds_.size(), 0);
-    for (std::size_t inner = 0; inner < depths.size(); ++inner)
-    {
-      for (std::size_t i = starts_[inner]; i < starts_[inner + 1]; ++i)
+    std::vector<Place> places(bounds_.size());
+    this->forEachPair([&](std::size_t inner, std::int32_t) { ++places[inner].depth; });
+    this->forEachPair(
+      [&](std::size_t inner, std::int32_t outer)
       {
-        depths[inner] += isRefuted_[i] ? 0 : 1;
-      }
-    }
-    return depths;
+        // Components that cross each other may each lie inside of the other.
+        std::int32_t& around = places[inner].around;
+        const int depth = places[outer].depth;
+        if (depth < places[inner].depth && (around < 0 || depth > places[around].depth))
+        {
+          around = outer;
+        }
+      });
+    return places;
   }
 
 private:
+  /// Calls visit(inner, outer) for each component and each other that it lies inside of.
+  template <class Visit> void forEachPair(const Visit& visit) const
+  {
+    for (std::size_t inner = 0; inner < bounds_.size(); ++inner)
+    {
+      for (std::size_t i = starts_[inner]; i < starts_[inner + 1]; ++i)
+      {
+        if (!isRefuted_[i])
+        {
+          visit(inner, candidates_[i]);
+        }
+      }
+    }
+  }
+
   const std::vector<std::int32_t>& around(std::int32_t vertex, WindingComponents& windings) const
   {
     tree_.forEachCrossing(vertex,
@@ -282,14 +309,16 @@ std::vector<ClosedComponent> closedComponents(
     return {};
   }
   const std::vector<int> senses = sensesOf(surface, components);
-  const std::vector<int> depths = count > 1 ? Nesting(surface, components).depths(surface, executor)
-                                            : std::vector<int>(components.size(), 0);
+  const std::vector<Place> places = count > 1
+                                      ? Nesting(surface, components).places(surface, executor)
+                                      : std::vector<Place>(components.size());
   std::vector<ClosedComponent> result;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     if (components.isClosed[i])
     {
-      result.push_back({static_cast<std::int32_t>(i), senses[i], depths[i]});
+      result.push_back(
+        {static_cast<std::int32_t>(i), senses[i], places[i].depth, places[i].around});
     }
   }
   return result;

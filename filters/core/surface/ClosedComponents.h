@@ -20,6 +20,9 @@ struct ClosedComponent
   std::int32_t component; ///< its number among all components
   int sense; ///< sign of its volume: +1 if oriented outward, 0 if the volume is within rounding
   int depth; ///< number of closed components that it lies inside of
+  /// The innermost of these that has a smaller depth itself, by its number among all components;
+  /// −1 for none.
+  std::int32_t around;
 
   /// Tells whether the component is oriented inward and lies inside an even number of others, so
   /// that it cannot be a cavity: w inside is −1, or one too small. Inward is right for the wall of

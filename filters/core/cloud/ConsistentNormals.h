@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/Executor.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace winding
+{
+
+/// Normals of a cloud, and how well they agree with the field that they make.
+struct ConsistentNormals
+{
+  std::vector<Eigen::Vector3d> normals; ///< unit vectors that point outward
+  /// The mean square of w − 1/2 at points of the cloud, where w is the field of points spread over
+  /// a spacing each: about 0.01 where normals are right, 0.1 and more where many are not.
+  double deviation = 0;
+};
+
+/**
+ * Estimates unit normals for points that have none, and orients them by the winding number itself:
+ * w is 1/2 at every point of a closed surface, and 1 or 0 where normals contradict each other.
+ *
+ * Directions come from planes through neighbours. Patches in which directions agree beyond doubt
+ * (NormalPatches.h) are turned as a whole, such that w is about 1/2 at points of the cloud
+ * (PatchSigns.h). Other points follow their neighbours. Then every point is turned such that w
+ * decreases along its normal, as winding-number normal consistency asks for (Lin, Shi, Liu, Fast
+ * and Globally Consistent Normal Orientation based on the Winding Number Normal Consistency, 2024).
+ * Several sizes of neighbourhoods and several bounds of doubt are tried, and the spanning tree of
+ * NormalEstimation.h among them; the result is the one with the least deviation.
+ *
+ * neighbors: the most neighbours that planes go through, at least 3. Points at one place have one
+ * normal. All normals are finite. The bits are the same for any executor and any order of the
+ * points. The work takes O(n log n) time and about 400 bytes per point. Throws Interrupted.
+ */
+ConsistentNormals consistentNormals(
+  const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);
+
+/// Tells which normals of a cloud are to be turned round, where their directions are right but
+/// their senses may not be: 1 for those. It is found by the same patches, and none is turned where
+/// w is about 1/2 already. positions and unit normals: as many. Throws Interrupted.
+std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,
+  const std::vector<Eigen::Vector3d>& normals, Executor& executor);
+
+} // namespace winding

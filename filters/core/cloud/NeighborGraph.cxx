@@ -1,0 +1,101 @@
+#include "cloud/NeighborGraph.h"
+
+#include "cloud/NeighborSearch.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr std::size_t placesPerBlock = 512;
+
+} // namespace
+
+NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor)
+  : most_(std::min(most, places.size() - 1))
+  , neighbors_(places.size() * most_)
+{
+  const NeighborSearch search(places);
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::vector<Neighbor> found;
+      NeighborSearch::Last lastSearch;
+      for (std::size_t place = first; place < last; ++place)
+      {
+        search.find(place, most_, found, lastSearch);
+        std::transform(found.begin(), found.end(), neighbors_.data() + place * most_,
+          [](const Neighbor& neighbor) { return neighbor.place; });
+      }
+    },
+    executor);
+}
+
+NeighborPlane planeOf(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count)
+{
+  const std::uint32_t* const begin = graph.begin(place);
+  const std::uint32_t* const end = graph.end(place, count);
+  // Offsets are taken in units of the neighbourhood's size, so that squares stay within range.
+  const Eigen::Vector3d center = places.positions()[place];
+  double size = 0;
+  for (const std::uint32_t* neighbor = begin; neighbor != end; ++neighbor)
+  {
+    size = std::max(size, (places.positions()[*neighbor] - center).cwiseAbs().maxCoeff());
+  }
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t* neighbor = begin; neighbor != end; ++neighbor)
+  {
+    const Eigen::Vector3d offset = (places.positions()[*neighbor] - center) / size;
+    sum += offset;
+    squares += offset * offset.transpose();
+  }
+  const double points = static_cast<double>(end - begin + 1);
+  squares -= sum * sum.transpose() / points;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(squares);
+  const Eigen::Vector3d normal = spread.eigenvectors().col(0).normalized();
+  if (!normal.allFinite())
+  {
+    return {{0, 0, 1}, 0};
+  }
+  // A plane takes three degrees of freedom.
+  const double variance = std::max(0.0, spread.eigenvalues()[0]) / std::max(1.0, points - 3);
+  return {normal, size * std::sqrt(variance)};
+}
+
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
+{
+  std::vector<Eigen::Vector3d> normals(places.size());
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t place = first; place < last; ++place)
+      {
+        normals[place] = planeOf(places, graph, place, count).normal;
+      }
+    },
+    executor);
+  return normals;
+}
+
+NeighborStep stepBetween(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& normals,
+  std::size_t from, std::size_t to)
+{
+  const Eigen::Vector3d along = (places.positions()[to] - places.positions()[from]).normalized();
+  const double cosine = std::abs(normals[from].dot(normals[to]));
+  const double climb = std::abs(normals[from].dot(along)) + std::abs(normals[to].dot(along));
+  return {static_cast<float>(1 - cosine + climb / 2), static_cast<std::uint32_t>(from),
+    static_cast<std::uint32_t>(to)};
+}
+
+} // namespace winding

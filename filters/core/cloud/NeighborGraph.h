@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/DistinctPoints.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/// The nearest other places of each place, nearest first: as many for all places.
+class NeighborGraph
+{
+public:
+  /// Finds `most` neighbours of each place, or all others if there are fewer. There must be two
+  /// places or more. Takes 4 bytes for each neighbour. Throws Interrupted.
+  NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor);
+
+  std::size_t neighborsPerPlace() const { return most_; }
+
+  ///@{
+  /// The `count` nearest neighbours of a place, or all where there are fewer.
+  const std::uint32_t* begin(std::size_t place) const { return neighbors_.data() + place * most_; }
+  const std::uint32_t* end(std::size_t place, std::size_t count) const
+  {
+    return this->begin(place) + (count < most_ ? count : most_);
+  }
+  ///@}
+
+private:
+  std::size_t most_;
+  std::vector<std::uint32_t> neighbors_;
+};
+
+/// The plane through a place and its nearest neighbours.
+struct NeighborPlane
+{
+  Eigen::Vector3d normal; ///< direction in which they spread least; of unit length, in either sense
+  double deviation;       ///< estimated root mean square of their distances from the plane
+};
+
+/// The plane through a place and its `count` nearest neighbours. Points on a line have any normal
+/// across it.
+NeighborPlane planeOf(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count);
+
+/// The normals of the planes of all places. Throws Interrupted.
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor);
+
+/// A step along the graph from a place to a neighbour; the most certain step is the greatest.
+struct NeighborStep
+{
+  float doubt;
+  std::uint32_t from, to;
+
+  bool operator<(const NeighborStep& other) const
+  {
+    return doubt != other.doubt ? doubt > other.doubt
+           : from != other.from ? from > other.from
+                                : to > other.to;
+  }
+};
+
+/// The step between two places with normals of any sense. It is the more certain the more similar
+/// the normals are, and the less it goes along them: a place that lies along the normals rather
+/// than across them belongs to another sheet.
+NeighborStep stepBetween(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& normals,
+  std::size_t from, std::size_t to);
+
+} // namespace winding

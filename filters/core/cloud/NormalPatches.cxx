@@ -1,0 +1,164 @@
+#include "cloud/NormalPatches.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+NormalPatches::NormalPatches(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<Eigen::Vector3d>& normals, Executor& executor)
+  : sets_(places.size())
+  , places_(places.size())
+{
+  constexpr std::size_t stepsPerPlace = 10, placesPerBlock = 4096;
+  const std::size_t perPlace = std::min(stepsPerPlace, graph.neighborsPerPlace());
+  const Link none = {0, 0, 0, 0}; // from a place to itself
+  links_.resize(places.size() * perPlace);
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t place = first; place < last; ++place)
+      {
+        Link* link = &links_[place * perPlace];
+        for (const std::uint32_t* to = graph.begin(place); to != graph.end(place, perPlace); ++to)
+        {
+          const std::uint32_t* const end = graph.end(*to, perPlace);
+          if (*to < place && std::find(graph.begin(*to), end, place) != end)
+          {
+            *link++ = none;
+            continue;
+          }
+          const NeighborStep step = stepBetween(places, normals, place, *to);
+          const bool areOpposite = normals[place].dot(normals[*to]) < 0;
+          *link++ = {step.doubt, step.from, step.to, areOpposite};
+        }
+      }
+    },
+    executor);
+  links_.erase(std::remove_if(links_.begin(), links_.end(),
+                 [](const Link& link) { return link.from == link.to; }),
+    links_.end());
+  links_.shrink_to_fit();
+  std::sort(links_.begin(), links_.end(),
+    [](const Link& a, const Link& b)
+    {
+      return a.doubt != b.doubt ? a.doubt < b.doubt
+             : a.from != b.from ? a.from < b.from
+                                : a.to < b.to;
+    });
+}
+
+void NormalPatches::grow(float doubt)
+{
+  for (; joined_ < links_.size() && links_[joined_].doubt <= doubt; ++joined_)
+  {
+    const Link& link = links_[joined_];
+    sets_.unite(static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to),
+      link.areOpposite != 0);
+  }
+}
+
+NormalPatches::Largest NormalPatches::largest(
+  std::size_t fewestPlaces, std::size_t mostPatches) const
+{
+  std::vector<std::uint32_t> sizes(places_), roots(places_);
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    roots[place] =
+      static_cast<std::uint32_t>(sets_.find(static_cast<std::int32_t>(place)).representative);
+    ++sizes[roots[place]];
+  }
+  std::vector<std::uint32_t> patches;
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    if (sizes[place] >= fewestPlaces)
+    {
+      patches.push_back(static_cast<std::uint32_t>(place));
+    }
+  }
+  std::sort(patches.begin(), patches.end(),
+    [&](std::uint32_t a, std::uint32_t b)
+    { return sizes[a] != sizes[b] ? sizes[a] > sizes[b] : a < b; });
+  patches.resize(std::min(patches.size(), mostPatches));
+  constexpr std::uint32_t none = ~std::uint32_t(0);
+  std::vector<std::uint32_t> patchOf(places_, none);
+  Largest largest;
+  largest.starts.push_back(0);
+  for (const std::uint32_t root : patches)
+  {
+    patchOf[root] = static_cast<std::uint32_t>(largest.starts.size() - 1);
+    largest.starts.push_back(largest.starts.back() + sizes[root]);
+  }
+  largest.places.resize(largest.starts.back());
+  std::vector<std::size_t> next(largest.starts.begin(), largest.starts.end());
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    const std::uint32_t patch = patchOf[roots[place]];
+    if (patch != none)
+    {
+      largest.places[next[patch]++] = static_cast<std::uint32_t>(place);
+    }
+  }
+  return largest;
+}
+
+std::vector<unsigned char> NormalPatches::areOpposite() const
+{
+  std::vector<unsigned char> areOpposite(places_);
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    areOpposite[place] = sets_.find(static_cast<std::int32_t>(place)).isOpposite;
+  }
+  return areOpposite;
+}
+
+void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const
+{
+  SensedSets sets = sets_;
+  // A patch with a sense is united with one more item, which stands for it; sets with a sense are
+  // never united with each other.
+  std::vector<unsigned char> hasSense(places_, 0);
+  for (std::size_t patch = 0; patch < patches.count(); ++patch)
+  {
+    const std::uint32_t place = patches.places[patches.starts[patch]];
+    hasSense[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(place)).representative)] =
+      1;
+  }
+  std::vector<unsigned char> isRootTurned(places_, 0);
+  for (const std::uint32_t place : patches.places)
+  {
+    const SensedSets::Place found = sets.find(static_cast<std::int32_t>(place));
+    isRootTurned[static_cast<std::size_t>(found.representative)] =
+      (isTurned[place] != 0) != found.isOpposite;
+  }
+  for (std::size_t i = joined_; i < links_.size(); ++i)
+  {
+    const Link& link = links_[i];
+    const SensedSets::Place a = sets.find(static_cast<std::int32_t>(link.from));
+    const SensedSets::Place b = sets.find(static_cast<std::int32_t>(link.to));
+    const auto first = static_cast<std::size_t>(a.representative);
+    const auto second = static_cast<std::size_t>(b.representative);
+    if (first == second || (hasSense[first] && hasSense[second]))
+    {
+      continue;
+    }
+    const bool areRootsOpposite = (link.areOpposite != 0) != (a.isOpposite != b.isOpposite);
+    const std::size_t low = std::min(first, second);
+    const bool isSensed = hasSense[first] || hasSense[second];
+    const std::size_t known = hasSense[second] ? second : first;
+    const bool isKnownTurned = isRootTurned[known] != 0;
+    sets.unite(static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to),
+      link.areOpposite != 0);
+    hasSense[low] = isSensed;
+    isRootTurned[low] = isKnownTurned != (known != low && areRootsOpposite);
+  }
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    const SensedSets::Place found = sets.find(static_cast<std::int32_t>(place));
+    isTurned[place] =
+      (isRootTurned[static_cast<std::size_t>(found.representative)] != 0) != found.isOpposite;
+  }
+}
+
+} // namespace winding

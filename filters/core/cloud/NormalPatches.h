@@ -1,0 +1,64 @@
+#pragma once
+
+#include "base/DisjointSets.h"
+#include "cloud/NeighborGraph.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * Patches of a cloud whose normals agree among themselves beyond doubt: places that steps of little
+ * doubt join. They grow as more doubt is allowed. The result does not depend on the executor.
+ */
+class NormalPatches
+{
+public:
+  /// The normals may have any sense. All must outlive this. Takes
+  /// about 100 bytes per place. Throws Interrupted.
+  NormalPatches(const DistinctPoints& places, const NeighborGraph& graph,
+    const std::vector<Eigen::Vector3d>& normals, Executor& executor);
+
+  /// Joins all places that steps of up to so much doubt lead to.
+  void grow(float doubt);
+
+  /// The largest patches of now, down to some places and up to some patches, and in order of size:
+  /// the places of each, from starts[p] up to, without, starts[p + 1] in `places`.
+  struct Largest
+  {
+    std::vector<std::uint32_t> places;
+    std::vector<std::size_t> starts;
+
+    std::size_t count() const { return starts.size() - 1; }
+  };
+  Largest largest(std::size_t fewestPlaces, std::size_t mostPatches) const;
+
+  /// Whether each place has to be turned for the normals of its patch to agree with that of the
+  /// patch's first place.
+  std::vector<unsigned char> areOpposite() const;
+
+  /// Hands senses on to all places: first from the patches that have one, along the steps in order
+  /// of their doubt, then among the rest. isTurned: for the places of these patches, whether their
+  /// normals are to be turned. Other places' entries are set.
+  void handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const;
+
+private:
+  /// A step and whether its normals have opposite senses. Both ends are neighbours of each other
+  /// mostly, and have one link then.
+  struct Link
+  {
+    float doubt;
+    std::uint32_t from;
+    std::uint32_t to : 31;
+    std::uint32_t areOpposite : 1;
+  };
+
+  std::vector<Link> links_; ///< in order of their doubt
+  std::size_t joined_ = 0;  ///< links that have been looked at
+  mutable SensedSets sets_; ///< finding a set shortens the way to it for the next time
+  std::size_t places_;
+};
+
+} // namespace winding

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/Surface.h"
+#include "surface/Components.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * The solids that a surface is made of: its components (Components.h), each closed one that is
+ * oriented inward and lies in others, as the wall of a cavity does (ClosedComponents.h), taken
+ * together with the innermost of these. Solids are numbered by their triangles, most first, and by
+ * their lowest vertices where they have as many: the numbers do not depend on the order of the
+ * triangles, but for solids that have both in common.
+ */
+struct SolidParts
+{
+  std::vector<std::int32_t> ofTriangle; ///< solid of each triangle
+  std::size_t count = 0;                ///< number of solids
+};
+
+/// Finds the solids; the same for every executor. Takes the time and memory of edgesOf() and
+/// closedComponents(). Throws Interrupted.
+SolidParts solidPartsOf(const Surface& surface, const PolygonParts& parts, Executor& executor);
+
+} // namespace winding

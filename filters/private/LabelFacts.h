@@ -1,0 +1,100 @@
+#pragma once
+
+#include "field/Field.h"
+
+#include <cstddef>
+#include <string>
+
+namespace winding
+{
+
+/// A number of solids, and the first few of their names.
+class NamedSolids
+{
+public:
+  void add(const std::string& name)
+  {
+    constexpr std::size_t mostNames = 3;
+    ++count_;
+    if (count_ <= mostNames)
+    {
+      names_ += (names_.empty() ? "'" : ", '") + name + "'";
+    }
+    else if (count_ == mostNames + 1)
+    {
+      names_ += ", ...";
+    }
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// "2 of 10 solids ('a', 'b')".
+  std::string outOf(std::size_t solids) const
+  {
+    return std::to_string(count_) + " of " + std::to_string(solids) +
+           (solids == 1 ? " solid (" : " solids (") + names_ + ")";
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::string names_;
+};
+
+/// Facts about the solids of one execution.
+struct LabelFacts
+{
+  FieldInfo source; ///< sums over all solids; method, reason and kind are those of the largest
+  std::size_t largest = 0;  ///< primitives of the solid that has most
+  std::size_t expected = 0; ///< number of all solids
+  std::size_t solids = 0;   ///< number of those that were added
+  NamedSolids empty;        ///< solids without primitives
+  NamedSolids open;         ///< surfaces with net boundary edges
+  NamedSolids insideOut;    ///< those where w is negative and nothing is inside
+  NamedSolids warned;       ///< those with a warning
+  std::string warning;      ///< the first warning
+
+  void add(const FieldInfo& info, const std::string& name)
+  {
+    ++solids;
+    if (solids == 1 || info.primitives > largest)
+    {
+      FieldInfo sums = info;
+      addCounts(sums, source);
+      source = sums;
+      largest = info.primitives;
+    }
+    else
+    {
+      addCounts(source, info);
+    }
+    if (info.primitives == 0)
+    {
+      empty.add(name);
+    }
+    else if (info.isSurface && info.netBoundaryEdges > 0)
+    {
+      open.add(name);
+    }
+    if (!info.warning.empty())
+    {
+      warning = warned.count() == 0 ? info.warning : warning;
+      warned.add(name);
+    }
+  }
+
+private:
+  static void addCounts(FieldInfo& sums, const FieldInfo& more)
+  {
+    sums.inputPrimitives += more.inputPrimitives;
+    sums.primitives += more.primitives;
+    sums.distinct += more.distinct;
+    sums.dropped += more.dropped;
+    sums.weldedVertices += more.weldedVertices;
+    sums.boundaryEdges += more.boundaryEdges;
+    sums.netBoundaryEdges += more.netBoundaryEdges;
+    sums.capTriangles += more.capTriangles;
+    sums.bounds.extend(more.bounds);
+  }
+};
+
+} // namespace winding

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace winding
+{
+
+/// A block that is a solid, with its name in the composite. A block that is not there is an empty
+/// vtkPolyData; one in pieces is composite itself.
+struct SolidBlock
+{
+  std::string name;
+  vtkSmartPointer<vtkDataObject> source;
+};
+
+/// The solids of composite data, as Solids.h tells them apart.
+std::vector<SolidBlock> solidBlocksOf(vtkDataObject* composite);
+
+/// Throws Refusal, by its name, for a block without a surface where others have one, and for data
+/// that is no source at all. asPoints: whether meshes are taken as the clouds of their points.
+void checkSolids(vtkDataObject* input, bool asPoints);
+
+} // namespace winding

@@ -1,0 +1,132 @@
+/**
+ * @class   vtkWindingNumberImageAlgorithm
+ * @brief   base class of winding-number filters that give an image
+ *
+ * The samples of the grid (see vtkWindingNumberGridAlgorithm) are the points or the cells of a
+ * vtkImageData. What the image has is said by the classes vtkWindingNumberField and
+ * vtkWindingNumberLabels.
+ *
+ * **Pipeline.** The filter streams: any sub-extent can be asked for, and has the very bits that the
+ * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
+ * asked for, over the source as it is then. At other time steps the grid keeps its dimensions, so
+ * that pieces fit together, and its origin and spacing follow the source.
+ * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, also while the
+ * filter prepares; the output is then empty.
+ *
+ * @sa vtkWindingNumberField vtkWindingNumberLabels
+ */
+#ifndef vtkWindingNumberImageAlgorithm_h
+#define vtkWindingNumberImageAlgorithm_h
+
+#include "vtkWindingNumberGridAlgorithm.h"
+
+namespace winding
+{
+struct VoxelEvaluation;
+}
+class vtkImageData;
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberImageAlgorithm : public vtkWindingNumberGridAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWindingNumberImageAlgorithm, vtkWindingNumberGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The place of the samples in the image.
+  enum OutputAssociationType
+  {
+    POINTS = 0, ///< points of the image: n per axis, at the voxel centres. Contour these.
+    CELLS = 1   ///< cells of the image: n per axis, the voxels themselves. Threshold these.
+  };
+
+  ///@{
+  /// Whether samples are points or cells of the image; their values are the same. Default POINTS.
+  vtkSetMacro(OutputAssociation, int);
+  vtkGetMacro(OutputAssociation, int);
+  void SetOutputAssociationToPoints() { this->SetOutputAssociation(POINTS); }
+  void SetOutputAssociationToCells() { this->SetOutputAssociation(CELLS); }
+  ///@}
+
+  /// The rules by which a voxel, which is the box of one spacing around its sample, is inside.
+  enum CoverageType
+  {
+    /// The centre of the voxel is inside.
+    CENTER = 0,
+    /**
+     * The voxel overlaps the solid or its surface: the centre is inside, or a triangle or a point
+     * of the source touches the voxel, its boundary included, or, with open surfaces and clouds, a
+     * corner is inside. So the voxels hold all of the surface that lies in the grid, and all voxels
+     * of CENTER are among them.
+     */
+    ANY = 1,
+    /**
+     * At least half of the voxel is inside, by the share that is inside of CoverageSamples³
+     * samples, evenly spaced in the voxel. Samples are counted, for a mean of w would be no share
+     * of the voxel beside holes, where w fades, or where solids overlap. It takes the time of a few
+     * fields for closed surfaces, of a field of as many samples otherwise.
+     */
+    FRACTION = 2
+  };
+
+  ///@{
+  /// The rule by which a voxel is inside. Default CENTER.
+  vtkSetMacro(Coverage, int);
+  vtkGetMacro(Coverage, int);
+  void SetCoverageToCenter() { this->SetCoverage(CENTER); }
+  void SetCoverageToAny() { this->SetCoverage(ANY); }
+  void SetCoverageToFraction() { this->SetCoverage(FRACTION); }
+  ///@}
+
+  ///@{
+  /// The number of samples along each axis of a voxel, for FRACTION. 1 to 10, default 4, with which
+  /// shares are multiples of 1/64.
+  vtkSetMacro(CoverageSamples, int);
+  vtkGetMacro(CoverageSamples, int);
+  ///@}
+
+  /// The output of port 0.
+  vtkImageData* GetOutput();
+
+protected:
+  vtkWindingNumberImageAlgorithm() = default;
+  ~vtkWindingNumberImageAlgorithm() override = default;
+
+  vtkWindingNumberImageAlgorithm(const vtkWindingNumberImageAlgorithm&) = delete;
+  void operator=(const vtkWindingNumberImageAlgorithm&) = delete;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
+  bool InformationNeedsSource() const override { return true; }
+  winding::EvaluationCost GetAdditionalCost(
+    const winding::Field& field, vtkIdType samples) override;
+
+  /// The type of the active scalars that the image will have.
+  virtual int GetActiveScalarType() const = 0;
+
+  /// Throws a refusal for a source that the filter cannot work with, before the grid is laid.
+  virtual void CheckSource(vtkDataObject*) {}
+
+  /// Makes the arrays of an extent of samples, and adds them to these attributes of the image,
+  /// whose extent, origin and spacing are set. The grid has been laid over the source.
+  virtual void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+    vtkDataSetAttributes* attributes) = 0;
+
+  /// How voxels are evaluated, by Coverage; what they are written to is left to the caller.
+  winding::VoxelEvaluation GetVoxelEvaluation() const;
+
+  int OutputAssociation = POINTS;
+  int Coverage = CENTER;
+  int CoverageSamples = 4;
+
+private:
+  void TellGrid(vtkInformation* outInfo) const;
+  void UpdateSource(vtkInformation* outInfo);
+};
+
+#endif

@@ -1,0 +1,186 @@
+/**
+ * @class   vtkWindingNumberLabels
+ * @brief   which of several solids each voxel lies in, as an image of labels
+ *
+ * The filter takes an assembly, such as bones, parts or materials, and gives vtkImageData with the
+ * array "Label" (unsigned short): the label of the solid that the voxel lies in, 0 outside of all.
+ * A voxel lies in a solid if it is inside by the solid's own winding number, as in the array
+ * "Inside" that vtkWindingNumberField makes of that solid alone on the same grid: WindingThreshold,
+ * InsideRule and Coverage say what inside is, to the bit. OverlapRule decides where it lies in
+ * several.
+ *
+ * **Solids.**
+ * - Of a vtkMultiBlockDataSet every leaf is one, in blocks of blocks, too; a multi-piece counts as
+ *   one leaf. Of a vtkPartitionedDataSetCollection every partitioned data set is one, and of any
+ *   other composite every leaf. Their labels are 1, 2, … in the order of the blocks. A block that
+ *   is empty or not there has a label, which no voxel gets.
+ * - Of a single data set every region is one: the cells with one value of the cell array
+ *   RegionArray, an integer. The label is that value plus LabelOffset. Polydata has regions of
+ *   polygons and strips, other data sets have regions with outer surfaces of their own.
+ * - Of a single data set without a RegionArray every part is one that shares edges with no other;
+ *   the wall of a cavity, which is oriented inward, belongs to the part around it. Parts have the
+ *   labels 1, 2, … by their number of triangles, most first.
+ *
+ * Each solid is a surface or a cloud as vtkWindingNumberAlgorithm says, and need not be closed: its
+ * winding number decides.
+ *
+ * **Output.** Beside "Label", which is active, there are arrays by GenerateSolidCount and
+ * CoverageArrays. The field data has a row for each solid: "LabelValues" (unsigned short) and
+ * "LabelNames" (strings), the names of the blocks, or "Block n" where there is none, or the region
+ * array's name and the region, or "Part n". A name that occurs again gets a number. For a surface
+ * of all labels that meets without gaps see vtkWindingNumberVoxels, or smooth vtkSurfaceNets3D.
+ *
+ * **Pipeline.** The image is that of vtkWindingNumberImageAlgorithm, which says how the filter
+ * streams. One solid after the other is built, evaluated where it can be inside and forgotten, so
+ * that the memory beside the input and the image is that of one solid, and of at most 16 million of
+ * its voxels at a time (or one layer of the grid). Every piece builds all solids again. Results
+ * have the same bits for any threads and pieces and for any order of the primitives within solids.
+ * In a parallel program every rank has as many blocks, each of them a part of the solid or nothing;
+ * or cells of any regions. Connectivity is for one rank.
+ *
+ * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
+ * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each
+ * solid are compared, for which its values are made once more; the findings are those of all solids
+ * together. LongestExpectedTime is compared with the sum of all solids so far. Facts about the
+ * source are sums over all solids, and the method is that of the solid with the most primitives.
+ *
+ * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and labels that
+ * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not tell
+ * regions. Warnings, each one line, count solids that are empty, not closed or inside out, and
+ * names that occur again.
+ *
+ * @sa vtkWindingNumberField vtkWindingNumberVoxels vtkSurfaceNets3D
+ */
+#ifndef vtkWindingNumberLabels_h
+#define vtkWindingNumberLabels_h
+
+#include "vtkWindingNumberImageAlgorithm.h"
+
+#include <array>   // for extents
+#include <cstddef> // for std::size_t
+#include <string>  // for the names of solids
+
+namespace winding
+{
+class LabelImage;
+class Solids;
+struct LabelFacts;
+struct LabelImageOptions;
+struct SolidEvaluationOptions;
+} // namespace winding
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberLabels : public vtkWindingNumberImageAlgorithm
+{
+public:
+  static vtkWindingNumberLabels* New();
+  vtkTypeMacro(vtkWindingNumberLabels, vtkWindingNumberImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The rules by which a voxel that lies in several solids gets its label.
+  enum OverlapRuleType
+  {
+    FIRST = 0, ///< that of the first of them, in the order of the labels
+    LAST = 1,  ///< that of the last
+    /// The label of the solid with the largest w at the centre, in float, or with the largest |w|
+    /// for the inside rule ABSOLUTE; the first of equal ones.
+    LARGEST_WINDING_NUMBER = 2,
+    /// The label of the solid of the smallest volume, which is exact for closed surfaces and about
+    /// right for others (SourceVolume.h); the first of equal ones. So a part within a part shows.
+    SMALLEST_VOLUME = 3
+  };
+
+  ///@{
+  /// The rule by which a voxel that lies in several solids gets its label. Default FIRST.
+  vtkSetMacro(OverlapRule, int);
+  vtkGetMacro(OverlapRule, int);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "SolidCount" (unsigned short): the number of solids that the voxel
+  /// lies in. Default off.
+  vtkSetMacro(GenerateSolidCount, vtkTypeBool);
+  vtkGetMacro(GenerateSolidCount, vtkTypeBool);
+  vtkBooleanMacro(GenerateSolidCount, vtkTypeBool);
+  ///@}
+
+  /// The arrays that the coverage FRACTION adds.
+  enum CoverageArraysType
+  {
+    /// The two largest shares of each voxel, "FirstShare" and "SecondShare" (float), and the labels
+    /// that have them, "FirstLabel" and "SecondLabel" (unsigned short), 0 for none. Of equal shares
+    /// that of the solid that comes first is the larger one.
+    TWO_LARGEST = 0,
+    /// An array of floats for each solid, "Coverage " and its label: the share of the voxel.
+    EACH_LABEL = 1
+  };
+
+  ///@{
+  /// The arrays that the coverage FRACTION adds. Default TWO_LARGEST.
+  vtkSetMacro(CoverageArrays, int);
+  vtkGetMacro(CoverageArrays, int);
+  ///@}
+
+  ///@{
+  /// The name of the cell array that says of a single data set which cells are a solid. Default: no
+  /// name, for the parts by connectivity; the name None means the same if no array has it. It has
+  /// no effect for blocks.
+  vtkSetStringMacro(RegionArray);
+  vtkGetStringMacro(RegionArray);
+  ///@}
+
+  ///@{
+  /// The number that is added to a region to give its label: 1 for regions that begin with 0, as
+  /// those of vtkConnectivityFilter do. Default 0.
+  vtkSetMacro(LabelOffset, int);
+  vtkGetMacro(LabelOffset, int);
+  ///@}
+
+  ///@{
+  /// Facts about the last execution: the number of solids, and of those that have no primitives,
+  /// those that are surfaces with net boundary edges, and those that are inside out, which is known
+  /// as GetSourceIsInsideOut() is.
+  vtkIdType GetNumberOfSolids() const;
+  vtkIdType GetNumberOfEmptySolids() const;
+  vtkIdType GetNumberOfOpenSolids() const;
+  vtkIdType GetNumberOfInsideOutSolids() const;
+  ///@}
+
+protected:
+  vtkWindingNumberLabels();
+  ~vtkWindingNumberLabels() override;
+
+  vtkWindingNumberLabels(const vtkWindingNumberLabels&) = delete;
+  void operator=(const vtkWindingNumberLabels&) = delete;
+
+  void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
+  void CheckSource(vtkDataObject* source) override;
+  void TellFaults(const winding::FieldInfo& info) override;
+  const winding::FieldInfo& GetSourceInfo() const override;
+  double GetResultBytes(vtkIdType samples) const override;
+
+  int GetActiveScalarType() const override { return VTK_UNSIGNED_SHORT; }
+  void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+    vtkDataSetAttributes* attributes) override;
+
+  int OverlapRule = FIRST;
+  vtkTypeBool GenerateSolidCount = 0;
+  int CoverageArrays = TWO_LARGEST;
+  char* RegionArray = nullptr;
+  int LabelOffset = 0;
+
+private:
+  winding::LabelImageOptions GetImageOptions(std::size_t solids) const;
+  winding::SolidEvaluationOptions GetEvaluationOptions() const;
+  const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
+  void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
+  void VerifySolid(const winding::Field& field, const std::array<int, 6>& extent);
+  void ForgetVerification();
+  void LookInside(const winding::Field& field, const std::string& name);
+  void DescribeSolids(const winding::Solids& solids, vtkImageData* image) const;
+  void WarnOfSolids(const winding::Solids& solids);
+
+  std::unique_ptr<winding::LabelFacts> Facts;
+};
+
+#endif

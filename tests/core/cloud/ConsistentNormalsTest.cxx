@@ -1,0 +1,242 @@
+/// Normals that the winding number agrees with: clouds on which a spanning tree fails, noise, bits
+/// for threads and orders of points, and clouds that enclose nothing.
+
+#include "cloud/ConsistentNormals.h"
+
+#include "cloud/PatchSigns.h"
+#include "core/support/Samples.h"
+#include "core/support/Shapes.h"
+#include "core/support/ShuffledThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+
+using namespace shapes;
+
+winding::ConsistentNormals estimate(const std::vector<Point>& positions, int neighbors = 20)
+{
+  winding::SerialExecutor serial;
+  return winding::consistentNormals(positions, neighbors, serial);
+}
+
+/// Points on surfaces, with their normals.
+struct Scan
+{
+  std::vector<Point> positions, normals;
+};
+
+/// Points on a sphere at the origin; sense: 1 for normals that point outward, −1 for a cavity.
+void addSphere(Scan& scan, std::size_t count, double radius, int sense, Random& random)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double z = random(-1, 1), along = random(0, 6.283185307179586);
+    const double width = std::sqrt(1 - z * z);
+    const Point normal(width * std::cos(along), width * std::sin(along), z);
+    scan.positions.push_back(radius * normal);
+    scan.normals.push_back(sense * normal);
+  }
+}
+
+/// Points on the faces of a box, as many as suit the faces' areas.
+void addBox(Scan& scan, std::size_t count, const Point& low, const Point& high, Random& random)
+{
+  const Point size = high - low;
+  const double areas[] = {size[1] * size[2], size[2] * size[0], size[0] * size[1]};
+  const double all = areas[0] + areas[1] + areas[2];
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double choice = random(0, all);
+    const int axis = choice < areas[0] ? 0 : choice < areas[0] + areas[1] ? 1 : 2;
+    const bool isHigh = random(0, 1) < 0.5;
+    Point position(random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2]));
+    position[axis] = isHigh ? high[axis] : low[axis];
+    scan.positions.push_back(position);
+    scan.normals.push_back((isHigh ? 1 : -1) * Point::Unit(axis));
+  }
+}
+
+double rightShare(const std::vector<Point>& normals, const std::vector<Point>& expected)
+{
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    EXPECT_NEAR(normals[i].norm(), 1, 1e-12);
+    right += normals[i].dot(expected[i]) > 0;
+  }
+  return static_cast<double>(right) / static_cast<double>(normals.size());
+}
+
+/// Plates side by side, as far from each other as they are thick.
+Scan plates()
+{
+  Scan scan;
+  Random random(4);
+  for (int i = 0; i < 3; ++i)
+  {
+    addBox(scan, 6000, Point(0, 0, 0.3 * i), Point(2, 2, 0.3 * i + 0.15), random);
+  }
+  return scan;
+}
+
+} // namespace
+
+TEST(ConsistentNormals, OfNestedShellsPointIntoTheirCavities)
+{
+  Scan scan;
+  Random random(1);
+  addSphere(scan, 4000, 1, 1, random);
+  addSphere(scan, 2500, 0.8, -1, random);
+  addSphere(scan, 1500, 0.6, 1, random);
+  addSphere(scan, 600, 0.4, -1, random);
+  const winding::ConsistentNormals estimated = estimate(scan.positions);
+  EXPECT_EQ(rightShare(estimated.normals, scan.normals), 1);
+  EXPECT_LT(estimated.deviation, 0.01); // 0.003
+}
+
+TEST(ConsistentNormals, OfPlatesSideBySide)
+{
+  const Scan scan = plates();
+  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.97); // 0.99
+}
+
+TEST(ConsistentNormals, OfPartsThatTouch)
+{
+  Scan scan;
+  Random random(2);
+  addBox(scan, 4000, Point(0, 0, 0), Point(1, 1, 1), random);
+  addBox(scan, 4000, Point(1.06, 0.2, 0.1), Point(2, 1.4, 0.9), random);
+  addBox(scan, 2000, Point(0.2, 0.3, 1.07), Point(1.8, 0.8, 1.4), random);
+  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.97);
+}
+
+TEST(ConsistentNormals, OfNoisyPoints)
+{
+  Scan scan;
+  Random random(3);
+  addSphere(scan, 8000, 1, 1, random);
+  addSphere(scan, 4000, 0.7, -1, random);
+  for (Point& position : scan.positions)
+  {
+    // The sum of twelve numbers is about normally distributed. The spacing is 0.04.
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double sum = -6;
+      for (int i = 0; i < 12; ++i)
+      {
+        sum += random(0, 1);
+      }
+      position[axis] += 0.03 * sum;
+    }
+  }
+  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.97);
+}
+
+TEST(ConsistentNormals, HaveTheSameBitsForAnyThreadsAndOrder)
+{
+  const Scan scan = plates();
+  const winding::ConsistentNormals expected = estimate(scan.positions);
+  std::vector<std::size_t> order(scan.positions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937(7));
+  std::vector<Point> shuffled;
+  for (const std::size_t point : order)
+  {
+    shuffled.push_back(scan.positions[point]);
+  }
+  ShuffledThreads threads(5);
+  const winding::ConsistentNormals other = winding::consistentNormals(shuffled, 20, threads);
+  EXPECT_EQ(other.deviation, expected.deviation);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ASSERT_EQ(other.normals[i], expected.normals[order[i]]);
+  }
+}
+
+TEST(NormalsToTurn, AreThoseThatHaveBeenTurned)
+{
+  const Scan scan = plates();
+  winding::SerialExecutor serial;
+  EXPECT_EQ(winding::normalsToTurn(scan.positions, scan.normals, serial),
+    std::vector<unsigned char>(scan.normals.size(), 0));
+  Random random(8);
+  for (const double share : {0.02, 0.5, 1.0})
+  {
+    std::vector<Point> normals = scan.normals;
+    std::vector<unsigned char> expected;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      // Regions are turned, as if a cloud were merged from scans.
+      const int region = static_cast<int>(
+        std::floor(5 * scan.positions[i][0]) + 7 * std::floor(5 * scan.positions[i][1]));
+      const bool isTurned = share == 1 || (share == 0.5 ? region % 2 == 0 : random(0, 1) < share);
+      expected.push_back(isTurned);
+      normals[i] *= isTurned ? -1 : 1;
+    }
+    const std::vector<unsigned char> turns =
+      winding::normalsToTurn(scan.positions, normals, serial);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < turns.size(); ++i)
+    {
+      wrong += turns[i] != expected[i];
+    }
+    // A few normals among many leave w about right, and are found by their neighbours only where
+    // others are wrong, too.
+    const double most = share < 0.1 ? 1.01 * share : 0.01;
+    EXPECT_LE(static_cast<double>(wrong), most * static_cast<double>(turns.size())) << share;
+  }
+}
+
+/// Clouds that enclose nothing, or are no surfaces at all.
+TEST(ConsistentNormals, OfDegenerateCloudsAreFinite)
+{
+  std::vector<std::vector<Point>> clouds = {{}, {Point(1, 2, 3)}, {Point(0, 0, 0), Point(1, 0, 0)},
+    std::vector<Point>(100, Point(1, 1, 1)), {}, {}, {}};
+  for (int i = 0; i < 400; ++i)
+  {
+    clouds[4].emplace_back(i, 2 * i, 3 * i);
+    clouds[5].emplace_back(i % 20, i / 20, 0);
+    clouds[6].emplace_back(i % 20, i / 20, i % 7);
+  }
+  clouds[6].emplace_back(1e6, 1e6, 1e6);
+  for (const std::vector<Point>& cloud : clouds)
+  {
+    for (const int neighbors : {3, 20})
+    {
+      const std::vector<Point> normals = estimate(cloud, neighbors).normals;
+      ASSERT_EQ(normals.size(), cloud.size());
+      rightShare(normals, normals);
+    }
+  }
+}
+
+TEST(PatchSigns, AreThoseOfTheLeastSquares)
+{
+  // Any signs can be found again from shares that have been multiplied by them.
+  Random random(6);
+  constexpr Eigen::Index points = 60, patches = 12;
+  for (int repeat = 0; repeat < 20; ++repeat)
+  {
+    Eigen::MatrixXd shares(points, patches);
+    Eigen::VectorXd expected(patches);
+    for (Eigen::Index p = 0; p < patches; ++p)
+    {
+      expected[p] = random(0, 1) < 0.5 ? -1 : 1;
+      for (Eigen::Index m = 0; m < points; ++m)
+      {
+        shares(m, p) = random(-1, 1);
+      }
+    }
+    // The last patch makes the sum one half.
+    shares.col(patches - 1).setConstant(0.5);
+    expected[patches - 1] = 1;
+    shares.col(patches - 1) -= shares.leftCols(patches - 1) * expected.head(patches - 1);
+    EXPECT_EQ(winding::patchSigns(shares), expected);
+  }
+}

@@ -1,0 +1,75 @@
+"""The filter Winding Number Labels in ParaView, and the surface between labels."""
+import math
+import unittest
+
+from paraview import simple
+
+from support import result, run_tests
+
+BALLS = {"big": (0, 0, 0, 1.0), "small": (1.2, 0, 0, 0.6), "inner": (-0.2, 0, 0, 0.5)}
+
+
+def balls():
+    return [
+        simple.Sphere(Center=place[:3], Radius=place[3], ThetaResolution=32, PhiResolution=24)
+        for place in BALLS.values()
+    ]
+
+
+def values_of(data, name="Label"):
+    array = data.GetArray(name)
+    return [int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples())]
+
+
+class TestLabels(unittest.TestCase):
+    def assembly(self):
+        return simple.GroupDatasets(Input=balls(), BlockNames=list(BALLS))
+
+    def test_blocks_have_a_label_each(self):
+        labels = simple.WindingNumberLabels(Input=self.assembly(), Resolution=32)
+        image = result(labels)
+        found = values_of(image.GetPointData())
+        self.assertEqual(set(found), {0, 1, 2})
+        self.assertEqual(image.GetPointData().GetScalars().GetName(), "Label")
+        labels.OverlapRule = "Smallest Volume"
+        found = values_of(result(labels).GetPointData())
+        self.assertEqual(set(found), {0, 1, 2, 3})
+        voxel = math.prod(image.GetSpacing())
+        self.assertAlmostEqual(found.count(3) * voxel, 4 / 3 * math.pi * 0.125, delta=0.05)
+        names = result(labels).GetFieldData().GetAbstractArray("LabelNames")
+        self.assertEqual([names.GetValue(i) for i in range(3)], list(BALLS))
+        self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 0)
+        labels.SMProxy.UpdatePropertyInformation()
+        self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 3)
+
+    def test_regions_and_parts_of_one_surface(self):
+        merged = simple.MergeBlocks(Input=self.assembly(), OutputDataSetType="Polygonal Mesh")
+        expected = values_of(result(
+            simple.WindingNumberLabels(Input=self.assembly(), Resolution=24)).GetPointData())
+        regions = simple.Connectivity(Input=merged, RegionIdAssignmentMode="Cell Count Descending")
+        labels = simple.WindingNumberLabels(Input=regions, Resolution=24)
+        self.assertEqual(labels.RegionArray, "None")
+        parts = values_of(result(labels).GetPointData())
+        self.assertEqual([v == 0 for v in parts], [v == 0 for v in expected])
+        labels.RegionArray = "RegionId"
+        labels.LabelOffset = 1
+        found = values_of(result(labels).GetPointData())
+        self.assertEqual([v == 0 for v in found], [v == 0 for v in expected])
+
+    def test_the_surface_between_labels_has_both(self):
+        labels = simple.WindingNumberLabels(
+            Input=self.assembly(), Resolution=24, OverlapRule="Smallest Volume",
+            OutputAssociation="Cells", Coverage="Half Inside", GenerateSolidCount=1)
+        labels.UpdatePipeline()
+        names = {array.GetName() for array in labels.CellData}
+        self.assertEqual(names, {"Label", "SolidCount", "FirstLabel", "FirstShare", "SecondLabel",
+                                 "SecondShare"})
+        voxels = simple.WindingNumberVoxels(Input=labels, ByLabel=1)
+        self.assertEqual(list(voxels.Scalars), ["CELLS", "Label"])
+        both = result(voxels).GetCellData().GetArray("BoundaryLabels")
+        pairs = {both.GetTuple2(i) for i in range(both.GetNumberOfTuples())}
+        self.assertTrue({(1, 0), (2, 0), (1, 2), (1, 3)} <= pairs)
+
+
+if __name__ == "__main__":
+    run_tests()
