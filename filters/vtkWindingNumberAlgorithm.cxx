@@ -19,6 +19,8 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -473,6 +475,14 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
   };
   note("WindingNumberMethod", this->GetMethodUsed());
   note("WindingNumberMethodReason", this->GetMethodReason());
+  if (this->GetNormalsWereEstimated())
+  {
+    note("WindingNumberNormalEstimation", this->GetNormalEstimationUsed());
+    vtkNew<vtkDoubleArray> share;
+    share->SetName("WindingNumberClearShare");
+    share->InsertNextValue(this->GetClearShare());
+    output->GetFieldData()->AddArray(share);
+  }
 }
 
 void vtkWindingNumberAlgorithm::TellSides(

@@ -3,12 +3,14 @@
 #include "filters/SphereCloud.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkStringArray.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +37,13 @@ TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)
   EXPECT_TRUE(probe->GetNormalsWereEstimated());
   EXPECT_STREQ(probe->GetNormalEstimationUsed(), "spanning tree");
   EXPECT_EQ(probe->GetClearShare(), 1);
+  vtkFieldData* data = probe->GetOutputDataObject(0)->GetFieldData();
+  auto* used =
+    vtkStringArray::SafeDownCast(data->GetAbstractArray("WindingNumberNormalEstimation"));
+  ASSERT_TRUE(used);
+  EXPECT_EQ(used->GetValue(0), "spanning tree");
+  ASSERT_TRUE(data->GetArray("WindingNumberClearShare"));
+  EXPECT_EQ(data->GetArray("WindingNumberClearShare")->GetTuple1(0), 1);
   EXPECT_EQ(log.errors() + log.warnings(), "");
 }
 

@@ -37,6 +37,7 @@ FieldOptions randomOptions(Choices& choices, double size)
   options.regularization = choices.oneIn(3) ? choices.between(0, mostRegularization) : 0;
   options.neighbors = 3 + choices.below(20);
   options.estimateNormals = choices.oneIn(6);
+  options.normalEstimation = static_cast<NormalEstimation>(choices.below(3));
   options.scattered = choices.oneIn(4);
   if (choices.oneIn(4))
   {

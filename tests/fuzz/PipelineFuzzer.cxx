@@ -208,6 +208,7 @@ template <class Filter> void setUp(Choices& choices, Filter* filter)
 {
   filter->SetMethod(choices.below(5));
   filter->SetEstimateNormals(choices.oneIn(3));
+  filter->SetNormalEstimation(choices.below(3));
   filter->SetRegularization(choices.oneIn(4) ? 1 : 0);
   filter->SetNumberOfThreads(1);
 }

@@ -120,6 +120,7 @@ def command_for(chance, name, other):
         (
             [],
             ["--estimate-normals"],
+            ["--estimate-normals", "--normal-estimation", "consistent"],
             ["--points"],
             ["--regularization", "1"],
             ["--areas", "array"],

@@ -410,7 +410,8 @@ std::string FieldRun::summary(const Json& report) const
     if (input["normals_estimated"] == true)
     {
       const double percent = std::round(100 * input["clear_share"].get<double>());
-      text += ", estimated normals, clear at " + shown(percent, 3) + " %";
+      text += ", normals by " + input["normal_estimation"].get<std::string>() + ", clear at " +
+              shown(percent, 3) + " %";
     }
   }
   const Json& grid = report["grid"]["dimensions"];
