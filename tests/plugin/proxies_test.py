@@ -176,6 +176,7 @@ ENUMERATIONS = {
         "Nearest Integer Is Odd": 2,
     },
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
+    "Features": {"Smooth": 0, "Sharp": 1},
     "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},
     "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
@@ -205,6 +206,7 @@ DEFAULTS_OF_PANELS = {
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
 RANGES = {
+    "FidelitySamples": (0, None),
     "Tolerance": (0, None),
     "PointArea": (0, None),
     "NumberOfNeighbors": (3, 1000),
