@@ -10,7 +10,8 @@ from vtkmodules.vtkFiltersCore import (
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
 
-from panels import SHELL, actor_of, read, read_surface, smooth_shaded, write_picture
+from panels import (
+    SHELL, actor_of, in_colors_of, read, read_surface, smooth_shaded, write_picture)
 
 # Bone, marrow, implant and screw, behind what is outside.
 COLORS = [(0.97, 0.97, 0.98), (0.94, 0.89, 0.76), (0.83, 0.45, 0.38), (0.45, 0.55, 0.70),
@@ -85,22 +86,13 @@ def assembly():
     }
 
 
-def by_label(actor, of_cells=False):
+def by_label(actor):
     colors = vtkLookupTable()
     colors.SetNumberOfTableValues(len(COLORS))
     for number, color in enumerate(COLORS):
         colors.SetTableValue(number, *color)
     colors.SetTableRange(-0.5, len(COLORS) - 0.5)
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    if of_cells:
-        mapper.SetScalarModeToUseCellFieldData()
-    else:
-        mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Label")
-    mapper.SetLookupTable(colors)
-    mapper.UseLookupTableScalarRangeOn()
-    return actor
+    return in_colors_of(actor, "Label", colors, of_cells=True)
 
 
 def behind(data, height=0.0):
@@ -139,9 +131,9 @@ def draw_labels(winding, _source, picture):
              for file, color, opacity in zip(files, COLORS[1:], (0.25, 0.3, 1, 1))]
     panels = [
         ("Input: four solids in each other", parts),
-        ("Labels, in a slice", [by_label(actor_of(cut, SHELL, Lighting=False), True)]),
-        ("Voxels of all but the bone", [by_label(actor_of(solids, SHELL, Interpolation=0), True)]),
+        ("Labels, in a slice", [by_label(actor_of(cut, SHELL, Lighting=False))]),
+        ("Voxels of all but the bone", [by_label(actor_of(solids, SHELL, Interpolation=0))]),
         ("The surface between labels, cut",
-         [by_label(actor_of(behind(blocks), SHELL, Interpolation=0), True)]),
+         [by_label(actor_of(behind(blocks), SHELL, Interpolation=0))]),
     ]
     write_picture([[(*panel, BOX) for panel in panels]], picture)

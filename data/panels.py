@@ -126,12 +126,8 @@ def ghost_of(mesh):
     return actor_of(smooth_shaded(mesh), SHELL, Opacity=0.16, BackfaceCulling=True)
 
 
-def colored(actor, array, stops, of_cells=False):
-    """The actor, in the colours of an array of its points or cells, with a bar of them."""
-    colors = vtkColorTransferFunction()
-    colors.SetColorSpaceToLab()
-    for value, color in stops:
-        colors.AddRGBPoint(value, *color)
+def in_colors_of(actor, array, colors, of_cells):
+    """The actor, in the colours that a table has for an array of its points or cells."""
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     if of_cells:
@@ -142,6 +138,16 @@ def colored(actor, array, stops, of_cells=False):
     mapper.SelectColorArray(array)
     mapper.SetLookupTable(colors)
     mapper.UseLookupTableScalarRangeOn()
+    return actor
+
+
+def colored(actor, array, stops, of_cells=False):
+    """The actor, in the colours of an array of its points or cells, with a bar of them."""
+    colors = vtkColorTransferFunction()
+    colors.SetColorSpaceToLab()
+    for value, color in stops:
+        colors.AddRGBPoint(value, *color)
+    in_colors_of(actor, array, colors, of_cells)
 
     bar = vtkScalarBarActor()
     bar.SetLookupTable(colors)

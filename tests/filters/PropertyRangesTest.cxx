@@ -153,6 +153,16 @@ template <class Filter> void expectPropertiesOfGridsRefused(Filter* filter)
   filter->RemoveAllObservers();
 }
 
+template <class Filter> void expectPropertiesOfImagesRefused(Filter* filter)
+{
+  expectCommonPropertiesRefused(filter);
+  expectPropertiesOfGridsRefused(filter);
+  EXPECT_REFUSED(filter, OutputAssociation, choices("POINTS (0) or CELLS (1)", 2));
+  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
+  EXPECT_REFUSED(filter, CoverageSamples,
+    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+}
+
 class PropertyRanges : public testing::Test
 {
 protected:
@@ -165,12 +175,7 @@ TEST_F(PropertyRanges, OfTheField)
   field->SetInputConnection(sphere->GetOutputPort());
   field->SetResolution(6);
   vtkWindingNumberField* filter = field;
-  expectCommonPropertiesRefused(filter);
-  expectPropertiesOfGridsRefused(filter);
-  EXPECT_REFUSED(filter, OutputAssociation, choices("POINTS (0) or CELLS (1)", 2));
-  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
-  EXPECT_REFUSED(filter, CoverageSamples,
-    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+  expectPropertiesOfImagesRefused(filter);
   EXPECT_REFUSED(filter, DistanceBand, notPositive);
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   expectWorking(field);
@@ -183,12 +188,7 @@ TEST_F(PropertyRanges, OfTheLabels)
   labels->SetInputConnection(sphere->GetOutputPort());
   labels->SetResolution(6);
   vtkWindingNumberLabels* filter = labels;
-  expectCommonPropertiesRefused(filter);
-  expectPropertiesOfGridsRefused(filter);
-  EXPECT_REFUSED(filter, OutputAssociation, choices("POINTS (0) or CELLS (1)", 2));
-  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
-  EXPECT_REFUSED(filter, CoverageSamples,
-    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+  expectPropertiesOfImagesRefused(filter);
   EXPECT_REFUSED(filter, OverlapRule,
     choices("FIRST (0), LAST (1), LARGEST_WINDING_NUMBER (2) or SMALLEST_VOLUME (3)", 4));
   EXPECT_REFUSED(filter, CoverageArrays, choices("TWO_LARGEST (0) or EACH_LABEL (1)", 2));

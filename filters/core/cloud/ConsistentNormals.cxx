@@ -91,6 +91,15 @@ bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   return quantile(deviations, 0.25) > clean;
 }
 
+Normals turned(Normals normals, const Turns& turns)
+{
+  for (std::size_t place = 0; place < normals.size(); ++place)
+  {
+    normals[place] *= turns[place] ? -1 : 1;
+  }
+  return normals;
+}
+
 /// Places of a cloud with what does not depend on their normals.
 class Cloud
 {
@@ -145,8 +154,8 @@ public:
   /// The gradients of w at some places, scaled as these are.
   Normals gradients(const Normals& normals, const Turns& turns, const Normals& at)
   {
-    this->setNormals(normals, turns);
     PointCloud spread = cloud_;
+    spread.normals = turned(normals, turns);
     constexpr double wider = 1.5;
     for (double& length : spread.regularizationLengths)
     {
@@ -164,23 +173,11 @@ public:
   }
 
 private:
-  void setNormals(const Normals& normals, const Turns& turns)
-  {
-    cloud_.normals = normals;
-    for (std::size_t place = 0; place < places_.size(); ++place)
-    {
-      if (turns[place])
-      {
-        cloud_.normals[place] = -normals[place];
-      }
-    }
-  }
-
   /// Sums of ranges of the places in an order at the testimonies.
   Eigen::MatrixXd sums(const Normals& normals, const Turns& turns,
     const std::vector<std::uint32_t>& order, const std::vector<ItemRange>& ranges)
   {
-    this->setNormals(normals, turns);
+    cloud_.normals = turned(normals, turns);
     const std::unique_ptr<FarFieldSources> sources = farFieldSources(cloud_, cloud_.areas);
     sources->arrange(order, true);
     Eigen::MatrixXd sums(testimonies_.size(), ranges.size());
@@ -231,7 +228,7 @@ Turns uphill(const Normals& gradients, const Normals& normals)
 /// The normals that fit best so far.
 struct Best
 {
-  std::vector<Eigen::Vector3d> normals;
+  Normals normals;
   Turns turns;
   double deviation = std::numeric_limits<double>::infinity();
 
@@ -292,15 +289,6 @@ void polish(const DistinctPoints& places, Cloud& cloud, Best& best)
       return;
     }
   }
-}
-
-Normals turned(Normals normals, const Turns& turns)
-{
-  for (std::size_t place = 0; place < normals.size(); ++place)
-  {
-    normals[place] *= turns[place] ? -1 : 1;
-  }
-  return normals;
 }
 
 /// A cloud whose points have normals: by place, and by how much w deviates from 1/2 there.

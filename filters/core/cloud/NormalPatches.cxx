@@ -116,8 +116,7 @@ std::vector<unsigned char> NormalPatches::areOpposite() const
 void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const
 {
   SensedSets sets = sets_;
-  // A patch with a sense is united with one more item, which stands for it; sets with a sense are
-  // never united with each other.
+  // Sets with a sense are never united with each other. Senses are kept by representative.
   std::vector<unsigned char> hasSense(places_, 0);
   for (std::size_t patch = 0; patch < patches.count(); ++patch)
   {
