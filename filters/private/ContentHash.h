@@ -61,16 +61,43 @@ public:
   std::uint64_t value() const { return hash_; }
 
 private:
+  // A multiplication waits for the one before, so that four chains side by side take a quarter of
+  // the time of one. Only long arrays are worth that.
   void addBytes(const void* data, std::size_t size)
   {
+    constexpr std::size_t lanes = 4;
+    constexpr std::size_t step = lanes * sizeof(std::uint64_t);
     const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t))
+    std::size_t done = 0;
+    if (size >= 8 * step)
+    {
+      std::uint64_t chains[lanes] = {1, 2, 3, 4};
+      for (; size - done >= step; done += step)
+      {
+        std::uint64_t words[lanes];
+        std::memcpy(words, bytes + done, step);
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+        {
+          chains[lane] = mixed(chains[lane], words[lane]);
+        }
+      }
+      for (const std::uint64_t chain : chains)
+      {
+        hash_ = mixed(hash_, chain);
+      }
+    }
+    for (; done < size; done += sizeof(std::uint64_t))
     {
       std::uint64_t word = 0;
-      std::memcpy(&word, bytes + i, std::min(sizeof word, size - i));
-      hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
-      hash_ ^= hash_ >> 29;
+      std::memcpy(&word, bytes + done, std::min(sizeof word, size - done));
+      hash_ = mixed(hash_, word);
     }
+  }
+
+  static std::uint64_t mixed(std::uint64_t hash, std::uint64_t word)
+  {
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+    return hash ^ (hash >> 29);
   }
 
   std::uint64_t hash_ = 0x2545F4914F6CDD1Du;

@@ -37,6 +37,12 @@ public:
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
 
+  /// Where an item stands in memory.
+  const void* address(std::size_t item) const
+  {
+    return a_ ? static_cast<const void*>(a_ + item * stride_) : b_ + item * stride_;
+  }
+
 protected:
   Value at(std::size_t item, std::size_t component) const
   {

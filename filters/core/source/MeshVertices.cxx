@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "source/CoordinateOrder.h"
+#include "source/CornersAhead.h"
 
 #include <Eigen/Geometry>
 
@@ -162,10 +163,11 @@ private:
 };
 
 /// Calls visit(view, ids) for the triangles from `first` to `last` − 1 that have valid ids; numbers
-/// go on from view to view.
-template <class Visit>
+/// go on from view to view. Calls ask(id) for the corners of triangles ahead, with ids below
+/// `points`.
+template <class Ask, class Visit>
 void forEachTriangle(const std::vector<TrianglesView>& views, std::size_t points, std::size_t first,
-  std::size_t last, const Visit& visit)
+  std::size_t last, const Ask& ask, const Visit& visit)
 {
   std::size_t start = 0;
   for (const TrianglesView& view : views)
@@ -173,6 +175,15 @@ void forEachTriangle(const std::vector<TrianglesView>& views, std::size_t points
     const std::size_t end = start + view.triangles.size();
     for (std::size_t t = std::max(first, start); t < std::min(last, end); ++t)
     {
+      askAhead(view, t - start, view.triangles.size(),
+        [&](std::size_t id)
+        {
+          askForPoint(view, id);
+          if (id < points)
+          {
+            ask(id);
+          }
+        });
       if (const std::optional<Ids> ids = validIds(view, t - start, points))
       {
         visit(view, *ids);
@@ -211,7 +222,8 @@ MeshVertices meshVertices(
     {
       std::vector<Unit>& units = parts[block].units;
       units.resize(points);
-      forEachTriangle(views, points, first, last,
+      forEachTriangle(
+        views, points, first, last, [&](std::size_t id) { hwy::Prefetch(&units[id]); },
         [&](const TrianglesView& view, const Ids& ids)
         {
           if (const std::optional<int> exponent = largestExponent(view, ids))
@@ -241,7 +253,13 @@ MeshVertices meshVertices(
     {
       std::vector<Sum>& sums = parts[block].sums;
       sums.resize(points, Sum::Zero());
-      forEachTriangle(views, points, first, last,
+      forEachTriangle(
+        views, points, first, last,
+        [&](std::size_t id)
+        {
+          hwy::Prefetch(&units[id]);
+          hwy::Prefetch(&sums[id]);
+        },
         [&](const TrianglesView& view, const Ids& ids)
         {
           const Share share = shareOf(view, ids);

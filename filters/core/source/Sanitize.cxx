@@ -3,6 +3,7 @@
 
 #include "base/Concatenation.h"
 #include "base/Refusal.h"
+#include "source/CornersAhead.h"
 #include "source/Weld.h"
 
 #include <algorithm>
@@ -34,6 +35,14 @@ Eigen::Vector3d corner(const TrianglesView& view, std::size_t triangle, std::siz
 {
   return view.points[static_cast<std::size_t>(view.triangles(triangle, index))];
 }
+
+void askForNext(const TrianglesView& view, std::size_t triangle, std::size_t end)
+{
+  askAhead(view, triangle, end, [&](std::size_t id) { askForPoint(view, id); });
+}
+
+/// Points in their order need nothing: memory comes ahead by itself.
+void askForNext(const OrientedPointsView&, std::size_t, std::size_t) {}
 
 bool isInRange(const Eigen::Vector3d& position)
 {
@@ -197,6 +206,7 @@ Bounds boundsOfUsable(const std::vector<View>& views, const Extend& extend, Exec
           using Fault = decltype(faultOf(view, 0));
           for (std::size_t i = begin; i < end; ++i)
           {
+            askForNext(view, i, end);
             const Fault fault = faultOf(view, i);
             found.isOutOfRange = found.isOutOfRange || fault == Fault::outOfRange;
             if (fault == Fault::none)
@@ -341,6 +351,12 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
           const std::size_t firstPoint = weld.firstPoint(number);
           for (std::size_t i = begin; i < end; ++i)
           {
+            askAhead(view, i, end,
+              [&](std::size_t id)
+              {
+                askForPoint(view, id);
+                weld.askForState(firstPoint + id);
+              });
             const TriangleFault fault = faultOf(view, i);
             ++counts[static_cast<std::size_t>(fault)];
             if (fault == TriangleFault::none)
@@ -392,6 +408,7 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
           };
           for (std::size_t i = begin; i < end; ++i)
           {
+            askAhead(view, i, end, [&](std::size_t id) { weld.askForVertex(firstPoint + id); });
             if (keepsAll || faultOf(view, i) == TriangleFault::none)
             {
               *kept++ = {vertexOf(i, 0), vertexOf(i, 1), vertexOf(i, 2)};

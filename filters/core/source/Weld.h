@@ -5,6 +5,8 @@
 #include "base/Views.h"
 #include "source/Surface.h"
 
+#include <hwy/cache_control.h>
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -33,6 +35,9 @@ public:
   /// The number of a view's first point; the points of all views are numbered one after the other.
   std::size_t firstPoint(std::size_t view) const { return points_.start(view); }
 
+  /// Asks memory for what use() reads and writes.
+  void askForState(std::size_t point) const { hwy::Prefetch(&states_[point]); }
+
   /// Marks a point, which must have finite coordinates, as used. May be called from any thread, and
   /// as often as one likes.
   void use(std::size_t point)
@@ -47,6 +52,13 @@ public:
   /// Welds the marked points and gives surface its vertices, in the order of the points, and its
   /// bounds. To be called once. Throws Interrupted, and Refusal for more than 2³¹ − 1 vertices.
   void makeVertices(Surface& surface, Executor& executor);
+
+  /// Asks memory for what vertexOf() reads.
+  void askForVertex(std::size_t point) const
+  {
+    hwy::Prefetch(&states_[point]);
+    hwy::Prefetch(&targets_[point]);
+  }
 
   /// The vertex that a marked point has become; to be called after makeVertices().
   std::int32_t vertexOf(std::size_t point) const

@@ -1,5 +1,7 @@
 #include "surface/Edges.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 namespace winding
@@ -122,9 +124,14 @@ EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
 
   const auto forEachTriangle = [this](std::size_t bucket, const auto& work)
   {
-    for (const std::uint32_t* number = numbers_.begin(bucket); number != numbers_.end(bucket);
-         ++number)
+    constexpr std::ptrdiff_t ahead = 16;
+    const std::uint32_t* const end = numbers_.end(bucket);
+    for (const std::uint32_t* number = numbers_.begin(bucket); number != end; ++number)
     {
+      if (end - number > ahead)
+      {
+        hwy::Prefetch(&triangles_[number[ahead]]); // they lie anywhere in memory
+      }
       work(*number, sorted(triangles_[*number]));
     }
   };
