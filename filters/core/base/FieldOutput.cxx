@@ -1,5 +1,7 @@
 #include "base/FieldOutput.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,6 +73,22 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
     const double kept = this->doubleValues ? value : stored<float>(value);
     std::fill_n(this->inside + first, count,
       static_cast<unsigned char>(isInside(kept, this->rule, this->threshold)));
+  }
+}
+
+void FieldOutput::askFor(std::size_t sample) const
+{
+  if (this->values)
+  {
+    hwy::Prefetch(this->values + sample);
+  }
+  if (this->doubleValues)
+  {
+    hwy::Prefetch(this->doubleValues + sample);
+  }
+  if (this->inside)
+  {
+    hwy::Prefetch(this->inside + sample);
   }
 }
 

@@ -34,6 +34,10 @@ struct FieldOutput
   /// Writes the values of samples first … first + count − 1.
   template <class Real> void write(const Real* from, std::size_t first, std::size_t count) const;
 
+  /// Asks memory for the places that fill() will write for a sample soon, which lie anywhere if
+  /// samples do not come in their order.
+  void askFor(std::size_t sample) const;
+
   /// Writes one value to all of samples first … first + count − 1.
   void fill(double value, std::size_t first, std::size_t count) const;
 

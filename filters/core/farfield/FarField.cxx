@@ -47,6 +47,7 @@ public:
   {
   }
 
+  void askFor(std::size_t sample) const override { output_.askFor(sample); }
   void point(std::size_t sample, double value, bool) const override
   {
     output_.write(&value, sample, 1);
@@ -89,6 +90,7 @@ bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
 {
   FarFieldWork total;
   const std::vector<FarFieldTask> all = this->tasks(cells, taskLevel, &total);
+
   // Each task has its own of both, so that none waits for another.
   std::vector<FarFieldWork> parts(all.size());
   std::vector<std::vector<TargetCell>> toWhole(all.size());
@@ -102,8 +104,10 @@ bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
       FarFieldTraversal traversal(tree_, cells);
       parts[task] = traversal.evaluate(all[task], watching, &toWhole[task]);
     });
+
   executor.setShare(middle, last);
   complete = complete && this->evaluateWhole(cells, toWhole, watching, executor, parts);
+
   executor.setShare(first, last);
   if (work)
   {

@@ -24,21 +24,33 @@ std::uint32_t spread(std::uint32_t bits)
   return (bits | bits << 2) & 0x09249249u;
 }
 
-/// Sorts by key, ten bits at a time; equal keys keep their order.
-template <class Sample> void sortByKey(std::vector<Sample>& samples)
+constexpr int digit = 10; ///< bits of a key that one pass of a sort looks at
+constexpr std::size_t digits = std::size_t(1) << digit;
+
+/// Sorts by the lowest bits of the keys; equal keys keep their order, which is that of the numbers.
+template <class Sample> void sortByKey(Sample* first, Sample* last, int bits)
 {
-  CountingSort<Sample> byDigit;
-  for (int shift = 0; shift < 30; shift += 10)
+  // A pass takes as long for few samples as for so many.
+  constexpr std::ptrdiff_t few = digits / 4;
+  if (last - first < few)
   {
-    byDigit.sort(1024,
+    std::sort(first, last,
+      [](const Sample& a, const Sample& b)
+      { return a.key != b.key ? a.key < b.key : a.number < b.number; });
+    return;
+  }
+  CountingSort<Sample> byDigit;
+  for (int shift = 0; shift < bits; shift += digit)
+  {
+    byDigit.sort(digits,
       [&](const auto& visit)
       {
-        for (const Sample& sample : samples)
+        for (const Sample* sample = first; sample != last; ++sample)
         {
-          visit(sample.key >> shift & 1023u, sample);
+          visit(sample->key >> shift & (digits - 1), *sample);
         }
       });
-    samples.swap(byDigit.items());
+    std::copy(byDigit.items().begin(), byDigit.items().end(), first);
   }
 }
 
@@ -56,70 +68,72 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
     throw Refusal("evaluate the samples in parts: there are more than 2147483647");
   }
   constexpr std::size_t samplesPerBlock = 1 << 14;
-  const std::size_t blocks = (view.size() + samplesPerBlock - 1) / samplesPerBlock;
-  std::vector<Eigen::AlignedBox3d> bounds(blocks);
-  std::vector<std::vector<std::uint32_t>> others(blocks);
+  const auto isIn = [&](const Eigen::Vector3d& position)
+  {
+    return position.allFinite() && region.contains(position);
+  };
+  std::vector<Eigen::AlignedBox3d> bounds((view.size() + samplesPerBlock - 1) / samplesPerBlock);
   runBlocks(
     view.size(), samplesPerBlock,
     [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      Eigen::AlignedBox3d ours;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Eigen::Vector3d position = this->positionOf(static_cast<std::uint32_t>(i));
+        if (isIn(position))
+        {
+          ours.extend(position);
+        }
+      }
+      bounds[block] = ours;
+    },
+    executor);
+  Eigen::AlignedBox3d all;
+  for (const Eigen::AlignedBox3d& ofBlock : bounds)
+  {
+    all.extend(ofBlock);
+  }
+  const double side = all.isEmpty() ? 0 : std::max(all.sizes().maxCoeff(), 1e-12);
+  low_ = all.isEmpty() ? Eigen::Vector3d(0, 0, 0)
+                       : Eigen::Vector3d(all.center() - Eigen::Vector3d::Constant(0.5 * side));
+
+  // Many samples are distributed by the highest digit of their keys first, and the others come
+  // last.
+  const int shift = view.size() > samplesPerBlock ? bitsOfKey - digit : bitsOfKey;
+  const std::size_t bucketOfOthers = std::size_t(1) << (bitsOfKey - shift);
+  const double cubes = 1 << depth_;
+  samples_ = distribute<Sample>(
+    view.size(), bucketOfOthers + 1,
+    [&](std::size_t first, std::size_t last, const auto& put)
     {
       for (std::size_t i = first; i < last; ++i)
       {
         const auto number = static_cast<std::uint32_t>(i);
         const Eigen::Vector3d position = this->positionOf(number);
-        if (position.allFinite() && region.contains(position))
+        if (!isIn(position))
         {
-          bounds[block].extend(position);
+          put(bucketOfOthers, {0, number});
+          continue;
         }
-        else
-        {
-          others[block].push_back(number);
-        }
+        const Eigen::Array3i index =
+          ((position - low_).array() * (cubes / side)).max(0.0).min(cubes - 1).template cast<int>();
+        const std::uint32_t key = spread(static_cast<std::uint32_t>(index[0])) |
+                                  spread(static_cast<std::uint32_t>(index[1])) << 1 |
+                                  spread(static_cast<std::uint32_t>(index[2])) << 2;
+        put(key >> shift, {key, number});
       }
     },
-    executor);
-  Eigen::AlignedBox3d all;
-  for (std::size_t block = 0; block < blocks; ++block)
-  {
-    all.extend(bounds[block]);
-    others_.insert(others_.end(), others[block].begin(), others[block].end());
-  }
-
-  samples_.reserve(view.size() - others_.size());
-  auto other = others_.begin();
-  for (std::size_t i = 0; i < view.size(); ++i)
-  {
-    const auto number = static_cast<std::uint32_t>(i);
-    if (other != others_.end() && *other == number)
-    {
-      ++other;
-      continue;
-    }
-    samples_.push_back({0, number});
-  }
-  const double side = samples_.empty() ? 0 : std::max(all.sizes().maxCoeff(), 1e-12);
-  low_ = samples_.empty() ? Eigen::Vector3d(0, 0, 0)
-                          : Eigen::Vector3d(all.center() - Eigen::Vector3d::Constant(0.5 * side));
-  const double cubes = 1 << depth_;
+    executor, samplesPerBlock);
   runBlocks(
-    samples_.size(), samplesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        Sample& sample = samples_[i];
-        const Eigen::Array3d cube =
-          (this->positionOf(sample.number) - low_).array() * (cubes / side);
-        const Eigen::Array3i index = cube.max(0.0).min(cubes - 1).cast<int>();
-        sample.key = spread(static_cast<std::uint32_t>(index[0])) |
-                     spread(static_cast<std::uint32_t>(index[1])) << 1 |
-                     spread(static_cast<std::uint32_t>(index[2])) << 2;
-      }
-    },
+    bucketOfOthers, 1,
+    [&](std::size_t bucket, std::size_t, std::size_t)
+    { sortByKey(samples_.begin(bucket), samples_.end(bucket), shift); },
     executor);
-  if (samples_.size() > 1)
+  for (const Sample* other = samples_.begin(bucketOfOthers); other != samples_.end(bucketOfOthers);
+       ++other)
   {
-    sortByKey(samples_);
+    others_.push_back(other->number);
   }
 
   levels_.resize(static_cast<std::size_t>(depth_) + 1);
@@ -153,7 +167,7 @@ TargetCell PointCells::root() const
   cell.level = depth_;
   cell.index = Eigen::Vector3i::Zero(); // index[0] is the place of a cell's first sample
   cell.center = low_ + Eigen::Vector3d::Constant(0.5 * levels_.back().side);
-  cell.samples = cell.allSamples = samples_.size();
+  cell.samples = cell.allSamples = this->size();
   return cell;
 }
 
@@ -164,19 +178,19 @@ int PointCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
     return 0;
   }
   const int shift = 3 * (cell.level - 1);
-  const auto first = samples_.begin() + cell.index[0];
-  const auto last = first + static_cast<std::ptrdiff_t>(cell.samples);
+  const Sample* const first = this->samplesOf(cell);
+  const Sample* const last = first + cell.samples;
   const double quarter = 0.25 * this->level(cell.level).side;
   int count = 0;
-  for (auto begin = first; begin != last;)
+  for (const Sample* begin = first; begin != last;)
   {
     const std::uint32_t octant = begin->key >> shift & 7u;
-    const auto end = std::partition_point(begin, last,
+    const Sample* const end = std::partition_point(begin, last,
       [shift, octant](const Sample& sample) { return (sample.key >> shift & 7u) <= octant; });
     Child& child = children[count++];
     child.octant = static_cast<int>(octant);
     child.cell.level = cell.level - 1;
-    child.cell.index = Eigen::Vector3i(static_cast<int>(begin - samples_.begin()), 0, 0);
+    child.cell.index = Eigen::Vector3i(cell.index[0] + static_cast<int>(begin - first), 0, 0);
     child.cell.center = cell.center + quarter * Eigen::Vector3d(octant & 1 ? 1 : -1,
                                                   octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
     child.cell.samples = child.cell.allSamples = static_cast<std::size_t>(end - begin);
@@ -187,7 +201,7 @@ int PointCells::childrenOf(const TargetCell& cell, Child (&children)[8]) const
 
 TargetSphere PointCells::sphereOf(const TargetCell& cell) const
 {
-  const Sample* const samples = &samples_[static_cast<std::size_t>(cell.index[0])];
+  const Sample* const samples = this->samplesOf(cell);
   Eigen::AlignedBox3d box;
   for (std::size_t n = 0; n < cell.samples; ++n)
   {
@@ -199,10 +213,14 @@ TargetSphere PointCells::sphereOf(const TargetCell& cell) const
 void PointCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const
 {
   block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
-  const Sample* const samples = &samples_[static_cast<std::size_t>(cell.index[0]) + first];
+  const Sample* const samples = this->samplesOf(cell) + first;
   const double inverse = 1 / this->level(cell.level).side;
   for (std::size_t n = 0; n < block.samples.count; ++n)
   {
+    if (sink_)
+    {
+      sink_->askFor(samples[n].number);
+    }
     const Eigen::Vector3d position = this->positionOf(samples[n].number);
     block.samples.set(n, position);
     const Eigen::Vector3f offset = (inverse * (position - cell.center)).cast<float>();
@@ -215,7 +233,7 @@ void PointCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& bl
 void PointCells::store(const TargetCell& cell, std::size_t first, std::size_t count,
   const float* values, const bool* isSuspect) const
 {
-  const Sample* const samples = &samples_[static_cast<std::size_t>(cell.index[0]) + first];
+  const Sample* const samples = this->samplesOf(cell) + first;
   for (std::size_t n = 0; n < count; ++n)
   {
     sink_->point(samples[n].number, values[n], isSuspect && isSuspect[n]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/BucketSort.h"
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "farfield/TargetCells.h"
@@ -16,6 +17,9 @@ class PointSink
 {
 public:
   virtual ~PointSink() = default;
+
+  /// Asks memory for what point() will read and write for a sample soon.
+  virtual void askFor(std::size_t sample) const = 0;
 
   /// Takes the value of a sample, each once. isSuspect tells whether the sample lies on a source;
   /// it is false unless the evaluation watches out for that.
@@ -37,12 +41,12 @@ public:
     const PointSink* sink, Executor& executor);
 
   const std::vector<std::uint32_t>& others() const { return others_; }
-  bool empty() const { return samples_.empty(); }
+  bool empty() const { return this->size() == 0; }
 
   /// The number of a cell's n-th sample.
   std::size_t numberOf(const TargetCell& cell, std::size_t n) const
   {
-    return samples_[static_cast<std::size_t>(cell.index[0]) + n].number;
+    return this->samplesOf(cell)[n].number;
   }
 
   /// The level whose cells make good tasks.
@@ -66,15 +70,21 @@ private:
   /// The number of levels below the root if there are several samples: as many as 32 bits of a key
   /// hold.
   static constexpr int deepest = 10;
+  static constexpr int bitsOfKey = 3 * deepest;
 
   Eigen::Vector3d positionOf(std::uint32_t number) const;
+  std::size_t size() const { return view_.size() - others_.size(); }
+  const Sample* samplesOf(const TargetCell& cell) const
+  {
+    return samples_.begin(0) + cell.index[0];
+  }
 
   const VectorsView& view_;
   double scale_;
   const PointSink* sink_;
-  int depth_;           ///< levels below the root
-  Eigen::Vector3d low_; ///< corner of the root's cube
-  std::vector<Sample> samples_;
+  int depth_;               ///< levels below the root
+  Eigen::Vector3d low_;     ///< corner of the root's cube
+  Buckets<Sample> samples_; ///< along the curve, those that are left out behind the others
   std::vector<std::uint32_t> others_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace winding
 {
@@ -15,6 +17,36 @@ constexpr double voxelsPerSide = 8;
 /// Sides shorter than this, in units of the surface, are not cut any further: where all samples are
 /// in one place, everything is large beside their distances.
 constexpr double shortestSide = 1e-4;
+
+/// The box of the samples that lie in another one, and their number.
+std::pair<Bounds, std::size_t> samplesWithin(
+  const Bounds& around, const VectorsView& samples, Executor& executor)
+{
+  constexpr std::size_t samplesPerBlock = 1 << 14;
+  std::pair<Bounds, std::size_t> result;
+  std::mutex mutex;
+  runBlocks(
+    samples.size(), samplesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      Bounds box;
+      std::size_t count = 0;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Eigen::Vector3d sample = samples[i];
+        if (around.contains(sample))
+        {
+          box.extend(sample);
+          ++count;
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      result.first.extend(box);
+      result.second += count;
+    },
+    executor);
+  return result;
+}
 
 } // namespace
 
@@ -53,16 +85,16 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
     return this->whole(executor);
   }
   // Samples far away do not count for what is near, and the others count as if evenly distributed.
+  const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
   SplitRule rule;
   std::size_t count = 0;
-  const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  try
   {
-    if (around.contains(samples[i]))
-    {
-      rule.region.extend(samples[i]);
-      ++count;
-    }
+    std::tie(rule.region, count) = samplesWithin(around, samples, executor);
+  }
+  catch (const Interrupted&)
+  {
+    return nullptr;
   }
   if (count > 0)
   {

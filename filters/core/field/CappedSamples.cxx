@@ -4,6 +4,8 @@
 #include "farfield/TriangleFarField.h"
 #include "field/CappedSurface.h"
 
+#include <hwy/cache_control.h>
+
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -24,6 +26,12 @@ public:
     , output_(output)
     , surface_(surface)
   {
+  }
+
+  void askFor(std::size_t sample) const override
+  {
+    hwy::Prefetch(&integers_[sample]);
+    output_.askFor(sample);
   }
 
   void point(std::size_t sample, double capValue, bool isSuspect) const override

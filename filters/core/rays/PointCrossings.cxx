@@ -160,8 +160,13 @@ private:
 
   void write(const Ray* first, const Ray* last) const
   {
+    constexpr std::ptrdiff_t ahead = 32;
     for (; first != last; ++first)
     {
+      if (last - first > ahead)
+      {
+        output_.askFor(first[ahead].sample);
+      }
       output_.fill(first->crossings, first->sample, 1);
     }
   }
@@ -273,6 +278,7 @@ try
       }
     },
     executor, samplesPerBlock);
+
   RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
   for (std::size_t column = 0; column < columns.count(); ++column)
   {

@@ -374,7 +374,7 @@ TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
   ASSERT_NE(whole, nullptr);
   EXPECT_NE(cut, whole);
   EXPECT_EQ(farField.suiting(other, interruption), whole) << "is there already";
-  EXPECT_EQ(farField.suiting(both, interruption), cut) << "is still there";
+  EXPECT_EQ(farField.suiting(both, serial), cut) << "is still there";
 }
 
 TEST(FarFieldSamples, OfOtherDistancesGetTrianglesCutAnew)

@@ -30,6 +30,7 @@ const Eigen::AlignedBox3d region(Point::Constant(-64), Point::Constant(64));
 class Values final : public winding::PointSink
 {
 public:
+  void askFor(std::size_t) const override {}
   explicit Values(std::vector<double>& values)
     : values_(values)
   {
