@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "base/BucketSort.h"
 #include "base/DividedShare.h"
+#include "rays/ClearCells.h"
 #include "rays/RayCounter.h"
 #include "rays/ReachOfTriangles.h"
 #include "source/UnitScale.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -224,17 +226,66 @@ EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
   return costOfCrossings(chain_.size(), samples, rays_);
 }
 
+/// Tells whether finding clear cells, which takes about as long for a triangle as a ray does for a
+/// sample, saves more than that.
+bool PointCrossings::isWorthClearing(std::size_t samples) const
+{
+  constexpr std::size_t fewSamples = 4096;
+  return samples >= std::max(fewSamples, chain_.size() / 2) && !bounds_.isEmpty() &&
+         bounds_.sizes().maxCoeff() > 0;
+}
+
 bool PointCrossings::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 try
 {
+  if (!this->isWorthClearing(samples.size()))
+  {
+    return this->cast(samples, output, nullptr, executor);
+  }
+  DividedShare share(executor);
+  share.set(0, 0.2);
+  constexpr std::size_t samplesPerCell = 12;
+  ClearCells clear(chain_, bounds_, samples.size() / samplesPerCell, executor);
+  const std::vector<Eigen::Vector3d>& places = clear.places();
+  if (!places.empty())
+  {
+    std::vector<double> windings(places.size());
+    FieldOutput toWindings;
+    toWindings.doubleValues = windings.data();
+    if (!this->cast(VectorsView(places[0].data(), places.size()), toWindings, nullptr, executor))
+    {
+      return false;
+    }
+    clear.setWindings(std::move(windings));
+  }
+  share.set(0.2, 1);
+  return this->cast(samples, output, &clear, executor);
+}
+catch (const Interrupted&)
+{
+  return false;
+}
+
+/// Writes the values of samples: those that `clear` has, unless it is null, and of all others by
+/// rays.
+bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
+  const ClearCells* clear, Executor& executor) const
+{
   const Bounds& bounds = bounds_;
   const double scale = unitScale(bounds);
   // Rays that start beside or behind the surface cross nothing.
-  const auto mayCross = [&](const Eigen::Vector3d& q)
+  const auto mayCross = [&bounds](const Eigen::Vector3d& q)
   {
     return q[1] >= bounds.min()[1] && q[1] <= bounds.max()[1] && q[2] >= bounds.min()[2] &&
            q[2] <= bounds.max()[2] && q[0] <= bounds.max()[0] && std::isfinite(q[0]);
+  };
+  // Values that are known without a ray are asked for twice: writing them down takes longer.
+  const auto known = [&](const Eigen::Vector3d& q)
+  {
+    return mayCross(q)
+             ? clear ? clear->windingAt(q) : std::nullopt
+             : std::make_optional(q.allFinite() ? 0 : std::numeric_limits<double>::quiet_NaN());
   };
   RayBox box;
   std::mutex mutex;
@@ -246,12 +297,15 @@ try
       for (std::size_t i = first; i < last; ++i)
       {
         const Eigen::Vector3d q = samples[i];
-        if (mayCross(q))
+        const std::optional<double> winding = known(q);
+        if (winding)
+        {
+          output.fill(*winding, i, 1);
+        }
+        else
         {
           ours.add(q * scale);
-          continue;
         }
-        output.fill(q.allFinite() ? 0 : std::numeric_limits<double>::quiet_NaN(), i, 1);
       }
       const std::lock_guard<std::mutex> lock(mutex);
       box.add(ours);
@@ -260,7 +314,7 @@ try
 
   if (box.isEmpty())
   {
-    return true; // nothing may cross
+    return true; // all is known
   }
   const Columns columns(box, std::min(mostBuckets, samples.size()));
   Buckets<Ray> rays = distribute<Ray>(
@@ -270,7 +324,7 @@ try
       for (std::size_t i = first; i < last; ++i)
       {
         const Eigen::Vector3d q = samples[i];
-        if (mayCross(q))
+        if (!known(q))
         {
           const Ray ray = {q[0] * scale, q[1] * scale, q[2] * scale, i, 0};
           put(columns.of(ray.start()), ray);
@@ -289,10 +343,6 @@ try
   const RayCounter counter(chain_, scale);
   return ColumnTasks(counter, output, executor)
     .run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
-}
-catch (const Interrupted&)
-{
-  return false;
 }
 
 } // namespace winding

@@ -12,10 +12,15 @@
 namespace winding
 {
 
+class ClearCells;
+
 /**
  * The exact integer winding numbers of a closed chain of triangles at scattered samples: the sum of
  * the signs of the crossings of a ray from the sample along +x. RowCrossings does the same on
  * grids.
+ *
+ * Where there are many samples, most lie in cells that no triangle reaches, and those of a cell
+ * share one ray (ClearCells.h).
  *
  * Seen along the rays, samples are points and triangles are triangles in the plane of y and z. Both
  * are put into columns, cells of a grid over the samples in that plane; a triangle goes into the
@@ -65,6 +70,10 @@ public:
   bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
 private:
+  bool isWorthClearing(std::size_t samples) const;
+  bool cast(const VectorsView& samples, const FieldOutput& output, const ClearCells* clear,
+    Executor& executor) const;
+
   CrossedChain chain_;
   const Bounds& bounds_;
   mutable std::once_flag areRaysKnown_;
