@@ -401,8 +401,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     // oriented together.
     if (!withoutNormals)
     {
-      view.normals = ownNormals ? this->vectorsOf(ownNormals)
-                                : VectorsView(vertices->normals.data(), vertices->areas.size());
+      view.normals = ownNormals ? this->vectorsOf(ownNormals) : vertices->normals();
     }
     if (vtkDataArray* areas = this->areasOf(leaf))
     {
@@ -410,7 +409,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     }
     else if (options_.areas == AreaSource::mesh)
     {
-      view.areas = {vertices->areas.data(), vertices->areas.size()};
+      view.areas = vertices->areas();
     }
     views.push_back(view);
     pointSets_.push_back(leaf);

@@ -43,15 +43,15 @@ winding::PointCloud verticesOf(const winding::Surface& surface)
     return cloud;
   }
   winding::SerialExecutor serial;
-  winding::MeshVertices vertices =
+  const winding::MeshVertices vertices =
     winding::meshVertices({{{surface.vertices[0].data(), points},
                             {surface.triangles[0].data(), surface.triangles.size()}}},
       points, serial);
   for (std::size_t i = 0; i < points; ++i)
   {
-    cloud.normals.emplace_back(Eigen::Vector3d(&vertices.normals[3 * i]).stableNormalized());
+    cloud.normals.push_back(vertices.normals()[i].stableNormalized());
+    cloud.areas.push_back(vertices.areas()[i]);
   }
-  cloud.areas = std::move(vertices.areas);
   cloud.bounds = surface.bounds;
   cloud.inputPoints = points;
   return cloud;

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace winding
 {
@@ -238,15 +239,21 @@ MeshVertices meshVertices(
     executor);
   std::vector<Unit>& units = parts.front().units;
   units.resize(points);
-  for (std::size_t point = 0; point < points; ++point)
-  {
-    if (parts.size() > 1)
+  constexpr std::size_t pointsPerBlock = 1 << 14;
+  runBlocks(
+    points, pointsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      units[point].announce(parts[1].units[point]);
-    }
-    units[point].choose();
-  }
-  parts.front().sums.resize(points, Sum::Zero());
+      for (std::size_t point = first; point < last; ++point)
+      {
+        if (parts.size() > 1)
+        {
+          units[point].announce(parts[1].units[point]);
+        }
+        units[point].choose();
+      }
+    },
+    executor);
   runBlocks(
     triangles, perPart,
     [&](std::size_t block, std::size_t first, std::size_t last)
@@ -275,20 +282,23 @@ MeshVertices meshVertices(
         });
     },
     executor);
-  MeshVertices vertices;
-  vertices.normals.resize(3 * points);
-  vertices.areas.resize(points);
-  for (std::size_t point = 0; point < points; ++point)
-  {
-    Sum sum = parts.front().sums[point];
-    if (parts.size() > 1)
+  std::vector<Sum>& sums = parts.front().sums;
+  sums.resize(points, Sum::Zero());
+  runBlocks(
+    points, pointsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      sum += parts[1].sums[point];
-    }
-    std::copy_n(sum.data(), 3, &vertices.normals[3 * point]);
-    vertices.areas[point] = sum[3] / 3;
-  }
-  return vertices;
+      for (std::size_t point = first; point < last; ++point)
+      {
+        if (parts.size() > 1)
+        {
+          sums[point] += parts[1].sums[point];
+        }
+        sums[point][3] /= 3;
+      }
+    },
+    executor);
+  return MeshVertices(std::move(sums));
 }
 
 } // namespace winding
