@@ -29,7 +29,7 @@ Eigen::Array3i dimensionsFor(
   constexpr double most = 1000, marginsPerCell = 64;
   return (relative >= 1e-3)
     .select(relative * perLength, 1.0)
-    .min(sizes / (marginsPerCell * margin))
+    .min(sizes / (marginsPerCell * margin.max(std::numeric_limits<double>::min())))
     .min(most)
     .max(1.0)
     .cast<int>();

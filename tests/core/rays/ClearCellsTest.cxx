@@ -121,6 +121,35 @@ TEST(ClearCells, AreFewWhereCoordinatesAreRounded)
   }
 }
 
+TEST(ClearCells, MayBeFlat)
+{
+  SCOPED_TRACE("seed 314");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double height : {0.0, 3.0})
+    {
+      const Mesh mesh = icosphere(3).mapped(
+        [&](Point p)
+        {
+          p[axis] = height;
+          return p;
+        });
+      winding::SerialExecutor serial;
+      const Fixture fixture(mesh, 1000, serial);
+      EXPECT_GT(fixture.cells.places().size(), 0u) << "the corners around the disc";
+      std::vector<Point> samples = randomPoints(1000, -1.2, 1.2, 314);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        samples[i][axis] = i % 2 == 0 ? height : samples[i][axis];
+        if (const std::optional<double> winding = fixture.cells.windingAt(samples[i]))
+        {
+          EXPECT_EQ(*winding, 0);
+        }
+      }
+    }
+  }
+}
+
 TEST(ClearCells, DoNotDependOnThreads)
 {
   winding::SerialExecutor serial;
