@@ -1,12 +1,11 @@
 #include "vtkPointAreas.h"
 
-#include "base/Concatenation.h"
 #include "base/Views.h"
-#include "cloud/NormalEstimation.h"
-#include "cloud/PointAreas.h"
+#include "cloud/OutwardNormals.h"
 #include "private/ContentHash.h"
 #include "private/ErrorReports.h"
 #include "private/InputViews.h"
+#include "private/NumberedPoints.h"
 #include "private/PropertyChecks.h"
 #include "private/Ranks.h"
 #include "private/SmpExecutor.h"
@@ -19,7 +18,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -90,105 +89,6 @@ std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data)
   return pointSets;
 }
 
-/**
- * The points of some data sets under one range of numbers. While it lives, the data sets have these
- * numbers as point data. Point data comes along when VTK makes outer surfaces or leaves out ghosts,
- * and so tells where a point comes from.
- */
-class NumberedPoints
-{
-public:
-  explicit NumberedPoints(const std::vector<vtkPointSet*>& pointSets)
-    : pointSets_(pointSets)
-    , points_(pointSets,
-        [](vtkPointSet* set) { return static_cast<std::size_t>(set->GetNumberOfPoints()); })
-  {
-    for (std::size_t i = 0; i < pointSets_.size(); ++i)
-    {
-      vtkNew<vtkIdTypeArray> numbers;
-      numbers->SetName(name);
-      numbers->SetNumberOfTuples(pointSets_[i]->GetNumberOfPoints());
-      vtkIdType* first = numbers->GetPointer(0);
-      std::iota(first, first + numbers->GetNumberOfTuples(), static_cast<vtkIdType>(start(i)));
-      pointSets_[i]->GetPointData()->AddArray(numbers);
-    }
-  }
-  ~NumberedPoints()
-  {
-    for (vtkPointSet* set : pointSets_)
-    {
-      set->GetPointData()->RemoveArray(name);
-    }
-  }
-
-  NumberedPoints(const NumberedPoints&) = delete;
-  void operator=(const NumberedPoints&) = delete;
-
-  std::size_t size() const { return points_.size(); }
-  std::size_t start(std::size_t pointSet) const { return points_.start(pointSet); }
-
-  static const vtkIdType* numbersOf(vtkPointSet* made)
-  {
-    return vtkIdTypeArray::SafeDownCast(made->GetPointData()->GetArray(name))->GetPointer(0);
-  }
-
-  /// Whether a point is the one with a number: surfaces of curved cells have points of their own,
-  /// with point data that is interpolated.
-  bool isPoint(vtkIdType number, const Eigen::Vector3d& position) const
-  {
-    if (number < 0 || static_cast<std::size_t>(number) >= points_.size())
-    {
-      return false;
-    }
-    const std::size_t set = points_.viewOf(static_cast<std::size_t>(number));
-    Eigen::Vector3d own;
-    pointSets_[set]->GetPoint(number - static_cast<vtkIdType>(start(set)), own.data());
-    return own == position;
-  }
-
-private:
-  static constexpr char name[] = "vtkPointAreas number";
-
-  std::vector<vtkPointSet*> pointSets_;
-  winding::Concatenation points_;
-};
-
-struct NumberedAreas
-{
-  std::vector<double> areas; ///< 0 for points that none was found for
-  std::size_t lost = 0;      ///< points of the cloud that are none of these
-};
-
-/// The areas of a cloud's points for the points that these come from.
-NumberedAreas areasByNumber(const NumberedPoints& points, const winding::InputViews& input,
-  const std::vector<winding::OrientedPointsView>& views, const double* areasOfCloud)
-{
-  NumberedAreas result;
-  result.areas.resize(points.size());
-  const double* area = areasOfCloud;
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    const vtkIdType* numbers = NumberedPoints::numbersOf(input.pointSets()[i]);
-    for (std::size_t j = 0; j < views[i].positions.size(); ++j)
-    {
-      if (!winding::isUsable(views[i], j))
-      {
-        continue;
-      }
-      if (points.isPoint(numbers[j], views[i].positions[j]))
-      {
-        result.areas[static_cast<std::size_t>(numbers[j])] += *area;
-      }
-      else
-      {
-        ++result.lost;
-      }
-      ++area;
-    }
-  }
-  return result;
-}
-
 /// The points of the first views that a cloud has.
 std::size_t usablePoints(const std::vector<winding::OrientedPointsView>& views, int count)
 {
@@ -204,14 +104,28 @@ std::size_t usablePoints(const std::vector<winding::OrientedPointsView>& views, 
   return points;
 }
 
-/// One value for each point.
-void addArray(const std::string& name, const double* values, vtkPointSet* pointSet)
+/// Adds one area for each point.
+void addAreas(const std::string& name, const double* areas, vtkPointSet* pointSet)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name.c_str());
   array->SetNumberOfTuples(pointSet->GetNumberOfPoints());
-  std::copy_n(values, array->GetNumberOfTuples(), array->GetPointer(0));
+  std::copy_n(areas, array->GetNumberOfTuples(), array->GetPointer(0));
   pointSet->GetPointData()->AddArray(array);
+}
+
+/// Sets the active normals. vtkSignedDistance refuses normals that are not single.
+void setNormals(const Eigen::Vector3d* normals, vtkPointSet* pointSet)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(pointSet->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+  {
+    array->SetTuple(point, normals[point].data());
+  }
+  pointSet->GetPointData()->SetNormals(array);
 }
 
 } // namespace
@@ -254,6 +168,8 @@ int vtkPointAreas::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   this->TotalArea = 0;
+  this->ClearShare = 0;
+  this->NormalEstimationUsed = "";
   const winding::Outcome outcome =
     winding::reportErrors(this, "there is not enough memory for the areas of so many points",
       [&]()
@@ -278,10 +194,11 @@ int vtkPointAreas::RequestData(
 void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
 {
   winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
+  winding::coreNormalEstimation(this->NormalEstimation);
   winding::checkCloudProperties(*this);
   winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
-  const NumberedPoints points(pointSets);
+  const winding::NumberedPoints points(pointSets);
   winding::InputOptions options;
   options.asPoints = true;
   options.normalsArray = winding::textOf(this->NormalsArray);
@@ -291,8 +208,10 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   winding::SourceOptions properties;
   properties.input = options;
   properties.distribution = winding::sourceDistribution(this->SourceDistribution);
+  properties.field.estimateNormals = options.estimateNormals;
   properties.field.neighbors = this->NumberOfNeighbors;
   properties.field.pointArea = this->PointArea;
+  properties.field.normalEstimation = winding::coreNormalEstimation(this->NormalEstimation);
   ranks.requireSame(
     [&]
     {
@@ -305,20 +224,29 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::InputViews input(data, options, &executor);
   input.compare(ranks, properties.distribution);
-  winding::refuseHugeSource(input, winding::bytesOfAreas, "the areas", ranks);
+  winding::refuseHugeSource(input,
+    winding::withNormals(
+      winding::bytesOfAreas, winding::mayFindConsistentNormals(properties.field)),
+    "the areas", ranks);
   const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
   input.gather(ranks);
   const std::vector<winding::OrientedPointsView> all =
     input.isGathered() ? input.orientedPoints() : own;
   winding::PointCloud cloud = winding::sanitize(all, executor);
-  this->ChooseAreas(cloud, executor);
+  const bool estimates = cloud.normals.size() < cloud.positions.size();
+  this->FindNormalsAndAreas(cloud, executor);
 
   const std::size_t before = input.isGathered() ? usablePoints(all, ranks.rank()) : 0;
-  const auto [areas, lost] = areasByNumber(points, input, own, cloud.areas.data() + before);
+  const auto [areas, normals, lost] =
+    winding::findingsByNumber(points, input, own, cloud, before, estimates);
   const std::string name = winding::textOf(this->ResultArrayName);
   for (std::size_t i = 0; i < pointSets.size(); ++i)
   {
-    addArray(name.empty() ? "Area" : name, areas.data() + points.start(i), pointSets[i]);
+    if (estimates)
+    {
+      setNormals(normals.data() + points.start(i), pointSets[i]);
+    }
+    addAreas(name.empty() ? "Area" : name, areas.data() + points.start(i), pointSets[i]);
   }
   this->TotalArea = std::accumulate(areas.cbegin(), areas.cend(), 0.0);
   if (cloud.dropped() > 0)
@@ -341,22 +269,40 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   }
 }
 
-void vtkPointAreas::ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const
+/// Areas of a mesh come in with its points.
+void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor)
 {
-  const bool isConstant = this->PointAreaMethod == CONSTANT;
-  if (this->PointAreaMethod == MESH)
+  const winding::PointAreaOptions options = {this->PointAreaMethod == CONSTANT
+                                               ? winding::PointAreaMethod::constant
+                                               : winding::PointAreaMethod::voronoi,
+    this->PointArea, this->NumberOfNeighbors};
+  if (cloud.normals.size() < cloud.positions.size())
   {
-    return; // as they came in
+    const winding::OutwardNormals found = winding::giveOutwardNormals(
+      cloud, winding::coreNormalEstimation(this->NormalEstimation), options, executor);
+    this->NormalEstimationUsed = winding::nameOf(found.estimation);
+    this->ClearShare = found.orientation.outward;
+    const bool hasAreas =
+      std::any_of(cloud.areas.begin(), cloud.areas.end(), [](double area) { return area > 0; });
+    if (hasAreas && !found.orientation.isClear())
+    {
+      vtkWarningMacro(<< winding::adviceOnNormals(found.orientation));
+    }
   }
-  const bool needsNormals = !isConstant || this->PointArea == 0;
-  if (needsNormals && cloud.normals.empty())
+  else if (cloud.areas.empty())
   {
-    cloud.normals = winding::estimateNormals(cloud.positions, this->NumberOfNeighbors, executor);
+    cloud.areas = winding::pointAreas(cloud, options, executor);
   }
-  const winding::PointAreaMethod method =
-    isConstant ? winding::PointAreaMethod::constant : winding::PointAreaMethod::voronoi;
-  cloud.areas =
-    winding::pointAreas(cloud, method, this->PointArea, this->NumberOfNeighbors, executor);
+}
+
+const char* vtkPointAreas::GetNormalEstimationUsed() const
+{
+  return this->NormalEstimationUsed;
+}
+
+double vtkPointAreas::GetClearShare() const
+{
+  return this->ClearShare;
 }
 
 void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
@@ -367,9 +313,12 @@ void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointArea: " << this->PointArea << "\n";
   os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
   os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
+  os << indent << "NormalEstimation: " << this->NormalEstimation << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
   os << indent << "TotalArea: " << this->TotalArea << "\n";
+  os << indent << "NormalEstimationUsed: " << this->NormalEstimationUsed << "\n";
+  os << indent << "ClearShare: " << this->ClearShare << "\n";
 }

@@ -1,6 +1,6 @@
 /**
  * @class   vtkPointAreas
- * @brief   the area that each point of an oriented cloud stands for
+ * @brief   normals and areas of a cloud's points
  *
  * The filter adds a point data array of areas to its input (double, one per point, in squared units
  * of the coordinates): the areas that vtkWindingNumberField and vtkWindingNumberProbe find for a
@@ -8,7 +8,12 @@
  * method ARRAY downstream of this filter they give the very same field as with the method of this
  * filter.
  *
- * The input is any vtkPointSet. Points need normals; a mesh is taken as the cloud of its points,
+ * With EstimateNormals, points that have no normals get these, too: unit vectors that point
+ * outward, as the active normals "Normals" (float, for vtkSignedDistance takes no others). They are
+ * those that vtkWindingNumberField estimates, for VTK's own filters: vtkSignedDistance with
+ * vtkExtractSurface, glyphs, and writers of oriented points.
+ *
+ * The input is any vtkPointSet. Points need normals, unless they are to be estimated; a mesh is taken as the cloud of its points,
  * which have the area-weighted mean of their triangles' normals where they have none of their own.
  * The leaves of composite data are one cloud, as they are one source for the other filters: where
  * scans overlap, their points share the area. In a pipeline that asks for pieces, each piece is a
@@ -17,7 +22,7 @@
  * vtkWindingNumberAlgorithm is.
  *
  * The output is of the input's type and shares its arrays. The array has as many tuples as there
- * are points. The area is 0 for:
+ * are points. The area is 0, as is an estimated normal, for:
  * - points with NaN or infinite values or a normal of length 0; a warning counts them,
  * - ghost points, for which another piece of the data answers,
  * - the inner points of a mesh with volume cells. Points that its outer surface has several times,
@@ -93,12 +98,20 @@ public:
   ///@}
 
   ///@{
-  /// Whether points without normals get estimated ones, from the neighbours of each point. Areas
-  /// need the directions of normals only, so that orientations are handed on along a spanning tree,
-  /// and normals are not added to the output. Default off: points without normals are refused.
+  /// Whether points without normals get estimated ones, which are added to the output. Where some
+  /// data sets of a composite one have normals and others have none, all get estimated ones. A
+  /// warning says where their field tells no inside from outside. Default off: points without
+  /// normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The way in which normals are estimated; meaning, values and default are those of
+  /// vtkWindingNumberAlgorithm.
+  vtkSetMacro(NormalEstimation, int);
+  vtkGetMacro(NormalEstimation, int);
   ///@}
 
   ///@{
@@ -126,6 +139,14 @@ public:
   /// The sum of all areas of the last execution, on this rank; 0 if it failed.
   vtkGetMacro(TotalArea, double);
 
+  ///@{
+  /// How the last execution has estimated normals, "spanning tree" or "winding consistent", or
+  /// nothing where it has not; and the share of the points with a field of about 1 behind and 0
+  /// before them then, which is 1 for a closed cloud that is sampled well.
+  const char* GetNormalEstimationUsed() const;
+  double GetClearShare() const;
+  ///@}
+
 protected:
   vtkPointAreas();
   ~vtkPointAreas() override;
@@ -142,15 +163,18 @@ protected:
   double PointArea = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
+  int NormalEstimation = 0;
   char* ResultArrayName = nullptr;
   int NumberOfThreads = 0;
   double TotalArea = 0;
+  const char* NormalEstimationUsed = "";
+  double ClearShare = 0;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   int SourceDistribution = 0;
 
 private:
   void AddAreas(vtkDataObject* data, winding::Ranks& ranks);
-  void ChooseAreas(winding::PointCloud& cloud, winding::Executor& executor) const;
+  void FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor);
 };
 
 #endif

@@ -146,7 +146,8 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
       return hash.value();
     });
   views->compare(ranks, properties.distribution);
-  winding::refuseHugeSource(*views, winding::bytesOfReport, "the report", ranks);
+  winding::refuseHugeSource(*views,
+    winding::withNormals(winding::bytesOfReport, this->FixOrientation != 0), "the report", ranks);
   views->gather(ranks);
   std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
   const bool fixes = this->FixOrientation && views->isSurface();

@@ -5,6 +5,7 @@
 #include "private/CellChecks.h"
 #include "private/ContentHash.h"
 #include "private/FlatTriangles.h"
+#include "private/PointArrays.h"
 #include "private/SourceParts.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -13,7 +14,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -22,16 +22,6 @@
 
 namespace winding
 {
-
-namespace
-{
-
-std::string nameOf(vtkDataArray* array)
-{
-  return array->GetName() ? array->GetName() : "";
-}
-
-} // namespace
 
 InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor)
   : options_(options)
@@ -112,50 +102,19 @@ std::uint64_t InputViews::fingerprint() const
     }
     if (!isSurface_)
     {
-      hash.addArray(this->normalsOf(leaf));
+      hash.addArray(normalsOf(leaf, options_.normalsArray));
       hash.addArray(this->areasOf(leaf));
     }
   }
   return hash.value();
 }
 
-/// The named point array, or the active normals for no name; null if there is none.
-vtkDataArray* InputViews::findArray(
-  vtkPointSet* leaf, const std::string& name, int components) const
-{
-  vtkPointData* data = leaf->GetPointData();
-  vtkDataArray* array = name.empty() ? data->GetNormals() : data->GetArray(name.c_str());
-  if (array && array->GetNumberOfComponents() != components)
-  {
-    throw Refusal("choose another array: the point array '" + nameOf(array) + "' has " +
-                  std::to_string(array->GetNumberOfComponents()) + " components, not " +
-                  std::to_string(components));
-  }
-  if (array && array->GetNumberOfTuples() < leaf->GetNumberOfPoints())
-  {
-    throw Refusal("choose another array: the point array '" + nameOf(array) + "' has " +
-                  std::to_string(array->GetNumberOfTuples()) + " values for " +
-                  std::to_string(leaf->GetNumberOfPoints()) + " points");
-  }
-  if (!array && !name.empty())
-  {
-    throw Refusal("choose another array: there is no point array '" + name + "'");
-  }
-  return array;
-}
-
-vtkDataArray* InputViews::normalsOf(vtkPointSet* leaf) const
-{
-  // Lists of arrays in ParaView have the entry None, which arrives here as a name.
-  const bool isNone = options_.normalsArray == "None" && !leaf->GetPointData()->HasArray("None");
-  return this->findArray(leaf, isNone ? std::string() : options_.normalsArray, 3);
-}
-
 /// Whether there are points without normals, and no triangles that could tell them either.
 bool InputViews::lacksNormals() const
 {
   return std::any_of(leaves_.begin(), leaves_.end(),
-    [this](vtkPointSet* leaf) { return !hasFaces(leaf) && !this->normalsOf(leaf); });
+    [this](vtkPointSet* leaf)
+    { return !hasFaces(leaf) && !normalsOf(leaf, options_.normalsArray); });
 }
 
 vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
@@ -168,7 +127,7 @@ vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
   {
     throw Refusal("name the array of the areas (Area Array): there is no name");
   }
-  return this->findArray(leaf, options_.areaArray, 1);
+  return pointArray(leaf, options_.areaArray, 1);
 }
 
 template <class View> View InputViews::viewOf(vtkDataArray* array)
@@ -393,7 +352,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
-    vtkDataArray* ownNormals = this->normalsOf(leaf);
+    vtkDataArray* ownNormals = normalsOf(leaf, options_.normalsArray);
     const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
                                      ? &this->verticesOf(leaf)
                                      : nullptr;

@@ -109,8 +109,6 @@ public:
 
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
-  vtkDataArray* findArray(vtkPointSet* leaf, const std::string& name, int components) const;
-  vtkDataArray* normalsOf(vtkPointSet* leaf) const;
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);

@@ -2,6 +2,7 @@
 
 #include "base/Refusal.h"
 #include "cloud/ConsistentNormals.h"
+#include "private/PointArrays.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -13,16 +14,21 @@ namespace winding
 namespace
 {
 
-vtkDataArray* normalsOf(vtkPolyData* leaf, const std::string& name)
+/// The normals of a leaf that has points. Negative numbers are those of floating-point types.
+vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
 {
-  vtkPointData* const data = leaf->GetPointData();
-  const bool isActive = name.empty() || (name == "None" && !data->HasArray("None"));
-  vtkDataArray* const normals = isActive ? data->GetNormals() : data->GetArray(name.c_str());
-  if (!normals || normals->GetNumberOfComponents() != 3)
+  vtkDataArray* const normals = normalsOf(leaf, name);
+  if (!normals)
   {
     throw Refusal("leave the orientation as it is (Fix Orientation; --fix-orientation), or give "
                   "normals: the points have none, and the filters estimate them themselves "
                   "(Estimate Normals; --estimate-normals)");
+  }
+  if (normals->GetDataType() != VTK_FLOAT && normals->GetDataType() != VTK_DOUBLE)
+  {
+    throw Refusal("give normals of type float or double, or leave the orientation as it is (Fix "
+                  "Orientation; --fix-orientation): those of type " +
+                  std::string(normals->GetDataTypeAsString()) + " cannot all be turned round");
   }
   return normals;
 }
@@ -41,7 +47,7 @@ Usable usablePoints(
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     const vtkIdType count = leaves[leaf]->GetNumberOfPoints();
-    vtkDataArray* const normals = count > 0 ? normalsOf(leaves[leaf], normalsArray) : nullptr;
+    vtkDataArray* const normals = count > 0 ? realNormalsOf(leaves[leaf], normalsArray) : nullptr;
     for (vtkIdType point = 0; point < count; ++point)
     {
       Eigen::Vector3d position, normal;

@@ -47,7 +47,8 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   {
     field_ = nullptr; // the old and the new one need not fit into memory together
     views->compare(ranks, options.distribution);
-    refuseHugeSource(*views, bytesOfField, "the field", ranks, onlyOnFirst);
+    refuseHugeSource(*views, withNormals(bytesOfField, mayFindConsistentNormals(options.field)),
+      "the field", ranks, onlyOnFirst);
     views->gather(ranks, onlyOnFirst);
     if (onlyOnFirst && ranks.rank() > 0)
     {

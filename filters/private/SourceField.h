@@ -18,6 +18,12 @@ struct SourceOptions
   SourceDistribution distribution = SourceDistribution::automatic;
 };
 
+/// Whether normals may be estimated by more than a spanning tree, which takes more memory.
+inline bool mayFindConsistentNormals(const FieldOptions& options)
+{
+  return options.estimateNormals && options.normalEstimation != NormalEstimation::spanningTree;
+}
+
 /// A hash of options, by which ranks find out whether theirs are the same.
 Ranks::Number hashOf(const SourceOptions& options);
 

@@ -21,6 +21,14 @@ constexpr BytesOfWork bytesOfReport = {130, 330};
 constexpr BytesOfWork bytesOfAreas = {250, 250};
 ///@}
 
+/// The memory of work on a cloud for which consistent normals may be found, too (measured with a
+/// million points).
+inline BytesOfWork withNormals(const BytesOfWork& bytes, bool areFound)
+{
+  constexpr double perPoint = 350;
+  return {bytes.perCell, areFound && bytes.perPoint < perPoint ? perPoint : bytes.perPoint};
+}
+
 /// Throws OutOfMemory where the work on the source of all ranks, which they have compared, does not
 /// fit into free memory, before anything is allocated. `what` names the work, as in "the report".
 /// Where the first rank works alone, the others need no memory. Collective.

@@ -1,5 +1,6 @@
 #include "cloud/CloudOrientation.h"
 
+#include "base/BriefExecutor.h"
 #include "base/FieldOutput.h"
 #include "farfield/FarField.h"
 #include "source/CoordinateOrder.h"
@@ -13,23 +14,6 @@ namespace winding
 
 namespace
 {
-
-/// Runs all work briefly, so that none of it shows progress.
-class BriefExecutor final : public Executor
-{
-public:
-  explicit BriefExecutor(Executor& executor)
-    : executor_(executor)
-  {
-  }
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    return executor_.runBriefly(count, work);
-  }
-
-private:
-  Executor& executor_;
-};
 
 double median(std::vector<float>& values)
 {

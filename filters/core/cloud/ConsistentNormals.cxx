@@ -1,18 +1,18 @@
 #include "cloud/ConsistentNormals.h"
 
-#include "base/FieldOutput.h"
 #include "base/Pi.h"
 #include "cloud/NeighborGraph.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalPatches.h"
 #include "cloud/PatchSigns.h"
-#include "farfield/FarField.h"
+#include "cloud/PlacesField.h"
+#include "source/CompareCoordinates.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <memory>
 
 namespace winding
 {
@@ -30,13 +30,7 @@ constexpr float doubts[] = {0.05f, 0.1f, 0.15f, 0.2f, 0.3f};
 /// Patches of fewer places, and the smallest of many patches, follow the others.
 constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
 
-/// The field is looked at in so many places.
-constexpr std::size_t mostTestimonies = 1536;
-
 constexpr std::size_t placesPerBlock = 512;
-
-using Turns = std::vector<unsigned char>;
-using Normals = std::vector<Eigen::Vector3d>;
 
 /// The quantile of some values, which it moves.
 double quantile(std::vector<double>& values, double share)
@@ -91,129 +85,6 @@ bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   return quantile(deviations, 0.25) > clean;
 }
 
-Normals turned(Normals normals, const Turns& turns)
-{
-  for (std::size_t place = 0; place < normals.size(); ++place)
-  {
-    normals[place] *= turns[place] ? -1 : 1;
-  }
-  return normals;
-}
-
-/// Places of a cloud with what does not depend on their normals.
-class Cloud
-{
-public:
-  /// spread: the length over which places are spread, in their spacings.
-  Cloud(const DistinctPoints& places, const std::vector<double>& spacings, double spread,
-    Executor& executor)
-    : places_(places)
-    , executor_(executor)
-  {
-    cloud_.positions = places.positions();
-    for (const Eigen::Vector3d& position : cloud_.positions)
-    {
-      cloud_.bounds.extend(position);
-    }
-    for (const double spacing : spacings)
-    {
-      cloud_.areas.push_back(spacing * spacing);
-      cloud_.regularizationLengths.push_back(spread * spacing);
-    }
-    const std::size_t step =
-      std::max<std::size_t>(1, (places.size() + mostTestimonies - 1) / mostTestimonies);
-    for (std::size_t place = step / 2; place < places.size(); place += step)
-    {
-      testimonies_.push_back(static_cast<std::uint32_t>(place));
-    }
-  }
-
-  /// Returns the share of each patch in w at the testimonies.
-  Eigen::MatrixXd sharesOf(
-    const Normals& normals, const NormalPatches::Largest& patches, const Turns& turns)
-  {
-    std::vector<ItemRange> ranges;
-    for (std::size_t patch = 0; patch < patches.count(); ++patch)
-    {
-      ranges.push_back({static_cast<std::uint32_t>(patches.starts[patch]),
-        static_cast<std::uint32_t>(patches.starts[patch + 1])});
-    }
-    return this->sums(normals, turns, patches.places, ranges);
-  }
-
-  /// The mean square of w − 1/2 at the testimonies.
-  double deviationOf(const Normals& normals, const Turns& turns)
-  {
-    std::vector<std::uint32_t> all(places_.size());
-    std::iota(all.begin(), all.end(), 0);
-    const Eigen::MatrixXd w =
-      this->sums(normals, turns, all, {{0, static_cast<std::uint32_t>(all.size())}});
-    return (w.array() - 0.5).square().mean();
-  }
-
-  /// The gradients of w at some places, scaled as these are.
-  Normals gradients(const Normals& normals, const Turns& turns, const Normals& at)
-  {
-    PointCloud spread = cloud_;
-    spread.normals = turned(normals, turns);
-    constexpr double wider = 1.5;
-    for (double& length : spread.regularizationLengths)
-    {
-      length *= wider;
-    }
-    constexpr double tolerance = 1e-2;
-    const FarField field(
-      farFieldSources(spread, spread.areas), FarFieldAccuracy::of(tolerance), executor_);
-    Normals gradients(at.size());
-    if (!field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_))
-    {
-      throw Interrupted();
-    }
-    return gradients;
-  }
-
-private:
-  /// Sums of ranges of the places in an order at the testimonies.
-  Eigen::MatrixXd sums(const Normals& normals, const Turns& turns,
-    const std::vector<std::uint32_t>& order, const std::vector<ItemRange>& ranges)
-  {
-    cloud_.normals = turned(normals, turns);
-    const std::unique_ptr<FarFieldSources> sources = farFieldSources(cloud_, cloud_.areas);
-    sources->arrange(order, true);
-    Eigen::MatrixXd sums(testimonies_.size(), ranges.size());
-    constexpr std::size_t perBlock = 128;
-    runBlocks(
-      testimonies_.size(), perBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        SampleBlock block;
-        block.count = last - first;
-        for (std::size_t i = first; i < last; ++i)
-        {
-          block.set(i - first, sources->scale() * places_.positions()[testimonies_[i]]);
-        }
-        double values[SampleBlock::capacity];
-        std::vector<ItemRange> range(1);
-        for (std::size_t r = 0; r < ranges.size(); ++r)
-        {
-          range[0] = ranges[r];
-          sources->sum(range, block, values, nullptr);
-          for (std::size_t i = first; i < last; ++i)
-          {
-            sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(r)) = values[i - first];
-          }
-        }
-      },
-      executor_);
-    return sums;
-  }
-
-  const DistinctPoints& places_;
-  Executor& executor_;
-  PointCloud cloud_;
-  std::vector<std::uint32_t> testimonies_; ///< places in which the field is looked at
-};
-
 /// Whether w increases along each normal.
 Turns uphill(const Normals& gradients, const Normals& normals)
 {
@@ -225,29 +96,36 @@ Turns uphill(const Normals& gradients, const Normals& normals)
   return turns;
 }
 
-/// The normals that fit best so far.
+/// The normals that fit best so far. Those that were tried for several turns are shared.
 struct Best
 {
-  Normals normals;
+  std::shared_ptr<const Normals> normals;
   Turns turns;
   double deviation = std::numeric_limits<double>::infinity();
 
-  void take(const Normals& otherNormals, const Turns& otherTurns, double other)
+  void take(const std::shared_ptr<const Normals>& others, const Turns& otherTurns, double other)
   {
     if (other < deviation)
     {
-      normals = otherNormals;
+      normals = others;
       turns = otherTurns;
       deviation = other;
     }
   }
 };
 
-/// Tries patches of some normals for all bounds of doubt.
-void tryPatches(const DistinctPoints& places, const NeighborGraph& graph, const Normals& normals,
-  Cloud& cloud, Executor& executor, Best& best)
+/// The mean square of w − 1/2.
+double deviationOf(const Eigen::VectorXd& w)
 {
-  NormalPatches patches(places, graph, normals, executor);
+  return (w.array() - 0.5).square().mean();
+}
+
+/// Tries patches of some normals for all bounds of doubt.
+void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
+  Best& best)
+{
+  NormalPatches patches(places, graph, *normals, executor);
   std::size_t before = 0;
   for (const float doubt : doubts)
   {
@@ -259,7 +137,7 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph, const 
     }
     before = largest.count();
     Turns turns = patches.areOpposite();
-    const Eigen::VectorXd signs = patchSigns(cloud.sharesOf(normals, largest, turns));
+    const Eigen::VectorXd signs = patchSigns(field.sharesOf(*normals, turns, largest));
     for (std::size_t patch = 0; patch < largest.count(); ++patch)
     {
       for (std::size_t i = largest.starts[patch];
@@ -269,21 +147,20 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph, const 
       }
     }
     patches.handOn(largest, turns);
-    best.take(normals, turns, cloud.deviationOf(normals, turns));
+    best.take(normals, turns, deviationOf(field.valuesOf(*normals, turns)));
   }
 }
 
 /// Turns points one by one as long as that helps.
-void polish(const DistinctPoints& places, Cloud& cloud, Best& best)
+void polish(const DistinctPoints& places, const PlacesField& field, Best& best)
 {
   constexpr int mostRounds = 3;
-  Turns turns = best.turns;
   for (int round = 0; round < mostRounds; ++round)
   {
-    const Normals normals = best.normals;
     const double before = best.deviation;
-    turns = uphill(cloud.gradients(normals, turns, places.positions()), normals);
-    best.take(normals, turns, cloud.deviationOf(normals, turns));
+    const Turns turns =
+      uphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
+    best.take(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
     if (best.deviation == before)
     {
       return;
@@ -318,29 +195,33 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
 constexpr double smallDeviation = 0.02, smallDeviationOfNoise = 0.05;
 
 /// Takes normals as they are, or all turned round.
-void tryAsTheyAre(const Normals& normals, Cloud& cloud, Best& best)
+void tryAsTheyAre(
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Best& best)
 {
-  for (const unsigned char isTurned : {0, 1})
-  {
-    const Turns turns(normals.size(), isTurned);
-    best.take(normals, turns, cloud.deviationOf(normals, turns));
-  }
+  const Eigen::VectorXd w = field.valuesOf(*normals, Turns(normals->size(), 0));
+  best.take(normals, Turns(normals->size(), 0), deviationOf(w));
+  best.take(normals, Turns(normals->size(), 1), deviationOf(-w));
 }
 
 /// Orients a cloud by all ways and takes the one with the least deviation. The graph has at least
-/// so many neighbours.
-OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<double>& spacings, std::size_t neighbors, bool isNoisy, Executor& executor)
+/// so many neighbours; it is given up where it is needed no more. byTree: the normals that the
+/// spanning tree gives, by place, or none where they are not known.
+OrientedPlaces orientDensely(const DistinctPoints& places,
+  std::unique_ptr<const NeighborGraph> graph, const std::vector<double>& spacings,
+  std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor)
 {
   constexpr double spreadOfNoise = 3;
-  Cloud cloud(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
+  const PlacesField field(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
   Best best;
-  Normals normals = planeNormals(places, graph, neighbors, executor);
-  orientByTree(places, graph, normals);
-  tryAsTheyAre(normals, cloud, best);
+  if (byTree.empty())
+  {
+    byTree = planeNormals(places, *graph, neighbors, executor);
+    orientByTree(places, *graph, byTree);
+  }
+  tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
   if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
   {
-    return {turned(best.normals, best.turns), best.deviation};
+    return {turned(*best.normals, best.turns), best.deviation};
   }
   // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
   // sheets that are closer than the points.
@@ -351,65 +232,86 @@ OrientedPlaces orientDensely(const DistinctPoints& places, const NeighborGraph& 
   }
   for (const std::size_t size : sizes)
   {
-    normals = size <= graph.neighborsPerPlace()
-                ? planeNormals(places, graph, size, executor)
-                : planeNormals(places, NeighborGraph(places, size, executor), size, executor);
-    tryPatches(places, graph, normals, cloud, executor, best);
+    tryPatches(places, *graph,
+      std::make_shared<const Normals>(size <= graph->neighborsPerPlace()
+                                        ? planeNormals(places, *graph, size, executor)
+                                        : planeNormals(places, size, executor)),
+      field, executor, best);
   }
-  polish(places, cloud, best);
-  return {turned(best.normals, best.turns), best.deviation};
+  graph.reset();
+  polish(places, field, best);
+  return {turned(*best.normals, best.turns), best.deviation};
 }
 
 /// Orients a noisy cloud, of which only some places are needed to tell its sides.
-OrientedPlaces orientNoisy(const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+OrientedPlaces orientNoisy(
+  const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor)
 {
-  const NeighborGraph graph(places, 2 * neighbors, executor);
-  const std::vector<double> spacings = spacingsOf(places, graph);
-  std::vector<double> deviations = deviationsOf(places, graph, spacings, 2 * neighbors, executor);
+  auto graph = std::make_unique<const NeighborGraph>(places, 2 * neighbors, executor);
+  const std::vector<double> spacings = spacingsOf(places, *graph);
+  std::vector<double> deviations = deviationsOf(places, *graph, spacings, 2 * neighbors, executor);
   const std::vector<Eigen::Vector3d> some = thinned(places, quantile(deviations, 0.5));
   constexpr std::size_t enough = 1000;
   if (some.size() == places.size() || some.size() < enough)
   {
-    return orientDensely(places, graph, spacings, neighbors, true, executor);
+    return orientDensely(
+      places, std::move(graph), spacings, neighbors, true, std::move(byTree), executor);
   }
   const DistinctPoints sparse(some, 1, executor);
-  const NeighborGraph sparseGraph(sparse, 2 * neighbors, executor);
-  const std::vector<double> wide = spacingsOf(sparse, sparseGraph);
-  const OrientedPlaces oriented = orientDensely(
-    sparse, sparseGraph, wide, neighbors, isNoisy(sparse, sparseGraph, wide, executor), executor);
+  auto sparseGraph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
+  const std::vector<double> wide = spacingsOf(sparse, *sparseGraph);
+  const bool isStillNoisy = isNoisy(sparse, *sparseGraph, wide, executor);
+  const OrientedPlaces oriented =
+    orientDensely(sparse, std::move(sparseGraph), wide, neighbors, isStillNoisy, {}, executor);
   constexpr double spread = 2;
-  Cloud cloud(sparse, wide, spread, executor);
+  const PlacesField field(sparse, wide, spread, executor);
   const Normals gradients =
-    cloud.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
-  const Normals normals = planeNormals(places, graph, 2 * neighbors, executor);
+    field.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
+  const Normals normals = planeNormals(places, *graph, 2 * neighbors, executor);
   return {turned(normals, uphill(gradients, normals)), oriented.deviation};
 }
 
-OrientedPlaces orientPlaces(const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+OrientedPlaces orientPlaces(
+  const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor)
 {
   if (places.size() < 2)
   {
     return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0};
   }
+  auto graph = std::make_unique<const NeighborGraph>(places, neighbors, executor);
+  const std::vector<double> spacings = spacingsOf(places, *graph);
+  if (!isNoisy(places, *graph, spacings, executor))
   {
-    const NeighborGraph graph(places, neighbors, executor);
-    const std::vector<double> spacings = spacingsOf(places, graph);
-    if (!isNoisy(places, graph, spacings, executor))
-    {
-      return orientDensely(places, graph, spacings, neighbors, false, executor);
-    }
+    return orientDensely(
+      places, std::move(graph), spacings, neighbors, false, std::move(byTree), executor);
   }
-  return orientNoisy(places, neighbors, executor);
+  graph.reset();
+  return orientNoisy(places, neighbors, std::move(byTree), executor);
+}
+
+/// The normal at each place. Where several points stand at a place, it is the one that comes first
+/// by its coordinates, whatever the order of the points.
+Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
+{
+  Normals byPlace(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    byPlace[place] = normals[*std::min_element(places.begin(place), places.end(place),
+      [&](std::uint32_t a, std::uint32_t b)
+      { return compareCoordinates(normals[a], normals[b]) < 0; })];
+  }
+  return byPlace;
 }
 
 } // namespace
 
-ConsistentNormals consistentNormals(
-  const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor)
+ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
+  Executor& executor, const std::vector<Eigen::Vector3d>& byTree)
 {
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
   const OrientedPlaces oriented =
-    orientPlaces(places, static_cast<std::size_t>(std::max(neighbors, 3)), executor);
+    orientPlaces(places, static_cast<std::size_t>(std::max(neighbors, 3)),
+      byTree.empty() ? Normals() : normalsByPlace(places, byTree), executor);
   ConsistentNormals result;
   result.deviation = oriented.deviation;
   result.normals.resize(positions.size());
@@ -428,34 +330,31 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
 {
   constexpr std::size_t neighbors = 10;
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
-  Normals ofPlaces(places.size());
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    ofPlaces[place] = normals[*places.begin(place)];
-  }
+  const auto ofPlaces = std::make_shared<const Normals>(normalsByPlace(places, normals));
   Best best;
-  best.normals = ofPlaces;
+  best.take(ofPlaces, Turns(places.size(), 0), std::numeric_limits<double>::max());
   if (places.size() > 1)
   {
     const NeighborGraph graph(places, neighbors, executor);
-    Cloud cloud(places, spacingsOf(places, graph), 1, executor);
-    tryAsTheyAre(ofPlaces, cloud, best);
+    const std::vector<double> spacings = spacingsOf(places, graph);
+    const PlacesField field(places, spacings, 1, executor);
+    tryAsTheyAre(ofPlaces, field, best);
     if (best.deviation >= smallDeviation)
     {
-      Normals byTree = ofPlaces;
+      Normals byTree = *ofPlaces;
       orientByTree(places, graph, byTree);
-      tryAsTheyAre(byTree, cloud, best);
-      tryPatches(places, graph, ofPlaces, cloud, executor, best);
-      polish(places, cloud, best);
+      tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
+      tryPatches(places, graph, ofPlaces, field, executor, best);
+      polish(places, field, best);
     }
-    ofPlaces = turned(best.normals, best.turns);
   }
+  const Normals found = turned(*best.normals, best.turns);
   std::vector<unsigned char> turns(positions.size());
   for (std::size_t place = 0; place < places.size(); ++place)
   {
     for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
     {
-      turns[*point] = normals[*point].dot(ofPlaces[place]) < 0;
+      turns[*point] = normals[*point].dot(found[place]) < 0;
     }
   }
   return turns;

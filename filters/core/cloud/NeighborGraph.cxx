@@ -15,11 +15,10 @@ namespace
 
 constexpr std::size_t placesPerBlock = 512;
 
-} // namespace
-
-NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor)
-  : most_(std::min(most, places.size() - 1))
-  , neighbors_(places.size() * most_)
+/// Calls work(place, begin, end) with the nearest neighbours of every place.
+template <class Work>
+void forEachNeighbors(
+  const DistinctPoints& places, std::size_t count, const Work& work, Executor& executor)
 {
   const NeighborSearch search(places);
   runBlocks(
@@ -27,22 +26,24 @@ NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Exe
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       std::vector<Neighbor> found;
+      std::vector<std::uint32_t> neighbors;
       NeighborSearch::Last lastSearch;
       for (std::size_t place = first; place < last; ++place)
       {
-        search.find(place, most_, found, lastSearch);
-        std::transform(found.begin(), found.end(), neighbors_.data() + place * most_,
+        search.find(place, count, found, lastSearch);
+        neighbors.resize(found.size());
+        std::transform(found.begin(), found.end(), neighbors.begin(),
           [](const Neighbor& neighbor) { return neighbor.place; });
+        work(place, neighbors.data(), neighbors.data() + neighbors.size());
       }
     },
     executor);
 }
 
-NeighborPlane planeOf(
-  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count)
+/// The plane through a place and its neighbours begin … end − 1.
+NeighborPlane planeThrough(const DistinctPoints& places, std::size_t place,
+  const std::uint32_t* begin, const std::uint32_t* end)
 {
-  const std::uint32_t* const begin = graph.begin(place);
-  const std::uint32_t* const end = graph.end(place, count);
   // Offsets are taken in units of the neighbourhood's size, so that squares stay within range.
   const Eigen::Vector3d center = places.positions()[place];
   double size = 0;
@@ -71,6 +72,25 @@ NeighborPlane planeOf(
   return {normal, size * std::sqrt(variance)};
 }
 
+} // namespace
+
+NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor)
+  : most_(std::min(most, places.size() - 1))
+  , neighbors_(places.size() * most_)
+{
+  forEachNeighbors(
+    places, most_,
+    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
+    { std::copy(begin, end, neighbors_.data() + place * most_); },
+    executor);
+}
+
+NeighborPlane planeOf(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count)
+{
+  return planeThrough(places, place, graph.begin(place), graph.end(place, count));
+}
+
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
 {
@@ -84,6 +104,18 @@ std::vector<Eigen::Vector3d> planeNormals(
         normals[place] = planeOf(places, graph, place, count).normal;
       }
     },
+    executor);
+  return normals;
+}
+
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, std::size_t count, Executor& executor)
+{
+  std::vector<Eigen::Vector3d> normals(places.size());
+  forEachNeighbors(
+    places, count,
+    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
+    { normals[place] = planeThrough(places, place, begin, end).normal; },
     executor);
   return normals;
 }

@@ -46,9 +46,14 @@ struct NeighborPlane
 NeighborPlane planeOf(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count);
 
-/// The normals of the planes of all places. Throws Interrupted.
+///@{
+/// The normals of the planes of all places. Without a graph, which takes memory, neighbours are
+/// searched for. Throws Interrupted.
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor);
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, std::size_t count, Executor& executor);
+///@}
 
 /// A step along the graph from a place to a neighbour; the most certain step is the greatest.
 struct NeighborStep

@@ -1,6 +1,7 @@
 #include "cloud/NormalPatches.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace winding
 {
@@ -12,34 +13,46 @@ NormalPatches::NormalPatches(const DistinctPoints& places, const NeighborGraph& 
 {
   constexpr std::size_t stepsPerPlace = 10, placesPerBlock = 4096;
   const std::size_t perPlace = std::min(stepsPerPlace, graph.neighborsPerPlace());
-  const Link none = {0, 0, 0, 0}; // from a place to itself
-  links_.resize(places.size() * perPlace);
+  // A step and the one back are one link, which the lower place has.
+  const auto hasLink = [&](std::size_t place, std::uint32_t to)
+  {
+    const std::uint32_t* const end = graph.end(to, perPlace);
+    return to > place || std::find(graph.begin(to), end, place) == end;
+  };
+  // Links are counted before there are any, so that they take no more memory than they need.
+  std::vector<std::size_t> starts((places.size() + placesPerBlock - 1) / placesPerBlock + 1);
   runBlocks(
     places.size(), placesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
       for (std::size_t place = first; place < last; ++place)
       {
-        Link* link = &links_[place * perPlace];
+        starts[block + 1] += static_cast<std::size_t>(std::count_if(graph.begin(place),
+          graph.end(place, perPlace), [&](std::uint32_t to) { return hasLink(place, to); }));
+      }
+    },
+    executor);
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  links_.resize(starts.back());
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      Link* link = links_.data() + starts[block];
+      for (std::size_t place = first; place < last; ++place)
+      {
         for (const std::uint32_t* to = graph.begin(place); to != graph.end(place, perPlace); ++to)
         {
-          const std::uint32_t* const end = graph.end(*to, perPlace);
-          if (*to < place && std::find(graph.begin(*to), end, place) != end)
+          if (hasLink(place, *to))
           {
-            *link++ = none;
-            continue;
+            const NeighborStep step = stepBetween(places, normals, place, *to);
+            const bool areOpposite = normals[place].dot(normals[*to]) < 0;
+            *link++ = {step.doubt, step.from, step.to, areOpposite};
           }
-          const NeighborStep step = stepBetween(places, normals, place, *to);
-          const bool areOpposite = normals[place].dot(normals[*to]) < 0;
-          *link++ = {step.doubt, step.from, step.to, areOpposite};
         }
       }
     },
     executor);
-  links_.erase(std::remove_if(links_.begin(), links_.end(),
-                 [](const Link& link) { return link.from == link.to; }),
-    links_.end());
-  links_.shrink_to_fit();
   std::sort(links_.begin(), links_.end(),
     [](const Link& a, const Link& b)
     {

@@ -16,8 +16,7 @@ namespace winding
 class NormalPatches
 {
 public:
-  /// The normals may have any sense. All must outlive this. Takes
-  /// about 100 bytes per place. Throws Interrupted.
+  /// The normals may have any sense. Takes about 100 bytes per place. Throws Interrupted.
   NormalPatches(const DistinctPoints& places, const NeighborGraph& graph,
     const std::vector<Eigen::Vector3d>& normals, Executor& executor);
 

@@ -308,12 +308,13 @@ void checkPointArea(double pointArea)
   }
 }
 
-std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
-  int neighbors, Executor& executor)
+std::vector<double> pointAreas(
+  const PointCloud& cloud, const PointAreaOptions& options, Executor& executor)
 {
-  if (method == PointAreaMethod::voronoi)
+  const double pointArea = options.pointArea;
+  if (options.method == PointAreaMethod::voronoi)
   {
-    return voronoiAreas(cloud, executor, neighbors);
+    return voronoiAreas(cloud, executor, options.neighbors);
   }
   const double largest = largestArea(cloud.bounds);
   if (pointArea > largest)
@@ -323,7 +324,7 @@ std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, 
             << largest;
     throw Refusal(message.str());
   }
-  const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, neighbors);
+  const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, options.neighbors);
   return std::vector<double>(cloud.positions.size(), area);
 }
 

@@ -18,6 +18,14 @@ enum class PointAreaMethod
 /// The number of neighbours of a point that are looked at unless the user says otherwise.
 constexpr int defaultNeighbors = 20;
 
+/// The way in which points get areas; meaning and ranges are those of FieldOptions.
+struct PointAreaOptions
+{
+  PointAreaMethod method = PointAreaMethod::voronoi;
+  double pointArea = 0;
+  int neighbors = defaultNeighbors;
+};
+
 /**
  * The area that each point of an oriented cloud stands for: the area of its Voronoi cell in its
  * tangent plane, among those of its k nearest neighbours whose normals are similar to its own
@@ -56,10 +64,9 @@ double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
 /// Throws Refusal unless pointArea is an area for all points, or 0 for the mean.
 void checkPointArea(double pointArea);
 
-/// The area of each point by a method; pointArea and neighbors are as in FieldOptions. An area that
-/// is given for all points needs no normals. Throws Interrupted, and Refusal for an area that is
-/// larger than largestArea() (Sanitize.h).
-std::vector<double> pointAreas(const PointCloud& cloud, PointAreaMethod method, double pointArea,
-  int neighbors, Executor& executor);
+/// The area of each point. An area that is given for all points needs no normals. Throws
+/// Interrupted, and Refusal for an area that is larger than largestArea() (Sanitize.h).
+std::vector<double> pointAreas(
+  const PointCloud& cloud, const PointAreaOptions& options, Executor& executor);
 
 } // namespace winding

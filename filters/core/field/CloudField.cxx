@@ -2,9 +2,7 @@
 
 #include "base/Refusal.h"
 #include "cloud/CloudCost.h"
-#include "cloud/CloudOrientation.h"
-#include "cloud/ConsistentNormals.h"
-#include "cloud/NormalEstimation.h"
+#include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace winding
@@ -55,19 +52,12 @@ CloudField::CloudField(
                   " tell neither the area nor the normal of a point");
   }
   info_.normalsAreEstimated = cloud_.normals.size() < cloud_.positions.size();
-  if (info_.normalsAreEstimated)
+  if (info_.normalsAreEstimated && !options.estimateNormals)
   {
-    if (!options.estimateNormals)
-    {
-      throw Refusal("have normals estimated (Estimate Normals; --estimate-normals): the points "
-                    "have none, and without them nothing tells inside from outside");
-    }
-    this->findNormals(options, executor);
+    throw Refusal("have normals estimated (Estimate Normals; --estimate-normals): the points "
+                  "have none, and without them nothing tells inside from outside");
   }
-  else
-  {
-    this->chooseAreas(options, executor);
-  }
+  this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
@@ -80,80 +70,26 @@ void CloudField::warn(const std::string& what)
   info_.warning += (info_.warning.empty() ? "" : "; ") + what;
 }
 
-/// Estimates normals, chooses areas and warns where the field does not tell inside from outside
-/// clearly. Automatic takes the second way where the first one is not clear, and what is clearer.
-void CloudField::findNormals(const FieldOptions& options, Executor& executor)
-{
-  const std::vector<double> areas = cloud_.areas;
-  const auto find = [&](NormalEstimation estimation)
-  {
-    cloud_.areas = areas;
-    cloud_.normals = estimation == NormalEstimation::spanningTree
-                       ? estimateNormals(cloud_.positions, options.neighbors, executor)
-                       : consistentNormals(cloud_.positions, options.neighbors, executor).normals;
-    this->chooseAreas(options, executor);
-    this->turnOutward(executor);
-    info_.normalEstimation = estimation;
-  };
-  find(options.normalEstimation == NormalEstimation::consistent ? NormalEstimation::consistent
-                                                                : NormalEstimation::spanningTree);
-  // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
-  // others. Where the spanning tree is right all the same, as of solids that overlap, its field is
-  // the clearer one; where nothing is clear, as of noisy points, that says nothing.
-  constexpr double sureShare = 0.98;
-  if (options.normalEstimation == NormalEstimation::automatic &&
-      info_.orientation.outward < sureShare)
-  {
-    const PointCloud byTree = cloud_;
-    const CloudOrientation orientation = info_.orientation;
-    find(NormalEstimation::consistent);
-    if (orientation.isClear() && orientation.outward >= info_.orientation.outward)
-    {
-      cloud_ = byTree;
-      info_.orientation = orientation;
-      info_.normalEstimation = NormalEstimation::spanningTree;
-    }
-  }
-  const CloudOrientation& orientation = info_.orientation;
-  if (!orientation.isClear())
-  {
-    char figures[200];
-    std::snprintf(figures, sizeof figures,
-      "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
-      100 * orientation.outward, orientation.behind, orientation.before);
-    this->warn(
-      std::string("take more points, or normals from where the points come from: estimated ones do "
-                  "not tell inside from outside everywhere, for ") +
-      figures);
-  }
-}
-
-/// Turns estimated normals, which agree among themselves at best, outward as a whole.
-void CloudField::turnOutward(Executor& executor)
-{
-  CloudOrientation& orientation = info_.orientation;
-  orientation = orientationOf(cloud_, executor);
-  if (orientation.isInward())
-  {
-    for (Eigen::Vector3d& normal : cloud_.normals)
-    {
-      normal = -normal;
-    }
-    orientation = orientation.reversed();
-  }
-}
-
-void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
+/// Estimates normals where there are none, chooses areas, and warns where the field is 0 or does not
+/// tell inside from outside clearly.
+void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& executor)
 {
   checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
   hasVoronoiAreas_ = !areAreasGiven && (options.pointAreaMethod == PointAreaMethod::voronoi ||
                                          options.pointArea == 0);
-  if (!areAreasGiven)
+  const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
+  if (info_.normalsAreEstimated)
   {
-    cloud_.areas =
-      pointAreas(cloud_, options.pointAreaMethod, options.pointArea, options.neighbors, executor);
+    const OutwardNormals found =
+      giveOutwardNormals(cloud_, options.normalEstimation, areas, executor);
+    info_.normalEstimation = found.estimation;
+    info_.orientation = found.orientation;
+  }
+  else if (!areAreasGiven)
+  {
+    cloud_.areas = pointAreas(cloud_, areas, executor);
   }
   double sum = 0;
   for (const double area : cloud_.areas)
@@ -166,6 +102,10 @@ void CloudField::chooseAreas(const FieldOptions& options, Executor& executor)
     this->warn(areAreasGiven ? "give other areas: all of the points' are 0, and so is the field"
                              : "set a point area (Point Area; --area): points at one place tell "
                                "none, so the field is 0");
+  }
+  else if (info_.normalsAreEstimated && !info_.orientation.isClear())
+  {
+    this->warn(adviceOnNormals(info_.orientation));
   }
 }
 

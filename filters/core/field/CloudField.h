@@ -41,10 +41,8 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void findNormals(const FieldOptions& options, Executor& executor);
-  void turnOutward(Executor& executor);
+  void findNormalsAndAreas(const FieldOptions& options, Executor& executor);
   void warn(const std::string& what);
-  void chooseAreas(const FieldOptions& options, Executor& executor);
   void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 

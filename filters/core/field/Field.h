@@ -94,8 +94,8 @@ struct FieldInfo
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;
-  CloudOrientation orientation; ///< orientation of estimated normals, once turned outward
-  Bounds bounds;                    ///< box of the vertices or points
+  CloudOrientation orientation;   ///< that of estimated normals, once turned outward
+  Bounds bounds;                  ///< box of the vertices or points
   bool isScattered = false;       ///< whether scattered samples were announced, not those of grids
   Method method = Method::direct; ///< method that was chosen, never automatic
   std::string why;                ///< reason for the choice of the method, for the user

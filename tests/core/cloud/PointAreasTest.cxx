@@ -334,7 +334,7 @@ TEST(VoronoiAreas, AreNeverLessThanNothing)
   winding::PointCloud points = clean(cloud);
   points.normals = winding::estimateNormals(points.positions, 8, serial);
   const std::vector<double> areas =
-    winding::pointAreas(points, winding::PointAreaMethod::voronoi, 0, 8, serial);
+    winding::pointAreas(points, {winding::PointAreaMethod::voronoi, 0, 8}, serial);
   EXPECT_GE(*std::min_element(areas.begin(), areas.end()), 0);
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "cloud/CloudOrientation.h"
+#include "cloud/NormalEstimation.h"
+#include "cloud/PointAreas.h"
+#include "source/PointCloud.h"
+
+#include <string>
+
+namespace winding
+{
+
+/// The way in which normals were found, and what their own field says of them.
+struct OutwardNormals
+{
+  NormalEstimation estimation = NormalEstimation::spanningTree; ///< never automatic
+  CloudOrientation orientation;                                 ///< once turned outward
+};
+
+/**
+ * Gives unit normals that point outward to a cloud that has none, and areas unless it has them. The
+ * field that normals and areas make decides what is outward, as a whole.
+ *
+ * Automatic takes the spanning tree where its field is clear nearly everywhere, and else the way
+ * whose field is clearer. The bits are the same for any executor and any order of the points. Takes
+ * the time and memory of estimateNormals(), consistentNormals() and pointAreas(). Throws
+ * Interrupted, and Refusal as pointAreas() does.
+ */
+OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
+  const PointAreaOptions& areas, Executor& executor);
+
+/// Tells users of estimated normals whose field is not clear what to do, with the figures.
+std::string adviceOnNormals(const CloudOrientation& orientation);
+
+} // namespace winding
