@@ -306,12 +306,15 @@ Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
 } // namespace
 
 ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
-  Executor& executor, const std::vector<Eigen::Vector3d>& byTree)
+  Executor& executor, std::vector<Eigen::Vector3d> byTree)
 {
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
-  const OrientedPlaces oriented =
-    orientPlaces(places, static_cast<std::size_t>(std::max(neighbors, 3)),
-      byTree.empty() ? Normals() : normalsByPlace(places, byTree), executor);
+  if (!byTree.empty())
+  {
+    byTree = normalsByPlace(places, byTree);
+  }
+  const OrientedPlaces oriented = orientPlaces(
+    places, static_cast<std::size_t>(std::max(neighbors, 3)), std::move(byTree), executor);
   ConsistentNormals result;
   result.deviation = oriented.deviation;
   result.normals.resize(positions.size());

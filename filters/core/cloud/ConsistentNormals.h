@@ -30,13 +30,14 @@ struct ConsistentNormals
  * Several sizes of neighbourhoods and several bounds of doubt are tried, and the spanning tree of
  * NormalEstimation.h among them; the result is the one with the least deviation.
  *
- * neighbors: the most neighbours that planes go through, at least 3. byTree: what estimateNormals()
- * gives for the same points and neighbours, in either sense as a whole, where that is known already. Points at one place have one
- * normal. All normals are finite. The bits are the same for any executor and any order of the
- * points. The work takes O(n log n) time and about 300 bytes per point. Throws Interrupted.
+ * neighbors: the most neighbours that planes go through, at least 3. byTree: the normals that
+ * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where
+ * they are known already. Points at one place have one normal. All normals are finite. The bits are
+ * the same for any executor and any order of the points. The work takes O(n log n) time and about
+ * 300 bytes per point. Throws Interrupted.
  */
 ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
-  Executor& executor, const std::vector<Eigen::Vector3d>& byTree = {});
+  Executor& executor, std::vector<Eigen::Vector3d> byTree = {});
 
 /// Tells which normals of a cloud are to be turned round, where their directions are right but
 /// their senses may not be: 1 for those. It is found by the same patches, and none is turned where

@@ -11,11 +11,16 @@ namespace winding
 namespace
 {
 
-/// Chooses areas unless they came with the cloud, and turns all normals round if their field says
-/// that they point inward.
-CloudOrientation turnOutward(
-  PointCloud& cloud, bool hasOwnAreas, const PointAreaOptions& options, Executor& executor)
+/// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
+/// field says that they point inward.
+CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> normals,
+  bool hasOwnAreas, const PointAreaOptions& options, Executor& executor)
 {
+  cloud.normals = std::move(normals);
+  for (Eigen::Vector3d& normal : cloud.normals)
+  {
+    normal = normal.cast<float>().cast<double>();
+  }
   if (!hasOwnAreas)
   {
     cloud.areas = pointAreas(cloud, options, executor);
@@ -41,8 +46,8 @@ OutwardNormals giveOutwardNormals(
   OutwardNormals found;
   if (estimation != NormalEstimation::consistent)
   {
-    cloud.normals = estimateNormals(cloud.positions, areas.neighbors, executor);
-    found.orientation = turnOutward(cloud, hasOwnAreas, areas, executor);
+    found.orientation = takeOutward(cloud,
+      estimateNormals(cloud.positions, areas.neighbors, executor), hasOwnAreas, areas, executor);
   }
   // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
   // others. Where the spanning tree is right all the same, as for solids that overlap, its field is
@@ -54,17 +59,19 @@ OutwardNormals giveOutwardNormals(
     return found;
   }
   const CloudOrientation ofTree = found.orientation;
-  std::vector<Eigen::Vector3d> normalsOfTree = std::exchange(cloud.normals, {});
-  std::vector<double> areasOfTree = cloud.areas;
-  cloud.normals =
-    consistentNormals(cloud.positions, areas.neighbors, executor, normalsOfTree).normals;
+  std::vector<Eigen::Vector3d> byTree = std::exchange(cloud.normals, {});
+  const bool isTreeClear = estimation == NormalEstimation::automatic && ofTree.isClear();
+  const std::vector<Eigen::Vector3d> normals =
+    isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
+  const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
   found.estimation = NormalEstimation::consistent;
-  found.orientation = turnOutward(cloud, hasOwnAreas, areas, executor);
-  if (estimation == NormalEstimation::automatic && ofTree.isClear() &&
-      ofTree.outward >= found.orientation.outward)
+  found.orientation = takeOutward(cloud,
+    consistentNormals(cloud.positions, areas.neighbors, executor, std::move(byTree)).normals,
+    hasOwnAreas, areas, executor);
+  if (isTreeClear && ofTree.outward >= found.orientation.outward)
   {
-    cloud.normals = std::move(normalsOfTree);
-    cloud.areas = std::move(areasOfTree);
+    cloud.normals = normals;
+    cloud.areas = areasByTree;
     return {NormalEstimation::spanningTree, ofTree};
   }
   return found;

@@ -19,8 +19,11 @@ struct OutwardNormals
 };
 
 /**
- * Gives unit normals that point outward to a cloud that has none, and areas unless it has them. The
- * field that normals and areas make decides what is outward, as a whole.
+ * Gives normals that point outward to a cloud that has none, and areas unless it has them. The field
+ * that normals and areas make decides what is outward, as a whole.
+ *
+ * The normals are numbers of single precision, as files and VTK's filters have them, and unit
+ * vectors to that precision.
  *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and else the way
  * whose field is clearer. The bits are the same for any executor and any order of the points. Takes

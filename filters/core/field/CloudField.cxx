@@ -9,6 +9,7 @@
 #include "farfield/FarFieldCost.h"
 #include "farfield/GridCells.h"
 #include "source/Sanitize.h"
+#include "source/UnitNormal.h"
 #include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
 
@@ -86,6 +87,11 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
       giveOutwardNormals(cloud_, options.normalEstimation, areas, executor);
     info_.normalEstimation = found.estimation;
     info_.orientation = found.orientation;
+    // Normals that were stored and come back are made unit vectors in the same way.
+    for (Eigen::Vector3d& normal : cloud_.normals)
+    {
+      normal = unitNormal(normal).array() + 0.0;
+    }
   }
   else if (!areAreasGiven)
   {

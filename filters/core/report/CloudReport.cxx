@@ -5,6 +5,7 @@
 #include "source/DistinctPoints.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
+#include "source/UnitNormal.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
@@ -66,10 +67,7 @@ FinitePoints collect(const std::vector<OrientedPointsView>& views, CloudReport& 
         const bool isZero = normal == Eigen::Vector3d::Zero();
         report.zeroNormals += isZero;
         report.nonUnitNormals += !isZero && !(std::abs(length - 1) <= 1e-3);
-        // Normals are divided by their largest component first: the length of a very long or short
-        // one would leave the range of numbers.
-        points.normals.push_back(
-          isZero ? normal : (normal / normal.cwiseAbs().maxCoeff()).normalized());
+        points.normals.push_back(isZero ? normal : unitNormal(normal));
       }
     }
   }

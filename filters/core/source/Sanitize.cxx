@@ -4,6 +4,7 @@
 #include "base/Concatenation.h"
 #include "base/Refusal.h"
 #include "source/CornersAhead.h"
+#include "source/UnitNormal.h"
 #include "source/Weld.h"
 
 #include <algorithm>
@@ -492,11 +493,7 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
             cloud.positions[kept] = view.positions[i].array() + 0.0;
             if (withNormals)
             {
-              // Dividing by the largest component first keeps the square of a very long or short
-              // normal in the range of double.
-              const Eigen::Vector3d normal = view.normals[i];
-              cloud.normals[kept] =
-                (normal / normal.cwiseAbs().maxCoeff()).normalized().array() + 0.0;
+              cloud.normals[kept] = unitNormal(view.normals[i]).array() + 0.0;
             }
             if (withAreas)
             {
