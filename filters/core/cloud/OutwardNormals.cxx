@@ -11,6 +11,17 @@ namespace winding
 namespace
 {
 
+void roundToSingle(Eigen::Vector3d& normal)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // GCC 12 at -O2 turns pairs of conversions to single precision and back into nothing, unless
+    // the number between them is volatile.
+    const volatile float single = static_cast<float>(normal[axis]);
+    normal[axis] = static_cast<double>(single);
+  }
+}
+
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
 /// field says that they point inward.
 CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> normals,
@@ -19,7 +30,7 @@ CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> nor
   cloud.normals = std::move(normals);
   for (Eigen::Vector3d& normal : cloud.normals)
   {
-    normal = normal.cast<float>().cast<double>();
+    roundToSingle(normal);
   }
   if (!hasOwnAreas)
   {
