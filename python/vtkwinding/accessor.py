@@ -75,9 +75,22 @@ def _fill(copy, output, names, association="point"):
     return copy
 
 
+def _set_normals(copy, output):
+    """Gives a copy of the input the active normals that a filter made for it."""
+    if isinstance(copy, pv.MultiBlock):
+        for index, block in enumerate(copy):
+            if block is not None:
+                _set_normals(block, output[index])
+    elif isinstance(copy, pv.DataSet) and "Normals" in output.point_data:
+        copy.point_data["Normals"] = np.asarray(output.point_data["Normals"])
+        copy.point_data.active_normals_name = "Normals"
+    return copy
+
+
 def _without_notes(mesh):
     """The mesh without the field data that says how it came about."""
-    for name in ("WindingNumberMethod", "WindingNumberMethodReason"):
+    for name in ("WindingNumberMethod", "WindingNumberMethodReason",
+                 "WindingNumberNormalEstimation", "WindingNumberClearShare"):
         if name in mesh.field_data:
             del mesh.field_data[name]
     if isinstance(mesh, pv.MultiBlock):
@@ -294,7 +307,7 @@ class WindingAccessor:
                 for i in range(found.GetNumberOfArrays())}
 
     def fix_orientation(self, *, progress_bar: bool = False) -> pv.PolyData:
-        """A copy as PolyData, its faces turned so that they look outward."""
+        """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward."""
         algorithm = self._report(progress_bar, None, True)
         result = pv.wrap(algorithm.GetOutput())
         report = algorithm.GetReport()
@@ -305,12 +318,13 @@ class WindingAccessor:
 
     def estimate_areas(self, *, method: str = "voronoi", point_area: float = 0,
                        n_neighbors: int = 20, estimate_normals: bool = False,
-                       normals_array: str | None = None, n_threads: int | None = None,
+                       normal_estimation: str = "auto", normals_array: str | None = None, n_threads: int | None = None,
                        progress_bar: bool = False) -> pv.DataObject:
         """A copy with the point array 'Area': the area that each point of a cloud stands for.
 
         method: 'voronoi', 'mesh' (a third of every triangle around a point) or 'constant'
-        (point_area; 0 for the mean of 'voronoi').
+        (point_area; 0 for the mean of 'voronoi'). With estimate_normals, points that have no
+        normals get outward ones, as the active normals 'Normals'.
         """
         mesh = _check_source("the mesh", self._mesh)
         algorithm = vtkPointAreas()
@@ -318,13 +332,16 @@ class WindingAccessor:
         algorithm.SetPointArea(_options.number("point_area", point_area, 0))
         algorithm.SetNumberOfNeighbors(_options.integer("n_neighbors", n_neighbors, 3, 1000))
         algorithm.SetEstimateNormals(_options.flag("estimate_normals", estimate_normals))
+        algorithm.SetNormalEstimation(_options.choice(
+            "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS))
         algorithm.SetNumberOfThreads(_options.threads(n_threads))
         if normals_array is not None:
             algorithm.SetNormalsArray(_options.text("normals_array", normals_array))
         algorithm.SetInputData(mesh)
         run(algorithm, progress_bar=progress_bar, message="Estimating areas")
-        return _fill(_copied(mesh), pv.wrap(algorithm.GetOutputDataObject(0)),
-                     {"Area": ("Area", None)})
+        output = pv.wrap(algorithm.GetOutputDataObject(0))
+        copy = _fill(_copied(mesh), output, {"Area": ("Area", None)})
+        return _set_normals(copy, output) if algorithm.GetNormalEstimationUsed() else copy
 
 
 def _value_of(array):

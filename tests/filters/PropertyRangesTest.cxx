@@ -278,6 +278,7 @@ TEST_F(PropertyRanges, OfPointAreas)
   EXPECT_REFUSED(filter, PointAreaMethod, choices("VORONOI (0), MESH (1) or CONSTANT (2)", 3));
   EXPECT_REFUSED(filter, NumberOfNeighbors, neighborCounts);
   EXPECT_REFUSED(filter, PointArea, notPositive);
+  EXPECT_REFUSED(filter, NormalEstimation, estimations);
   EXPECT_REFUSED(filter, NumberOfThreads, negative);
   expectWorking(areas);
 }

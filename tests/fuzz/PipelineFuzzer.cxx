@@ -223,6 +223,25 @@ template <class Filter> void sample(Choices& choices, vtkPointSet* data)
   checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
 }
 
+void findAreas(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<vtkPointAreas> areas;
+  areas->SetPointAreaMethod(choices.below(3));
+  areas->SetEstimateNormals(choices.oneIn(2));
+  areas->SetNormalEstimation(choices.below(3));
+  areas->SetNumberOfThreads(1);
+  areas->SetInputData(data);
+  areas->Update();
+  checkNumber(areas->GetTotalArea());
+  auto* output = vtkPointSet::SafeDownCast(areas->GetOutputDataObject(0));
+  vtkDataArray* const normals = output->GetPointData()->GetArray("Normals");
+  for (vtkIdType i = 0; areas->GetNormalEstimationUsed()[0] && i < normals->GetNumberOfTuples();
+       ++i)
+  {
+    checkNumber(normals->GetComponent(i, 0));
+  }
+}
+
 void fillVoxels(Choices& choices, vtkPointSet* data)
 {
   vtkNew<vtkWindingNumberField> field;
@@ -299,7 +318,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     run<vtkSurfaceReport>(data);
     break;
   case 4:
-    run<vtkPointAreas>(data);
+    findAreas(choices, data);
     break;
   case 5:
     growTrees(choices, data);

@@ -577,6 +577,47 @@ TEST(ReportOnRanks, RefusesToTurnFacesThatOthersHave)
   EXPECT_EQ(log.errors().empty(), ranks() == 1) << log.errors();
 }
 
+TEST(AreasOnRanks, NormalsOfOwnPointsAreThoseOfOneRank)
+{
+  const Mesh mesh = shapes::icosphere(3);
+  const auto areasOf = [&mesh](const Deal& deal, int of, int ranks, bool alone)
+  {
+    const vtkSmartPointer<vtkPolyData> points = pointsOf(mesh, deal, of, ranks);
+    points->GetPointData()->Initialize();
+    auto areas = filterOf<vtkPointAreas>(points, alone);
+    areas->EstimateNormalsOn();
+    return areas;
+  };
+  const auto expected = areasOf(whole, 0, 1, true);
+  expected->Update();
+  vtkDataArray* all =
+    vtkPolyData::SafeDownCast(expected->GetOutputDataObject(0))->GetPointData()->GetNormals();
+  for (const Deal& deal : deals())
+  {
+    SCOPED_TRACE(deal.name);
+    const auto found = areasOf(deal, rank(), ranks(), false);
+    updatePiece(found);
+    EXPECT_STREQ(found->GetNormalEstimationUsed(), "spanning tree");
+    vtkDataArray* own =
+      vtkPolyData::SafeDownCast(found->GetOutputDataObject(0))->GetPointData()->GetNormals();
+    ASSERT_NE(own, nullptr);
+    vtkIdType next = 0;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      if (deal.rankOf(i, mesh.points.size(), ranks()) == rank())
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          ASSERT_EQ(
+            own->GetComponent(next, axis), all->GetComponent(static_cast<vtkIdType>(i), axis));
+        }
+        ++next;
+      }
+    }
+    EXPECT_EQ(next, own->GetNumberOfTuples());
+  }
+}
+
 TEST(AreasOnRanks, OfOwnPointsAreThoseOfOneRank)
 {
   const Mesh mesh = shapes::icosphere(3);

@@ -35,6 +35,16 @@ class TestAreas(unittest.TestCase):
             areas.EstimateNormals = 1
             areas.UpdatePipeline()
             self.assertAlmostEqual(information(areas, "TotalArea"), 4 * math.pi, delta=0.1)
+            self.assertEqual(information(areas, "NormalEstimationUsed"), "spanning tree")
+            self.assertAlmostEqual(information(areas, "ClearShare"), 1, delta=0.05)
+            points = result(areas)
+            for index in range(2000):
+                at = points.GetPoint(index)
+                normal = points.GetPointData().GetNormals().GetTuple3(index)
+                self.assertGreater(sum(a * b for a, b in zip(at, normal)), 0.9)
+            areas.NormalEstimation = "Winding Consistent"
+            areas.UpdatePipeline()
+            self.assertEqual(information(areas, "NormalEstimationUsed"), "winding consistent")
 
     def test_composite_input_keeps_its_blocks(self):
         group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])

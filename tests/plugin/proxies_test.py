@@ -115,6 +115,7 @@ SETTABLE = {
         "NumberOfNeighbors": (7, "7"),
         "NormalsArray": ("Orientation", "Orientation"),
         "EstimateNormals": (1, "1"),
+        "NormalEstimation": (2, "2"),
         "ResultArrayName": ("a", "a"),
         "NumberOfThreads": (3, "3"),
         "SourceDistribution": (1, "1"),
@@ -149,7 +150,7 @@ REPORTED = {
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
-    "PointAreas": {"TotalArea"},
+    "PointAreas": {"TotalArea", "NormalEstimationUsed", "ClearShare"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",

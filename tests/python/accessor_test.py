@@ -210,8 +210,19 @@ class AccessorTest(Warned):
         self.assertAlmostEqual(found["Area"].sum(), mesh.area, 1)
         bare = pv.PolyData(mesh.points)
         self.assertRaisesRegex(vtkwinding.WindingError, "(?i)normals", bare.winding.estimate_areas)
-        bare = bare.winding.estimate_areas(estimate_normals=True, n_threads=1)
-        self.assertAlmostEqual(bare["Area"].sum(), mesh.area, 1)
+        found = bare.winding.estimate_areas(estimate_normals=True, n_threads=1)
+        self.assertAlmostEqual(found["Area"].sum(), mesh.area, 1)
+        self.assertEqual(found.active_scalars_name, "Area")
+        self.assertEqual(found.point_data.active_normals_name, "Normals")
+        outward = (found["Normals"] * found.points).sum(axis=1)
+        self.assertGreater(outward.min(), 0)
+        self.assertEqual(bare.array_names, [])
+        blocks = pv.MultiBlock([bare, None, bare.translate((5, 0, 0))])
+        found = blocks.winding.estimate_areas(
+            estimate_normals=True, normal_estimation="consistent")
+        self.assertEqual(found[2].point_data.active_normals_name, "Normals")
+        self.assertRaisesRegex(ValueError, "normal_estimation", bare.winding.estimate_areas,
+                               normal_estimation="best")
 
     def test_clouds(self):
         bare = pv.PolyData(ball().points)
