@@ -5,9 +5,18 @@
 namespace winding
 {
 
+/// The work that the normals of a cloud's points take.
+enum class NormalWork
+{
+  none,   ///< they are given
+  tree,   ///< planes and a spanning tree (NormalEstimation.h)
+  patches ///< signs of patches, too (ConsistentNormals.h)
+};
+
 /// The seconds that a cloud is expected to take on one thread before it can be evaluated: to be
-/// read and cleaned, for Voronoi areas and for estimated normals from so many neighbours, where
-/// they are needed.
-double secondsToPrepareCloud(std::size_t points, int neighbors, bool needsAreas, bool needsNormals);
+/// read and cleaned, for Voronoi areas, where they are needed, and for normals that are estimated
+/// from so many neighbours.
+double secondsToPrepareCloud(
+  std::size_t points, int neighbors, bool needsAreas, NormalWork normals);
 
 } // namespace winding

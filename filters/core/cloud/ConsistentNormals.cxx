@@ -99,6 +99,12 @@ Turns uphill(const Normals& gradients, const Normals& normals)
 /// The normals that fit best so far. Those that were tried for several turns are shared.
 struct Best
 {
+  explicit Best(const std::shared_ptr<const Normals>& first)
+    : normals(first)
+    , turns(first->size(), 0)
+  {
+  }
+
   std::shared_ptr<const Normals> normals;
   Turns turns;
   double deviation = std::numeric_limits<double>::infinity();
@@ -173,6 +179,7 @@ struct OrientedPlaces
 {
   Normals normals;
   double deviation;
+  bool triedPatches;
 };
 
 /// Every so manieth place of a noisy cloud, such that noise is no more than about half a spacing.
@@ -212,16 +219,16 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
 {
   constexpr double spreadOfNoise = 3;
   const PlacesField field(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
-  Best best;
   if (byTree.empty())
   {
     byTree = planeNormals(places, *graph, neighbors, executor);
     orientByTree(places, *graph, byTree);
   }
-  tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
+  Best best(std::make_shared<const Normals>(std::move(byTree)));
+  tryAsTheyAre(best.normals, field, best);
   if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
   {
-    return {turned(*best.normals, best.turns), best.deviation};
+    return {turned(*best.normals, best.turns), best.deviation, false};
   }
   // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
   // sheets that are closer than the points.
@@ -240,7 +247,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   }
   graph.reset();
   polish(places, field, best);
-  return {turned(*best.normals, best.turns), best.deviation};
+  return {turned(*best.normals, best.turns), best.deviation, true};
 }
 
 /// Orients a noisy cloud, of which only some places are needed to tell its sides.
@@ -268,7 +275,7 @@ OrientedPlaces orientNoisy(
   const Normals gradients =
     field.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
   const Normals normals = planeNormals(places, *graph, 2 * neighbors, executor);
-  return {turned(normals, uphill(gradients, normals)), oriented.deviation};
+  return {turned(normals, uphill(gradients, normals)), oriented.deviation, oriented.triedPatches};
 }
 
 OrientedPlaces orientPlaces(
@@ -276,7 +283,7 @@ OrientedPlaces orientPlaces(
 {
   if (places.size() < 2)
   {
-    return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0};
+    return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0, false};
   }
   auto graph = std::make_unique<const NeighborGraph>(places, neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, *graph);
@@ -317,6 +324,7 @@ ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& position
     places, static_cast<std::size_t>(std::max(neighbors, 3)), std::move(byTree), executor);
   ConsistentNormals result;
   result.deviation = oriented.deviation;
+  result.triedPatches = oriented.triedPatches;
   result.normals.resize(positions.size());
   for (std::size_t place = 0; place < places.size(); ++place)
   {
@@ -334,8 +342,7 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
   constexpr std::size_t neighbors = 10;
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
   const auto ofPlaces = std::make_shared<const Normals>(normalsByPlace(places, normals));
-  Best best;
-  best.take(ofPlaces, Turns(places.size(), 0), std::numeric_limits<double>::max());
+  Best best(ofPlaces);
   if (places.size() > 1)
   {
     const NeighborGraph graph(places, neighbors, executor);

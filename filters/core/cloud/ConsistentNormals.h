@@ -16,6 +16,7 @@ struct ConsistentNormals
   /// The mean square of w − 1/2 at points of the cloud, where w is the field of points spread over
   /// a spacing each: about 0.01 where normals are right, 0.1 and more where many are not.
   double deviation = 0;
+  bool triedPatches = false; ///< false where the normals of the spanning tree fit well
 };
 
 /**

@@ -75,15 +75,17 @@ OutwardNormals giveOutwardNormals(
   const std::vector<Eigen::Vector3d> normals =
     isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
   const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
+  ConsistentNormals consistent =
+    consistentNormals(cloud.positions, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;
-  found.orientation = takeOutward(cloud,
-    consistentNormals(cloud.positions, areas.neighbors, executor, std::move(byTree)).normals,
-    hasOwnAreas, areas, executor);
+  found.work = consistent.triedPatches ? NormalWork::patches : NormalWork::tree;
+  found.orientation =
+    takeOutward(cloud, std::move(consistent.normals), hasOwnAreas, areas, executor);
   if (isTreeClear && ofTree.outward >= found.orientation.outward)
   {
     cloud.normals = normals;
     cloud.areas = areasByTree;
-    return {NormalEstimation::spanningTree, ofTree};
+    return {NormalEstimation::spanningTree, ofTree, found.work};
   }
   return found;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "cloud/CloudCost.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
@@ -16,6 +17,7 @@ struct OutwardNormals
 {
   NormalEstimation estimation = NormalEstimation::spanningTree; ///< never automatic
   CloudOrientation orientation;                                 ///< once turned outward
+  NormalWork work = NormalWork::tree;                           ///< that was done
 };
 
 /**

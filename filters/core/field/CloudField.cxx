@@ -1,7 +1,6 @@
 #include "field/CloudField.h"
 
 #include "base/Refusal.h"
-#include "cloud/CloudCost.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
 #include "distance/DistanceTree.h"
@@ -87,6 +86,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
       giveOutwardNormals(cloud_, options.normalEstimation, areas, executor);
     info_.normalEstimation = found.estimation;
     info_.orientation = found.orientation;
+    normalWork_ = found.work;
     // Normals that were stored and come back are made unit vectors in the same way.
     for (Eigen::Vector3d& normal : cloud_.normals)
     {
@@ -207,8 +207,7 @@ EvaluationCost CloudField::expectedCostOfValues(std::size_t samples) const
 
 double CloudField::expectedSecondsOfBuilding() const
 {
-  return secondsToPrepareCloud(
-    info_.inputPrimitives, neighbors_, hasVoronoiAreas_, info_.normalsAreEstimated);
+  return secondsToPrepareCloud(info_.inputPrimitives, neighbors_, hasVoronoiAreas_, normalWork_);
 }
 
 double CloudField::area() const

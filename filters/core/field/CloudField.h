@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "cloud/CloudCost.h"
 #include "farfield/FarField.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
@@ -52,6 +53,7 @@ private:
   PointCloud cloud_;
   int neighbors_;                ///< that tell the area and the normal of a point
   bool hasVoronoiAreas_ = false; ///< whether areas were neither given nor set
+  NormalWork normalWork_ = NormalWork::none;
   FieldInfo info_;
   double slowdown_ = 1;                      ///< factor by which regularization slows the far field
   bool isAskedFor_ = false;                  ///< whether the user chose the method

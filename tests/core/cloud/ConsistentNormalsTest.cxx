@@ -3,6 +3,7 @@
 
 #include "cloud/ConsistentNormals.h"
 
+#include "cloud/NormalEstimation.h"
 #include "cloud/PatchSigns.h"
 #include "core/support/Samples.h"
 #include "core/support/Shapes.h"
@@ -191,6 +192,54 @@ TEST(NormalsToTurn, AreThoseThatHaveBeenTurned)
     const double most = share < 0.1 ? 1.01 * share : 0.01;
     EXPECT_LE(static_cast<double>(wrong), most * static_cast<double>(turns.size())) << share;
   }
+}
+
+TEST(NormalsToTurn, DoNotDependOnTheOrderOfPointsAtOnePlace)
+{
+  // Many places have two points, with normals that are different and may have opposite senses.
+  Scan scan = plates();
+  Random random(10);
+  const std::size_t once = scan.positions.size();
+  for (std::size_t i = 0; i < once; i += 3)
+  {
+    const Point aside(random(-0.3, 0.3), random(-0.3, 0.3), random(-0.3, 0.3));
+    scan.positions.push_back(scan.positions[i]);
+    scan.normals.push_back((random(0, 1) < 0.5 ? -1 : 1) * (scan.normals[i] + aside).normalized());
+  }
+  for (std::size_t i = 0; i < once; ++i)
+  {
+    scan.normals[i] *= random(0, 1) < 0.5 ? -1 : 1;
+  }
+  std::vector<std::size_t> order(scan.positions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937(7));
+  Scan other;
+  for (const std::size_t point : order)
+  {
+    other.positions.push_back(scan.positions[point]);
+    other.normals.push_back(scan.normals[point]);
+  }
+  winding::SerialExecutor serial;
+  ShuffledThreads threads(5);
+  const auto expected = winding::normalsToTurn(scan.positions, scan.normals, serial);
+  const auto turns = winding::normalsToTurn(other.positions, other.normals, threads);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ASSERT_EQ(turns[i], expected[order[i]]) << i;
+  }
+}
+
+TEST(ConsistentNormals, AreTheSameWhereTheSpanningTreeIsKnown)
+{
+  const Scan scan = plates();
+  winding::SerialExecutor serial;
+  const std::vector<Point> byTree = winding::estimateNormals(scan.positions, 20, serial);
+  const winding::ConsistentNormals expected = estimate(scan.positions);
+  const winding::ConsistentNormals found =
+    winding::consistentNormals(scan.positions, 20, serial, byTree);
+  EXPECT_EQ(found.normals, expected.normals);
+  EXPECT_EQ(found.deviation, expected.deviation);
+  EXPECT_TRUE(found.triedPatches);
 }
 
 /// Clouds that enclose nothing, or are no surfaces at all.

@@ -186,16 +186,18 @@ TEST(EvaluationCost, OfPreparingIsThatOfTrianglesAndPointsAndMoreBeyondTheCaches
 
 TEST(EvaluationCost, OfCloudsIsThatOfAreasAndNormalsWhereTheyAreNotGiven)
 {
-  const double given = winding::secondsToPrepareCloud(100'000, 20, false, false);
-  const double areas = winding::secondsToPrepareCloud(100'000, 20, true, false);
-  const double both = winding::secondsToPrepareCloud(100'000, 20, true, true);
+  using winding::NormalWork;
+  const double given = winding::secondsToPrepareCloud(100'000, 20, false, NormalWork::none);
+  const double areas = winding::secondsToPrepareCloud(100'000, 20, true, NormalWork::none);
+  const double both = winding::secondsToPrepareCloud(100'000, 20, true, NormalWork::tree);
   EXPECT_GT(areas, 5 * given);
   EXPECT_GT(both, 2 * areas);
-  expectAbout(winding::secondsToPrepareCloud(200'000, 20, true, true), 2 * both);
-  EXPECT_GT(winding::secondsToPrepareCloud(100'000, 200, true, false), 10 * areas)
+  EXPECT_GT(winding::secondsToPrepareCloud(100'000, 20, true, NormalWork::patches), 8 * both);
+  expectAbout(winding::secondsToPrepareCloud(200'000, 20, true, NormalWork::tree), 2 * both);
+  EXPECT_GT(winding::secondsToPrepareCloud(100'000, 200, true, NormalWork::none), 10 * areas)
     << "cells of many neighbours";
-  EXPECT_EQ(winding::secondsToPrepareCloud(10, 200, true, true),
-    winding::secondsToPrepareCloud(10, 10, true, true))
+  EXPECT_EQ(winding::secondsToPrepareCloud(10, 200, true, NormalWork::tree),
+    winding::secondsToPrepareCloud(10, 10, true, NormalWork::tree))
     << "there are no more than the points";
 }
 
