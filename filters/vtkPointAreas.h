@@ -8,10 +8,10 @@
  * method ARRAY downstream of this filter they give the very same field as with the method of this
  * filter.
  *
- * With EstimateNormals, points that have no normals get these, too: unit vectors that point
- * outward, as the active normals "Normals" (float, for vtkSignedDistance takes no others). They are
- * those that vtkWindingNumberField estimates, for VTK's own filters: vtkSignedDistance with
- * vtkExtractSurface, glyphs, and writers of oriented points.
+ * EstimateNormals gives normals to points that have none: unit vectors that point outward, as the
+ * active normals "Normals" (float, for vtkSignedDistance takes no others). They are those that
+ * vtkWindingNumberField estimates, for VTK's own filters: vtkSignedDistance with vtkExtractSurface,
+ * glyphs, and writers of oriented points.
  *
  * The input is any vtkPointSet. Points need normals, unless they are to be estimated; a mesh is taken as the cloud of its points,
  * which have the area-weighted mean of their triangles' normals where they have none of their own.

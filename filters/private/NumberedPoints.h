@@ -43,7 +43,7 @@ private:
   Concatenation points_;
 };
 
-/// What was found for the points of a cloud, for the points that these come from.
+/// Findings about the points of a cloud, by the numbers of the points that these come from.
 struct NumberedFindings
 {
   std::vector<double> areas;            ///< 0 for points that none was found for

@@ -21,8 +21,8 @@ struct OutwardNormals
 };
 
 /**
- * Gives normals that point outward to a cloud that has none, and areas unless it has them. The field
- * that normals and areas make decides what is outward, as a whole.
+ * Gives normals that point outward to a cloud that has none, and areas unless it has them. The
+ * field that normals and areas make decides what is outward, as a whole.
  *
  * The normals are numbers of single precision, as files and VTK's filters have them, and unit
  * vectors to that precision.

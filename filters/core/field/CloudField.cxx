@@ -70,8 +70,8 @@ void CloudField::warn(const std::string& what)
   info_.warning += (info_.warning.empty() ? "" : "; ") + what;
 }
 
-/// Estimates normals where there are none, chooses areas, and warns where the field is 0 or does not
-/// tell inside from outside clearly.
+/// Estimates normals where there are none, chooses areas, and warns where the field is 0 or does
+/// not tell inside from outside clearly.
 void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& executor)
 {
   checkPointArea(options.pointArea);

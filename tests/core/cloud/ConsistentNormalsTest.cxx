@@ -74,6 +74,18 @@ double rightShare(const std::vector<Point>& normals, const std::vector<Point>& e
   return static_cast<double>(right) / static_cast<double>(normals.size());
 }
 
+/// Nested spheres, solid between the first and the second one, and the third and the fourth one.
+Scan shells()
+{
+  Scan scan;
+  Random random(1);
+  addSphere(scan, 4000, 1, 1, random);
+  addSphere(scan, 2500, 0.8, -1, random);
+  addSphere(scan, 1500, 0.6, 1, random);
+  addSphere(scan, 600, 0.4, -1, random);
+  return scan;
+}
+
 /// Plates side by side, as far from each other as they are thick.
 Scan plates()
 {
@@ -90,12 +102,7 @@ Scan plates()
 
 TEST(ConsistentNormals, OfNestedShellsPointIntoTheirCavities)
 {
-  Scan scan;
-  Random random(1);
-  addSphere(scan, 4000, 1, 1, random);
-  addSphere(scan, 2500, 0.8, -1, random);
-  addSphere(scan, 1500, 0.6, 1, random);
-  addSphere(scan, 600, 0.4, -1, random);
+  const Scan scan = shells();
   const winding::ConsistentNormals estimated = estimate(scan.positions);
   EXPECT_EQ(rightShare(estimated.normals, scan.normals), 1);
   EXPECT_LT(estimated.deviation, 0.01); // 0.003
@@ -231,7 +238,7 @@ TEST(NormalsToTurn, DoNotDependOnTheOrderOfPointsAtOnePlace)
 
 TEST(ConsistentNormals, AreTheSameWhereTheSpanningTreeIsKnown)
 {
-  const Scan scan = plates();
+  const Scan scan = shells();
   winding::SerialExecutor serial;
   const std::vector<Point> byTree = winding::estimateNormals(scan.positions, 20, serial);
   const winding::ConsistentNormals expected = estimate(scan.positions);
