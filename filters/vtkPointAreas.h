@@ -13,13 +13,13 @@
  * vtkWindingNumberField estimates, for VTK's own filters: vtkSignedDistance with vtkExtractSurface,
  * glyphs, and writers of oriented points.
  *
- * The input is any vtkPointSet. Points need normals, unless they are to be estimated; a mesh is taken as the cloud of its points,
- * which have the area-weighted mean of their triangles' normals where they have none of their own.
- * The leaves of composite data are one cloud, as they are one source for the other filters: where
- * scans overlap, their points share the area. In a pipeline that asks for pieces, each piece is a
- * cloud of its own, but not in a parallel program: there the parts of all ranks are one cloud, and
- * each rank gets the areas of its own points. An execution is collective then, as that of
- * vtkWindingNumberAlgorithm is.
+ * The input is any vtkPointSet. Points need normals, unless they are to be estimated; a mesh is
+ * taken as the cloud of its points, which have the area-weighted mean of their triangles' normals
+ * where they have none of their own. The leaves of composite data are one cloud, as they are one
+ * source for the other filters: where scans overlap, their points share the area. In a pipeline
+ * that asks for pieces, each piece is a cloud of its own, but not in a parallel program: there the
+ * parts of all ranks are one cloud, and each rank gets the areas of its own points. An execution is
+ * collective then, as that of vtkWindingNumberAlgorithm is.
  *
  * The output is of the input's type and shares its arrays. The array has as many tuples as there
  * are points. The area is 0, as is an estimated normal, for:
