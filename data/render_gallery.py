@@ -18,6 +18,7 @@ from panels import (
     SHELL, SMOOTH, SWOLLEN, actor_of, cut_open, ghost_of, line_actor, mesh_actors, middle_plane,
     read_surface, slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
 from label_pictures import draw_labels
+from normal_pictures import draw_normals
 from sharp_pictures import draw_sharp
 from task_pictures import draw_clip, draw_coverage, draw_distance, draw_soup
 from winding_program import Winding
@@ -143,6 +144,7 @@ def main():
             (draw_coverage, None),
             (draw_labels, None),
             (draw_sharp, None),
+            (draw_normals, None),
             (draw_distance, arguments.open),
             (draw_clip, arguments.open),
         ):
