@@ -6,7 +6,8 @@ Meshes are .stl, .obj or .ply, and closed. So many points are drawn evenly on ea
 normally distributed steps. Compared are `winding --normal-estimation` tree, consistent and auto;
 vtkPCANormalEstimation with orientations along its graph; and, if it is installed, Open3D's
 estimate_normals() with orient_normals_consistent_tangent_plane(). All look at 20 neighbours. The
-others leave the sense of the whole to chance, and get the better one of both.
+others leave the sense of the whole to chance, and get the better one of both. A peer that takes
+longer than 100 seconds is ended.
 
 For each it prints the part that |w| >= 0.5 of the mesh and w >= 0.5 of the points with its normals
 have in common, of what is in either, at 40 000 random places in the bounds, and seconds; first with
@@ -15,6 +16,7 @@ the true normals. Needs NumPy and VTK.
 
 import csv
 import json
+import multiprocessing
 import pathlib
 import subprocess
 import sys
@@ -32,7 +34,7 @@ try:
 except ImportError:
     open3d = None
 
-PLACES, NEIGHBORS = 40_000, 20
+PLACES, NEIGHBORS, LONGEST = 40_000, 20, 100
 
 
 def sampled(mesh, count, noise, random):
@@ -94,6 +96,20 @@ def by_open3d(points):
     return np.asarray(cloud.normals)
 
 
+def timed(peer, points):
+    begin = time.perf_counter()
+    return peer(points), time.perf_counter() - begin
+
+
+def limited(peer, points):
+    """The normals and seconds of a peer, or None twice where it takes too long."""
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        try:
+            return pool.apply_async(timed, (peer, points)).get(LONGEST)
+        except multiprocessing.TimeoutError:
+            return None, None
+
+
 def main(program, count, noise, *paths):
     for path in paths:
         mesh = Mesh(read(path))
@@ -115,12 +131,12 @@ def main(program, count, noise, *paths):
                                           "--normal-estimation", way, "--quiet")
                 found.append(f"{way} {overlap(w):.3f} {seconds:.1f} s")
             for name, peer in (("VTK", by_vtk), ("Open3D", by_open3d if open3d else None)):
-                if peer:
-                    begin = time.perf_counter()
-                    normals = peer(points)
-                    seconds = time.perf_counter() - begin
+                normals, seconds = limited(peer, points) if peer else (None, None)
+                if normals is not None:
                     w = probe.of_points(points, normals)
                     found.append(f"{name} {max(overlap(w), overlap(-w)):.3f} {seconds:.1f} s")
+                elif peer:
+                    found.append(f"{name} more than {LONGEST} s")
         print(f"{pathlib.Path(path).name}: {'; '.join(found)}", flush=True)
 
 
