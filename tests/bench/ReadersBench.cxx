@@ -1,9 +1,12 @@
 // Measures readers of files: those of the module on one thread and on all, and VTK's where there is
-// one.
+// one; of tables the program's reader.
 //
-// Usage: readers_bench <file…>. A line for each file and reader says the best of several rounds in
-// milliseconds and MB/s, and the processor time of all threads, which other work on the machine
-// changes less.
+// Usage: readers_bench [--points <folder>] <file…>. A line for each file and reader says the best
+// of several rounds in milliseconds and MB/s, and the processor time of all threads, which other
+// work on the machine changes less. With --points the coordinates that each reader gave are left in
+// the folder as doubles, <file>.<reader>, for readers_peers.py to compare.
+
+#include "input/Table.h"
 
 #include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
@@ -13,50 +16,93 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSTLReader.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceMeshReader.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace
 {
 
+using Data = vtkSmartPointer<vtkPolyData>;
+
 constexpr int rounds = 7;
+std::filesystem::path folderOfPoints; ///< empty where coordinates are not wanted
+
+template <class Reader> Data readBy(const std::string& fileName)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+Data readByVtkStl(const std::string& fileName)
+{
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->MergingOff(); // the module's reader leaves points apart, too
+  reader->Update();
+  return reader->GetOutput();
+}
+
+Data readByTable(const std::string& fileName)
+{
+  return Table(fileName).points();
+}
+
+void keepPoints(vtkPolyData* data, const std::string& name)
+{
+  std::ofstream file(folderOfPoints / name, std::ios::binary);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    file.write(reinterpret_cast<const char*>(point), sizeof point);
+  }
+}
 
 /// Reads a file several times, and prints the line on it.
-template <class Reader> void measure(const std::string& fileName, const std::string& who)
+template <class Read> void measure(const std::string& fileName, const std::string& who, Read read)
 {
+  const std::string name = std::filesystem::path(fileName).filename().string();
   double wall = 1e300, processor = 1e300;
-  vtkIdType points = 0;
+  Data data;
   for (int round = 0; round < rounds; ++round)
   {
-    vtkNew<Reader> reader;
-    reader->SetFileName(fileName.c_str());
+    data = nullptr;
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t processorStart = std::clock();
-    reader->Update();
+    data = read(fileName);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     wall = std::min(wall, seconds.count());
     processor =
       std::min(processor, static_cast<double>(std::clock() - processorStart) / CLOCKS_PER_SEC);
-    points = reader->GetOutput()->GetNumberOfPoints();
   }
   const double megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(fileName));
-  std::printf("%-30s %8.1f MB  %-18s %8.1f ms %7.0f MB/s  processor %8.1f ms  %10lld points\n",
-    std::filesystem::path(fileName).filename().c_str(), megabytes, who.c_str(), 1e3 * wall,
-    megabytes / wall, 1e3 * processor, static_cast<long long>(points));
+  std::printf("%-30s  %8.1f MB  %-18s  %8.2f ms  %7.0f MB/s  processor %8.2f ms  %10lld points\n",
+    name.c_str(), megabytes, who.c_str(), 1e3 * wall, megabytes / wall, 1e3 * processor,
+    static_cast<long long>(data->GetNumberOfPoints()));
+  std::fflush(stdout);
+  if (!folderOfPoints.empty())
+  {
+    keepPoints(data, name + "." + who);
+  }
 }
 
-template <class Reader> void measureOnThreads(const std::string& fileName, int all)
+template <class Read> void measureOnThreads(const std::string& fileName, int all, Read read)
 {
   for (const int threads : {1, all})
   {
     vtkSMPTools::Initialize(threads);
-    measure<Reader>(fileName, "module, " + std::to_string(threads) + " threads");
+    measure(fileName, "module, " + std::to_string(threads) + " threads", read);
   }
 }
 
@@ -65,27 +111,31 @@ void measureFile(const std::string& fileName, int all)
   const std::string suffix = std::filesystem::path(fileName).extension().string();
   if (suffix == ".off")
   {
-    measureOnThreads<vtkGeomviewOFFReader>(fileName, all);
+    measureOnThreads(fileName, all, readBy<vtkGeomviewOFFReader>);
   }
   else if (suffix == ".xyz" || suffix == ".pwn")
   {
-    measureOnThreads<vtkOrientedPointsReader>(fileName, all);
+    measureOnThreads(fileName, all, readBy<vtkOrientedPointsReader>);
+  }
+  else if (suffix == ".csv")
+  {
+    measureOnThreads(fileName, all, readByTable);
   }
   else
   {
-    measureOnThreads<vtkSurfaceMeshReader>(fileName, all);
+    measureOnThreads(fileName, all, readBy<vtkSurfaceMeshReader>);
   }
   if (suffix == ".obj")
   {
-    measure<vtkOBJReader>(fileName, "VTK");
+    measure(fileName, "VTK", readBy<vtkOBJReader>);
   }
   else if (suffix == ".ply")
   {
-    measure<vtkPLYReader>(fileName, "VTK");
+    measure(fileName, "VTK", readBy<vtkPLYReader>);
   }
   else if (suffix == ".stl")
   {
-    measure<vtkSTLReader>(fileName, "VTK");
+    measure(fileName, "VTK", readByVtkStl);
   }
 }
 
@@ -94,7 +144,13 @@ void measureFile(const std::string& fileName, int all)
 int main(int count, char** arguments)
 {
   const int all = vtkSMPTools::GetEstimatedNumberOfThreads();
-  for (int i = 1; i < count; ++i)
+  int first = 1;
+  if (count > 2 && std::strcmp(arguments[1], "--points") == 0)
+  {
+    folderOfPoints = arguments[2];
+    first = 3;
+  }
+  for (int i = first; i < count; ++i)
   {
     measureFile(arguments[i], all);
   }

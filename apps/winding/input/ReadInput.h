@@ -10,6 +10,6 @@ class vtkPointSet;
 /**
  * Reads a surface, grid or cloud by the suffix of its name: .vtp .vtk .vtu .ply .stl .obj .off .xyz
  * .pwn .csv .tsv. Throws Failure for whatever cannot be read in full, in one line that says why.
- * Coordinates are as VTK's readers give them: float for .ply .stl .obj.
+ * Coordinates are in the file's own precision: double for text, and for binary files as they have it.
  */
 vtkSmartPointer<vtkPointSet> readInput(const std::string& fileName, Messages& messages);
