@@ -1,11 +1,13 @@
 """Makes large meshes for measurements by splitting the triangles of a mesh at their midpoints.
 
-Usage: large_meshes.py <mesh>.ply <folder> [times…]
+Usage: large_meshes.py <mesh>.ply <folder> [times…] [damaged] [cloud]
 
 The mesh is a binary little-endian PLY file of triangles whose vertices are three floats, such as
 armadillo_346k_sub4.ply. Each time splits every triangle into four: 2 and 3 times, which are usual,
 make meshes of 5.5 and 22 million triangles of that one. They are written beside each other as
-<mesh>_x16.ply, <mesh>_x64.ply and so on. Needs NumPy, and 3 GB of memory for three times.
+<mesh>_x16.ply, <mesh>_x64.ply and so on. "damaged" adds <mesh>_x64_damaged.ply, without a tenth of
+the faces, and "cloud" <mesh>_x64_cloud.ply, the vertices with normals. Needs NumPy, and 3 GB of
+memory for three times.
 """
 
 import pathlib
@@ -70,15 +72,42 @@ def split(points, triangles):
     return np.concatenate([points, made.astype(np.float32)]), np.stack(parts, 1).reshape(-1, 3)
 
 
+def damaged(triangles):
+    return triangles[np.random.default_rng(1).random(len(triangles)) >= 0.1]
+
+
+def normals(points, triangles):
+    """Normals of the vertices, as the areas of the triangles around them weigh."""
+    a, b, c = (points[triangles[:, n]] for n in range(3))
+    faces = np.cross(b - a, c - a)
+    sums = [sum(np.bincount(triangles[:, n], faces[:, axis], len(points)) for n in range(3))
+            for axis in range(3)]
+    lengths = np.sqrt(sum(axis * axis for axis in sums))
+    return (np.stack(sums) / np.where(lengths > 0, lengths, 1)).T.astype(np.float32)
+
+
+def write_cloud(path, points, triangles):
+    names = "".join(f"property float n{axis}\n" for axis in "xyz").encode()
+    head = header(len(points), 0).replace(b"element face 0\n", names).replace(
+        b"property list uchar int vertex_indices\n", b"")
+    with open(path, "wb") as file:
+        file.write(head)
+        np.hstack([points.astype("<f4"), normals(points, triangles)]).tofile(file)
+
+
 def main():
     mesh, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    wanted = [int(word) for word in sys.argv[3:]] or [2, 3]
+    wanted = [int(word) for word in sys.argv[3:] if word.isdigit()] or [2, 3]
     points, triangles = read(mesh)
     for times in range(1, max(wanted) + 1):
         points, triangles = split(points, triangles)
         if times in wanted:
             path = folder / f"{mesh.stem}_x{4 ** times}.ply"
             write(path, points, triangles)
+            if "damaged" in sys.argv[3:]:
+                write(path.with_stem(path.stem + "_damaged"), points, damaged(triangles))
+            if "cloud" in sys.argv[3:]:
+                write_cloud(path.with_stem(path.stem + "_cloud"), points, triangles)
             print(f"{path}: {len(triangles)} triangles")
 
 

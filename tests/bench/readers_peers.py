@@ -9,8 +9,9 @@ digits, binary files in single precision. All readers then read them from the pa
 best of several rounds, and the coordinates that they give are compared with those that were
 written. Where an older program is given, its own time of reading stands beside them. Of VTK
 (for tables), Open3D, libigl, trimesh, meshio, NumPy and pandas, those that are installed take part.
-Prints all figures, and then a table with the fastest library of each format among those that keep all points apart; in
-brackets stand the largest differences of coordinates, relative to the largest coordinate.
+Prints all figures, and then a table with the fastest library of each format among those that keep
+all points apart; in brackets stand the largest differences of coordinates, relative to the largest
+coordinate.
 """
 
 import json

@@ -1,0 +1,113 @@
+"""Times whole runs of the program, beside an older version where there is one.
+
+Usage: program_walls.py <winding> <folder of meshes> <folder of large ones> [older winding]
+
+The first folder has bunny_70k.obj and armadillo_346k_sub4.ply; the second one what
+`large_meshes.py <first folder>/armadillo_346k_sub4.ply <second folder> 2 3 damaged cloud` writes.
+It gets an OBJ file of 330 000 triangles in ten groups, the armadillo without its feet, and the
+results. All files are read once before, so that they are in the page cache.
+
+The first table has the wall clock of whole runs that write .vti files, the least of several rounds
+in which the versions take turns; what happens in them; and the peak of memory beside the image,
+for each triangle of large meshes. The second one has preparing and evaluating of the large meshes, on one thread and on
+all. Needs NumPy, and 4 GB of memory.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import time
+
+import large_meshes
+import numpy as np
+
+GROUPS = 10
+MOST = 330_000
+STEPS = ("read", "prepare", "evaluate", "write")
+
+
+def write_groups(mesh, path):
+    """An OBJ file of the highest triangles of a mesh, in groups from below."""
+    points, triangles = large_meshes.read(mesh)
+    highest = np.argsort(points[triangles, 1].mean(axis=1), kind="stable")[-MOST:]
+    with open(path, "w") as file:
+        file.write(("v %.6f %.6f %.6f\n" * len(points)) % tuple(points.ravel().tolist()))
+        for number, part in enumerate(np.array_split(triangles[highest] + 1, GROUPS)):
+            file.write(f"g part{number}\n")
+            file.write(("f %d %d %d\n" * len(part)) % tuple(part.ravel().tolist()))
+
+
+def run(program, mesh, output, *arguments):
+    """Seconds of the wall clock, and the report."""
+    words = [program, "field", mesh, "-o", output, "--json", "--quiet", *arguments]
+    start = time.perf_counter()
+    done = subprocess.run([str(w) for w in words], check=True, capture_output=True, text=True)
+    wall = time.perf_counter() - start
+    pathlib.Path(output).unlink()
+    return wall, json.loads(done.stdout)
+
+
+def least(runs):
+    """Of runs the one of the least wall clock."""
+    return min(runs, key=lambda run: run[0])
+
+
+def steps(report):
+    return ", ".join(f"{step} {report['seconds'][step]:.3f}" for step in STEPS)
+
+
+def walls(programs, meshes, folder):
+    print("| input | resolution | " + " | ".join(f"{name} s" for name in programs)
+          + " | steps | bytes per triangle |\n|---|---|" + "---|" * (len(programs) + 2))
+    for mesh, resolution, rounds in meshes:
+        mesh.read_bytes()
+        runs = {name: [] for name in programs}
+        for _ in range(rounds):
+            for name, program in programs.items():
+                runs[name].append(
+                    run(program, mesh, folder / "field.vti", "--resolution", resolution))
+        best = {name: least(those) for name, those in runs.items()}
+        report = best["now"][1]
+        image = 4 * np.prod(report["grid"]["dimensions"], dtype=np.int64)
+        count = report["input"]["primitives"]
+        each = f"{(report['peak_memory'] - image) / count:.0f}" if count > 1_000_000 else ""
+        print(f"| {mesh.name} | {resolution} | "
+              + " | ".join(f"{best[name][0]:.3f}" for name in programs)
+              + f" | {steps(report)} | {each} |", flush=True)
+
+
+def parts(programs, meshes, folder):
+    print("\n| input | resolution | version | threads | prepare s | evaluate s | sum s |")
+    print("|---|---|---|---|---|---|---|")
+    for mesh, resolution, rounds in meshes:
+        mesh.read_bytes()
+        for name, program in programs.items():
+            for threads in (1, 0) if name == "now" else (0,):
+                some = ["--threads", threads] if threads else []
+                reports = [run(program, mesh, folder / "field.vti", "--resolution", resolution,
+                               *some)[1] for _ in range(rounds)]
+                prepare, evaluate = (min(report["seconds"][step] for report in reports)
+                                     for step in ("prepare", "evaluate"))
+                print(f"| {mesh.name} | {resolution} | {name} | {threads or 'all'} | "
+                      f"{prepare:.2f} | {evaluate:.2f} | {prepare + evaluate:.2f} |", flush=True)
+
+
+def main(program, meshes, large, older=None):
+    meshes, large = pathlib.Path(meshes), pathlib.Path(large)
+    programs = {"before": older, "now": program} if older else {"now": program}
+    stem = "armadillo_346k_sub4"
+    groups = large / "groups_330k.obj"
+    if not groups.exists():
+        write_groups(meshes / f"{stem}.ply", groups)
+    walls(programs, [(meshes / "bunny_70k.obj", 256, 9), (groups, 256, 7),
+                     (large / f"{stem}_x16.ply", 512, 5), (large / f"{stem}_x64.ply", 512, 3)],
+          large)
+    largest = (("", 512, 2), ("_damaged", 256, 2), ("_cloud", 64, 1))
+    parts(programs, [(large / f"{stem}_x64{kind}.ply", *rest) for kind, *rest in largest], large)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (4, 5):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
