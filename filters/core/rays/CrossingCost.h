@@ -12,7 +12,8 @@ EvaluationCost costOfRows(const SampledSource& source);
 struct RaysThroughTriangles
 {
   double layers = 2; ///< triangles on a line along x, on average
-  double widths = 0; ///< of all triangles, each in widths of the box
+  /// The sums of the longer and the shorter sides of the triangles' own boxes, as parts of the box.
+  double lengths = 0, widths = 0;
 };
 
 /// The expected cost of the crossings ahead of scattered samples, if samples are spread over the

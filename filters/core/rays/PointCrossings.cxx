@@ -188,7 +188,7 @@ const std::vector<Triangle>& noTriangles()
 
 RaysThroughTriangles raysThrough(const CrossedChain& chain, const Bounds& bounds)
 {
-  RaysThroughTriangles rays = {0, 0};
+  RaysThroughTriangles rays = {0, 0, 0};
   const Eigen::Array2d sizes = bounds.sizes().tail<2>();
   if (bounds.isEmpty() || !(sizes.minCoeff() > 0))
   {
@@ -201,7 +201,9 @@ RaysThroughTriangles raysThrough(const CrossedChain& chain, const Bounds& bounds
     const Eigen::Array2d u = (chain.vertex(ids[1]).tail<2>().array() - a) / sizes;
     const Eigen::Array2d v = (chain.vertex(ids[2]).tail<2>().array() - a) / sizes;
     rays.layers += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
-    rays.widths += (u.max(v).max(0.0) - u.min(v).min(0.0)).maxCoeff();
+    const Eigen::Array2d sides = u.max(v).max(0.0) - u.min(v).min(0.0);
+    rays.lengths += sides.maxCoeff();
+    rays.widths += sides.minCoeff();
   }
   return rays;
 }
