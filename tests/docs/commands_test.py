@@ -68,6 +68,8 @@ class Checker:
             return self.faults_of_file("data/examples/" + program.rpartition("/")[2] + ".cxx")
         if program.startswith("data/"):
             return self.faults_of_file(program)
+        if program == "python3":
+            return self.faults_of_file(words[1])
         if program in ("auditwheel", "clang-format", "pip"):
             return []
         return [f"{program} is a program that this test does not know"]
