@@ -36,7 +36,7 @@
  * its voxels at a time (or one layer of the grid). Every piece builds all solids again. Results
  * have the same bits for any threads and pieces and for any order of the primitives within solids.
  * In a parallel program every rank has as many blocks, each of them a part of the solid or nothing;
- * or cells of any regions. Connectivity is for one rank.
+ * or cells of any regions. For parts by connectivity one rank has the whole surface, or all do.
  *
  * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
  * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each

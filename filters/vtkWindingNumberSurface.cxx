@@ -154,19 +154,25 @@ winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
 {
   const winding::Grid& grid = this->GetSampling();
   const double bytesOfGrid = this->GetResultBytes(0);
-  winding::EvaluationCost cost =
-    winding::costOfLevelSurface(field, grid, winding::levelEdgesByArea(field, grid));
+  double edges = winding::levelEdgesByArea(field, grid);
+  winding::EvaluationCost cost = winding::costOfLevelSurface(field, grid, edges);
   if (!winding::isMemoryFree(bytesOfGrid + static_cast<double>(cost.bytes)))
   {
     winding::SmpExecutor executor(this, this->NumberOfThreads);
     executor.setShare(0, 0);
-    const double edges =
-      winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
-        this->WindingThreshold, this->CloseBorder != 0, executor);
-    cost.bytes = std::min(cost.bytes, winding::costOfLevelSurface(field, grid, edges).bytes);
+    edges = std::min(
+      edges, winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
+               this->WindingThreshold, this->CloseBorder != 0, executor));
+    cost.bytes = winding::costOfLevelSurface(field, grid, edges).bytes;
   }
   winding::refuseBeyondFreeMemory(
     bytesOfGrid + static_cast<double>(cost.bytes), "the surface", "choose larger voxels");
+  if (this->FidelitySamples > 0)
+  {
+    // The surface has about two triangles for each edge of the grid that it crosses.
+    winding::refuseFidelityBeyondFreeMemory(
+      field, 2 * edges, static_cast<std::size_t>(this->FidelitySamples));
+  }
   return cost;
 }
 

@@ -58,10 +58,10 @@ void adaptToRanks(Options& options)
   {
     return;
   }
-  requireUsage(
-    options.command == "field" || options.command == "probe" || options.command == "surface",
+  requireUsage(options.command == "field" || options.command == "labels" ||
+                 options.command == "probe" || options.command == "surface",
     "start it without mpirun: " + options.command +
-      " works on one rank; field, probe and surface work on several");
+      " works on one rank; field, labels, probe and surface work on several");
   requireUsage(options.pieces == 1 || suffixOf(options.output) == ".pvti",
     "give the output the suffix .pvti, or leave --pieces out: several ranks gather the field for a "
     ".vti file");

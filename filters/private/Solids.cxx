@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "private/CellChecks.h"
+#include "private/ContentHash.h"
 #include "private/RegionCells.h"
 #include "private/SolidBlocks.h"
 #include "private/SourceParts.h"
@@ -12,7 +13,10 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +89,36 @@ vtkSmartPointer<vtkPointSet> checkedCells(vtkPointSet* data)
   return withoutGhosts(data, hasFaces(data), name);
 }
 
+/// A hash of points and cells; 0 where there are no points.
+Ranks::Number hashOf(vtkPointSet* data)
+{
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return 0;
+  }
+  ContentHash hash;
+  hash.addArray(data->GetPoints()->GetData());
+  if (auto* polygons = vtkPolyData::SafeDownCast(data))
+  {
+    hash.addCells(polygons->GetPolys());
+    hash.addCells(polygons->GetStrips());
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    hash.addArray(grid->GetCellTypesArray());
+    hash.addCells(grid->GetCells());
+  }
+  return std::max<Ranks::Number>(1, hash.value());
+}
+
+/// Whether a data set is whole on each rank that has any of it: on one, or on all.
+bool isWhole(vtkPointSet* data, Ranks& ranks)
+{
+  const std::vector<Ranks::Number> hashes = ranks.exchange([data] { return hashOf(data); });
+  const auto empty = std::count(hashes.begin(), hashes.end(), 0);
+  return empty + 1 >= static_cast<std::ptrdiff_t>(hashes.size()) || areEqual(hashes);
+}
+
 } // namespace
 
 Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, Executor& executor)
@@ -104,8 +138,7 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
         return true;
       });
     // Lists of arrays in ParaView have the entry None, which arrives here as a name.
-    const bool isNone =
-      options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
+    const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
     if (options.regionArray.empty() || isNone)
     {
       this->addParts(data_, ranks, executor);
@@ -170,11 +203,29 @@ void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& r
 
 void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
 {
-  if (!ranks.isAlone())
+  if (!ranks.isAlone() && !isWhole(data, ranks))
   {
-    throw Refusal("name an array of regions (Region Array), or give blocks: several ranks cannot "
-                  "find the solids of a surface that each has a part of");
+    throw Refusal("name an array of regions (Region Array), or give blocks, or one rank the whole "
+                  "surface: several ranks cannot find the solids of a surface that each has a part "
+                  "of");
   }
+  const std::vector<Ranks::Number> counts = ranks.exchange(
+    [&]() -> Ranks::Number
+    {
+      this->findParts(data, executor);
+      return cells_.size();
+    });
+  cells_.resize(static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end())));
+  for (std::size_t i = 1; i <= cells_.size(); ++i)
+  {
+    labels_.push_back(static_cast<unsigned short>(i));
+    names_.push_back("Part " + std::to_string(i));
+  }
+}
+
+/// Finds the cells of the parts that this rank has: of all, or of none.
+void Solids::findParts(vtkPointSet* data, Executor& executor)
+{
   if (data->GetNumberOfPoints() == 0)
   {
     return;
@@ -194,11 +245,6 @@ void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
     throw Refusal("close the gaps between triangles, or name an array of regions (Region Array; "
                   "--region-array): labels are 1 to 65535, and the surface is of " +
                   std::to_string(cells_.size()) + " parts by connectivity");
-  }
-  for (std::size_t i = 1; i <= cells_.size(); ++i)
-  {
-    labels_.push_back(static_cast<unsigned short>(i));
-    names_.push_back("Part " + std::to_string(i));
   }
 }
 

@@ -45,7 +45,8 @@ struct SolidOptions
  * region. A name that occurs again gets a number.
  *
  * The ranks of a parallel program have parts of all solids: as many blocks each, or any part of the
- * cells with their regions. Throws Refusal, also where connectivity is asked for on several.
+ * cells with their regions. Parts by connectivity are those of a surface that one rank has, or all
+ * have as a whole. Throws Refusal.
  */
 class Solids
 {
@@ -67,8 +68,8 @@ private:
   void addBlocks(vtkDataObject* composite, Ranks& ranks);
   void addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& ranks);
   void addParts(vtkPointSet* data, Ranks& ranks, Executor& executor);
+  void findParts(vtkPointSet* data, Executor& executor);
   void makeNamesUnique();
-  vtkSmartPointer<vtkDataObject> region(std::size_t solid) const;
 
   std::vector<unsigned short> labels_;
   std::vector<std::string> names_;

@@ -1,6 +1,7 @@
 #include "private/SurfaceFidelity.h"
 
 #include "level/Fidelity.h"
+#include "private/FreeMemory.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -38,9 +39,20 @@ std::vector<Triangle> trianglesOf(vtkPolyData* surface)
 
 } // namespace
 
+void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::size_t samples)
+{
+  refuseBeyondFreeMemory(bytesForComparison(field, triangles, static_cast<double>(samples)),
+    "the comparison of the surface with its source",
+    "draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels");
+}
+
 void addFidelity(
   const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor)
 {
+  // A polygon of n corners is cut into n - 2 triangles.
+  const vtkIdType triangles =
+    surface->GetPolys()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfPolys();
+  refuseFidelityBeyondFreeMemory(field, static_cast<double>(triangles), samples);
   std::vector<Eigen::Vector3d> vertices(static_cast<std::size_t>(surface->GetNumberOfPoints()));
   for (std::size_t n = 0; n < vertices.size(); ++n)
   {

@@ -9,6 +9,7 @@ import numpy as np
 METHODS = {"auto": 0, "rows": 1, "hierarchical": 2, "direct": 3, "parity": 4}
 RULES = {"signed": 0, "absolute": 1, "odd": 2}
 COVERAGES = {"center": 0, "any": 1, "fraction": 2}
+FEATURES = {"smooth": 0, "sharp": 1}
 ASSOCIATIONS = {"point": 0, "cell": 1}
 NORMAL_ESTIMATIONS = {"auto": 0, "tree": 1, "consistent": 2}
 AREA_METHODS = {"voronoi": 0, "mesh": 1, "constant": 2}

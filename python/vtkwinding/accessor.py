@@ -206,16 +206,21 @@ class WindingAccessor:
 
     def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                 resolution: int | None = None, bounds: ArrayLike | None = None,
-                padding: float = 0.05, close_border: bool = False, compute_normals: bool = True,
-                progress_bar: bool = False, **options: Any) -> pv.PolyData:
-        """The smooth surface w = threshold, closed over holes: PolyData.
+                padding: float = 0.05, features: str = "smooth", close_border: bool = False,
+                compute_normals: bool = True, progress_bar: bool = False,
+                **options: Any) -> pv.PolyData:
+        """The surface w = threshold, closed over holes: PolyData of triangles.
 
-        The grid is that of field(). close_border closes the surface where bounds cut it off.
+        The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners
+        and has normals of its faces, not of its points. close_border closes the surface where
+        bounds cut it off.
         """
         mesh = _check_source("the mesh", self._mesh)
         algorithm = configured(vtkWindingNumberSurface(), options)
         _grids.lay(algorithm, lambda: list(mesh.bounds), dimensions=dimensions, spacing=spacing,
                    resolution=resolution, bounds=bounds, padding=padding)
+        algorithm.SetFeatures(_options.choice("features", features, _options.FEATURES))
+        algorithm.GenerateTrianglesOn()
         algorithm.SetCloseBorder(_options.flag("close_border", close_border))
         algorithm.SetGenerateNormals(_options.flag("compute_normals", compute_normals))
         algorithm.SetInputData(mesh)

@@ -142,12 +142,13 @@ def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
             normals: ArrayLike | None = None, areas: ArrayLike | None = None,
             resolution: int | None = None, dimensions: ArrayLike | None = None,
             spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
-            padding: float = 0.05, close_border: bool = False, dtype: DTypeLike | None = None,
-            **options: Any) -> tuple[FloatArray, IdArray]:
-    """The smooth surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
+            padding: float = 0.05, features: str = "smooth", close_border: bool = False,
+            dtype: DTypeLike | None = None, **options: Any) -> tuple[FloatArray, IdArray]:
+    """The surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
 
-    The grid is that of field(). dtype is that of the vertices: float32, float64, or None for
-    float64 only where float32 could not tell places apart.
+    The grid is that of field(). features: "smooth", or "sharp", which keeps edges and corners.
+    dtype is that of the vertices: float32, float64, or None for float64 only where float32 could
+    not tell places apart.
     """
     source, options = source_of(vertices, faces, normals, areas, options)
     algorithm = configured(vtkWindingNumberSurface(), options)
@@ -158,6 +159,8 @@ def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
         algorithm.SetOutputPointsPrecision(
             algorithm.DOUBLE_PRECISION if _float_type(dtype) == np.float64
             else algorithm.SINGLE_PRECISION)
+    algorithm.SetFeatures(_options.choice("features", features, _options.FEATURES))
+    algorithm.GenerateTrianglesOn()
     algorithm.SetCloseBorder(_options.flag("close_border", close_border))
     algorithm.GenerateNormalsOff()
     algorithm.SetInputData(source.data)

@@ -16,6 +16,10 @@ def jobs():
     common = ["--threads", 1, "--quiet"]
     return [winding.Job("out.vti", "field", "in.off", "-o", "out.vti", "--resolution", 4, *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4, *common),
+            winding.Job("out.ply", "surface", "in.off", "-o", "out.ply", "--resolution", 4,
+                        "--features", "sharp", "--fidelity", 20, *common),
+            winding.Job("out.vti", "labels", "in.off", "-o", "out.vti", "--resolution", 4,
+                        "--overlap", "largest", *common),
             winding.Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", *common)]
 
 

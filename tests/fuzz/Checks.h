@@ -34,6 +34,9 @@ std::string checkOrientation(Choices& choices);
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
+/// Sharp surfaces: SharpCheck.cxx.
+std::string checkSharp(Choices& choices);
+
 /// The trees of voxels: VoxelTreesCheck.cxx.
 std::string checkVoxelTrees(Choices& choices);
 
@@ -46,7 +49,7 @@ inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel},
-    {"voxel_trees", checkVoxelTrees}};
+    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}};
 }
 
 } // namespace fuzz

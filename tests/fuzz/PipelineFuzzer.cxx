@@ -8,8 +8,12 @@
 #include "vtkDataArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -17,10 +21,12 @@
 #include "vtkSurfaceReport.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -213,9 +219,9 @@ template <class Filter> void setUp(Choices& choices, Filter* filter)
   filter->SetNumberOfThreads(1);
 }
 
-template <class Filter> void sample(Choices& choices, vtkPointSet* data)
+void sampleField(Choices& choices, vtkPointSet* data)
 {
-  vtkNew<Filter> filter;
+  vtkNew<vtkWindingNumberField> filter;
   setUp(choices, filter.Get());
   filter->SetResolution(1 + choices.below(5));
   filter->SetInputData(data);
@@ -239,6 +245,86 @@ void findAreas(Choices& choices, vtkPointSet* data)
        ++i)
   {
     checkNumber(normals->GetComponent(i, 0));
+  }
+}
+
+void drawSurface(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<vtkWindingNumberSurface> filter;
+  setUp(choices, filter.Get());
+  filter->SetResolution(1 + choices.below(5));
+  filter->SetFeatures(choices.below(2));
+  filter->SetGenerateTriangles(choices.oneIn(2));
+  filter->SetCloseBorder(choices.oneIn(2));
+  filter->SetFidelitySamples(choices.oneIn(3) ? choices.below(30) : 0);
+  filter->SetInputData(data);
+  filter->Update();
+  vtkPolyData* const surface = filter->GetOutput();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    surface->GetPoint(i, place);
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+    {
+      std::fprintf(stderr, "a vertex is not finite\n");
+      std::abort();
+    }
+  }
+}
+
+/// Several odd data sets as blocks, some of them empty or in parts; or one as it is.
+vtkSmartPointer<vtkDataObject> oddSolids(Choices& choices, vtkPointSet* data)
+{
+  if (choices.oneIn(3))
+  {
+    return data;
+  }
+  const auto count = static_cast<unsigned int>(choices.below(4));
+  if (choices.oneIn(3))
+  {
+    auto parts = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      vtkNew<vtkPartitionedDataSet> solid;
+      solid->SetPartition(0, data);
+      solid->SetPartition(1, choices.oneIn(2) ? oddData(choices) : nullptr);
+      parts->SetPartitionedDataSet(i, solid);
+    }
+    return parts;
+  }
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    blocks->SetBlock(i, choices.oneIn(4) ? nullptr : choices.oneIn(2) ? data : oddData(choices));
+  }
+  return blocks;
+}
+
+void labelSolids(Choices& choices, vtkPointSet* data)
+{
+  vtkNew<vtkWindingNumberLabels> filter;
+  setUp(choices, filter.Get());
+  filter->SetResolution(1 + choices.below(5));
+  filter->SetOverlapRule(choices.below(4));
+  filter->SetCoverage(choices.below(3));
+  filter->SetCoverageArrays(choices.below(2));
+  filter->SetGenerateSolidCount(choices.oneIn(2));
+  filter->SetRegionArray(choices.oneIn(3) ? "other" : nullptr);
+  filter->SetLabelOffset(choices.below(5));
+  filter->SetVerifySamples(choices.oneIn(4) ? 10 : 0);
+  const auto solids = oddSolids(choices, data);
+  filter->SetInputDataObject(solids);
+  filter->Update();
+  auto* const labels =
+    vtkUnsignedShortArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray("Label"));
+  const bool isOfBlocks = vtkPointSet::SafeDownCast(solids) == nullptr;
+  for (vtkIdType i = 0; labels && isOfBlocks && i < labels->GetNumberOfValues(); ++i)
+  {
+    if (labels->GetValue(i) > filter->GetNumberOfSolids())
+    {
+      std::fprintf(stderr, "a label that no solid has\n");
+      std::abort();
+    }
   }
 }
 
@@ -303,13 +389,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
   Choices choices(bytes, size);
   const vtkSmartPointer<vtkPointSet> data = oddData(choices);
-  switch (choices.below(8))
+  switch (choices.below(9))
   {
   case 0:
-    sample<vtkWindingNumberField>(choices, data);
+    sampleField(choices, data);
     break;
   case 1:
-    sample<vtkWindingNumberSurface>(choices, data);
+    drawSurface(choices, data);
     break;
   case 2:
     fillVoxels(choices, data);
@@ -325,6 +411,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     break;
   case 6:
     probe<vtkWindingNumberClip>(choices, data);
+    break;
+  case 7:
+    labelSolids(choices, data);
     break;
   default:
     probe<vtkWindingNumberProbe>(choices, data);

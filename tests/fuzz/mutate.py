@@ -127,7 +127,9 @@ def command_for(chance, name, other):
             ["--tolerance", "1e-6"],
         )
     )
-    command = chance.choice(("field", "field", "surface", "voxels", "probe", "probe", "check"))
+    command = chance.choice(
+        ("field", "field", "surface", "sharp", "voxels", "labels", "probe", "probe", "check")
+    )
     if command == "field":
         extra = chance.choice(
             (
@@ -145,6 +147,27 @@ def command_for(chance, name, other):
     if command in ("surface", "voxels"):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         return [command, name, "-o", output, *grid, *method, *cloud], [output]
+    if command == "sharp":
+        output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
+        extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"]))
+        sharp = ["--features", "sharp", *extra]
+        return ["surface", name, "-o", output, *grid, *method, *cloud, *sharp], [output]
+    if command == "labels":
+        output = "out" + chance.choice((".vti", ".vti", ".vtp", ".stl"))
+        extra = chance.choice(
+            (
+                [],
+                ["--overlap", chance.choice(("last", "largest", "smallest"))],
+                ["--count", "--cells"],
+                ["--coverage", "fraction"],
+                ["--coverage", "fraction", "--shares", "each"],
+                ["--verify", "20"],
+                ["--rule", "absolute", "--coverage", "any"],
+                ["--json"],
+            )
+        )
+        solids = chance.choice(([name], [name], [name, other], [other, name]))
+        return ["labels", *solids, "-o", output, *grid, *method, *cloud, *extra], [output]
     if command == "probe":
         output = "out" + chance.choice((".csv", ".csv", ".vtp", ".vtu"))
         extra = chance.choice(([], ["--extract"], ["--distance"], ["--inside-out"]))

@@ -7,6 +7,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -115,6 +116,29 @@ TEST(LabelsOnRanks, OfRegionsInPartsAreThoseOfOneRank)
   surface->GetCellData()->AddArray(regions);
   const auto expected = labelsOf(surface, true, Filter::SMALLEST_VOLUME, "Region");
   EXPECT_EQ(labelsOf(ownPart(surface), false, Filter::SMALLEST_VOLUME, "Region"), expected);
+}
+
+/// A surface of five parts that only the last rank has, as a reader of one rank gives it, or that
+/// all have; the others have nothing, as polydata or as a grid.
+TEST(LabelsOnRanks, OfPartsByConnectivityAreThoseOfOneRank)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& solid : fiveBalls())
+  {
+    append->AddInputData(solid);
+  }
+  append->Update();
+  vtkPolyData* const surface = append->GetOutput();
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkUnstructuredGrid> emptyGrid;
+  const auto expected = labelsOf(surface, true, Filter::LAST);
+  EXPECT_EQ(labelsOf(surface, false, Filter::LAST), expected);
+  const std::vector<vtkPointSet*> elsewhere = {nothing, emptyGrid};
+  for (vtkPointSet* const other : elsewhere)
+  {
+    vtkPointSet* const own = rank() == ranks() - 1 ? surface : other;
+    EXPECT_EQ(labelsOf(own, false, Filter::LAST), expected);
+  }
 }
 
 TEST(LabelsOnRanks, WhatOneRankCannotTellIsRefusedOnAll)

@@ -122,6 +122,32 @@ def test_probe_and_surface(runs):
                            shallow=False), words
 
 
+def test_labels(runs):
+    for sources, options in (
+            (["part.obj", "closed.obj"], ["--count", "--overlap", "smallest"]),
+            (["part.obj", "closed.obj"], ["--coverage", "fraction", "--cells"]),
+            (["part.obj", "scan.obj"], ["--coverage", "fraction", "--shares", "each"]),
+            (["part.obj"], ["--overlap", "largest"])):
+        words = ["labels", *sources, "--resolution", "24", *options]
+        alone = json.loads(runs.alone(*words, "-o", "one.vti", "--json").stdout)
+        for output in (["all.vti"], ["all.pvti"], ["all.pvti", "--pieces", "2"]):
+            run = runs.of_ranks(*words, "-o", *output, "--json")
+            runs.require_same("one.vti", output[0])
+            report = json.loads(run.stdout)
+            is_whole = output[0] == "all.vti"
+            for label, own in zip(report["labels"], alone["labels"], strict=True):
+                assert label["name"] == own["name"] and label["label"] == own["label"]
+                assert not is_whole or label["voxels"] == own["voxels"], (label, own)
+            assert {key: report["solids"][key] for key in ("count", "empty", "open")} == {
+                key: alone["solids"][key] for key in ("count", "empty", "open")}
+        assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
+        for suffix in (".vtp", ".stl"):
+            runs.alone(*words, "-o", "one" + suffix)
+            runs.of_ranks(*words, "-o", "all" + suffix)
+            assert filecmp.cmp(runs.folder / ("one" + suffix), runs.folder / ("all" + suffix),
+                               shallow=False), words
+
+
 def test_failures(runs):
     (runs.folder / "broken.obj").write_text("v 0 0\nf 1 2 3\n")
     (runs.folder / "broken.vtu").write_text("<VTKFile")
@@ -139,11 +165,15 @@ def test_failures(runs):
                 (["probe", "closed.obj", "broken.vtu", "-o", "f.vtu"], 2),
                 (["probe", "closed.obj", "none.csv", "-o", "f.csv"], 2),
                 (["surface", "closed.obj", "-o", "none/f.vtp"], 2),
+                (["labels", "closed.obj", "none.obj", "-o", "f.vti"], 2),
+                (["labels", "cloud.xyz", "-o", "f.pvti"], 2),
+                (["labels", "closed.obj", "-o", "none/f.vtp"], 2),
                 (["surface", "closed.obj", "-o", "f.vtp", "--tolerance", "-1"], 1),
                 (["field", "closed.obj"], 1)]
     if runs.ranks > 1:
         commands += [(["voxels", "closed.obj", "-o", "f.vtp"], 1), (["check", "closed.obj"], 1),
-                     (["field", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1)]
+                     (["field", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1),
+                     (["labels", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1)]
     for words, status in commands:
         run = runs.of_ranks(*words, status=status)
         lines = own_lines(run)
@@ -213,7 +243,7 @@ def main(program, mpirun, ranks, compare):
         inputs.main(folder)
         runs = Runs(program, mpirun, int(ranks), compare, folder)
         for test in (test_fields, test_verification, test_pieces, test_probe_and_surface,
-                     test_failures, test_killed_ranks):
+                     test_labels, test_failures, test_killed_ranks):
             test(runs)
     return 0
 

@@ -134,6 +134,18 @@ class AccessorTest(Warned):
                                       close_border=True)
         self.assertAlmostEqual(half.volume / ball().volume, 0.5, 1)  # 0.49
 
+    def test_sharp_surfaces_keep_edges(self):
+        cube = pv.Cube().rotate_vector((1, 2, 3), 40).triangulate()
+        sharp, smooth = (cube.winding.surface(resolution=20, features=features)
+                         for features in ("sharp", "smooth"))
+        self.assertTrue(sharp.is_all_triangles)
+        self.assertEqual(sharp.n_open_edges, 0)
+        self.assertIn("Normals", sharp.cell_data)
+        self.assertAlmostEqual(sharp.volume, 1, 3)
+        self.assertLess(smooth.volume, 0.997)  # edges are cut off
+        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp"):
+            cube.winding.surface(features="keen")
+
     def test_interior_points(self):
         for image in (grid(), turned_grid(), grid(9).cast_to_unstructured_grid(), ball(40)):
             before = list(image.array_names)

@@ -84,6 +84,16 @@ class ValuesTest(unittest.TestCase):
         np.testing.assert_array_equal(contains(POINTS, vertices, faces), [True, False])
         self.assertEqual(surface(CORNERS, CUBE, dtype=np.float64)[0].dtype, np.float64)
 
+    def test_sharp_surfaces_keep_corners(self):
+        def farthest(features):
+            vertices, faces = surface(CORNERS, CUBE, resolution=20, features=features)
+            self.assertEqual(faces.shape[1], 3)
+            return max(np.linalg.norm(vertices - corner, axis=1).min() for corner in CORNERS)
+        self.assertLess(farthest("sharp"), 1e-6)
+        self.assertGreater(farthest("smooth"), 0.01)
+        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp"):
+            surface(CORNERS, CUBE, features="keen")
+
     def test_options_reach_the_filter(self):
         vertices, faces, _ = sphere()
         inward = CUBE[:, ::-1]

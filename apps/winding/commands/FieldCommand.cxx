@@ -10,7 +10,9 @@
 #include "output/PiecesFile.h"
 #include "program/ParallelRun.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkWindingNumberField.h"
 
 namespace
@@ -30,7 +32,8 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
   FieldRun run(field, options, messages);
   if (!parallel::isAlone())
   {
-    run.writeGathered(output.get());
+    const vtkSmartPointer<vtkImageData> whole = run.gather();
+    run.write(whole, output.get());
   }
   else
   {

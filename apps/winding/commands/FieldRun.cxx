@@ -106,21 +106,29 @@ void FieldRun::write(const PiecesFile& file)
   writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
 }
 
-void FieldRun::writeGathered(OutputFile* file)
+vtkSmartPointer<vtkImageData> FieldRun::gather()
 {
-  const Stopwatch writing;
-  const double before = executionSeconds_;
+  if (parallel::isAlone())
+  {
+    this->update();
+    return vtkImageData::SafeDownCast(filter_->GetOutputDataObject(0));
+  }
   const std::vector<SlabExtent> slabs =
     this->slabs(static_cast<std::size_t>(parallel::count()), false);
   vtkImageData* const own = this->makeSlab(slabs, static_cast<std::size_t>(parallel::rank()));
-  const vtkSmartPointer<vtkImageData> whole = gatheredImage(own, slabs);
+  return gatheredImage(own, slabs);
+}
+
+void FieldRun::write(vtkImageData* image, OutputFile* file)
+{
+  const Stopwatch writing;
   parallel::agreeOnFirst(
     [&]
     {
-      writeImage(whole, *file, messages_);
+      writeImage(image, *file, messages_);
       file->commit();
     });
-  writeSeconds_ = writing.seconds() - (executionSeconds_ - before);
+  writeSeconds_ = writing.seconds();
 }
 
 void FieldRun::write(vtkPolyData* surface, OutputFile* file)

@@ -44,9 +44,12 @@ public:
   /// Makes and writes the field in pieces, as many on each rank as the options ask for.
   void write(const PiecesFile& file);
 
-  /// Makes the field, a slab on each rank, and writes it to one file, which is null on all ranks
-  /// but the first.
-  void writeGathered(OutputFile* file);
+  /// Makes the image of the whole grid, a slab on each rank. It is null on all ranks but the first.
+  /// A single rank has the filter's own.
+  vtkSmartPointer<vtkImageData> gather();
+
+  /// Writes an image that was gathered to one file. Both are null on all ranks but the first.
+  void write(vtkImageData* image, OutputFile* file);
 
   /// Writes a surface that was made of the field or by the filter. The file is null on all ranks
   /// but the first.

@@ -2,13 +2,16 @@
 #include "commands/FieldRun.h"
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
+#include "commands/OpenOnFirstRank.h"
+#include "commands/ReadOnFirstRank.h"
 #include "files/Suffix.h"
-#include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "output/PiecesFile.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
+#include "program/ParallelRun.h"
 #include "program/Progress.h"
 
 #include "vtkCellData.h"
@@ -36,38 +39,38 @@ std::string stemOf(const std::string& fileName)
   return name.substr(0, name.size() - suffixOf(name).size());
 }
 
-/// One file as it is, or several as blocks with the names of their files.
+/// One file as it is, or several as blocks with the names of their files; on the first rank, and
+/// blocks without data on the others.
 vtkSmartPointer<vtkDataObject> readSolids(const std::vector<std::string>& files, Messages& messages)
 {
   if (files.size() == 1)
   {
-    return readInput(files[0], messages);
+    return readOnFirstRank(files[0], messages);
   }
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (const std::string& file : files)
   {
     const unsigned int block = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(block, readInput(file, messages));
+    blocks->SetBlock(block, readOnFirstRank(file, messages));
     blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), stemOf(file).c_str());
   }
   return blocks;
 }
 
-/// The labels with their names, and with their voxels where the whole image is there.
-Json describeLabels(vtkWindingNumberLabels& filter, const Options& options)
+/// The labels with their names, and with their voxels where the image is the whole one.
+Json describeLabels(vtkImageData* image, bool isWhole, bool asCells)
 {
-  vtkImageData* image = filter.GetOutput();
   auto* values =
     vtkUnsignedShortArray::SafeDownCast(image->GetFieldData()->GetArray("LabelValues"));
   auto* names = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("LabelNames"));
   vtkDataSetAttributes* attributes = image->GetPointData();
-  if (options.cells)
+  if (asCells)
   {
     attributes = image->GetCellData();
   }
   auto* labels = vtkUnsignedShortArray::SafeDownCast(attributes->GetArray("Label"));
   std::vector<vtkIdType> voxels(65536);
-  for (vtkIdType i = 0; labels && options.pieces == 1 && i < labels->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; labels && isWhole && i < labels->GetNumberOfTuples(); ++i)
   {
     ++voxels[labels->GetValue(i)];
   }
@@ -75,7 +78,7 @@ Json describeLabels(vtkWindingNumberLabels& filter, const Options& options)
   for (vtkIdType i = 0; values && names && i < values->GetNumberOfTuples(); ++i)
   {
     Json label = {{"label", values->GetValue(i)}, {"name", names->GetValue(i)}};
-    if (options.pieces == 1)
+    if (isWhole)
     {
       label["voxels"] = voxels[values->GetValue(i)];
     }
@@ -85,10 +88,10 @@ Json describeLabels(vtkWindingNumberLabels& filter, const Options& options)
 }
 
 /// Makes the surface between voxels of different labels.
-void makeSurface(vtkWindingNumberVoxels* voxels, vtkWindingNumberLabels* labels,
-  const Options& options, Messages& messages)
+void makeSurface(
+  vtkWindingNumberVoxels* voxels, vtkImageData* labels, const Options& options, Messages& messages)
 {
-  voxels->SetInputData(labels->GetOutput());
+  voxels->SetInputData(labels);
   voxels->SetInputArrayToProcess(0, 0, 0,
     options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
                   : vtkDataObject::FIELD_ASSOCIATION_POINTS,
@@ -102,32 +105,80 @@ void makeSurface(vtkWindingNumberVoxels* voxels, vtkWindingNumberLabels* labels,
   messages.throwIfError(options.input);
 }
 
-} // namespace
+/// Adds to the report what the solids are, and prints it. The image is the filter's own, or the
+/// whole one that the first rank has gathered.
+void report(
+  FieldRun& run, vtkWindingNumberLabels& filter, vtkImageData* image, const Options& options)
+{
+  const bool isWhole = options.pieces == 1 && suffixOf(options.output) != ".pvti";
+  run.addToReport(
+    "solids", {{"count", filter.GetNumberOfSolids()}, {"empty", filter.GetNumberOfEmptySolids()},
+                {"open", filter.GetNumberOfOpenSolids()},
+                {"inside_out", filter.GetNumberOfInsideOutSolids()}});
+  if (image)
+  {
+    run.addToReport("labels", describeLabels(image, isWhole, options.cells));
+  }
+  run.print();
+}
 
-void runLabels(const Options& options, Messages& messages)
+void writePieces(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
+{
+  const PiecesFile output(options.output, filesToKeep(options));
+  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  run.write(output);
+  report(run, filter, filter.GetOutput(), options);
+}
+
+/// Writes labels that one rank makes, in pieces where the options ask for them.
+void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   OutputFile output(options.output, filesToKeep(options));
-  vtkNew<vtkWindingNumberLabels> filter;
-  applyLabels(options, filter);
-  FieldRun run(*filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
   if (options.pieces == 1)
   {
     run.update();
   }
+  run.write(output);
+  report(run, filter, filter.GetOutput(), options);
+}
+
+/// Writes the labels, or the surface between them, from an image that is there as a whole.
+void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
+{
+  const auto output = openOnFirstRank(options);
+  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  const vtkSmartPointer<vtkImageData> image = run.gather();
   if (suffixOf(options.output) == ".vti")
   {
-    run.write(output);
+    run.write(image, output.get());
   }
   else
   {
     vtkNew<vtkWindingNumberVoxels> voxels;
-    makeSurface(voxels, filter, options, messages);
-    run.write(voxels->GetOutput(), &output);
+    parallel::agreeOnFirst([&] { makeSurface(voxels, image, options, messages); });
+    run.write(voxels->GetOutput(), output.get());
   }
-  run.addToReport(
-    "solids", {{"count", filter->GetNumberOfSolids()}, {"empty", filter->GetNumberOfEmptySolids()},
-                {"open", filter->GetNumberOfOpenSolids()},
-                {"inside_out", filter->GetNumberOfInsideOutSolids()}});
-  run.addToReport("labels", describeLabels(*filter, options));
-  run.print();
+  report(run, filter, image, options);
+}
+
+} // namespace
+
+void runLabels(const Options& options, Messages& messages)
+{
+  vtkNew<vtkWindingNumberLabels> filter;
+  applyLabels(options, filter);
+  const std::string suffix = suffixOf(options.output);
+  if (suffix == ".pvti")
+  {
+    writePieces(*filter, options, messages);
+  }
+  else if (suffix == ".vti" && parallel::isAlone())
+  {
+    writeAlone(*filter, options, messages);
+  }
+  else
+  {
+    writeWhole(*filter, options, messages);
+  }
 }

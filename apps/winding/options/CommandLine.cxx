@@ -100,7 +100,7 @@ void addLabels(CLI::App& app, Options& options)
     app.add_subcommand("labels", "Which of several solids each voxel lies in, as labels");
   addInputs(labels, options);
   addOutput(labels, options,
-    std::string(".vti, the labels; or the surface between voxels of different ones: ") +
+    std::string(".vti or .pvti, the labels; or the surface between voxels of different ones: ") +
       surfaceFormats);
   labels
     ->add_option("--overlap", options.overlap,

@@ -152,7 +152,7 @@ void checkHyperTree(const Options& options, const WasGiven& wasGiven)
 void checkLabels(const Options& options, const WasGiven& wasGiven)
 {
   std::vector<std::string> suffixes = surfaceSuffixes;
-  suffixes.insert(suffixes.begin(), ".vti");
+  suffixes.insert(suffixes.begin(), {".vti", ".pvti"});
   checkOutput(options.output, options.command, suffixes);
   checkFieldOptions(options, wasGiven);
   checkCoverage(options, wasGiven);
@@ -164,8 +164,9 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
     "--label-offset is for --region-array; say that, too, or leave it out");
   requireUsage(options.labelOffset >= -65535 && options.labelOffset <= 65535,
     "--label-offset is " + std::to_string(options.labelOffset) + "; give -65535 to 65535");
-  requireUsage(suffixOf(options.output) == ".vti" || !wasGiven("--pieces"),
-    "--pieces is for images; give the output the suffix .vti, or leave it out");
+  const std::string suffix = suffixOf(options.output);
+  requireUsage(suffix == ".vti" || suffix == ".pvti" || !wasGiven("--pieces"),
+    "--pieces is for images; give the output the suffix .vti or .pvti, or leave it out");
 }
 
 } // namespace

@@ -57,6 +57,8 @@ const char* typeInXml(vtkDataArray* array)
     return "Float64";
   case VTK_UNSIGNED_CHAR:
     return "UInt8";
+  case VTK_UNSIGNED_SHORT:
+    return "UInt16";
   default:
     return "Float32";
   }

@@ -112,6 +112,23 @@ DistanceTree treeOf(const Field& field, Executor& executor)
 
 } // namespace
 
+double bytesForComparison(const Field& field, double triangles, double samples)
+{
+  // The surface is there twice, each time with a vertex for two triangles. A sample has its place
+  // and its distance, and the search for it its place in an order (SampleDistances.h).
+  constexpr double perTriangle = 2 * (sizeof(Triangle) + 0.5 * sizeof(Eigen::Vector3d));
+  constexpr double perPair = 100; // SelfIntersections.h
+  constexpr double perSample = sizeof(Eigen::Vector3d) + sizeof(double) + 1 + 32;
+  const Surface* const source = field.surface();
+  const double primitives = static_cast<double>(field.info().primitives);
+  const double corners = source != nullptr ? static_cast<double>(source->vertices.size()) : 0;
+  const double ofTrees =
+    static_cast<double>(DistanceTree::bytesFor(true, 1)) * triangles +
+    static_cast<double>(DistanceTree::bytesFor(source != nullptr, 1)) * primitives;
+  const double most = std::max(samples, source != nullptr ? primitives + corners : 0);
+  return perTriangle * triangles + std::max(perPair * triangles, ofTrees + perSample * most);
+}
+
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,
   const std::vector<Triangle>& triangles, double voxel, std::size_t samples, unsigned seed,
   Executor& executor)

@@ -27,6 +27,9 @@ struct Fidelity
   std::size_t selfIntersections = 0; ///< as SelfIntersections.h counts them in the surface
 };
 
+/// About the memory that a comparison takes, in bytes, with a surface of so many triangles.
+double bytesForComparison(const Field& field, double triangles, double samples);
+
 /**
  * Compares a surface with the source of a field. Both are sampled evenly by area, or by points if
  * the source is a cloud; the draw depends on the seed, on both of them and on the order of their

@@ -71,6 +71,73 @@ void expectManifold(const BitField& field, const winding::Grid& grid, std::uint6
   }
 }
 
+/// The quads of a mesh like DualMesh, but for its rule for patches that come to a face twice: every
+/// cell keeps its inside corners apart.
+struct RulelessDual
+{
+  RulelessDual(const LevelEdges& edges, const winding::Grid& grid)
+    : polygons(edges.size(), std::vector<std::uint32_t>(4))
+  {
+    for (int k = -1; k < grid.dimensions[2]; ++k)
+    {
+      for (int j = -1; j < grid.dimensions[1]; ++j)
+      {
+        winding::forCrossedCells(edges, j, k, -1, grid.dimensions[0],
+          [&](int i, int inside, const winding::CellEdges& ofCell)
+          {
+            this->add(edges, {i, j, k},
+              winding::cellPatches(inside, winding::AmbiguousFaces::insideApart), ofCell);
+          });
+      }
+    }
+    for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    {
+      if (!edges[edge].firstIsInside)
+      {
+        std::reverse(polygons[edge].begin(), polygons[edge].end());
+      }
+    }
+  }
+
+  void add(const LevelEdges& edges, const std::array<int, 3>& cell,
+    const winding::CellPatches& patches, const winding::CellEdges& ofCell)
+  {
+    if (patches.doubledFace >= 0)
+    {
+      doubled.insert({cell, patches.doubledFace});
+    }
+    for (std::size_t n = 0; n < ofCell.size(); ++n)
+    {
+      if (patches.ofEdge[n] >= 0)
+      {
+        const winding::GridEdge& edge = edges[ofCell[n]];
+        const std::size_t u = (edge.axis + 1u) % 3, v = (edge.axis + 2u) % 3;
+        const bool isBehindU = edge.sample[u] == cell[u], isBehindV = edge.sample[v] == cell[v];
+        polygons[ofCell[n]][isBehindV ? (isBehindU ? 2 : 3) : (isBehindU ? 1 : 0)] =
+          vertices + static_cast<std::uint32_t>(patches.ofEdge[n]);
+      }
+    }
+    vertices += static_cast<std::uint32_t>(patches.count);
+  }
+
+  /// Whether the patches on both sides of a face come to it twice.
+  bool isDoubledOnBothSides() const
+  {
+    return std::any_of(doubled.begin(), doubled.end(),
+      [this](const auto& found)
+      {
+        auto neighbour = found;
+        neighbour.first[static_cast<std::size_t>(found.second / 2)] += 1;
+        neighbour.second -= 1;
+        return found.second % 2 == 1 && doubled.count(neighbour) > 0;
+      });
+  }
+
+  Polygons polygons;
+  std::uint32_t vertices = 0;
+  std::set<std::pair<std::array<int, 3>, int>> doubled; ///< cells with a doubled face, and the face
+};
+
 void setBits(BitField& field, std::size_t count, std::uint64_t bits)
 {
   field.inside.resize(count);
@@ -141,6 +208,35 @@ TEST(DualMesh, OfAllPairsOfCellsIsClosedAndManifold)
         << std::bitset<12>(bits) << " along axis " << axis;
     }
   }
+}
+
+/// The check of manifolds finds what the rule for faces prevents, and nothing else.
+TEST(DualMesh, WouldNotBeManifoldWithoutItsRuleForFaces)
+{
+  int faulty = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Eigen::Vector3i dimensions(2, 2, 2);
+    dimensions[axis] = 3;
+    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
+    for (std::uint64_t bits = 0; bits < 4096; ++bits)
+    {
+      BitField field;
+      setBits(field, 12, bits);
+      winding::SerialExecutor serial;
+      const Dual dual(field, grid, serial);
+      const RulelessDual ruleless(dual.edges, grid);
+      const bool isFaulty = manifoldFaults(ruleless.polygons).any();
+      ASSERT_EQ(isFaulty, ruleless.isDoubledOnBothSides()) << std::bitset<12>(bits);
+      ASSERT_EQ(isFaulty, ruleless.vertices != dual.mesh->size()) << std::bitset<12>(bits);
+      if (!isFaulty)
+      {
+        ASSERT_EQ(ruleless.polygons, dual.polygons(0)) << std::bitset<12>(bits);
+      }
+      faulty += isFaulty;
+    }
+  }
+  EXPECT_EQ(faulty, 0);
 }
 
 TEST(DualMesh, OfAMillionRandomLatticeSolidsIsClosedAndManifold)
