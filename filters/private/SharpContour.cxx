@@ -177,12 +177,14 @@ vtkSmartPointer<vtkFloatArray> SharpContour::normals(Executor& executor) const
       this->forPolygons(block,
         [&](const std::size_t* vertices, int count)
         {
-          // A triangle is a quad that ends where it begins.
           const auto place = [&](int n) -> Eigen::Vector3d
           {
-            return this->placeOf(vertices[n % count]).cwiseProduct(units);
+            return this->placeOf(vertices[n]).cwiseProduct(units);
           };
-          const Eigen::Vector3d area = (place(2) - place(0)).cross(place(3) - place(1));
+          // A triangle is a quad that ends where it begins.
+          const Eigen::Vector3d first = place(0);
+          const Eigen::Vector3d last = count == 3 ? first : place(3);
+          const Eigen::Vector3d area = (place(2) - first).cross(last - place(1));
           const Eigen::Vector3f normal = area.stableNormalized().cast<float>();
           std::copy_n(normal.data(), 3, normals->GetPointer(3 * polygon++));
         });

@@ -9,6 +9,13 @@ namespace
 /// The corner of an edge's quad at which each cell lies whose edge it is.
 constexpr std::array<std::size_t, 12> cornerOfCell = {2, 1, 3, 2, 1, 0, 0, 3, 2, 3, 1, 0};
 
+/// Whether the cell at a corner of an edge's quad lies in the layer below the edge's sample, by the
+/// edge's axis.
+constexpr bool isBelow[3][4] = {
+  {true, true, false, false}, {true, false, false, true}, {false, false, false, false}};
+
+constexpr std::size_t edgesPerBlock = 4096;
+
 } // namespace
 
 DualMesh::DualMesh(const Grid& grid, const LevelEdges& edges, Executor& executor)
@@ -21,28 +28,24 @@ DualMesh::DualMesh(const Grid& grid, const LevelEdges& edges, Executor& executor
   runBlocks(
     this->layers(), 1,
     [this](std::size_t layer, std::size_t, std::size_t)
-    {
-      std::size_t count = 0;
-      this->forCells(layer,
-        [&count](const std::array<int, 3>&, const CellPatches& patches, const CellEdges&)
-        { count += static_cast<std::size_t>(patches.count); });
-      layerStarts_[layer + 1] = count;
-    },
+    { layerStarts_[layer + 1] = this->fillQuads(layer); },
     executor);
   for (std::size_t layer = 0; layer < this->layers(); ++layer)
   {
     layerStarts_[layer + 1] += layerStarts_[layer];
   }
   runBlocks(
-    this->layers(), 1,
-    [this](std::size_t layer, std::size_t, std::size_t) { this->fillQuads(layer); }, executor);
+    edges.size(), edgesPerBlock,
+    [this](std::size_t, std::size_t first, std::size_t last) { this->addStarts(first, last); },
+    executor);
 }
 
+/// Numbers the vertices of a layer from 0 on, which the quads get, and returns how many there are.
 /// Every cell has corners of its own in the quads around it, so that layers do not wait for each
 /// other.
-void DualMesh::fillQuads(std::size_t layer)
+std::size_t DualMesh::fillQuads(std::size_t layer)
 {
-  std::size_t vertex = layerStarts_[layer];
+  std::size_t vertex = 0;
   this->forCells(layer,
     [&](const std::array<int, 3>&, const CellPatches& patches, const CellEdges& edges)
     {
@@ -56,6 +59,26 @@ void DualMesh::fillQuads(std::size_t layer)
       }
       vertex += static_cast<std::size_t>(patches.count);
     });
+  return vertex;
+}
+
+/// Adds to the vertices of some edges' quads what the layers below have.
+void DualMesh::addStarts(std::size_t firstEdge, std::size_t endOfEdges)
+{
+  for (std::size_t n = firstEdge; n < endOfEdges; ++n)
+  {
+    const GridEdge& edge = edges_[n];
+    const auto above = static_cast<std::size_t>(edge.sample[2] - first_);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      std::uint32_t& vertex = quads_[n][corner];
+      if (vertex != none)
+      {
+        const std::size_t layer = above - (isBelow[edge.axis][corner] ? 1 : 0);
+        vertex = static_cast<std::uint32_t>(vertex + layerStarts_[layer]);
+      }
+    }
+  }
 }
 
 /// The patches of a cell, which depend on the neighbour behind a face that a patch comes to twice.

@@ -78,7 +78,8 @@ private:
   template <class Visit> void forCells(std::size_t layer, const Visit& visit) const;
   const CellPatches& patchesOf(const std::array<int, 3>& cell, int inside) const;
   int insideOf(const std::array<int, 3>& cell) const;
-  void fillQuads(std::size_t layer);
+  std::size_t fillQuads(std::size_t layer);
+  void addStarts(std::size_t firstEdge, std::size_t endOfEdges);
 
   const LevelEdges& edges_;
   int first_;                            ///< first sample along each axis: that of the border, or 0
@@ -107,17 +108,24 @@ template <class Visit> void DualMesh::forVertices(std::size_t layer, const Visit
   this->forCells(layer,
     [&](const std::array<int, 3>& cell, const CellPatches& patches, const CellEdges& edges)
     {
+      Patch found[4];
       for (int patch = 0; patch < patches.count; ++patch)
       {
-        Patch found = {cell, patches.count == 1, 0, {}};
-        for (std::size_t n = 0; n < edges.size(); ++n)
+        found[patch].cell = cell;
+        found[patch].isAlone = patches.count == 1;
+        found[patch].size = 0;
+      }
+      for (std::size_t n = 0; n < edges.size(); ++n)
+      {
+        if (patches.ofEdge[n] >= 0)
         {
-          if (patches.ofEdge[n] == patch)
-          {
-            found.edges[static_cast<std::size_t>(found.size++)] = edges[n];
-          }
+          Patch& patch = found[patches.ofEdge[n]];
+          patch.edges[static_cast<std::size_t>(patch.size++)] = edges[n];
         }
-        visit(vertex++, found);
+      }
+      for (int patch = 0; patch < patches.count; ++patch)
+      {
+        visit(vertex++, found[patch]);
       }
     });
 }

@@ -48,18 +48,28 @@ PlaneSums sumsOf(const HermiteCrossing* crossings, std::size_t count)
   for (std::size_t n = 0; n < count; ++n)
   {
     const Eigen::Vector3d& normal = crossings[n].normal;
-    sums.planes += normal * normal.transpose();
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int i = j; i < 3; ++i)
+      {
+        sums.planes(i, j) += normal[i] * normal[j];
+      }
+    }
     sums.offsets += normal * normal.dot(crossings[n].position - sums.mean);
   }
+  sums.planes(0, 1) = sums.planes(1, 0);
+  sums.planes(0, 2) = sums.planes(2, 0);
+  sums.planes(1, 2) = sums.planes(2, 1);
   return sums;
 }
 
-/// The error function of planes that are so nearly parallel that no eigenvalue but the largest is
-/// kept, which is told without finding them, for most patches are flat. Returns whether they are.
-bool isFlat(
-  const HermiteCrossing* crossings, std::size_t count, const PlaneSums& sums, Quadratic& error)
+/// Whether planes are so nearly parallel that no eigenvalue but the largest is kept, which is told
+/// without finding them, for most patches are flat. Sets the direction that is kept and its
+/// eigenvalue.
+bool isFlat(const HermiteCrossing* crossings, std::size_t count, const PlaneSums& sums,
+  Eigen::Vector3d& direction, double& along)
 {
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  direction.setZero();
   for (std::size_t n = 0; n < count; ++n)
   {
     const Eigen::Vector3d& normal = crossings[n].normal;
@@ -72,25 +82,20 @@ bool isFlat(
   }
   direction /= length;
   // The other eigenvalues are not more than what is left of the trace.
-  const double along = direction.dot(sums.planes * direction);
-  if (!(sums.planes.trace() - along < leastEigenvalue * along))
-  {
-    return false;
-  }
-  error.minimum = sums.mean + direction * (direction.dot(sums.offsets) / along);
-  error.metric = along * ((1 - shareOfDropped) * direction * direction.transpose() +
-                           shareOfDropped * Eigen::Matrix3d::Identity());
-  return true;
+  along = direction.dot(sums.planes * direction);
+  return sums.planes.trace() - along < leastEigenvalue * along;
 }
 
-Quadratic errorFunction(const HermiteCrossing* crossings, std::size_t count)
+/// The second derivatives of the error function of planes that are flat.
+Eigen::Matrix3d metricOfFlat(const Eigen::Vector3d& direction, double along)
 {
-  const PlaneSums sums = sumsOf(crossings, count);
+  return along * ((1 - shareOfDropped) * direction * direction.transpose() +
+                   shareOfDropped * Eigen::Matrix3d::Identity());
+}
+
+Quadratic errorFunction(const PlaneSums& sums)
+{
   Quadratic error = {sums.mean, Eigen::Matrix3d::Zero()};
-  if (isFlat(crossings, count, sums, error))
-  {
-    return error;
-  }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(sums.planes);
   const Eigen::Vector3d& eigenvalues = solver.eigenvalues();
@@ -174,12 +179,23 @@ Eigen::Vector3d minimumInBox(
 Eigen::Vector3d featureVertex(
   const HermiteCrossing* crossings, std::size_t count, const Bounds& cell)
 {
-  const Quadratic error = errorFunction(crossings, count);
   const Eigen::Vector3d low = cell.min() + margin * cell.sizes();
   const Eigen::Vector3d high = cell.max() - margin * cell.sizes();
-  const bool isInside =
-    (error.minimum.array() >= low.array()).all() && (error.minimum.array() <= high.array()).all();
-  return isInside ? error.minimum : minimumInBox(error, low, high);
+  const auto isInside = [&](const Eigen::Vector3d& point)
+  {
+    return (point.array() >= low.array()).all() && (point.array() <= high.array()).all();
+  };
+  const PlaneSums sums = sumsOf(crossings, count);
+  Eigen::Vector3d direction;
+  double along = 0;
+  if (isFlat(crossings, count, sums, direction, along))
+  {
+    const Eigen::Vector3d minimum = sums.mean + direction * (direction.dot(sums.offsets) / along);
+    return isInside(minimum) ? minimum
+                             : minimumInBox({minimum, metricOfFlat(direction, along)}, low, high);
+  }
+  const Quadratic error = errorFunction(sums);
+  return isInside(error.minimum) ? error.minimum : minimumInBox(error, low, high);
 }
 
 } // namespace winding

@@ -25,6 +25,7 @@ SharpVertices::SharpVertices(const Field& field, const Grid& grid, const LevelEd
   , edges_(edges)
   , roots_(roots)
   , mesh_(mesh)
+  , size_(grid.spacing / grid.spacing.maxCoeff())
   , places_(mesh.size())
 {
   this->addGradients(field, executor);
@@ -78,7 +79,6 @@ Eigen::Vector3d SharpVertices::crossing(std::size_t edge) const
 Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
 {
   const Eigen::Vector3d corner(patch.cell[0], patch.cell[1], patch.cell[2]);
-  const Eigen::Vector3d size = grid_.spacing / grid_.spacing.maxCoeff();
   HermiteCrossing crossings[12];
   for (int n = 0; n < patch.size; ++n)
   {
@@ -95,10 +95,10 @@ Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
       const auto found = std::lower_bound(withGradient_.begin(), withGradient_.end(), edge);
       normal = gradients_[static_cast<std::size_t>(found - withGradient_.begin())];
     }
-    crossings[n] = {place.cwiseProduct(size), normal.cast<double>()};
+    crossings[n] = {place.cwiseProduct(size_), normal.cast<double>()};
   }
   // Patches of one cell keep to boxes of their own, so that they seldom get into each other's way.
-  const Bounds cell(Eigen::Vector3d::Zero(), size);
+  const Bounds cell(Eigen::Vector3d::Zero(), size_);
   Bounds room = cell;
   if (!patch.isAlone)
   {
@@ -109,7 +109,7 @@ Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
     }
   }
   return corner +
-         featureVertex(crossings, static_cast<std::size_t>(patch.size), room).cwiseQuotient(size);
+         featureVertex(crossings, static_cast<std::size_t>(patch.size), room).cwiseQuotient(size_);
 }
 
 QuadSplit SharpVertices::splitOf(std::size_t edge) const
@@ -119,7 +119,7 @@ QuadSplit SharpVertices::splitOf(std::size_t edge) const
   QuadAroundEdge quad;
   for (int n = 0; n < 3; ++n)
   {
-    quad.spacing[n] = grid_.spacing[axes[n]] / grid_.spacing.maxCoeff();
+    quad.spacing[n] = size_[axes[n]];
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
       const Eigen::Vector3d& place = places_[mesh_.quad(edge)[corner]];

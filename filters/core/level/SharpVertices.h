@@ -49,6 +49,7 @@ private:
   const LevelEdges& edges_;
   const LevelRoots& roots_;
   const DualMesh& mesh_;
+  Eigen::Vector3d size_;                    ///< of a cell, in units of the largest spacing
   std::vector<std::uint32_t> withGradient_; ///< edges without triangles, ascending
   std::vector<Eigen::Vector3f> gradients_;  ///< unit vectors or 0, for these
   std::vector<Eigen::Vector3d> places_;
