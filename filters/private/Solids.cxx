@@ -7,6 +7,7 @@
 #include "private/RegionCells.h"
 #include "private/SolidBlocks.h"
 #include "private/SourceParts.h"
+#include "private/VtkVersions.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -15,7 +16,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ Ranks::Number hashOf(vtkPointSet* data)
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    hash.addArray(grid->GetCellTypesArray());
+    hash.addArray(cellTypesOf(grid));
     hash.addCells(grid->GetCells());
   }
   return std::max<Ranks::Number>(1, hash.value());

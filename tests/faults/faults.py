@@ -5,7 +5,7 @@ Usage: faults.py <the program winding> <folder of the libraries> [kind…] [--ru
 
 Kinds: interrupted, writers, disks, vanishing, allocations; all of them by default. --runs is the number
 of interrupted runs (1000); the other kinds take numbers that go with it, and from 1000 on every
-allocation of three small runs fails once.
+allocation of five small runs fails once.
 """
 
 import argparse

@@ -1,5 +1,6 @@
 #include "filters/ErrorLog.h"
 #include "private/BlockSurface.h"
+#include "private/FreeMemory.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -17,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace
@@ -99,6 +101,26 @@ TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
   surface->SetSamplingDimensions(2'000'000'000, 100, 100);
   EXPECT_NE(
     errorsOf(surface.Get()).find("choose larger voxels: the surface needs"), std::string::npos);
+  EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, ComparisonsAreRefusedByTheirPoints)
+{
+  constexpr int most = std::numeric_limits<int>::max(); // 140 GB
+  if (winding::hostMemory().total > 100e9)
+  {
+    GTEST_SKIP() << "the machine may have the memory";
+  }
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->SetResolution(8);
+  surface->SetFidelitySamples(most);
+  EXPECT_NE(
+    errorsOf(surface.Get())
+      .find("draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels: the "
+            "comparison of the surface with its source needs"),
+    std::string::npos);
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
 }
 

@@ -49,6 +49,17 @@ TEST(Fidelity, OfAShiftedFaceIsTheShift)
   EXPECT_NEAR(higher.volume, 1.25, 1e-12);
 }
 
+TEST(Fidelity, TakesMemoryForPointsAndForTriangles)
+{
+  const auto field = fieldOf(cube());
+  const double least = winding::bytesForComparison(*field, 1000, 0);
+  EXPECT_GE(least, 100 * 1000);
+  EXPECT_EQ(winding::bytesForComparison(*field, 1000, 10), least); // not at the same time
+  const double million = winding::bytesForComparison(*field, 1000, 1e6);
+  // A point took 64 bytes, measured as the difference of 1 and 3 million of them.
+  EXPECT_NEAR(winding::bytesForComparison(*field, 1000, 3e6) - million, 2e6 * 64, 2e6 * 6);
+}
+
 TEST(Fidelity, TellsOnePartFromTheOtherAndWhichIsLost)
 {
   const Mesh ball = icosphere(2);
