@@ -287,7 +287,10 @@ vtkSmartPointer<vtkDataObject> oddSolids(Choices& choices, vtkPointSet* data)
     {
       vtkNew<vtkPartitionedDataSet> solid;
       solid->SetPartition(0, data);
-      solid->SetPartition(1, choices.oneIn(2) ? oddData(choices) : nullptr);
+      if (choices.oneIn(2))
+      {
+        solid->SetPartition(1, oddData(choices));
+      }
       parts->SetPartitionedDataSet(i, solid);
     }
     return parts;
@@ -295,7 +298,9 @@ vtkSmartPointer<vtkDataObject> oddSolids(Choices& choices, vtkPointSet* data)
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (unsigned int i = 0; i < count; ++i)
   {
-    blocks->SetBlock(i, choices.oneIn(4) ? nullptr : choices.oneIn(2) ? data : oddData(choices));
+    const vtkSmartPointer<vtkPointSet> block =
+      choices.oneIn(2) ? oddData(choices) : vtkSmartPointer<vtkPointSet>(data);
+    blocks->SetBlock(i, choices.oneIn(4) ? nullptr : block.Get());
   }
   return blocks;
 }
