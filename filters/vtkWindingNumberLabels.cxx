@@ -352,14 +352,17 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   }
   else if (facts.empty.count() > 0)
   {
-    vtkWarningMacro(<< "give each block a surface, or leave empty ones out: "
-                    << facts.empty.outOf(count) << " have none, and no voxel has their labels");
+    vtkWarningMacro(
+      << "give each block a surface, or leave empty ones out: no voxel has the labels "
+         "of those that have none, "
+      << facts.empty.outOf(count));
   }
   if (facts.open.count() > 0)
   {
-    vtkWarningMacro(<< "close holes where labels are not what they should be: "
-                    << facts.open.outOf(count)
-                    << " are not closed, and their winding numbers decide");
+    vtkWarningMacro(
+      << "close holes where labels are not what they should be: winding numbers decide "
+         "for those not closed, "
+      << facts.open.outOf(count));
   }
   if (facts.insideOut.count() > 0)
   {

@@ -140,7 +140,7 @@ TEST_F(LabelsCommand, WarnsInOneLineOfWhatIsNotClosedOrHasOneName)
   left = folder.write("left.off", asOff(open));
   Outcome outcome = run({left, right});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("1 of 2 solids ('left') are not closed"), std::string::npos)
+  EXPECT_NE(outcome.err.find("not closed, 1 of 2 solids ('left')"), std::string::npos)
     << outcome;
   outcome = run({right, right});
   EXPECT_EQ(outcome.status, 0);

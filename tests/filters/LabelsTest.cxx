@@ -274,7 +274,7 @@ TEST_F(Labels, TellsFactsAboutAllSolids)
   EXPECT_EQ(labels->GetNumberOfOpenSolids(), 1);
   EXPECT_EQ(labels->GetNumberOfEmptySolids(), 0);
   EXPECT_STREQ(labels->GetMethodUsed(), "rows");
-  EXPECT_NE(log.warnings().find("1 of 5 solids ('solid 2') are not closed"), std::string::npos)
+  EXPECT_NE(log.warnings().find("not closed, 1 of 5 solids ('solid 2')"), std::string::npos)
     << log.warnings();
   vtkFieldData* table = labels->GetOutput()->GetFieldData();
   ASSERT_TRUE(table->GetAbstractArray("LabelNames"));
