@@ -219,7 +219,8 @@ TEST_F(LabelInputs, EmptyBlocksKeepTheirLabelsAndAreCounted)
   EXPECT_EQ(
     (std::set<unsigned short>(label.begin(), label.end())), (std::set<unsigned short>{0, 2, 3, 5}));
   EXPECT_EQ(labels->GetNumberOfEmptySolids(), 2);
-  EXPECT_NE(warnings.find("that have none, 2 of 5 solids ('solid 0', 'solid 3')"), std::string::npos)
+  EXPECT_NE(
+    warnings.find("that have none, 2 of 5 solids ('solid 0', 'solid 3')"), std::string::npos)
     << warnings;
   vtkNew<vtkMultiBlockDataSet> nothing;
   labels->SetUseInputBounds(false);

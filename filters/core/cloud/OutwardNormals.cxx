@@ -1,6 +1,7 @@
 #include "cloud/OutwardNormals.h"
 
 #include "cloud/ConsistentNormals.h"
+#include "cloud/SheetCuts.h"
 
 #include <cstdio>
 #include <utility>
@@ -81,7 +82,11 @@ OutwardNormals giveOutwardNormals(
   found.work = consistent.triedPatches ? NormalWork::patches : NormalWork::tree;
   found.orientation =
     takeOutward(cloud, std::move(consistent.normals), hasOwnAreas, areas, executor);
-  if (isTreeClear && ofTree.outward >= found.orientation.outward)
+  // Walls inside of another solid, turned round, make the field a little clearer, but wrong.
+  constexpr double littleClearer = 0.05;
+  const double gain = found.orientation.outward - ofTree.outward;
+  if (isTreeClear && (gain <= 0 || (gain < littleClearer &&
+                                     cutSheets(cloud.positions, normals, cloud.normals, executor))))
   {
     cloud.normals = normals;
     cloud.areas = areasByTree;

@@ -28,9 +28,11 @@ struct OutwardNormals
  * vectors to that precision.
  *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and else the way
- * whose field is clearer. The bits are the same for any executor and any order of the points. Takes
- * the time and memory of estimateNormals(), consistentNormals() and pointAreas(). Throws
- * Interrupted, and Refusal as pointAreas() does.
+ * whose field is clearer; the tree, too, where its field is clear at all but a few points and the
+ * other one is little clearer by turning walls that go on smoothly (SheetCuts.h). The bits are the
+ * same for any executor and any order of the points. Takes the time and memory of
+ * estimateNormals(), consistentNormals() and pointAreas(). Throws Interrupted, and Refusal as
+ * pointAreas() does.
  */
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
   const PointAreaOptions& areas, Executor& executor);
