@@ -141,7 +141,7 @@ class AccessorTest(Warned):
         self.assertTrue(sharp.is_all_triangles)
         self.assertEqual(sharp.n_open_edges, 0)
         self.assertIn("Normals", sharp.cell_data)
-        self.assertAlmostEqual(sharp.volume, 1, 3)
+        self.assertAlmostEqual(sharp.volume, 1, delta=0.002)  # 0.0016: vertices stay in their cells
         self.assertLess(smooth.volume, 0.997)  # edges are cut off
         with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp"):
             cube.winding.surface(features="keen")
