@@ -163,9 +163,7 @@ std::string checkCoverage(Choices& choices)
   {
     return {};
   }
-  const InsideRule rules[] = {
-    InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
-  const InsideRule rule = choices.oneOf(rules);
+  const InsideRule rule = randomRule(choices);
   const Grid grid = randomGrid(choices, surface.bounds);
   const Extent whole = grid.wholeExtent(), piece = randomExtent(choices, grid);
   const int perAxis = 1 + choices.below(4);

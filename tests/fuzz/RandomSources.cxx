@@ -396,6 +396,19 @@ std::vector<winding::OrientedPointsView> viewsOf(const RandomCloud& cloud)
   return {cloud.view()};
 }
 
+winding::InsideRule randomRule(Choices& choices)
+{
+  using winding::InsideRule;
+  const InsideRule rules[] = {
+    InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
+  return choices.oneOf(rules);
+}
+
+double randomThreshold(Choices& choices)
+{
+  return choices.oneIn(3) ? choices.between(0.05, 1.5) : 0.5;
+}
+
 std::shared_ptr<const winding::Field> randomField(Choices& choices)
 {
   using namespace winding;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Choices.h"
+#include "base/InsideRule.h"
 #include "core/support/Shapes.h"
 #include "field/Field.h"
 #include "source/Grid.h"
@@ -48,6 +49,11 @@ winding::Extent randomExtent(Choices& choices, const winding::Grid& grid);
 /// Samples around the vertices of a source, some on them and between them, some far away. Finite.
 std::vector<shapes::Point> randomSamples(
   Choices& choices, const std::vector<shapes::Point>& vertices, int count);
+
+winding::InsideRule randomRule(Choices& choices);
+
+/// A threshold from 0.05 to 1.5, mostly 0.5.
+double randomThreshold(Choices& choices);
 
 /// A tolerance from 1e-2 to 1e-6.
 double randomTolerance(Choices& choices);

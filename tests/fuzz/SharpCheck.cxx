@@ -142,10 +142,8 @@ std::string checkSharp(Choices& choices)
     return {};
   }
   const Grid grid = randomGrid(choices, field->info().bounds);
-  const InsideRule rules[] = {
-    InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
-  const InsideRule rule = choices.oneOf(rules);
-  const double threshold = choices.oneIn(3) ? choices.between(0.05, 1.5) : 0.5;
+  const InsideRule rule = randomRule(choices);
+  const double threshold = randomThreshold(choices);
   SerialExecutor serial;
   BackwardExecutor backward;
   const Sharp sharp(*field, grid, rule, threshold, serial);

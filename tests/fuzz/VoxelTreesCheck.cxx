@@ -52,10 +52,8 @@ std::string checkVoxelTrees(Choices& choices)
     grid.dimensions[choices.below(3)] += 16;
   }
   VoxelTreeOptions options;
-  const InsideRule rules[] = {
-    InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd};
-  options.rule = choices.oneOf(rules);
-  options.threshold = choices.oneIn(3) ? choices.between(0.05, 1.5) : 0.5;
+  options.rule = randomRule(choices);
+  options.threshold = randomThreshold(choices);
   options.withValues = !choices.oneIn(3);
   options.asDouble = choices.oneIn(3);
   options.tolerance = choices.oneIn(4) ? 0 : choices.between(0.001, 1);

@@ -283,11 +283,13 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
            q[2] <= bounds.max()[2] && q[0] <= bounds.max()[0] && std::isfinite(q[0]);
   };
   // Values that are known without a ray are asked for twice: writing them down takes longer.
-  const auto known = [&](const Eigen::Vector3d& q)
+  const auto known = [&](const Eigen::Vector3d& q) -> std::optional<double>
   {
-    return mayCross(q)
-             ? clear ? clear->windingAt(q) : std::nullopt
-             : std::make_optional(q.allFinite() ? 0 : std::numeric_limits<double>::quiet_NaN());
+    if (!mayCross(q))
+    {
+      return q.allFinite() ? 0 : std::numeric_limits<double>::quiet_NaN();
+    }
+    return clear ? clear->windingAt(q) : std::nullopt;
   };
   RayBox box;
   std::mutex mutex;

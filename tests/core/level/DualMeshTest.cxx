@@ -147,6 +147,25 @@ void setBits(BitField& field, std::size_t count, std::uint64_t bits)
   }
 }
 
+/// Calls visit(field, grid, bits) for all fields on two cells that share a face, whichever it is.
+/// Stops where it fails.
+template <class Visit> void forAllPairsOfCells(const Visit& visit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Eigen::Vector3i dimensions(2, 2, 2);
+    dimensions[axis] = 3;
+    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
+    for (std::uint64_t bits = 0; bits < 4096; ++bits)
+    {
+      BitField field;
+      setBits(field, 12, bits);
+      ASSERT_NO_FATAL_FAILURE(visit(field, grid, bits))
+        << std::bitset<12>(bits) << " along axis " << axis;
+    }
+  }
+}
+
 } // namespace
 
 TEST(CellPatches, OfOneCellAreDiscsAndTheDoubledFaceIsTheOnlyAmbiguousOne)
@@ -195,47 +214,29 @@ TEST(CellPatches, OfOneCellAreDiscsAndTheDoubledFaceIsTheOnlyAmbiguousOne)
 /// that can happen.
 TEST(DualMesh, OfAllPairsOfCellsIsClosedAndManifold)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    Eigen::Vector3i dimensions(2, 2, 2);
-    dimensions[axis] = 3;
-    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
-    for (std::uint64_t bits = 0; bits < 4096; ++bits)
-    {
-      BitField field;
-      setBits(field, 12, bits);
-      ASSERT_NO_FATAL_FAILURE(expectManifold(field, grid, bits * 0x9e3779b97f4a7c15))
-        << std::bitset<12>(bits) << " along axis " << axis;
-    }
-  }
+  forAllPairsOfCells([](const BitField& field, const winding::Grid& grid, std::uint64_t bits)
+    { expectManifold(field, grid, bits * 0x9e3779b97f4a7c15); });
 }
 
 /// The check of manifolds finds what the rule for faces prevents, and nothing else.
 TEST(DualMesh, WouldNotBeManifoldWithoutItsRuleForFaces)
 {
   int faulty = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    Eigen::Vector3i dimensions(2, 2, 2);
-    dimensions[axis] = 3;
-    const winding::Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, dimensions);
-    for (std::uint64_t bits = 0; bits < 4096; ++bits)
+  forAllPairsOfCells(
+    [&](const BitField& field, const winding::Grid& grid, std::uint64_t)
     {
-      BitField field;
-      setBits(field, 12, bits);
       winding::SerialExecutor serial;
       const Dual dual(field, grid, serial);
       const RulelessDual ruleless(dual.edges, grid);
       const bool isFaulty = manifoldFaults(ruleless.polygons).any();
-      ASSERT_EQ(isFaulty, ruleless.isDoubledOnBothSides()) << std::bitset<12>(bits);
-      ASSERT_EQ(isFaulty, ruleless.vertices != dual.mesh->size()) << std::bitset<12>(bits);
+      ASSERT_EQ(isFaulty, ruleless.isDoubledOnBothSides());
+      ASSERT_EQ(isFaulty, ruleless.vertices != dual.mesh->size());
       if (!isFaulty)
       {
-        ASSERT_EQ(ruleless.polygons, dual.polygons(0)) << std::bitset<12>(bits);
+        ASSERT_EQ(ruleless.polygons, dual.polygons(0));
       }
       faulty += isFaulty;
-    }
-  }
+    });
   EXPECT_EQ(faulty, 3 * 18); // 18 along each axis
 }
 
