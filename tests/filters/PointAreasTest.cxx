@@ -1,19 +1,14 @@
-#include "filters/ErrorLog.h"
+#include "filters/PointAreasOfSpheres.h"
 #include "filters/ProgressLog.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtractSurface.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMassProperties.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -22,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSignedDistance.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -39,61 +33,9 @@
 namespace
 {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = 3.14159265358979323846;
+using namespace spheres;
 
-/// A sphere of radius 1 with normals, in double precision.
-vtkSmartPointer<vtkPolyData> sphere(double x = 0)
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(1);
-  source->SetCenter(x, 0, 0);
-  source->SetThetaResolution(60);
-  source->SetPhiResolution(60);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  return source->GetOutput();
-}
-
-/// The points of the sphere without its triangles.
-vtkSmartPointer<vtkPolyData> cloud(double x = 0)
-{
-  auto result = sphere(x);
-  result->SetPolys(vtkSmartPointer<vtkCellArray>::New());
-  return result;
-}
-
-double surfaceOf(vtkPolyData* mesh)
-{
-  vtkNew<vtkMassProperties> properties;
-  properties->SetInputData(mesh);
-  return properties->GetSurfaceArea();
-}
-
-/// The numbers of a data set's array, which must have a double for each point.
-std::vector<double> areasIn(vtkDataObject* data, const char* name = "Area")
-{
-  auto* pointSet = vtkPointSet::SafeDownCast(data);
-  auto* array =
-    vtkDoubleArray::SafeDownCast(pointSet ? pointSet->GetPointData()->GetArray(name) : nullptr);
-  if (!array || array->GetNumberOfComponents() != 1 ||
-      array->GetNumberOfTuples() != pointSet->GetNumberOfPoints())
-  {
-    ADD_FAILURE() << "no array of areas";
-    return {};
-  }
-  return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfTuples()};
-}
-
-double sumOf(const std::vector<double>& values)
-{
-  double sum = 0;
-  for (const double value : values)
-  {
-    sum += value;
-  }
-  return sum;
-}
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 vtkSmartPointer<vtkUnsignedCharArray> ghosts(vtkIdType count, unsigned char flag)
 {
@@ -104,29 +46,7 @@ vtkSmartPointer<vtkUnsignedCharArray> ghosts(vtkIdType count, unsigned char flag
   return flags;
 }
 
-class PointAreas : public testing::Test
-{
-protected:
-  std::vector<double> areasOf(vtkDataObject* input)
-  {
-    filter->SetInputData(input);
-    filter->Update();
-    return areasIn(filter->GetOutput());
-  }
-
-  void expectRefused(vtkDataObject* input, const std::string& part)
-  {
-    ErrorLog log(filter);
-    filter->SetInputData(input);
-    filter->Update();
-    EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
-    auto* output = vtkPointSet::SafeDownCast(filter->GetOutput());
-    EXPECT_TRUE(!output || output->GetNumberOfPoints() == 0);
-    EXPECT_EQ(filter->GetTotalArea(), 0);
-  }
-
-  vtkNew<vtkPointAreas> filter;
-};
+} // namespace
 
 TEST_F(PointAreas, OfACloudAreThatOfItsSurface)
 {
@@ -215,186 +135,6 @@ TEST_F(PointAreas, NeighborsAndNormalsAreThoseAskedFor)
   this->expectRefused(input, "there is no point array 'Down'");
 }
 
-TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
-{
-  auto input = cloud();
-  input->GetPointData()->Initialize();
-  this->expectRefused(input, "have normals estimated");
-  filter->EstimateNormalsOn();
-  this->areasOf(input);
-  EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi);
-  EXPECT_STREQ(filter->GetNormalEstimationUsed(), "spanning tree");
-  EXPECT_EQ(filter->GetClearShare(), 1);
-  auto* output = vtkPolyData::SafeDownCast(filter->GetOutput());
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 2);
-  auto* normals = vtkFloatArray::SafeDownCast(output->GetPointData()->GetNormals());
-  ASSERT_TRUE(normals);
-  EXPECT_STREQ(normals->GetName(), "Normals");
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const double* at = output->GetPoint(i);
-    double normal[3];
-    normals->GetTuple(i, normal);
-    ASSERT_GT(normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2], 0.98); // 0.993
-  }
-  EXPECT_FALSE(input->GetPointData()->GetNormals()) << "the input is as it was";
-
-  filter->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
-  this->areasOf(input);
-  EXPECT_STREQ(filter->GetNormalEstimationUsed(), "winding consistent");
-  filter->SetNormalEstimation(3);
-  this->expectRefused(input, "NormalEstimation is 3");
-  EXPECT_STREQ(filter->GetNormalEstimationUsed(), "");
-  EXPECT_EQ(filter->GetClearShare(), 0);
-
-  // Normals that came with the points stay.
-  filter->SetNormalEstimation(vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC);
-  auto oriented = cloud();
-  this->areasOf(oriented);
-  output = vtkPolyData::SafeDownCast(filter->GetOutput());
-  EXPECT_EQ(output->GetPointData()->GetNormals(), oriented->GetPointData()->GetNormals());
-  EXPECT_STREQ(filter->GetNormalEstimationUsed(), "");
-}
-
-/// Two nested spheres, on which the spanning tree fails, without normals.
-vtkSmartPointer<vtkPolyData> bareShell()
-{
-  vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(cloud());
-  auto inner = cloud();
-  for (vtkIdType i = 0; i < inner->GetNumberOfPoints(); ++i)
-  {
-    const double* at = inner->GetPoint(i);
-    const double position[3] = {0.7 * at[0], 0.7 * at[1], 0.7 * at[2]};
-    inner->GetPoints()->SetPoint(i, position);
-  }
-  append->AddInputData(inner);
-  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  append->Update();
-  vtkSmartPointer<vtkPolyData> shell = append->GetOutput();
-  shell->GetPointData()->Initialize();
-  return shell;
-}
-
-TEST_F(PointAreas, EstimatedNormalsGiveTheFieldOfTheWindingFilters)
-{
-  const auto shell = bareShell();
-  filter->EstimateNormalsOn();
-  this->areasOf(shell);
-  EXPECT_STREQ(filter->GetNormalEstimationUsed(), "winding consistent");
-  EXPECT_GT(filter->GetClearShare(), 0.99); // 1
-  vtkNew<vtkWindingNumberField> own, other;
-  own->SetInputData(shell);
-  own->EstimateNormalsOn();
-  other->SetInputConnection(filter->GetOutputPort());
-  other->SetPointAreaMethod(vtkWindingNumberAlgorithm::ARRAY);
-  for (auto* field : {own.Get(), other.Get()})
-  {
-    field->SetResolution(12);
-    field->Update();
-  }
-  EXPECT_FALSE(other->GetNormalsWereEstimated());
-  auto* values = own->GetOutput()->GetPointData()->GetScalars();
-  auto* others = other->GetOutput()->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    // Normals in single precision make a difference: 2e-6 at most.
-    ASSERT_NEAR(others->GetTuple1(i), values->GetTuple1(i), 1e-5);
-  }
-}
-
-TEST_F(PointAreas, EstimatedNormalsAreTakenByFiltersOfVtk)
-{
-  filter->SetInputData(bareShell());
-  filter->EstimateNormalsOn();
-  vtkNew<vtkSignedDistance> distance;
-  distance->SetInputConnection(filter->GetOutputPort());
-  distance->SetDimensions(60, 60, 60);
-  distance->SetBounds(-1.2, 1.2, -1.2, 1.2, -1.2, 1.2);
-  distance->SetRadius(0.15);
-  vtkNew<vtkExtractSurface> surface;
-  surface->SetInputConnection(distance->GetOutputPort());
-  surface->SetRadius(0.15);
-  surface->HoleFillingOff();
-  surface->Update();
-  EXPECT_NEAR(surfaceOf(surface->GetOutput()), 4 * pi * 1.49, 0.05 * 4 * pi * 1.49);
-}
-
-TEST_F(PointAreas, EstimatedNormalsOfUnusablePointsAreZero)
-{
-  auto input = cloud();
-  input->GetPointData()->Initialize();
-  input->GetPoints()->SetPoint(5, 0, nan, 0);
-  filter->EstimateNormalsOn();
-  ErrorLog log(filter);
-  EXPECT_EQ(this->areasOf(input)[5], 0);
-  auto* output = vtkPolyData::SafeDownCast(filter->GetOutput());
-  EXPECT_EQ(output->GetPointData()->GetNormals()->GetComponent(5, 0), 0);
-  EXPECT_NE(output->GetPointData()->GetNormals()->GetComponent(6, 2), 0);
-  EXPECT_NE(log.warnings().find("unusable"), std::string::npos) << log.warnings();
-}
-
-TEST_F(PointAreas, EstimatedNormalsAreThoseOfAllLeaves)
-{
-  // A half of a sphere in each leaf, one of which has normals, which all are inward.
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (unsigned int half = 0; half < 2; ++half)
-  {
-    auto all = cloud();
-    vtkNew<vtkPolyData> part;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkDoubleArray> normals;
-    normals->SetNumberOfComponents(3);
-    normals->SetName("Normals");
-    for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
-    {
-      const double* at = all->GetPoint(i);
-      if ((at[0] > 0) == (half == 0))
-      {
-        points->InsertNextPoint(at);
-        normals->InsertNextTuple3(-at[0], -at[1], -at[2]);
-      }
-    }
-    part->SetPoints(points);
-    if (half == 0)
-    {
-      part->GetPointData()->SetNormals(normals);
-    }
-    blocks->SetBlock(half, part);
-  }
-  filter->EstimateNormalsOn();
-  filter->SetInputData(blocks);
-  filter->Update();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutput());
-  for (unsigned int half = 0; half < 2; ++half)
-  {
-    auto* part = vtkPolyData::SafeDownCast(output->GetBlock(half));
-    EXPECT_EQ(part->GetPointData()->GetNumberOfArrays(), 2);
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      double normal[3];
-      part->GetPointData()->GetNormals()->GetTuple(i, normal);
-      const double* at = part->GetPoint(i);
-      ASSERT_GT(normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2], 0);
-    }
-  }
-}
-
-TEST_F(PointAreas, EstimatedNormalsThatTellNoInsideComeWithAWarning)
-{
-  vtkNew<vtkPolyData> input;
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < 400; ++i)
-  {
-    points->InsertNextPoint(i % 20, i / 20, 0); // a sheet encloses nothing
-  }
-  input->SetPoints(points);
-  filter->EstimateNormalsOn();
-  ErrorLog log(filter);
-  this->areasOf(input);
-  EXPECT_NE(log.warnings().find("do not tell inside from outside"), std::string::npos);
-}
-
 TEST_F(PointAreas, WhatCannotBeIsRefused)
 {
   filter->SetPointAreaMethod(vtkPointAreas::MESH);
@@ -405,7 +145,7 @@ TEST_F(PointAreas, WhatCannotBeIsRefused)
     this->expectRefused(cloud(), "PointAreaMethod is " + std::to_string(method));
   }
   filter->SetPointAreaMethod(vtkPointAreas::CONSTANT);
-  for (const double area : {-1.0, nan})
+  for (const double area : {-1.0, notANumber})
   {
     filter->SetPointArea(area);
     this->expectRefused(cloud(), "PointArea is");
@@ -434,7 +174,7 @@ TEST_F(PointAreas, UnusablePointsHaveNoneAndAreCounted)
   std::vector<double> expected;
   for (vtkIdType i = 0; i < clean->GetNumberOfPoints(); ++i)
   {
-    const double zero[3] = {0, 0, 0}, bad[3] = {0, nan, 0};
+    const double zero[3] = {0, 0, 0}, bad[3] = {0, notANumber, 0};
     if (i % 100 == 7)
     {
       points->InsertNextPoint(bad);
@@ -670,7 +410,7 @@ TEST_F(PointAreas, GiveTheFieldThatTheirMethodGives)
   blocks->SetBlock(0, cloud());
   blocks->SetBlock(1, cloud(1));
   auto spoilt = cloud();
-  spoilt->GetPoints()->SetPoint(77, nan, 0, 0);
+  spoilt->GetPoints()->SetPoint(77, notANumber, 0, 0);
   const std::vector<vtkSmartPointer<vtkDataObject>> inputs = {
     cloud(), sphere(), unoriented, grid->GetOutput(), blocks.Get(), spoilt};
   for (std::size_t i = 0; i < inputs.size(); ++i)
@@ -753,5 +493,3 @@ TEST_F(PointAreas, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   filter->Update();
   EXPECT_GT(filter->GetTotalArea(), 0);
 }
-
-} // namespace
