@@ -20,7 +20,7 @@ template <class Work>
 void forEachNeighbors(
   const DistinctPoints& places, std::size_t count, const Work& work, Executor& executor)
 {
-  const NeighborSearch search(places);
+  const NeighborSearch search(places, executor);
   runBlocks(
     places.size(), placesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)

@@ -1,5 +1,8 @@
 #include "cloud/NeighborSearch.h"
 
+#include "cloud/PlacesInBall.h"
+
+#include <Eigen/Geometry>
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -12,134 +15,259 @@ namespace winding
 namespace
 {
 
-/// The interface through which nanoflann reads the positions of places.
+/// Places of one tree. They decide how many trees can be built at a time, and nothing else.
+constexpr std::size_t placesPerTree = 1 << 17;
+
+/// The interface through which nanoflann reads the positions of some places.
 struct Positions
 {
-  const std::vector<Eigen::Vector3d>& positions;
+  const Eigen::Vector3d* first;
+  std::size_t count;
 
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return positions[i][axis]; }
+  std::size_t kdtree_get_point_count() const { return count; }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return first[i][axis]; }
   template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
 };
 
 using Metric = nanoflann::L2_Simple_Adaptor<double, Positions, double, std::uint32_t>;
 
-/// The nearest places that a search has come to, as nanoflann asks for them: those of equal
-/// distances stay in the order in which it came to them. Places farther away than a bound are none.
-class NearestPlaces
+/// More than what rounding and underflow may take from the square of a distance.
+double roundedUp(double square)
 {
-public:
-  ///@{
-  /// Names that nanoflann looks for.
+  return (1 + 1e-9) * square + 1e-290;
+}
+
+/// The names that nanoflann looks for in what takes the results of a search.
+struct Results
+{
   using DistanceType = double;
   using IndexType = std::uint32_t;
   using CountType = std::size_t;
-  ///@}
 
-  NearestPlaces(std::size_t most, double bound, std::uint32_t* places, double* squaredDistances)
-    : most_(most)
+  void sort() const {}
+
+  std::uint32_t firstPlace = 0; ///< number of the first place of the tree that is searched
+};
+
+/// The nearest places that a search has come to, but for one, in their order.
+class NearestPlaces : public Results
+{
+public:
+  /// Places farther away than a bound of squared distances are none.
+  NearestPlaces(
+    std::uint32_t except, std::size_t most, double bound, std::vector<Neighbor>& neighbors)
+    : except_(except)
+    , most_(most)
     , bound_(bound)
-    , places_(places)
-    , squaredDistances_(squaredDistances)
+    , neighbors_(neighbors)
   {
+    neighbors_.clear();
   }
 
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  bool full() const { return size_ == most_; }
-  void sort() const {} // they are
+  std::size_t size() const { return neighbors_.size(); }
+  bool empty() const { return neighbors_.empty(); }
+  bool full() const { return neighbors_.size() == most_; }
 
-  /// The square of the distance from which on no place counts any more.
+  /// The squared distance from which on no place counts any more. The bounds of nanoflann for its
+  /// boxes are rounded, and must not leave out places that are as far as the last.
   double worstDist() const
   {
-    return this->full() ? std::min(bound_, squaredDistances_[most_ - 1]) : bound_;
+    return this->full() ? std::min(bound_, roundedUp(neighbors_.back().squaredDistance)) : bound_;
   }
 
   /// Returns whether the search is to go on, which it always is.
-  bool addPoint(double squaredDistance, std::uint32_t place)
+  bool addPoint(double squaredDistance, std::uint32_t placeOfTree)
   {
-    if (!(squaredDistance < this->worstDist()))
+    const Neighbor neighbor{firstPlace + placeOfTree, squaredDistance};
+    if (neighbor.place == except_ || (this->full() && !isNearer(neighbor, neighbors_.back())))
     {
       return true;
     }
-    size_ += this->full() ? 0 : 1;
-    std::size_t i = size_ - 1;
-    for (; i > 0 && squaredDistances_[i - 1] > squaredDistance; --i)
+    if (this->full())
     {
-      squaredDistances_[i] = squaredDistances_[i - 1];
-      places_[i] = places_[i - 1];
+      neighbors_.pop_back();
     }
-    squaredDistances_[i] = squaredDistance;
-    places_[i] = place;
+    neighbors_.insert(
+      std::upper_bound(neighbors_.begin(), neighbors_.end(), neighbor, isNearer), neighbor);
     return true;
   }
 
 private:
-  std::size_t most_, size_ = 0;
+  std::uint32_t except_;
+  std::size_t most_;
   double bound_;
-  std::uint32_t* places_;
-  double* squaredDistances_;
+  std::vector<Neighbor>& neighbors_;
+};
+
+/// Puts all places within a distance into a ball, unless they are more than so many.
+class PlacesWithin : public Results
+{
+public:
+  PlacesWithin(double squaredRadius, std::size_t most,
+    const std::vector<Eigen::Vector3d>& positions, PlacesInBall& ball)
+    : squaredRadius_(squaredRadius)
+    , most_(most)
+    , positions_(positions)
+    , ball_(ball)
+  {
+  }
+
+  std::size_t size() const { return ball_.size(); }
+  bool empty() const { return ball_.size() == 0; }
+  bool full() const { return true; }
+  double worstDist() const { return squaredRadius_; }
+
+  bool addPoint(double, std::uint32_t placeOfTree)
+  {
+    const std::uint32_t place = firstPlace + placeOfTree;
+    ball_.add(place, positions_[place]);
+    return ball_.size() <= most_;
+  }
+
+private:
+  double squaredRadius_;
+  std::size_t most_;
+  const std::vector<Eigen::Vector3d>& positions_;
+  PlacesInBall& ball_;
 };
 
 } // namespace
 
+/// A k-d tree of places that follow each other.
 class NeighborSearch::Tree
 {
 public:
-  explicit Tree(const std::vector<Eigen::Vector3d>& positions)
-    : positions_{positions}
+  Tree(const std::vector<Eigen::Vector3d>& positions, std::size_t first, std::size_t last)
+    : first_(static_cast<std::uint32_t>(first))
+    , positions_{positions.data() + first, last - first}
     , tree_(3, positions_, nanoflann::KDTreeSingleIndexAdaptorParams(16))
   {
+    std::for_each(positions_.first, positions_.first + positions_.count,
+      [this](const Eigen::Vector3d& position) { bounds_.extend(position); });
   }
 
-  void find(const Eigen::Vector3d& position, NearestPlaces& nearest) const
+  /// Adds the places around a position to the results, as far as they can count there.
+  template <class Results> void find(const Eigen::Vector3d& position, Results& results) const
   {
-    tree_.findNeighbors(nearest, position.data(), {});
+    if (bounds_.squaredExteriorDistance(position) <= results.worstDist())
+    {
+      results.firstPlace = first_;
+      tree_.findNeighbors(results, position.data(), {});
+    }
   }
 
 private:
+  std::uint32_t first_;
   Positions positions_;
   nanoflann::KDTreeSingleIndexAdaptor<Metric, Positions, 3, std::uint32_t> tree_;
+  Eigen::AlignedBox3d bounds_;
 };
 
-NeighborSearch::NeighborSearch(const DistinctPoints& places)
-  : places_(places)
-  , tree_(std::make_unique<Tree>(places.positions()))
+struct NeighborSearch::Last::Memory
 {
+  PlacesInBall ball;
+  std::size_t place = 0, found = 0; ///< none found: there was no search yet
+  double distance = 0;              ///< distance of the farthest place found
+};
+
+NeighborSearch::Last::Last()
+  : memory_(std::make_unique<Memory>())
+{
+}
+
+NeighborSearch::Last::~Last() = default;
+
+NeighborSearch::NeighborSearch(const DistinctPoints& places, Executor& executor)
+  : places_(places)
+  , trees_((places.size() + placesPerTree - 1) / placesPerTree)
+{
+  runBlocks(
+    places.size(), placesPerTree,
+    [&](std::size_t tree, std::size_t first, std::size_t last)
+    { trees_[tree] = std::make_unique<const Tree>(places.positions(), first, last); },
+    executor);
 }
 
 NeighborSearch::~NeighborSearch() = default;
 
 void NeighborSearch::find(
-  std::size_t place, std::size_t count, std::vector<Neighbor>& neighbors, Last& last) const
+  std::size_t place, std::size_t most, std::vector<Neighbor>& neighbors, Last& lastSearch) const
 {
+  Last::Memory& last = *lastSearch.memory_;
   neighbors.clear();
-  // The tree finds the place itself, too.
-  const std::size_t found = std::min(count, places_.size() - 1) + 1;
-  const Eigen::Vector3d& position = places_.positions()[place];
-  double bound = std::numeric_limits<double>::infinity();
-  if (last.found_ == found)
+  const std::size_t count = std::min(most, places_.size() - 1);
+  if (count == 0)
   {
-    // All that the last search found lies within its distance and the step from there to here. The
-    // factor and the term are more than what rounding and underflow may take from squares.
-    const double most = last.distance_ + (position - places_.positions()[last.place_]).norm();
-    bound = (1 + 1e-9) * most * most + 1e-290;
+    return;
   }
-  last.places_.resize(found);
-  last.squaredDistances_.resize(found);
-  NearestPlaces nearest(found, bound, last.places_.data(), last.squaredDistances_.data());
-  tree_->find(position, nearest);
-  last.place_ = place;
-  last.found_ = found;
-  last.distance_ = std::sqrt(last.squaredDistances_.back());
-  for (std::size_t i = 0; i < found; ++i)
+  const Eigen::Vector3d& position = places_.positions()[place];
+  const auto number = static_cast<std::uint32_t>(place);
+  const bool isLikeLast = last.found == count;
+  double atMost = std::numeric_limits<double>::infinity(), likely = atMost;
+  if (isLikeLast)
   {
-    // The place itself need not come first where squares of distances underflow, and need not come
-    // at all.
-    if (last.places_[i] != place && neighbors.size() + 1 < found)
+    // All that the last search found lies within its distance and the step from there to here.
+    const double distance = last.distance + (position - places_.positions()[last.place]).norm();
+    atMost = roundedUp(distance * distance);
+    likely = 1.2 * last.distance * last.distance;
+  }
+  bool isFound = last.ball.findNearest(number, position, count, likely, atMost, neighbors);
+  if (!isFound && isLikeLast)
+  {
+    this->fill(last.ball, place, count, last.distance);
+    isFound = last.ball.findNearest(number, position, count, likely, atMost, neighbors);
+  }
+  if (!isFound)
+  {
+    // The tree of the place itself comes first: what it finds keeps most others from being searched.
+    NearestPlaces nearest(number, count, atMost, neighbors);
+    const Tree* const own = trees_[place / placesPerTree].get();
+    own->find(position, nearest);
+    for (const std::unique_ptr<const Tree>& tree : trees_)
     {
-      neighbors.push_back({last.places_[i], last.squaredDistances_[i]});
+      if (tree.get() != own)
+      {
+        tree->find(position, nearest);
+      }
     }
+  }
+  last.place = place;
+  last.found = count;
+  last.distance = std::sqrt(neighbors.back().squaredDistance);
+}
+
+/// Makes a ball that is likely to hold the nearest neighbours of a place and of those that follow it
+/// in number, if neighbours are up to a distance away.
+void NeighborSearch::fill(
+  PlacesInBall& ball, std::size_t place, std::size_t count, double distance) const
+{
+  const std::vector<Eigen::Vector3d>& positions = places_.positions();
+  constexpr std::size_t mostFollowing = 16;
+  Eigen::AlignedBox3d box(positions[place]);
+  const std::size_t last = std::min(place + mostFollowing, positions.size());
+  for (std::size_t i = place + 1; i < last; ++i)
+  {
+    const Eigen::AlignedBox3d larger = box.merged(Eigen::AlignedBox3d(positions[i]));
+    if (larger.diagonal().norm() > 2 * distance)
+    {
+      break;
+    }
+    box = larger;
+  }
+  // Some neighbours are farther away than those of the place before.
+  constexpr double margin = 1.15;
+  const double radius = margin * distance + 0.5 * box.diagonal().norm();
+  const Eigen::Vector3d center = box.center();
+  const std::size_t most = 16 * count;
+  PlacesWithin within(radius * radius, most, positions, ball);
+  ball.start(center, radius);
+  for (const std::unique_ptr<const Tree>& tree : trees_)
+  {
+    tree->find(center, within);
+  }
+  if (ball.size() > most)
+  {
+    ball.start(center, 0);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/Executor.h"
+#include "cloud/Neighbor.h"
 #include "source/DistinctPoints.h"
 
 #include <cstddef>
@@ -10,46 +12,45 @@
 namespace winding
 {
 
-/// A place near to another one.
-struct Neighbor
-{
-  std::uint32_t place;
-  double squaredDistance; ///< squared distance in the scaled coordinates of the places
-};
+class PlacesInBall;
 
 /**
- * Finds the nearest other places of a place by a k-d tree (nanoflann). Building it takes O(n log n)
- * time on one thread; searches may run on several threads.
+ * Finds the nearest other places of a place by k-d trees (nanoflann), each of which holds places that
+ * follow each other. Building them takes O(n log n) time. Searches may run on several threads.
  */
 class NeighborSearch
 {
 public:
-  /// Keeps a reference to the places, which must outlive this.
-  explicit NeighborSearch(const DistinctPoints& places);
+  /// Keeps a reference to the places, which must outlive this. Throws Interrupted.
+  NeighborSearch(const DistinctPoints& places, Executor& executor);
   ~NeighborSearch();
 
-  /// A search leaves this to the next one of its thread: memory, and how far it had to go, which
-  /// bounds how far the next one has to if its place is near. It changes no result.
+  /// What a search leaves to the next one of its thread: the places around, and how far it had to
+  /// go. It changes no result; searches of places that are near to each other become fast by it.
   class Last
   {
+  public:
+    Last();
+    ~Last();
+
+  private:
     friend class NeighborSearch;
-    std::vector<std::uint32_t> places_;
-    std::vector<double> squaredDistances_;
-    std::size_t place_ = 0, found_ = 0; ///< none found: there was no search yet
-    double distance_ = 0;               ///< distance of the farthest place found
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
   };
 
-  /// Finds the `count` nearest other places, nearest first, or all others where there are fewer. If
-  /// several places are equally far and not all of them are among the nearest, the tree decides
-  /// which are, the same every time.
+  /// Finds the `count` nearest other places, or all others where there are fewer, in the order of
+  /// isNearer(), which also decides where several places are equally far.
   void find(
     std::size_t place, std::size_t count, std::vector<Neighbor>& neighbors, Last& last) const;
 
 private:
   class Tree;
 
+  void fill(PlacesInBall& ball, std::size_t place, std::size_t count, double distance) const;
+
   const DistinctPoints& places_;
-  std::unique_ptr<const Tree> tree_;
+  std::vector<std::unique_ptr<const Tree>> trees_;
 };
 
 } // namespace winding

@@ -37,7 +37,7 @@ public:
     : cloud_(cloud)
     , places_(cloud.positions, unitScale(cloud.bounds), executor)
     , sites_(cloud, places_, executor)
-    , search_(places_)
+    , search_(places_, executor)
     , neighbors_(static_cast<std::size_t>(std::max(neighbors, 3)))
     , areasAround_(places_.size())
     , areas_(sites_.size())

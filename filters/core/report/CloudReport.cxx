@@ -111,7 +111,7 @@ void lookAtNeighbors(const DistinctPoints& places, const std::vector<Eigen::Vect
   CloudReport& report, Executor& executor)
 {
   constexpr std::size_t placesPerBlock = 4096, neighborsCompared = 8;
-  const NeighborSearch search(places);
+  const NeighborSearch search(places, executor);
   std::vector<double> distances(places.size());
   std::vector<Pairs> pairsOfBlocks((places.size() + placesPerBlock - 1) / placesPerBlock);
   runBlocks(

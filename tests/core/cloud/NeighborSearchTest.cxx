@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 namespace
@@ -17,41 +16,47 @@ using winding::Neighbor;
 using winding::NeighborSearch;
 using Point = Eigen::Vector3d;
 
-std::vector<double> allSquaredDistances(const DistinctPoints& places, std::size_t place)
+/// The nearest other places, by a look at all of them.
+std::vector<Neighbor> nearestOf(const DistinctPoints& places, std::size_t place, std::size_t count)
 {
-  std::vector<double> distances;
+  std::vector<Neighbor> others;
   for (std::size_t other = 0; other < places.size(); ++other)
   {
     if (other != place)
     {
-      distances.push_back((places.positions()[other] - places.positions()[place]).squaredNorm());
+      others.push_back({static_cast<std::uint32_t>(other),
+        (places.positions()[other] - places.positions()[place]).squaredNorm()});
     }
   }
-  std::sort(distances.begin(), distances.end());
-  return distances;
+  const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
+  std::partial_sort(others.begin(), end, others.end(), winding::isNearer);
+  others.erase(end, others.end());
+  return others;
 }
 
-/// Checks the distances of the places found: any of equally far places may be among them.
-void check(const std::vector<Point>& points, std::size_t count)
+void expectEqual(const std::vector<Neighbor>& found, const std::vector<Neighbor>& expected)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_EQ(found[i].place, expected[i].place) << "neighbour " << i;
+    EXPECT_EQ(found[i].squaredDistance, expected[i].squaredDistance) << "neighbour " << i;
+  }
+}
+
+/// Checks the neighbours of every place, or of every so many.
+void check(const std::vector<Point>& points, std::size_t count, std::size_t step = 1)
 {
   winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
-  const NeighborSearch search(places);
+  const NeighborSearch search(places, serial);
   std::vector<Neighbor> found;
   NeighborSearch::Last last;
-  for (std::size_t place = 0; place < places.size(); ++place)
+  for (std::size_t place = 0; place < places.size(); place += step)
   {
+    SCOPED_TRACE("place " + std::to_string(place));
     search.find(place, count, found, last);
-    const std::vector<double> expected = allSquaredDistances(places, place);
-    ASSERT_EQ(found.size(), std::min(count, expected.size()));
-    std::set<std::uint32_t> different{static_cast<std::uint32_t>(place)};
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      const Point offset = places.positions()[found[i].place] - places.positions()[place];
-      EXPECT_DOUBLE_EQ(found[i].squaredDistance, expected[i]);
-      EXPECT_DOUBLE_EQ(found[i].squaredDistance, offset.squaredNorm());
-      EXPECT_TRUE(different.insert(found[i].place).second) << "twice, or itself";
-    }
+    expectEqual(found, nearestOf(places, place, count));
   }
 }
 
@@ -92,6 +97,26 @@ TEST(NeighborSearch, FindsThemOnLinesLatticesAndFarFromOutliers)
   check(withOutlier, 8);
 }
 
+TEST(NeighborSearch, FindsThemInAllTreesOfManyPlaces)
+{
+  // There are three trees; every place of the lattice has others as far away, also in other trees.
+  std::vector<Point> points = shapes::randomPoints(200000, 0, 1, 961);
+  for (int i = 0; i < 100000; ++i)
+  {
+    points.emplace_back(2 + i % 100 / 64.0, i / 100 % 100 / 64.0, i / 10000 / 64.0);
+  }
+  check(points, 20, 3001);
+}
+
+TEST(NeighborSearch, FindsAsManyAsAreAskedFor)
+{
+  const std::vector<Point> points = shapes::randomPoints(3000, -1, 1, 971);
+  for (const std::size_t count : {1, 2, 100, 1000})
+  {
+    check(points, count, 7);
+  }
+}
+
 TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
 {
   std::vector<Point> lattice; // a lattice is full of equal distances
@@ -101,7 +126,7 @@ TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
   }
   winding::SerialExecutor serial;
   const DistinctPoints places(lattice, 1, serial);
-  const NeighborSearch search(places), again(places);
+  const NeighborSearch search(places, serial), again(places, serial);
   std::vector<std::vector<std::uint32_t>> byThreads(places.size());
   shapes::ShuffledThreads threads(941);
   winding::runBlocks(
@@ -143,7 +168,7 @@ TEST(NeighborSearch, NeverFindsItselfWhereSquaresUnderflow)
   points.emplace_back(1, 0, 0);
   winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
-  const NeighborSearch search(places);
+  const NeighborSearch search(places, serial);
   std::vector<Neighbor> found;
   NeighborSearch::Last last;
   for (std::size_t place = 0; place < places.size(); ++place)
@@ -167,7 +192,7 @@ TEST(NeighborSearch, FindsTheSameWhateverWasSearchedBefore)
   }
   winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
-  const NeighborSearch search(places);
+  const NeighborSearch search(places, serial);
   std::vector<Neighbor> found, expected;
   NeighborSearch::Last last;
   for (std::size_t n = 0; n < 3 * places.size(); ++n)
@@ -178,11 +203,7 @@ TEST(NeighborSearch, FindsTheSameWhateverWasSearchedBefore)
     search.find(place, count, found, last);
     NeighborSearch::Last none;
     search.find(place, count, expected, none);
-    ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      ASSERT_EQ(found[i].place, expected[i].place) << "place " << place;
-      ASSERT_EQ(found[i].squaredDistance, expected[i].squaredDistance);
-    }
+    SCOPED_TRACE("place " + std::to_string(place));
+    expectEqual(found, expected);
   }
 }
