@@ -52,8 +52,8 @@ std::size_t PlacesInBall::findWithin(
   return found;
 }
 
-/// Moves the nearest of the places found to `neighbors`, in order. Squares of distances on a surface
-/// are spread evenly, so that each of as many ranges of them as there are places holds few.
+/// Moves the nearest of the places found to `neighbors`, in order. Squares of distances on a
+/// surface are spread evenly, so that each of as many ranges of them as there are places holds few.
 void PlacesInBall::sortNearest(
   std::size_t found, std::size_t count, double bound, std::vector<Neighbor>& neighbors)
 {
@@ -82,7 +82,7 @@ void PlacesInBall::sortNearest(
       neighbors[starts_[static_cast<std::size_t>(range)]++] = found_[i];
     }
   }
-  // What is nearly in order already is best sorted by insertion.
+  // Insertion is the fastest way to sort places that are nearly in order already.
   for (std::size_t i = 1; i < neighbors.size(); ++i)
   {
     const Neighbor neighbor = neighbors[i];
