@@ -219,7 +219,7 @@ void NeighborSearch::find(
   }
   if (!isFound)
   {
-    // The tree of the place itself comes first: what it finds keeps most others from being searched.
+    // The tree of the place itself comes first, since what it finds spares most of the others.
     NearestPlaces nearest(number, count, atMost, neighbors);
     const Tree* const own = trees_[place / placesPerTree].get();
     own->find(position, nearest);
@@ -236,8 +236,8 @@ void NeighborSearch::find(
   last.distance = std::sqrt(neighbors.back().squaredDistance);
 }
 
-/// Makes a ball that is likely to hold the nearest neighbours of a place and of those that follow it
-/// in number, if neighbours are up to a distance away.
+/// Makes a ball that is likely to hold the nearest neighbours of a place and of those that follow
+/// it in number, if neighbours are up to a distance away.
 void NeighborSearch::fill(
   PlacesInBall& ball, std::size_t place, std::size_t count, double distance) const
 {

@@ -15,8 +15,8 @@ namespace winding
 class PlacesInBall;
 
 /**
- * Finds the nearest other places of a place by k-d trees (nanoflann), each of which holds places that
- * follow each other. Building them takes O(n log n) time. Searches may run on several threads.
+ * Finds the nearest other places of a place by k-d trees (nanoflann), each of which holds places
+ * that follow each other. Building them takes O(n log n) time. Searches may run on several threads.
  */
 class NeighborSearch
 {
@@ -25,8 +25,8 @@ public:
   NeighborSearch(const DistinctPoints& places, Executor& executor);
   ~NeighborSearch();
 
-  /// What a search leaves to the next one of its thread: the places around, and how far it had to
-  /// go. It changes no result; searches of places that are near to each other become fast by it.
+  /// A search leaves this to the next one of its thread: the places around, and how far it had to
+  /// go. It changes no result, and makes searches for places near to each other fast.
   class Last
   {
   public:
