@@ -46,7 +46,7 @@ EvaluationCost costOfFarField(const SampledSource& source, int order)
                              static_cast<double>(mostPieces(source.primitives, source.samples)))
                          : primitives;
   const double tree = 0.5e-6 * items;
-  const std::size_t bytesPerSource = (isTriangle ? 120 : 90) + (order + 1) * (order + 1) * 2;
+  const std::size_t bytesPerSource = (isTriangle ? 120 : 90) + (order + 1) * (order + 1) * 3;
   return {orderFactor(order) * (tree + perSample * samples) + std::min(near, nearAtMost) +
             secondsPerValue * samples,
     (bytesPerPrimitive + bytesPerSource) * source.primitives};

@@ -196,8 +196,8 @@ public:
     // spreading, 1.1 ns in single and 2 ns in double precision, and of points farther away.
     return this->isSpread() ? (inSingle_ ? 0.6e-9 : 1.5e-9) : (inSingle_ ? 0.25e-9 : 0.4e-9);
   }
-  double secondsPerCutAndCoefficient() const override { return 1.5e-6; }
-  std::size_t leafSize() const override { return 24; }
+  double secondsPerCutAndCoefficient() const override { return 0.7e-6; }
+  std::size_t leafSize() const override { return 8; }
 
 private:
   bool isSpread() const { return !inverseLengths_.empty(); }
@@ -429,8 +429,8 @@ public:
   }
 
   double secondsPerPair() const override { return 1e-9; }
-  double secondsPerCutAndCoefficient() const override { return 4e-6; }
-  std::size_t leafSize() const override { return 12; }
+  double secondsPerCutAndCoefficient() const override { return 2e-6; }
+  std::size_t leafSize() const override { return 4; }
 
 private:
   std::int32_t multiplicity(std::size_t item) const

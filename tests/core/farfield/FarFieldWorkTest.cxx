@@ -133,9 +133,9 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
     double translations, momentValues, exactPairs;
     double exactPairsOfStrong;
   };
-  const Expected table[] = {{1e-2, 137446, 92224, 46881024, 39339584},
-    {1e-3, 192813, 30336, 67845568, 39406208}, {1e-4, 386085, 76224, 151209408, 78100824},
-    {1e-5, 334720, 23296, 127875392, 75618344}, {1e-6, 334596, 2112, 128637824, 69825088}};
+  const Expected table[] = {{1e-2, 186678, 794368, 24634560, 14937352},
+    {1e-3, 262716, 320, 43774656, 21661056}, {1e-4, 795803, 704, 82080520, 34798304},
+    {1e-5, 456902, 3712, 85713728, 33847760}, {1e-6, 451031, 2112, 88180672, 38439496}};
   winding::SerialExecutor serial;
   const auto workWith = [&](const FarSource& source, int voxels, const FarFieldAccuracy& accuracy)
   {
@@ -143,10 +143,11 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
       shapes::gridAround(source.bounds(), {voxels, voxels, voxels})};
     return workOn(one, one.grid.wholeExtent(), serial);
   };
-  // Rounding of other instruction sets moves the border between near and far a little.
+  // Rounding of other instruction sets moves the border between near and far a little: by half a per
+  // cent, or by a node that two blocks of samples are near to.
   const auto isNear = [](std::uint64_t found, double known)
   {
-    return std::abs(static_cast<double>(found) - known) <= 0.005 * known;
+    return std::abs(static_cast<double>(found) - known) <= std::max(0.005 * known, 1024.0);
   };
   const auto source = farSource(randomCloud(20000, 322));
   // Where points have a hundred times the area, the estimates of errors decide, not θ.
