@@ -84,9 +84,9 @@ public:
   /// The approximate cost of one item at one sample.
   virtual double secondsPerPair() const = 0;
 
-  /// The cost of eight cells beyond that of the cell that they are cut from, for each coefficient of
-  /// an expansion: the figure with which grids and scattered samples take the least time. A sum of
-  /// triangles has more to begin and to end.
+  /// The cost of eight cells beyond that of the cell that they are cut from, for each coefficient
+  /// of an expansion: the figure with which grids and scattered samples take the least time. A sum
+  /// of triangles has more to begin and to end.
   virtual double secondsPerCutAndCoefficient() const = 0;
 
   /// The number of items of a leaf with which grids and scattered samples take the least time. With
