@@ -4,6 +4,8 @@
 #include "base/Refusal.h"
 #include "source/UnitScale.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -214,9 +216,16 @@ void PointCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& bl
 {
   block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
   const Sample* const samples = this->samplesOf(cell) + first;
+  // Samples that stand behind those of this cell come next, so that they are asked for as well.
+  constexpr std::ptrdiff_t ahead = 24;
+  const Sample* const end = samples_.begin(0) + this->size();
   const double inverse = 1 / this->level(cell.level).side;
   for (std::size_t n = 0; n < block.samples.count; ++n)
   {
+    if (end - (samples + n) > ahead)
+    {
+      hwy::Prefetch(static_cast<const char*>(view_.address(samples[n + ahead].number)));
+    }
     if (sink_)
     {
       sink_->askFor(samples[n].number);
