@@ -31,15 +31,15 @@ EvaluationCost costOfFarField(const SampledSource& source, int order)
     isTriangle || source.area == 0 ? 1 : std::min(1.0, std::pow(primitives / source.area, 0.55));
   // Cells grow with their distance from the source, so that there are fewer of them about a small
   // source, such as a cap, than about a large one.
-  const double cells = isTriangle && source.isGrid ? 0.3e-6 * std::sqrt(source.area * samples) : 0;
+  const double cells = isTriangle && source.isGrid ? 0.22e-6 * std::sqrt(source.area * samples) : 0;
   const double near =
-    orderFactor(order) * ((isTriangle ? 8e-6 : 2.5e-6) * sparse * source.area + cells);
+    orderFactor(order) * ((isTriangle ? 5.5e-6 : 2.2e-6) * sparse * source.area + cells);
   // A sample is near to no more than all triangles.
   const double nearAtMost = isTriangle ? costOfDirectSum(source).seconds : near;
   const double perSample = source.primitives == 0 ? 0
-                           : !source.isGrid       ? 300e-9
+                           : !source.isGrid       ? 180e-9
                            : isTriangle           ? 6e-9
-                                                  : 45e-9;
+                                                  : 35e-9;
   // Triangles that are cut have pieces of 12 squares on average.
   const double items = isTriangle
                          ? std::clamp(source.area / 12, primitives,

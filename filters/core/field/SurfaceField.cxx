@@ -269,7 +269,7 @@ EvaluationCost SurfaceField::expectedCostOfValues(std::size_t samples) const
 
 double SurfaceField::expectedSecondsOfBuilding() const
 {
-  return secondsToPrepareSurface(info_.inputPrimitives, inputPoints_);
+  return secondsToPrepareSurface(info_.inputPrimitives, inputPoints_, info_.capTriangles);
 }
 
 double SurfaceField::area() const

@@ -173,13 +173,15 @@ TEST(EvaluationCost, OfDistancesIsThatOfTheBandWhereThereIsOne)
 
 TEST(EvaluationCost, OfPreparingIsThatOfTrianglesAndPointsAndMoreBeyondTheCaches)
 {
-  const double merged = winding::secondsToPrepareSurface(10'000, 5'000);
-  const double apart = winding::secondsToPrepareSurface(10'000, 30'000);
+  const double merged = winding::secondsToPrepareSurface(10'000, 5'000, 0);
+  const double apart = winding::secondsToPrepareSurface(10'000, 30'000, 0);
   EXPECT_GT(apart, 1.5 * merged) << "every point is welded";
-  expectAbout(winding::secondsToPrepareSurface(40'000, 20'000), 4 * merged);
-  const double huge = winding::secondsToPrepareSurface(10'000'000, 5'000'000);
+  expectAbout(winding::secondsToPrepareSurface(40'000, 20'000, 0), 4 * merged);
+  const double huge = winding::secondsToPrepareSurface(10'000'000, 5'000'000, 0);
   EXPECT_GT(huge, 1500 * merged);
   EXPECT_LT(huge, 3000 * merged);
+  const double open = winding::secondsToPrepareSurface(10'000, 5'000, 1'000);
+  EXPECT_GT(open, 2 * merged) << "boundaries take more time than triangles";
   EXPECT_EQ(winding::slowdownByCacheMisses(0), 1);
   EXPECT_EQ(winding::slowdownByCacheMisses(10'000), 1);
 }
