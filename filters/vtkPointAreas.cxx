@@ -1,11 +1,13 @@
 #include "vtkPointAreas.h"
 
+#include "base/ShownExecutor.h"
 #include "base/Views.h"
 #include "cloud/OutwardNormals.h"
 #include "private/ContentHash.h"
 #include "private/ErrorReports.h"
 #include "private/InputViews.h"
 #include "private/NumberedPoints.h"
+#include "private/PointArrays.h"
 #include "private/PropertyChecks.h"
 #include "private/Ranks.h"
 #include "private/SmpExecutor.h"
@@ -184,6 +186,7 @@ int vtkPointAreas::RequestData(
             return true;
           });
       });
+  this->Status = static_cast<int>(outcome);
   if (outcome != winding::Outcome::done)
   {
     output->Initialize();
@@ -235,14 +238,20 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   winding::PointCloud cloud = winding::sanitize(all, executor);
   const bool estimates = cloud.normals.size() < cloud.positions.size();
   this->FindNormalsAndAreas(cloud, executor);
+  const auto getsNormals = [&](vtkPointSet* pointSet)
+  {
+    return estimates ||
+           (this->EstimateNormals != 0 && !winding::normalsOf(pointSet, options.normalsArray));
+  };
+  const bool addsNormals = std::any_of(pointSets.begin(), pointSets.end(), getsNormals);
 
   const std::size_t before = input.isGathered() ? usablePoints(all, ranks.rank()) : 0;
   const auto [areas, normals, lost] =
-    winding::findingsByNumber(points, input, own, cloud, before, estimates);
+    winding::findingsByNumber(points, input, own, cloud, before, addsNormals);
   const std::string name = winding::textOf(this->ResultArrayName);
   for (std::size_t i = 0; i < pointSets.size(); ++i)
   {
-    if (estimates)
+    if (getsNormals(pointSets[i]))
     {
       setNormals(normals.data() + points.start(i), pointSets[i]);
     }
@@ -291,7 +300,8 @@ void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Exe
   }
   else if (cloud.areas.empty())
   {
-    cloud.areas = winding::pointAreas(cloud, options, executor);
+    winding::ShownExecutor shown(executor);
+    cloud.areas = winding::pointAreas(cloud, options, shown);
   }
 }
 
@@ -318,6 +328,7 @@ void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
+  os << indent << "Status: " << this->Status << "\n";
   os << indent << "TotalArea: " << this->TotalArea << "\n";
   os << indent << "NormalEstimationUsed: " << this->NormalEstimationUsed << "\n";
   os << indent << "ClearShare: " << this->ClearShare << "\n";

@@ -100,8 +100,8 @@ public:
   ///@{
   /// Whether points without normals get estimated ones, which are added to the output. Where some
   /// data sets of a composite one have normals and others have none, all get estimated ones. A
-  /// warning says where their field tells no inside from outside. Default off: points without
-  /// normals are refused.
+  /// warning says where their field tells no inside from outside. Points of meshes without normals
+  /// get those of their triangles then. Default off: points without normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
@@ -136,6 +136,9 @@ public:
   vtkGetMacro(SourceDistribution, int);
   ///@}
 
+  /// The way in which the last execution has ended, of vtkWindingNumberAlgorithm::StatusType.
+  vtkGetMacro(Status, int);
+
   /// The sum of all areas of the last execution, on this rank; 0 if it failed.
   vtkGetMacro(TotalArea, double);
 
@@ -166,6 +169,7 @@ protected:
   int NormalEstimation = 0;
   char* ResultArrayName = nullptr;
   int NumberOfThreads = 0;
+  int Status = 0;
   double TotalArea = 0;
   const char* NormalEstimationUsed = "";
   double ClearShare = 0;

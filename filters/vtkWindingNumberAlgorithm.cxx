@@ -56,20 +56,28 @@ int kindOf(vtkDataObject* source)
   }
 }
 
-int statusOf(winding::Outcome outcome)
+/// The share of progress that estimated normals take. They may take longer than all else, or little
+/// beside many samples.
+constexpr double progressOfNormals = 0.5;
+
+/// Keeps the shift and scale of a filter's progress, which an execution may change, as it was.
+class KeptProgress
 {
-  switch (outcome)
+public:
+  explicit KeptProgress(vtkAlgorithm* filter)
+    : filter_(filter)
+    , shift_(filter->GetProgressShift())
+    , scale_(filter->GetProgressScale())
   {
-  case winding::Outcome::interrupted:
-    return vtkWindingNumberAlgorithm::ABORTED;
-  case winding::Outcome::refused:
-    return vtkWindingNumberAlgorithm::REFUSED;
-  case winding::Outcome::outOfMemory:
-    return vtkWindingNumberAlgorithm::OUT_OF_MEMORY;
-  default:
-    return vtkWindingNumberAlgorithm::DONE;
   }
-}
+  ~KeptProgress() { filter_->SetProgressShiftScale(shift_, scale_); }
+  KeptProgress(const KeptProgress&) = delete;
+  KeptProgress& operator=(const KeptProgress&) = delete;
+
+private:
+  vtkAlgorithm* filter_;
+  double shift_, scale_;
+};
 
 template <class Private> constexpr bool isNumber(Private choice, int number)
 {
@@ -78,6 +86,10 @@ template <class Private> constexpr bool isNumber(Private choice, int number)
 
 // The choices of properties become choices of helpers and of the core by their numbers.
 using Filter = vtkWindingNumberAlgorithm;
+static_assert(isNumber(winding::Outcome::done, Filter::DONE));
+static_assert(isNumber(winding::Outcome::refused, Filter::REFUSED));
+static_assert(isNumber(winding::Outcome::outOfMemory, Filter::OUT_OF_MEMORY));
+static_assert(isNumber(winding::Outcome::interrupted, Filter::ABORTED));
 static_assert(isNumber(winding::Method::automatic, Filter::AUTOMATIC));
 static_assert(isNumber(winding::Method::rows, Filter::ROWS));
 static_assert(isNumber(winding::Method::hierarchical, Filter::HIERARCHICAL));
@@ -175,6 +187,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   {
     answer = &vtkWindingNumberAlgorithm::RepeatRefusal;
   }
+  const KeptProgress kept(this);
   int isAnswered = 1;
   const winding::Outcome outcome = winding::reportErrors(
     this,
@@ -192,7 +205,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
         });
     },
     [&]() { return this->IsNewError(); });
-  this->Status = statusOf(outcome);
+  this->Status = static_cast<int>(outcome);
   if (isAboutInformation)
   {
     this->InformationStatus = this->Status;
@@ -315,12 +328,19 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   this->SetProgressText("Preparing");
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(0, progressOfNormals);
   const winding::SourceOptions options = this->GetSourceOptions();
   const winding::Field* field =
     this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
   if (field && this->IsHelper())
   {
     return *field;
+  }
+  if (field && this->Source->wasBuilt() && field->info().normalsAreEstimated)
+  {
+    // Progress goes on from there with all that follows, and ends where it would have ended.
+    const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
+    this->SetProgressShiftScale(shift + scale * progressOfNormals, scale * (1 - progressOfNormals));
   }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();

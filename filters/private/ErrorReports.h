@@ -8,13 +8,14 @@ class vtkObject;
 namespace winding
 {
 
-/// The ways in which work that may throw ends.
+/// The ways in which work that may throw ends; the numbers are those by which filters tell them
+/// (vtkWindingNumberAlgorithm::StatusType).
 enum class Outcome
 {
-  done,
-  interrupted,
-  refused,    ///< a Refusal was reported
-  outOfMemory ///< OutOfMemory or a failed allocation was reported
+  done = 0,
+  refused = 1,     ///< a Refusal was reported
+  outOfMemory = 2, ///< OutOfMemory or a failed allocation was reported
+  interrupted = 3
 };
 
 /**

@@ -71,6 +71,7 @@ TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
   vtkNew<vtkPointAreas> areas;
   areas->SetInputData(sphere);
   EXPECT_NE(errorsOf(areas.Get()).find(words), std::string::npos);
+  EXPECT_EQ(areas->GetStatus(), vtkWindingNumberAlgorithm::OUT_OF_MEMORY);
 }
 
 TEST(MemoryOfWork, HugeQueriesAreRefused)

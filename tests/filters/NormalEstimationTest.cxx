@@ -246,8 +246,53 @@ TEST_F(NormalEstimation, LeavesProgressToWhatComesAfterIt)
   field->SetResolution(10);
   field->EstimateNormalsOn();
   field->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
-  const ProgressLog progress(field);
-  field->Update();
-  EXPECT_TRUE(progress.isRising());
-  EXPECT_EQ(progress.last(), 1);
+  for (const double scale : {1.0, 0.5}) // a filter may be a part of another one
+  {
+    field->SetProgressShiftScale(0, scale);
+    field->Modified();
+    const ProgressLog progress(field);
+    field->Update();
+    EXPECT_TRUE(progress.isRising());
+    EXPECT_EQ(progress.last(), scale);
+    EXPECT_EQ(field->GetProgressScale(), scale);
+  }
+}
+
+TEST_F(NormalEstimation, ShowsProgress)
+{
+  for (const int estimation : estimations)
+  {
+    SCOPED_TRACE(estimation);
+    vtkNew<vtkPointAreas> areas;
+    areas->SetInputData(cloudOf(shell()));
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputData(cloudOf(shell()));
+    field->SetResolution(4);
+    areas->EstimateNormalsOn();
+    field->EstimateNormalsOn();
+    areas->SetNormalEstimation(estimation);
+    field->SetNormalEstimation(estimation);
+    for (vtkAlgorithm* filter :
+      {static_cast<vtkAlgorithm*>(areas), static_cast<vtkAlgorithm*>(field)})
+    {
+      // Normals take the first half of the progress of a field, and nearly all of that of areas.
+      const double whole = filter == areas ? 1 : 0.5;
+      for (const double share : {0.05, 0.3, 0.6})
+      {
+        const ProgressLog log(filter, share * whole);
+        filter->Modified();
+        filter->Update();
+        EXPECT_TRUE(log.isRising());
+        EXPECT_GE(log.abortedAt(), share * whole);
+        EXPECT_LT(log.abortedAt(), (share + 0.1) * whole); // measured: 0.002 to 0.044 more
+      }
+      const ProgressLog log(filter);
+      filter->Modified();
+      filter->Update();
+      EXPECT_TRUE(log.isRising());
+      EXPECT_EQ(log.last(), 1);
+      EXPECT_GT(log.events(), 50); // measured: 108 to 372
+    }
+    EXPECT_EQ(areas->GetStatus(), vtkWindingNumberAlgorithm::DONE);
+  }
 }

@@ -150,7 +150,7 @@ REPORTED = {
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
-    "PointAreas": {"TotalArea", "NormalEstimationUsed", "ClearShare"},
+    "PointAreas": {"Status", "TotalArea", "NormalEstimationUsed", "ClearShare"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",

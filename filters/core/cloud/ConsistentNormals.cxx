@@ -1,6 +1,8 @@
 #include "cloud/ConsistentNormals.h"
 
+#include "base/DividedShare.h"
 #include "base/Pi.h"
+#include "base/ShownExecutor.h"
 #include "cloud/NeighborGraph.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalPatches.h"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -30,8 +33,6 @@ constexpr float doubts[] = {0.05f, 0.1f, 0.15f, 0.2f, 0.3f};
 /// Patches of fewer places, and the smallest of many patches, follow the others.
 constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
 
-constexpr std::size_t placesPerBlock = 512;
-
 /// The quantile of some values, which it moves.
 double quantile(std::vector<double>& values, double share)
 {
@@ -45,17 +46,11 @@ double quantile(std::vector<double>& values, double share)
 std::vector<double> deviationsOf(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, std::size_t neighbors, Executor& executor)
 {
-  std::vector<double> deviations(places.size());
-  runBlocks(
-    places.size(), placesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t place = first; place < last; ++place)
-      {
-        deviations[place] = planeOf(places, graph, place, neighbors).deviation / spacings[place];
-      }
-    },
-    executor);
+  std::vector<double> deviations = planeDeviations(places, graph, neighbors, executor);
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    deviations[place] /= spacings[place];
+  }
   return deviations;
 }
 
@@ -131,11 +126,16 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
   Best& best)
 {
+  DividedShare share(executor);
+  share.set(0, 0.1);
   NormalPatches patches(places, graph, *normals, executor);
   std::size_t before = 0;
-  for (const float doubt : doubts)
+  for (std::size_t i = 0; i < std::size(doubts); ++i)
   {
-    patches.grow(doubt);
+    constexpr double ofDoubt = 0.9 / std::size(doubts);
+    const double begin = 0.1 + ofDoubt * static_cast<double>(i);
+    share.set(begin, begin + ofDoubt / 2);
+    patches.grow(doubts[i]);
     const NormalPatches::Largest largest = patches.largest(fewestPlaces, mostPatches);
     if (largest.count() == 0 || (before == 1 && largest.count() == 1))
     {
@@ -146,26 +146,32 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     const Eigen::VectorXd signs = patchSigns(field.sharesOf(*normals, turns, largest));
     for (std::size_t patch = 0; patch < largest.count(); ++patch)
     {
-      for (std::size_t i = largest.starts[patch];
-           signs[static_cast<Eigen::Index>(patch)] < 0 && i < largest.starts[patch + 1]; ++i)
+      for (std::size_t place = largest.starts[patch];
+           signs[static_cast<Eigen::Index>(patch)] < 0 && place < largest.starts[patch + 1];
+           ++place)
       {
-        turns[largest.places[i]] ^= 1;
+        turns[largest.places[place]] ^= 1;
       }
     }
     patches.handOn(largest, turns);
+    share.set(begin + ofDoubt / 2, begin + ofDoubt);
     best.take(normals, turns, deviationOf(field.valuesOf(*normals, turns)));
   }
 }
 
 /// Turns points one by one as long as that helps.
-void polish(const DistinctPoints& places, const PlacesField& field, Best& best)
+void polish(const DistinctPoints& places, const PlacesField& field, Executor& executor, Best& best)
 {
   constexpr int mostRounds = 3;
+  DividedShare share(executor);
   for (int round = 0; round < mostRounds; ++round)
   {
     const double before = best.deviation;
+    const double rest = std::pow(0.3, round); // a round is the last one mostly
+    share.set(1 - rest, 1 - 0.4 * rest);
     const Turns turns =
       uphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
+    share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
     best.take(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
     if (best.deviation == before)
     {
@@ -218,12 +224,16 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor)
 {
   constexpr double spreadOfNoise = 3;
+  DividedShare share(executor);
   const PlacesField field(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
   if (byTree.empty())
   {
+    share.set(0, 0.02);
     byTree = planeNormals(places, *graph, neighbors, executor);
-    orientByTree(places, *graph, byTree);
+    share.set(0.02, 0.05);
+    orientByTree(places, *graph, byTree, executor);
   }
+  share.set(0.05, 0.1);
   Best best(std::make_shared<const Normals>(std::move(byTree)));
   tryAsTheyAre(best.normals, field, best);
   if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
@@ -237,16 +247,21 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   {
     sizes.insert(sizes.begin(), {fewNeighbors, (fewNeighbors + neighbors) / 2});
   }
-  for (const std::size_t size : sizes)
+  // Points that are spread far take long to polish.
+  const double endOfSizes = isNoisy ? 0.3 : 0.9;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
   {
-    tryPatches(places, *graph,
-      std::make_shared<const Normals>(size <= graph->neighborsPerPlace()
-                                        ? planeNormals(places, *graph, size, executor)
-                                        : planeNormals(places, size, executor)),
-      field, executor, best);
+    const double ofSize = (endOfSizes - 0.1) / static_cast<double>(sizes.size());
+    const double begin = 0.1 + ofSize * static_cast<double>(i);
+    share.set(begin, begin + ofSize / 10);
+    const auto normals =
+      std::make_shared<const Normals>(planeNormals(places, *graph, sizes[i], executor));
+    share.set(begin + ofSize / 10, begin + ofSize);
+    tryPatches(places, *graph, normals, field, executor, best);
   }
   graph.reset();
-  polish(places, field, best);
+  share.set(endOfSizes, 1);
+  polish(places, field, executor, best);
   return {turned(*best.normals, best.turns), best.deviation, true};
 }
 
@@ -254,26 +269,33 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
 OrientedPlaces orientNoisy(
   const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor)
 {
+  DividedShare share(executor);
+  share.set(0, 0.1);
   auto graph = std::make_unique<const NeighborGraph>(places, 2 * neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, *graph);
   std::vector<double> deviations = deviationsOf(places, *graph, spacings, 2 * neighbors, executor);
   const std::vector<Eigen::Vector3d> some = thinned(places, quantile(deviations, 0.5));
   constexpr std::size_t enough = 1000;
+  share.set(0.1, 1);
   if (some.size() == places.size() || some.size() < enough)
   {
     return orientDensely(
       places, std::move(graph), spacings, neighbors, true, std::move(byTree), executor);
   }
+  share.set(0.1, 0.15);
   const DistinctPoints sparse(some, 1, executor);
   auto sparseGraph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
   const std::vector<double> wide = spacingsOf(sparse, *sparseGraph);
   const bool isStillNoisy = isNoisy(sparse, *sparseGraph, wide, executor);
+  share.set(0.15, 0.8);
   const OrientedPlaces oriented =
     orientDensely(sparse, std::move(sparseGraph), wide, neighbors, isStillNoisy, {}, executor);
+  share.set(0.8, 0.95);
   constexpr double spread = 2;
   const PlacesField field(sparse, wide, spread, executor);
   const Normals gradients =
     field.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
+  share.set(0.95, 1);
   const Normals normals = planeNormals(places, *graph, 2 * neighbors, executor);
   return {turned(normals, uphill(gradients, normals)), oriented.deviation, oriented.triedPatches};
 }
@@ -285,9 +307,13 @@ OrientedPlaces orientPlaces(
   {
     return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0, false};
   }
+  DividedShare share(executor);
+  share.set(0, 0.1);
   auto graph = std::make_unique<const NeighborGraph>(places, neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, *graph);
-  if (!isNoisy(places, *graph, spacings, executor))
+  const bool hasNoise = isNoisy(places, *graph, spacings, executor);
+  share.set(0.1, 1);
+  if (!hasNoise)
   {
     return orientDensely(
       places, std::move(graph), spacings, neighbors, false, std::move(byTree), executor);
@@ -315,7 +341,10 @@ Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
 ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
   Executor& executor, std::vector<Eigen::Vector3d> byTree)
 {
+  DividedShare share(executor);
+  share.set(0, 0.02);
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
+  share.set(0.02, 1);
   if (!byTree.empty())
   {
     byTree = normalsByPlace(places, byTree);
@@ -340,22 +369,31 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
   const std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
   constexpr std::size_t neighbors = 10;
-  const DistinctPoints places(positions, unitScaleOf(positions), executor);
+  ShownExecutor shown(executor);
+  DividedShare share(shown);
+  share.set(0, 0.05);
+  const DistinctPoints places(positions, unitScaleOf(positions), shown);
   const auto ofPlaces = std::make_shared<const Normals>(normalsByPlace(places, normals));
   Best best(ofPlaces);
   if (places.size() > 1)
   {
-    const NeighborGraph graph(places, neighbors, executor);
+    share.set(0.05, 0.2);
+    const NeighborGraph graph(places, neighbors, shown);
     const std::vector<double> spacings = spacingsOf(places, graph);
-    const PlacesField field(places, spacings, 1, executor);
+    const PlacesField field(places, spacings, 1, shown);
+    share.set(0.2, 0.25);
     tryAsTheyAre(ofPlaces, field, best);
     if (best.deviation >= smallDeviation)
     {
       Normals byTree = *ofPlaces;
-      orientByTree(places, graph, byTree);
+      share.set(0.25, 0.4);
+      orientByTree(places, graph, byTree, shown);
+      share.set(0.4, 0.45);
       tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
-      tryPatches(places, graph, ofPlaces, field, executor, best);
-      polish(places, field, best);
+      share.set(0.45, 0.8);
+      tryPatches(places, graph, ofPlaces, field, shown, best);
+      share.set(0.8, 1);
+      polish(places, field, shown, best);
     }
   }
   const Normals found = turned(*best.normals, best.turns);

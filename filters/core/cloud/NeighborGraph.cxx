@@ -40,6 +40,14 @@ void forEachNeighbors(
     executor);
 }
 
+/// The plane through a place and its nearest neighbours.
+struct NeighborPlane
+{
+  Eigen::Vector3d normal; ///< direction in which they spread least; of unit length, in either
+                          ///< sense; any one across their line where they are on one
+  double deviation;       ///< estimated root mean square of their distances from the plane
+};
+
 /// The plane through a place and its neighbours begin … end − 1.
 NeighborPlane planeThrough(const DistinctPoints& places, std::size_t place,
   const std::uint32_t* begin, const std::uint32_t* end)
@@ -72,10 +80,38 @@ NeighborPlane planeThrough(const DistinctPoints& places, std::size_t place,
   return {normal, size * std::sqrt(variance)};
 }
 
+/// Calls work(place, plane) with the plane of every place, of its neighbours in the graph or, where
+/// these are too few, of those that a search finds.
+template <class Work>
+void forEachPlane(const DistinctPoints& places, const NeighborGraph& graph, std::size_t count,
+  const Work& work, Executor& executor)
+{
+  const std::size_t others = places.size() - 1;
+  if (std::min(count, others) > graph.neighborsPerPlace())
+  {
+    forEachNeighbors(
+      places, count,
+      [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
+      { work(place, planeThrough(places, place, begin, end)); },
+      executor);
+    return;
+  }
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t place = first; place < last; ++place)
+      {
+        work(place, planeThrough(places, place, graph.begin(place), graph.end(place, count)));
+      }
+    },
+    executor);
+}
+
 } // namespace
 
 NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor)
-  : most_(std::min(most, places.size() - 1))
+  : most_(std::min({most, mostPerPlace, places.size() - 1}))
   , neighbors_(places.size() * most_)
 {
   forEachNeighbors(
@@ -85,39 +121,26 @@ NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Exe
     executor);
 }
 
-NeighborPlane planeOf(
-  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count)
-{
-  return planeThrough(places, place, graph.begin(place), graph.end(place, count));
-}
-
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
 {
   std::vector<Eigen::Vector3d> normals(places.size());
-  runBlocks(
-    places.size(), placesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t place = first; place < last; ++place)
-      {
-        normals[place] = planeOf(places, graph, place, count).normal;
-      }
-    },
+  forEachPlane(
+    places, graph, count,
+    [&](std::size_t place, const NeighborPlane& plane) { normals[place] = plane.normal; },
     executor);
   return normals;
 }
 
-std::vector<Eigen::Vector3d> planeNormals(
-  const DistinctPoints& places, std::size_t count, Executor& executor)
+std::vector<double> planeDeviations(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
 {
-  std::vector<Eigen::Vector3d> normals(places.size());
-  forEachNeighbors(
-    places, count,
-    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
-    { normals[place] = planeThrough(places, place, begin, end).normal; },
+  std::vector<double> deviations(places.size());
+  forEachPlane(
+    places, graph, count,
+    [&](std::size_t place, const NeighborPlane& plane) { deviations[place] = plane.deviation; },
     executor);
-  return normals;
+  return deviations;
 }
 
 NeighborStep stepBetween(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& normals,

@@ -14,8 +14,12 @@ namespace winding
 class NeighborGraph
 {
 public:
-  /// Finds `most` neighbours of each place, or all others if there are fewer. There must be two
-  /// places or more. Takes 4 bytes for each neighbour. Throws Interrupted.
+  /// The most neighbours that a graph has, which is twice as many as planes go through by default.
+  static constexpr std::size_t mostPerPlace = 40;
+
+  /// Finds `most` neighbours of each place, or all others if there are fewer, or `mostPerPlace`:
+  /// more would take more memory than all else. There must be two places or more. Takes 4 bytes for
+  /// each neighbour. Throws Interrupted.
   NeighborGraph(const DistinctPoints& places, std::size_t most, Executor& executor);
 
   std::size_t neighborsPerPlace() const { return most_; }
@@ -34,25 +38,13 @@ private:
   std::vector<std::uint32_t> neighbors_;
 };
 
-/// The plane through a place and its nearest neighbours.
-struct NeighborPlane
-{
-  Eigen::Vector3d normal; ///< direction in which they spread least; of unit length, in either sense
-  double deviation;       ///< estimated root mean square of their distances from the plane
-};
-
-/// The plane through a place and its `count` nearest neighbours. Points on a line have any normal
-/// across it.
-NeighborPlane planeOf(
-  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count);
-
 ///@{
-/// The normals of the planes of all places. Without a graph, which takes memory, neighbours are
-/// searched for. Throws Interrupted.
+/// The normals of the planes of all places through their `count` nearest neighbours, or their
+/// deviations. Neighbours that the graph does not have are searched for. Throws Interrupted.
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor);
-std::vector<Eigen::Vector3d> planeNormals(
-  const DistinctPoints& places, std::size_t count, Executor& executor);
+std::vector<double> planeDeviations(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor);
 ///@}
 
 /// A step along the graph from a place to a neighbour; the most certain step is the greatest.

@@ -1,5 +1,7 @@
 #include "cloud/NormalEstimation.h"
 
+#include "base/DividedShare.h"
+#include "base/StepsOnOneThread.h"
 #include "cloud/NeighborGraph.h"
 #include "source/UnitScale.h"
 
@@ -54,8 +56,8 @@ const char* nameOf(NormalEstimation estimation)
   return "";
 }
 
-void orientByTree(
-  const DistinctPoints& places, const NeighborGraph& graph, std::vector<Eigen::Vector3d>& normals)
+void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
+  std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
   const auto back = mutual(graph, places.size());
   // Starts go from the top down, so that a piece begins at its highest place.
@@ -72,9 +74,11 @@ void orientByTree(
     });
   std::vector<unsigned char> isDone(places.size());
   std::priority_queue<NeighborStep> steps;
+  StepsOnOneThread finished(places.size(), executor);
   const auto finish = [&](std::uint32_t place)
   {
     isDone[place] = 1;
+    finished.step();
     const auto add = [&](std::uint32_t other)
     {
       if (!isDone[other])
@@ -109,13 +113,19 @@ void orientByTree(
 std::vector<Eigen::Vector3d> estimateNormals(
   const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor)
 {
+  DividedShare share(executor);
+  share.set(0, 0.1);
   const DistinctPoints places(positions, unitScaleOf(positions), executor);
   std::vector<Eigen::Vector3d> ofPlaces(places.size(), Eigen::Vector3d(0, 0, 1));
   if (places.size() > 1)
   {
-    const NeighborGraph graph(places, static_cast<std::size_t>(std::max(neighbors, 3)), executor);
-    ofPlaces = planeNormals(places, graph, graph.neighborsPerPlace(), executor);
-    orientByTree(places, graph, ofPlaces);
+    const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
+    share.set(0.1, 0.5);
+    const NeighborGraph graph(places, count, executor);
+    share.set(0.5, 0.6);
+    ofPlaces = planeNormals(places, graph, count, executor);
+    share.set(0.6, 1);
+    orientByTree(places, graph, ofPlaces, executor);
   }
   std::vector<Eigen::Vector3d> normals(positions.size());
   for (std::size_t place = 0; place < places.size(); ++place)

@@ -44,8 +44,9 @@ const char* nameOf(NormalEstimation estimation);
 std::vector<Eigen::Vector3d> estimateNormals(
   const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);
 
-/// Orients the normals of places along the graph, as estimateNormals() does.
-void orientByTree(
-  const DistinctPoints& places, const NeighborGraph& graph, std::vector<Eigen::Vector3d>& normals);
+/// Orients the normals of places along the graph, as estimateNormals() does, on one thread.
+/// Throws Interrupted.
+void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
+  std::vector<Eigen::Vector3d>& normals, Executor& executor);
 
 } // namespace winding

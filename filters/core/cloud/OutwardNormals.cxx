@@ -1,7 +1,10 @@
 #include "cloud/OutwardNormals.h"
 
+#include "base/DividedShare.h"
+#include "base/ShownExecutor.h"
 #include "cloud/ConsistentNormals.h"
 #include "cloud/SheetCuts.h"
+#include "source/UnitNormal.h"
 
 #include <cstdio>
 #include <utility>
@@ -12,7 +15,7 @@ namespace winding
 namespace
 {
 
-void roundToSingle(Eigen::Vector3d& normal)
+Eigen::Vector3d inSingle(Eigen::Vector3d normal)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -21,6 +24,7 @@ void roundToSingle(Eigen::Vector3d& normal)
     const volatile float single = static_cast<float>(normal[axis]);
     normal[axis] = static_cast<double>(single);
   }
+  return normal;
 }
 
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
@@ -28,44 +32,71 @@ void roundToSingle(Eigen::Vector3d& normal)
 CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> normals,
   bool hasOwnAreas, const PointAreaOptions& options, Executor& executor)
 {
+  // Areas and orientation are those of the unit vectors that come back once the rounded normals
+  // have been stored.
+  std::vector<Eigen::Vector3f> rounded(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Eigen::Vector3d single = inSingle(normals[i]).array() + 0.0;
+    rounded[i] = single.cast<float>();
+    normals[i] = unitNormal(single).array() + 0.0;
+  }
   cloud.normals = std::move(normals);
-  for (Eigen::Vector3d& normal : cloud.normals)
+  DividedShare share(executor);
+  share.set(0, 0.6);
+  const auto findAreas = [&]
   {
-    roundToSingle(normal);
-  }
-  if (!hasOwnAreas)
+    if (!hasOwnAreas)
+    {
+      cloud.areas = pointAreas(cloud, options, executor);
+    }
+  };
+  findAreas();
+  share.set(0.6, 1);
+  CloudOrientation orientation = orientationOf(cloud, executor);
+  const bool isInward = orientation.isInward();
+  if (isInward)
   {
-    cloud.areas = pointAreas(cloud, options, executor);
+    orientation = orientation.reversed();
+    for (Eigen::Vector3d& normal : cloud.normals)
+    {
+      normal = 0.0 - normal.array();
+    }
+    findAreas(); // which differ by rounding
   }
-  const CloudOrientation orientation = orientationOf(cloud, executor);
-  if (!orientation.isInward())
+  for (std::size_t i = 0; i < rounded.size(); ++i)
   {
-    return orientation;
+    const Eigen::Vector3d outward = (isInward ? -1 : 1) * rounded[i].cast<double>();
+    cloud.normals[i] = outward.array() + 0.0; // has no −0
   }
-  for (Eigen::Vector3d& normal : cloud.normals)
-  {
-    normal = -normal;
-  }
-  return orientation.reversed();
+  return orientation;
 }
 
 } // namespace
 
 OutwardNormals giveOutwardNormals(
-  PointCloud& cloud, NormalEstimation estimation, const PointAreaOptions& areas, Executor& executor)
+  PointCloud& cloud, NormalEstimation estimation, const PointAreaOptions& areas, Executor& unseen)
 {
+  ShownExecutor executor(unseen);
+  DividedShare share(executor);
   const bool hasOwnAreas = !cloud.areas.empty();
   OutwardNormals found;
+  // Progress has the parts of the time of a million points.
+  const bool isTreeAlone = estimation == NormalEstimation::spanningTree;
+  const double endOfTree = estimation == NormalEstimation::consistent ? 0 : isTreeAlone ? 1 : 0.15;
   if (estimation != NormalEstimation::consistent)
   {
-    found.orientation = takeOutward(cloud,
-      estimateNormals(cloud.positions, areas.neighbors, executor), hasOwnAreas, areas, executor);
+    share.set(0, 0.6 * endOfTree);
+    std::vector<Eigen::Vector3d> normals =
+      estimateNormals(cloud.positions, areas.neighbors, executor);
+    share.set(0.6 * endOfTree, endOfTree);
+    found.orientation = takeOutward(cloud, std::move(normals), hasOwnAreas, areas, executor);
   }
   // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
   // others. Where the spanning tree is right all the same, as for solids that overlap, its field is
   // the clearer one; where nothing is clear, as for noisy points, that says nothing.
   constexpr double sureShare = 0.98;
-  if (estimation == NormalEstimation::spanningTree ||
+  if (isTreeAlone ||
       (estimation == NormalEstimation::automatic && found.orientation.outward >= sureShare))
   {
     return found;
@@ -76,12 +107,15 @@ OutwardNormals giveOutwardNormals(
   const std::vector<Eigen::Vector3d> normals =
     isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
   const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
+  share.set(endOfTree, 0.9);
   ConsistentNormals consistent =
     consistentNormals(cloud.positions, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;
   found.work = consistent.triedPatches ? NormalWork::patches : NormalWork::tree;
+  share.set(0.9, 0.98);
   found.orientation =
     takeOutward(cloud, std::move(consistent.normals), hasOwnAreas, areas, executor);
+  share.set(0.98, 1);
   // Walls inside of another solid, turned round, make the field a little clearer, but wrong.
   constexpr double littleClearer = 0.05;
   const double gain = found.orientation.outward - ofTree.outward;

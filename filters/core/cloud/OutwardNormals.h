@@ -25,13 +25,15 @@ struct OutwardNormals
  * field that normals and areas make decides what is outward, as a whole.
  *
  * The normals are numbers of single precision, as files and VTK's filters have them, and unit
- * vectors to that precision.
+ * vectors to that precision. The areas are those of the unit vectors that sanitize() makes of them,
+ * so that points that were stored with their normals have the same areas when they come back.
  *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and else the way
  * whose field is clearer; the tree, too, where its field is clear at all but a few points and the
  * other one is little clearer by turning walls that go on smoothly (SheetCuts.h). The bits are the
  * same for any executor and any order of the points. Takes the time and memory of
- * estimateNormals(), consistentNormals() and pointAreas(). Throws Interrupted, and Refusal as
+ * estimateNormals(), consistentNormals() and pointAreas(). Shows progress within the executor's
+ * share. Throws Interrupted, and Refusal as
  * pointAreas() does.
  */
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,

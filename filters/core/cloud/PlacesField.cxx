@@ -1,6 +1,6 @@
 #include "cloud/PlacesField.h"
 
-#include "base/BriefExecutor.h"
+#include "base/DividedShare.h"
 #include "farfield/FarField.h"
 
 #include <algorithm>
@@ -53,6 +53,8 @@ Eigen::VectorXd PlacesField::valuesOf(const Normals& normals, const Turns& turns
 Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const Normals& at) const
 {
   constexpr double wider = 1.5, tolerance = 1e-2;
+  DividedShare share(executor_);
+  share.set(0, 0.1);
   std::unique_ptr<FarFieldSources> sources;
   {
     PointCloud all = this->part(normals, turns, nullptr, 0, places_.size());
@@ -64,8 +66,8 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
   }
   const FarField field(std::move(sources), FarFieldAccuracy::of(tolerance), executor_);
   Normals gradients(at.size());
-  BriefExecutor briefly(executor_);
-  if (!field.gradient({at[0].data(), at.size()}, gradients[0].data(), briefly))
+  share.set(0.1, 1);
+  if (!field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_))
   {
     throw Interrupted();
   }
@@ -100,6 +102,7 @@ Eigen::MatrixXd PlacesField::sums(const Normals& normals, const Turns& turns,
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(
     static_cast<Eigen::Index>(lookedAt_.size()), static_cast<Eigen::Index>(ranges.size()));
   const std::uint32_t end = ranges.back().end;
+  DividedShare share(executor_);
   for (std::uint32_t begin = 0; begin < end; begin += std::min(placesPerPart, end - begin))
   {
     const std::uint32_t size = std::min(placesPerPart, end - begin);
@@ -108,6 +111,7 @@ Eigen::MatrixXd PlacesField::sums(const Normals& normals, const Turns& turns,
     std::vector<std::uint32_t> inOrder(size);
     std::iota(inOrder.begin(), inOrder.end(), 0);
     sources->arrange(inOrder, true);
+    share.set(static_cast<double>(begin) / end, static_cast<double>(begin + size) / end);
     runBlocks(
       lookedAt_.size(), samplesPerBlock,
       [&](std::size_t, std::size_t first, std::size_t last)

@@ -1,5 +1,6 @@
 #include "cloud/PointAreas.h"
 
+#include "base/DividedShare.h"
 #include "base/Pi.h"
 #include "base/Refusal.h"
 #include "cloud/NeighborSearch.h"
@@ -233,6 +234,8 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
   std::vector<std::uint32_t> places(places_.size());
   std::iota(places.begin(), places.end(), 0);
   std::vector<unsigned char> needsMore(places_.size());
+  DividedShare share(executor);
+  share.set(0, 0.6);
   this->forEachSiteOf(
     places, neighbors_,
     [&](std::size_t place, std::size_t site, Workspace& space)
@@ -252,6 +255,7 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
   {
     return !needsMore[place];
   };
+  share.set(0.6, 1);
   places.erase(std::remove_if(places.begin(), places.end(), isDone), places.end());
   this->forEachSiteOf(
     places, 4 * neighbors_,
@@ -285,7 +289,11 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
 
 std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors)
 {
-  return VoronoiAreas(cloud, executor, neighbors).compute(executor);
+  DividedShare share(executor);
+  share.set(0, 0.2);
+  VoronoiAreas areas(cloud, executor, neighbors);
+  share.set(0.2, 1);
+  return areas.compute(executor);
 }
 
 double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)

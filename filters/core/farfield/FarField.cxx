@@ -1,5 +1,6 @@
 #include "farfield/FarField.h"
 
+#include "base/DividedShare.h"
 #include "base/FieldOutput.h"
 #include "base/FlushToZero.h"
 #include "farfield/Expansions.h"
@@ -197,7 +198,10 @@ bool FarField::gradient(const VectorsView& samples, double* gradients, Executor&
 {
   try
   {
+    DividedShare share(executor);
+    share.set(0, 0.1);
     const PointCells cells = this->cellsOf(samples, nullptr, executor);
+    share.set(0.1, 1);
     const FarFieldGradient gradient(tree_, cells, gradients);
     const std::vector<FarFieldTask> all =
       cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());

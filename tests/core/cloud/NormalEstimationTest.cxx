@@ -1,5 +1,7 @@
 #include "cloud/NormalEstimation.h"
 
+#include "cloud/NeighborGraph.h"
+
 #include "core/support/Samples.h"
 #include "core/support/Shapes.h"
 #include "core/support/ShuffledThreads.h"
@@ -166,6 +168,31 @@ TEST(NormalEstimation, GivesUnitNormalsWhateverThePoints)
   for (const Point& normal : estimate(flat))
   {
     EXPECT_NEAR(normal[2], 1, 1e-12);
+  }
+}
+
+TEST(NormalEstimation, TakesNoMemoryForManyNeighbors)
+{
+  const Cloud cloud = sphereCloud(2000);
+  winding::SerialExecutor serial;
+  const winding::DistinctPoints places(cloud.positions, 1, serial);
+  const winding::NeighborGraph graph(places, 1000, serial);
+  EXPECT_EQ(graph.neighborsPerPlace(), 40u);
+  // Planes go through all neighbours all the same: few are on one level of a step, all on both.
+  std::vector<Point> step;
+  for (int i = 0; i < 200; ++i)
+  {
+    step.emplace_back(0.01 * (i % 20), 0.05 * (i / 20), 0);
+    step.emplace_back(0.5 + 0.01 * (i % 20), 0.05 * (i / 20), 0.5);
+  }
+  const winding::DistinctPoints steps(step, 1, serial);
+  const winding::NeighborGraph few(steps, 1000, serial);
+  const std::vector<Point> flat = winding::planeNormals(steps, few, 20, serial);
+  const std::vector<Point> oblique = winding::planeNormals(steps, few, 399, serial);
+  for (std::size_t i = 0; i < flat.size(); ++i)
+  {
+    EXPECT_NEAR(std::abs(flat[i][2]), 1, 1e-9);
+    EXPECT_NEAR(std::abs(oblique[i][2]), std::sqrt(0.5), 0.05);
   }
 }
 
