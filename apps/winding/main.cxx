@@ -75,7 +75,7 @@ void run(const Options& options)
 {
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
     {"surface", runSurface}, {"voxels", runVoxels}, {"labels", runLabels}, {"probe", runProbe},
-    {"check", runCheck}, {"bench", runBench}};
+    {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
   limitThreads(options.threads);
   try

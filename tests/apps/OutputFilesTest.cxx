@@ -94,7 +94,7 @@ TEST_F(OutputFiles, AnInputIsNotReplaced)
   for (const std::vector<std::string>& command :
     {std::vector<std::string>{"surface", mesh, "-o", mesh, "--resolution", "4"},
       {"voxels", mesh, "-o", mesh, "--resolution", "4"},
-      {"check", mesh, "--fix-orientation", "-o", mesh},
+      {"check", mesh, "--fix-orientation", "-o", mesh}, {"normals", mesh, "-o", mesh},
       {"probe", mesh, queries, "-o", folder.path("hard.csv")}})
   {
     const Outcome run = runProgram(command);

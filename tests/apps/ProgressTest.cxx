@@ -47,6 +47,19 @@ std::string shownBy(std::vector<std::string> words)
   return shown;
 }
 
+/// The words and percentages of the bars, in the order in which they were shown.
+std::vector<std::pair<std::string, int>> barsIn(const std::string& shown)
+{
+  const std::regex bar(R"(\r(\w+) *\[[#.]{40}\] +(\d+) %)");
+  std::vector<std::pair<std::string, int>> bars;
+  for (auto at = std::sregex_iterator(shown.begin(), shown.end(), bar);
+       at != std::sregex_iterator(); ++at)
+  {
+    bars.emplace_back((*at)[1], std::stoi((*at)[2]));
+  }
+  return bars;
+}
+
 } // namespace
 
 TEST(Progress, IsOneBarThatNeverGoesBack)
@@ -57,16 +70,13 @@ TEST(Progress, IsOneBarThatNeverGoesBack)
   const std::vector<std::string> run = {"field", mesh, "--method", "direct", "--resolution", "48",
     "--pieces", "3", "-o", folder.path("out.vti")};
   const std::string shown = shownBy(run);
-  const std::regex bar(R"(\r(\w+) *\[[#.]{40}\] +(\d+) %)");
   std::vector<int> percents;
-  for (auto at = std::sregex_iterator(shown.begin(), shown.end(), bar);
-       at != std::sregex_iterator(); ++at)
+  for (const auto& [word, percent] : barsIn(shown))
   {
-    const std::string word = (*at)[1];
     EXPECT_TRUE(
       word == "reading" || word == "preparing" || word == "evaluating" || word == "writing")
       << word;
-    percents.push_back(std::stoi((*at)[2]));
+    percents.push_back(percent);
     EXPECT_TRUE(word != "evaluating" || percents.back() >= 40) << "after reading and preparing";
   }
   ASSERT_GT(percents.size(), 3u) << shown;
@@ -74,6 +84,44 @@ TEST(Progress, IsOneBarThatNeverGoesBack)
   EXPECT_GT(percents.back(), 80) << shown; // measured: 97
   EXPECT_LE(percents.back(), 100) << shown;
   EXPECT_NE(shown.find("\r\033[K"), std::string::npos) << "the bar does not go away";
+}
+
+TEST(Progress, RisesWhileNormalsAreEstimated)
+{
+  // Nested spheres, on which the spanning tree fails: two seconds or more.
+  const TemporaryFolder folder;
+  std::string points;
+  for (const double radius : {1.0, 0.7})
+  {
+    for (const auto& at : sphere(6).points)
+    {
+      for (const double x : at)
+      {
+        points += std::to_string(radius * x) + " ";
+      }
+      points += "\n";
+    }
+  }
+  const std::string cloud = folder.write("cloud.xyz", points);
+  for (const std::vector<std::string>& run :
+    {std::vector<std::string>{"field", cloud, "--estimate-normals", "-o", folder.path("f.vti")},
+      {"normals", cloud, "-o", folder.path("n.ply")}})
+  {
+    const auto bars = barsIn(shownBy(run));
+    int last = 0, most = 0, steps = 0;
+    for (const auto& [word, percent] : bars)
+    {
+      EXPECT_GE(percent, last);
+      if (word == "preparing" || word == "orienting")
+      {
+        most = percent;
+        steps += percent > last ? 1 : 0;
+      }
+      last = percent;
+    }
+    EXPECT_GT(most, 50) << run[0]; // measured: 59 and 89
+    EXPECT_GT(steps, 5) << run[0]; // measured: 24 and 30
+  }
 }
 
 TEST(Progress, IsNotShownByAQuietProgram)

@@ -21,7 +21,8 @@ def jobs():
                         "--features", "sharp", "--fidelity", 20, *common),
             winding.Job("out.vti", "labels", "in.off", "-o", "out.vti", "--resolution", 4,
                         "--overlap", "largest", *common),
-            winding.Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", *common)]
+            winding.Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", *common),
+            winding.Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", *common)]
 
 
 def one(program, folder, libraries, job, old, new, mode, number):

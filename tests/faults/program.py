@@ -97,6 +97,8 @@ def jobs(size=24):
         Job("out.vtp", "surface", "in.off", "-o", "out.vtp", *grid),
         Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", "--quiet"),
         Job("out.vtu", "probe", "in.off", "queries.csv", "-o", "out.vtu", "--quiet"),
+        Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", "--quiet"),
+        Job("out.csv", "normals", "in.off", "-o", "out.csv", "--quiet"),
         Job("out.vtm", "check", "in.off", "--blocks", "out.vtm", "--quiet"),
     ]
 

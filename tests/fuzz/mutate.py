@@ -128,7 +128,18 @@ def command_for(chance, name, other):
         )
     )
     command = chance.choice(
-        ("field", "field", "surface", "sharp", "voxels", "labels", "probe", "probe", "check")
+        (
+            "field",
+            "field",
+            "surface",
+            "sharp",
+            "voxels",
+            "labels",
+            "probe",
+            "probe",
+            "normals",
+            "check",
+        )
     )
     if command == "field":
         extra = chance.choice(
@@ -173,6 +184,12 @@ def command_for(chance, name, other):
         extra = chance.choice(([], ["--extract"], ["--distance"], ["--inside-out"]))
         pair = [name, other] if chance.random() < 0.5 else [other, name]
         return ["probe", *pair, "-o", output, *method, *cloud, *extra], [output]
+    if command == "normals":
+        output = "out" + chance.choice((".ply", ".xyz", ".pwn", ".csv", ".vtp", ".vtu"))
+        extra = chance.choice(
+            ([], ["--replace"], ["--normal-estimation", "consistent"], ["--json"])
+        )
+        return ["normals", name, "-o", output, *extra], [output]
     extra = chance.choice(([], ["--fix-orientation", "-o", "out.ply"], ["--blocks", "out.vtm"]))
     return ["check", name, "--json", *extra], extra[-1:]
 

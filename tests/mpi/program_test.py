@@ -172,6 +172,7 @@ def test_failures(runs):
                 (["field", "closed.obj"], 1)]
     if runs.ranks > 1:
         commands += [(["voxels", "closed.obj", "-o", "f.vtp"], 1), (["check", "closed.obj"], 1),
+                     (["normals", "cloud.xyz", "-o", "f.xyz"], 1),
                      (["field", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1),
                      (["labels", "closed.obj", "-o", "f.vti", "--pieces", "2"], 1)]
     for words, status in commands:

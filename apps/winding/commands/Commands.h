@@ -13,4 +13,5 @@ void runSurface(const Options& options, Messages& messages);
 void runVoxels(const Options& options, Messages& messages);
 void runLabels(const Options& options, Messages& messages);
 void runProbe(const Options& options, Messages& messages);
+void runNormals(const Options& options, Messages& messages);
 void runCheck(const Options& options, Messages& messages);

@@ -5,6 +5,7 @@
 #include "commands/OpenOnFirstRank.h"
 #include "commands/ReadOnFirstRank.h"
 #include "commands/ReportParts.h"
+#include "files/ExactNumber.h"
 #include "files/Suffix.h"
 #include "input/ReadInput.h"
 #include "input/Table.h"
@@ -24,7 +25,6 @@
 #include "vtkStringArray.h"
 #include "vtkWindingNumberProbe.h"
 
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <numeric>
@@ -130,14 +130,6 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
     }
     queries.points = readInput(options.queries, messages);
   }
-}
-
-/// A number with 17 significant digits, with which every double comes back with the same bits.
-std::string exact(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
 }
 
 /// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.

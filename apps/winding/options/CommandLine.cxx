@@ -5,6 +5,7 @@
 #include "program/Failure.h"
 #include "program/ParallelRun.h"
 
+#include "vtkPointAreas.h"
 #include "vtkWindingNumberLabels.h"
 
 #include <algorithm>
@@ -172,6 +173,27 @@ void addProbe(CLI::App& app, Options& options)
   addReporting(probe, options);
 }
 
+void addNormals(CLI::App& app, Options& options)
+{
+  CLI::App* normals = app.add_subcommand(
+    "normals", "Outward normals, and areas, for points that have none, as a file of points");
+  addPointsInput(normals, options);
+  addOutput(
+    normals, options, ".ply .xyz .pwn, points with normals; .vtp .vtu .csv .tsv, with areas, too");
+  normals
+    ->add_flag("--replace", options.replace,
+      "Estimate normals for points that have some, or for those of a mesh; without it, they keep "
+      "theirs, and points of a mesh get those of its faces")
+    ->group("Method");
+  addPointAreas(normals, options,
+    "Areas of the points: voronoi, each point's cell among its neighbours | mesh, a third of the "
+    "triangles around it | constant (voronoi)",
+    {{"voronoi", vtkPointAreas::VORONOI}, {"mesh", vtkPointAreas::MESH},
+      {"constant", vtkPointAreas::CONSTANT}});
+  addThreads(normals, options);
+  addReporting(normals, options);
+}
+
 void addCheck(CLI::App& app, Options& options)
 {
   CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
@@ -272,7 +294,8 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
     "winding");
   app.set_version_flag("--version", WINDING_VERSION);
   app.require_subcommand(1);
-  for (const auto add : {addField, addSurface, addVoxels, addLabels, addProbe, addCheck, addBench})
+  for (const auto add :
+    {addField, addSurface, addVoxels, addLabels, addProbe, addNormals, addCheck, addBench})
   {
     add(app, options);
   }

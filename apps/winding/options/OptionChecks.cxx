@@ -47,22 +47,27 @@ void checkGrid(const Options& options, const WasGiven& wasGiven)
     "--padding is " + shown(options.padding) + "; give 0 or more");
 }
 
-void checkMethod(const Options& options, const WasGiven& wasGiven)
+void checkPointAreas(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(options.tolerance >= 0 && std::isfinite(options.tolerance),
-    "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
-  requireUsage(options.longestExpectedTime >= 0 && std::isfinite(options.longestExpectedTime),
-    "--longest-expected-time is " + shown(options.longestExpectedTime) + "; give 0 or more");
   requireUsage(options.area >= 0 && std::isfinite(options.area),
     "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
   requireUsage(options.areas == Filter::CONSTANT || !wasGiven("--area"),
     "--area is for --areas constant; say that, too, or leave it out");
+  requireUsage(options.neighbors >= 3 && options.neighbors <= 1000,
+    "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
+}
+
+void checkMethod(const Options& options, const WasGiven& wasGiven)
+{
+  checkPointAreas(options, wasGiven);
+  requireUsage(options.tolerance >= 0 && std::isfinite(options.tolerance),
+    "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
+  requireUsage(options.longestExpectedTime >= 0 && std::isfinite(options.longestExpectedTime),
+    "--longest-expected-time is " + shown(options.longestExpectedTime) + "; give 0 or more");
   requireUsage(options.areas != Filter::MESH || options.asPoints,
     "--areas mesh is for meshes taken as points; say --points, too");
   requireUsage(options.regularization >= 0 && options.regularization <= mostRegularization,
     "--regularization is " + shown(options.regularization) + "; give 0 (none) to 4 spacings");
-  requireUsage(options.neighbors >= 3 && options.neighbors <= 1000,
-    "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
   requireUsage(std::isfinite(options.threshold),
     "--threshold is " + shown(options.threshold) + "; give a finite number");
   requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),
@@ -113,6 +118,19 @@ void checkCheck(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(options.faults, "--blocks", {".vtm"});
   }
+}
+
+void checkNormals(const Options& options, const WasGiven& wasGiven)
+{
+  checkPointAreas(options, wasGiven);
+  checkOutput(
+    options.output, options.command, {".vtp", ".vtu", ".ply", ".xyz", ".pwn", ".csv", ".tsv"});
+  const std::string suffix = suffixOf(options.output);
+  requireUsage(!wasGiven("--areas") || (suffix != ".ply" && suffix != ".xyz" && suffix != ".pwn"),
+    "--areas is for outputs that hold areas, .vtp .vtu .csv .tsv, which " + suffix +
+      " does not; leave it out");
+  requireUsage(options.areas != Filter::MESH || !options.replace,
+    "--areas mesh needs the mesh, which --replace takes for points alone; leave one out");
 }
 
 void checkCoverage(const Options& options, const WasGiven& wasGiven)
@@ -182,6 +200,11 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
   if (options.command == "bench")
   {
+    return;
+  }
+  if (options.command == "normals")
+  {
+    checkNormals(options, wasGiven);
     return;
   }
   checkMethod(options, wasGiven);

@@ -69,6 +69,15 @@ void addInput(CLI::App* command, Options& options)
     ->type_name("");
 }
 
+void addPointsInput(CLI::App* command, Options& options)
+{
+  command
+    ->add_option(
+      "IN", options.input, std::string("Points, or a mesh, for its points: ") + inputFormats)
+    ->required()
+    ->type_name("");
+}
+
 void addInputs(CLI::App* command, Options& options)
 {
   command
@@ -97,6 +106,33 @@ void addOverwrite(CLI::App* command, Options& options)
     ->group("Output");
 }
 
+void addPointAreas(
+  CLI::App* command, Options& options, const std::string& description, const Choices& methods)
+{
+  const std::string group = "Method";
+  command->add_option("--areas", options.areas, description)
+    ->transform(oneOf(methods))
+    ->type_name("NAME")
+    ->group(group);
+  command
+    ->add_option("--area", options.area,
+      "The area of every point of a cloud, for --areas constant (the mean of those of voronoi)")
+    ->group(group);
+  command
+    ->add_option("--neighbors", options.neighbors,
+      "How many neighbours of a point tell its area and, if estimated, its normal (20)")
+    ->group(group);
+  command
+    ->add_option("--normal-estimation", options.normalEstimation,
+      "How normals are estimated: tree, handed on from neighbour to neighbour | consistent, such "
+      "that w is 1/2 at the points, for thin, close and separate parts | auto, tree where its "
+      "check finds it right (auto)")
+    ->transform(oneOf({{"auto", Filter::ESTIMATION_AUTOMATIC}, {"tree", Filter::SPANNING_TREE},
+      {"consistent", Filter::WINDING_CONSISTENT}}))
+    ->type_name("NAME")
+    ->group(group);
+}
+
 void addMethod(CLI::App* command, Options& options)
 {
   const std::string group = "Method";
@@ -116,23 +152,12 @@ void addMethod(CLI::App* command, Options& options)
     ->add_option("--tolerance", options.tolerance,
       "Largest absolute error that an approximation may make (0.001); below 1e-6, none is made")
     ->group(group);
-  command
-    ->add_option("--areas", options.areas,
-      "Areas of a cloud's points: voronoi, each point's cell among its neighbours | mesh, a third "
-      "of the triangles around it (with --points) | constant | array, the point data array "
-      "\"Area\" (voronoi)")
-    ->transform(oneOf({{"voronoi", Filter::VORONOI}, {"mesh", Filter::MESH},
-      {"constant", Filter::CONSTANT}, {"array", Filter::ARRAY}}))
-    ->type_name("NAME")
-    ->group(group);
-  command
-    ->add_option("--area", options.area,
-      "The area of every point of a cloud, for --areas constant (the mean of those of voronoi)")
-    ->group(group);
-  command
-    ->add_option("--neighbors", options.neighbors,
-      "How many neighbours of a point tell its area and, if estimated, its normal (20)")
-    ->group(group);
+  addPointAreas(command, options,
+    "Areas of a cloud's points: voronoi, each point's cell among its neighbours | mesh, a third "
+    "of the triangles around it (with --points) | constant | array, the point data array "
+    "\"Area\" (voronoi)",
+    {{"voronoi", Filter::VORONOI}, {"mesh", Filter::MESH}, {"constant", Filter::CONSTANT},
+      {"array", Filter::ARRAY}});
   command
     ->add_option("--regularization", options.regularization,
       "Spread each point of a cloud over so many spacings, so that values beside points stay about "
@@ -141,15 +166,6 @@ void addMethod(CLI::App* command, Options& options)
   command
     ->add_flag("--estimate-normals", options.estimateNormals,
       "Estimate the normals of points that have none, orient them, and check them by the field")
-    ->group(group);
-  command
-    ->add_option("--normal-estimation", options.normalEstimation,
-      "How normals are estimated: tree, handed on from neighbour to neighbour | consistent, such "
-      "that w is 1/2 at the points, for thin, close and separate parts | auto, tree where its "
-      "check finds it right (auto)")
-    ->transform(oneOf({{"auto", Filter::ESTIMATION_AUTOMATIC}, {"tree", Filter::SPANNING_TREE},
-      {"consistent", Filter::WINDING_CONSISTENT}}))
-    ->type_name("NAME")
     ->group(group);
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);

@@ -29,6 +29,14 @@ void addOutput(CLI::App* command, Options& options, const std::string& suffixes)
 /// Adds what commands with outputs have: leave to replace the input.
 void addOverwrite(CLI::App* command, Options& options);
 
+/// Adds the inputs of commands that work on points: a mesh is one of its points there.
+void addPointsInput(CLI::App* command, Options& options);
+
+/// Adds how the areas of points are found, by the words that the command takes, from how many
+/// neighbours, and how normals are estimated.
+void addPointAreas(
+  CLI::App* command, Options& options, const std::string& description, const Choices& methods);
+
 void addMethod(CLI::App* command, Options& options);
 
 /// Adds the options of commands that make a field: grid, method and verification.

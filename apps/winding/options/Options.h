@@ -19,7 +19,7 @@ struct BenchOptions
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
-  std::string command; ///< field, surface, voxels, labels, probe, check or bench
+  std::string command; ///< field, surface, voxels, labels, probe, normals, check or bench
   std::string input;
   std::vector<std::string> inputs; ///< all files that labels reads; `input` names them then
   std::string queries;
@@ -43,6 +43,7 @@ struct Options
   double regularization = 0;
   bool estimateNormals = false;
   int normalEstimation = 0;
+  bool replace = false; ///< whether normals are estimated for points that have some
   bool asPoints = false;
 
   // The output. Choices have the numbers that the filters give them.

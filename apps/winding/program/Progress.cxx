@@ -47,7 +47,9 @@ double wholeFraction(Phase phase, bool preparing, double fraction)
   }
   if (preparing)
   {
-    return afterReading + (afterPreparing - afterReading) * fraction;
+    // Where preparing shows progress, it shares that with the evaluation of the first piece.
+    const double afterPiece = afterPreparing + (1 - afterPreparing) * ofEvaluating / bar.pieces;
+    return afterReading + (afterPiece - afterReading) * fraction;
   }
   const int piece = std::clamp(bar.begun - 1, 0, bar.pieces - 1);
   const double ofPiece =

@@ -6,8 +6,8 @@
 class vtkAlgorithm;
 class vtkObject;
 
-/// The parts of a run, which have their shares of one bar: reading 30 %, preparing 10 %, and of
-/// each of the pieces that share the rest, evaluating 90 %.
+/// The parts of a run, which have their shares of one bar: reading 30 %, preparing 10 % and more
+/// where it shows progress, and of each of the pieces that share the rest, evaluating 90 %.
 enum class Phase
 {
   reading,

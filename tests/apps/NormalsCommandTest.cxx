@@ -1,0 +1,227 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <thread>
+
+#include <sys/wait.h>
+
+namespace
+{
+
+using Places = std::vector<std::array<double, 3>>;
+
+/// The points of two nested spheres, on which the spanning tree fails.
+Places shell(int levels = 4)
+{
+  Places places;
+  for (const double radius : {1.0, 0.6})
+  {
+    for (const auto& at : sphere(levels).points)
+    {
+      places.push_back({radius * at[0] + 0.1, radius * at[1] + 0.2, radius * at[2] + 0.3});
+    }
+  }
+  return places;
+}
+
+std::string asBareXyz(const Places& places)
+{
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (const auto& at : places)
+  {
+    text << at[0] << " " << at[1] << " " << at[2] << "\n";
+  }
+  return text.str();
+}
+
+class NormalsCommand : public testing::Test
+{
+protected:
+  Outcome run(const std::string& in, const std::string& out, std::vector<std::string> options = {})
+  {
+    options.insert(options.begin(), {"normals", in, "-o", folder.path(out)});
+    return runProgram(options);
+  }
+
+  /// The field of a file, in double precision.
+  std::vector<double> fieldOf(const std::string& in, std::vector<std::string> options = {})
+  {
+    const std::string out = folder.path("field.vti");
+    options.insert(
+      options.begin(), {"field", in, "-o", out, "--resolution", "8", "--double", "--quiet"});
+    const Outcome run = runProgram(options);
+    EXPECT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(out.c_str());
+    reader->Update();
+    std::vector<double> values;
+    vtkDataArray* const array = reader->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(array->GetTuple1(i));
+    }
+    EXPECT_EQ(values.size(), 512u);
+    return values;
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(NormalsCommand, ComeBackWithTheFieldOfEstimatedOnesFromEveryFormat)
+{
+  const std::string in = folder.write("in.xyz", asBareXyz(shell()));
+  for (const std::string estimation : {"auto", "tree", "consistent"})
+  {
+    const std::vector<double> expected =
+      this->fieldOf(in, {"--estimate-normals", "--normal-estimation", estimation});
+    for (const std::string out : {"a.ply", "a.xyz", "a.pwn", "a.csv", "a.vtp", "a.vtu"})
+    {
+      const Outcome outcome =
+        this->run(in, out, {"--normal-estimation", estimation, "--json", "--quiet"});
+      ASSERT_EQ(outcome.status, 0) << outcome;
+      const nlohmann::json input = outcome.json()["input"];
+      EXPECT_EQ(input["normals_estimated"], true);
+      EXPECT_EQ(
+        input["normal_estimation"], estimation == "tree" ? "spanning tree" : "winding consistent");
+      EXPECT_EQ(input["clear_share"] > 0.98, estimation != "tree") << outcome; // 1 and 0.66
+      EXPECT_EQ(outcome.json()["output"]["points"], input["primitives"]);
+      EXPECT_EQ(this->fieldOf(folder.path(out)), expected) << out << " " << estimation;
+    }
+    for (const std::string out : {"a.csv", "a.vtp"})
+    {
+      EXPECT_EQ(this->fieldOf(folder.path(out), {"--areas", "array"}), expected) << out;
+    }
+  }
+  ASSERT_EQ(this->run(in, "a.tsv").status, 0);
+  const std::string header = "x\ty\tz\tnx\tny\tnz\tarea\n";
+  EXPECT_EQ(contentsOf(folder.path("a.tsv")).substr(0, header.size()), header);
+}
+
+TEST_F(NormalsCommand, AreDescribedForPeopleWhoAreWarnedWhereTheyAreUnsure)
+{
+  const std::string in = folder.write("in.xyz", asBareXyz(shell()));
+  const Outcome clear = this->run(in, "a.ply");
+  EXPECT_EQ(clear.status, 0) << clear;
+  EXPECT_EQ(clear.err, "");
+  EXPECT_NE(clear.out.find("normals by winding consistent, clear at 100 %"), std::string::npos)
+    << clear;
+  EXPECT_NE(clear.out.find("wrote " + folder.path("a.ply")), std::string::npos) << clear;
+  const Outcome unsure = this->run(in, "a.ply", {"--normal-estimation", "tree"});
+  EXPECT_EQ(unsure.status, 0) << unsure;
+  EXPECT_NE(unsure.err.find("estimated ones do not tell inside from outside"), std::string::npos)
+    << unsure;
+}
+
+TEST_F(NormalsCommand, ThatAreThereAreKeptUnlessOthersAreAskedFor)
+{
+  const std::string in = folder.write("in.xyz", asXyz(sphere(3)));
+  const Outcome kept = this->run(in, "kept.vtp");
+  EXPECT_EQ(kept.status, 0) << kept;
+  EXPECT_NE(kept.err.find("--replace estimates other normals"), std::string::npos) << kept;
+  EXPECT_NE(kept.out.find("normals as given"), std::string::npos) << kept;
+  EXPECT_EQ(this->fieldOf(folder.path("kept.vtp")), this->fieldOf(in));
+  const Outcome others = this->run(in, "others.vtp", {"--replace", "--json"});
+  EXPECT_EQ(others.status, 0) << others;
+  EXPECT_EQ(others.err, "");
+  EXPECT_EQ(others.json()["input"]["normal_estimation"], "spanning tree");
+}
+
+TEST_F(NormalsCommand, OfPointsOfMeshesAreThoseOfTheirFacesUnlessOthersAreAskedFor)
+{
+  const std::string in = folder.write("in.off", asOff(sphere(3)));
+  const Outcome ofFaces = this->run(in, "a.ply");
+  EXPECT_EQ(ofFaces.status, 0) << ofFaces;
+  EXPECT_NE(ofFaces.err.find("get the normals of its faces"), std::string::npos) << ofFaces;
+  EXPECT_NE(ofFaces.out.find("normals of the faces"), std::string::npos) << ofFaces;
+  const std::vector<double> points = this->fieldOf(in, {"--points"});
+  const std::vector<double> written = this->fieldOf(folder.path("a.ply"));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    ASSERT_NEAR(written[i], points[i], 1e-5); // normals are in single precision: 1e-7
+  }
+  const Outcome others = this->run(in, "b.ply", {"--replace", "--json"});
+  EXPECT_EQ(others.json()["input"]["normals_estimated"], true) << others;
+  EXPECT_EQ(this->run(in, "c.csv", {"--areas", "mesh"}).status, 0);
+  const std::string bare = folder.write("bare.xyz", asBareXyz(shell(2)));
+  const Outcome noMesh = this->run(bare, "c.csv", {"--areas", "mesh"});
+  EXPECT_EQ(noMesh.status, 2) << noMesh;
+  EXPECT_TRUE(noMesh.saysInOneLine({"bare.xyz", "choose Voronoi areas"})) << noMesh;
+}
+
+TEST_F(NormalsCommand, HaveTheAreasThatAreAskedForBesideThem)
+{
+  const std::string in = folder.write("in.csv", asCsv(sphere(3)));
+  ASSERT_EQ(this->run(in, "a.vtp", {"--replace", "--areas", "constant", "--area", "2"}).status, 0);
+  const Outcome field = runProgram({"field", folder.path("a.vtp"), "-o", folder.path("f.vti"),
+    "--resolution", "4", "--areas", "array", "--json"});
+  EXPECT_NEAR(field.json()["input"]["mean_area"], 2, 1e-12) << field;
+  EXPECT_EQ(field.json()["input"]["kind"], "points") << field;
+}
+
+TEST_F(NormalsCommand, LeaveOutPointsThatHaveNone)
+{
+  Places places = shell(3);
+  places[3][1] = std::nan("");
+  places[7][0] = std::numeric_limits<double>::infinity();
+  const std::string in = folder.write("in.xyz", asBareXyz(places));
+  const Outcome outcome = this->run(in, "a.xyz", {"--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome;
+  EXPECT_NE(outcome.err.find("2 of " + std::to_string(places.size())), std::string::npos);
+  EXPECT_EQ(outcome.json()["input"]["dropped"], 2) << outcome;
+  EXPECT_EQ(outcome.json()["output"]["points"], places.size() - 2);
+  EXPECT_EQ(runProgram({"check", folder.path("a.xyz")}).err, "");
+}
+
+TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
+{
+  const Outcome nothing = this->run(folder.write("no.pwn", "0\n"), "a.ply");
+  EXPECT_EQ(nothing.status, 2) << nothing;
+  EXPECT_TRUE(nothing.saysInOneLine({"no.pwn", "has no points"})) << nothing;
+  const Outcome bad = this->run(folder.write("bad.xyz", "nan 0 0\nnan 1 1\n"), "a.ply");
+  EXPECT_EQ(bad.status, 2) << bad;
+  EXPECT_TRUE(bad.saysInOneLine({"bad.xyz"})) << bad;
+  const Outcome huge = this->run(folder.write("huge.xyz", "0 0 0\n1e200 1 1\n"), "a.ply");
+  EXPECT_EQ(huge.status, 2) << huge;
+  EXPECT_TRUE(huge.saysInOneLine({"huge.xyz", "1e+200"})) << huge;
+  const Outcome one = this->run(folder.write("one.xyz", "1 2 3\n"), "a.ply");
+  EXPECT_EQ(one.status, 0) << one;
+  EXPECT_NE(one.err.find("points at one place tell none"), std::string::npos) << one;
+  EXPECT_FALSE(folder.names().empty());
+}
+
+TEST_F(NormalsCommand, EndAtASignal)
+{
+  const std::string in = folder.write("in.xyz", asBareXyz(shell(7))); // 6 s or more
+  const int process = startProgram({"normals", in, "-o", folder.path("a.ply")});
+  for (int i = 0; i < 2000 && folder.names().size() < 2; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(folder.names().size(), 2u) << "the temporary file is there";
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  const auto start = std::chrono::steady_clock::now();
+  kill(process, SIGTERM);
+  int status = 0;
+  waitpid(process, &status, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)); // 0.2
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.xyz"});
+}
+
+} // namespace
