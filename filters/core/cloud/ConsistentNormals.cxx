@@ -159,6 +159,20 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
   }
 }
 
+/// Tries directions of the planes of single sheets, which are known where senses are.
+void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor, Best& best)
+{
+  const Normals oriented = turned(*best.normals, best.turns);
+  for (const std::size_t size : sizes)
+  {
+    const auto normals =
+      std::make_shared<const Normals>(sheetNormals(places, graph, oriented, size, executor));
+    const Turns none(normals->size(), 0);
+    best.take(normals, none, deviationOf(field.valuesOf(*normals, none)));
+  }
+}
+
 /// Turns points one by one as long as that helps.
 void polish(const DistinctPoints& places, const PlacesField& field, Executor& executor, Best& best)
 {
@@ -242,10 +256,11 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   }
   // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
   // sheets that are closer than the points.
+  const std::size_t between = (fewNeighbors + neighbors) / 2;
   std::vector<std::size_t> sizes = {neighbors, 2 * neighbors};
   if (!isNoisy)
   {
-    sizes.insert(sizes.begin(), {fewNeighbors, (fewNeighbors + neighbors) / 2});
+    sizes.insert(sizes.begin(), {fewNeighbors, between});
   }
   // Points that are spread far take long to polish.
   const double endOfSizes = isNoisy ? 0.3 : 0.9;
@@ -258,6 +273,10 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
       std::make_shared<const Normals>(planeNormals(places, *graph, sizes[i], executor));
     share.set(begin + ofSize / 10, begin + ofSize);
     tryPatches(places, *graph, normals, field, executor, best);
+  }
+  if (!isNoisy)
+  {
+    trySheets(places, *graph, {between, neighbors}, field, executor, best);
   }
   graph.reset();
   share.set(endOfSizes, 1);

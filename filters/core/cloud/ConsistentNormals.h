@@ -29,7 +29,9 @@ struct ConsistentNormals
  * decreases along its normal, as winding-number normal consistency asks for (Lin, Shi, Liu, Fast
  * and Globally Consistent Normal Orientation based on the Winding Number Normal Consistency, 2024).
  * Several sizes of neighbourhoods and several bounds of doubt are tried, and the spanning tree of
- * NormalEstimation.h among them; the result is the one with the least deviation.
+ * NormalEstimation.h among them; the result is the one with the least deviation. Where senses are
+ * known, so are the two sheets of thin parts, and directions are taken again, from planes through
+ * neighbours on one sheet only (sheetNormals()), unless the cloud is noisy.
  *
  * neighbors: the most neighbours that planes go through, at least 3. byTree: the normals that
  * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where

@@ -1,11 +1,13 @@
 #include "cloud/NeighborGraph.h"
 
 #include "cloud/NeighborSearch.h"
+#include "cloud/OrientedSites.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace winding
 {
@@ -141,6 +143,33 @@ std::vector<double> planeDeviations(
     [&](std::size_t place, const NeighborPlane& plane) { deviations[place] = plane.deviation; },
     executor);
   return deviations;
+}
+
+std::vector<Eigen::Vector3d> sheetNormals(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<Eigen::Vector3d>& normals, std::size_t count, Executor& executor)
+{
+  constexpr std::size_t fewest = 3;
+  std::vector<Eigen::Vector3d> ofSheets(normals);
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::vector<std::uint32_t> onSheet;
+      for (std::size_t place = first; place < last; ++place)
+      {
+        onSheet.clear();
+        std::copy_if(graph.begin(place), graph.end(place, count), std::back_inserter(onSheet),
+          [&](std::uint32_t neighbor) { return areSimilar(normals[neighbor], normals[place]); });
+        if (onSheet.size() >= fewest)
+        {
+          const Eigen::Vector3d normal =
+            planeThrough(places, place, onSheet.data(), onSheet.data() + onSheet.size()).normal;
+          ofSheets[place] = normal.dot(normals[place]) < 0 ? Eigen::Vector3d(-normal) : normal;
+        }
+      }
+    },
+    executor);
+  return ofSheets;
 }
 
 NeighborStep stepBetween(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& normals,
