@@ -31,7 +31,9 @@ struct ConsistentNormals
  * Several sizes of neighbourhoods and several bounds of doubt are tried, and the spanning tree of
  * NormalEstimation.h among them; the result is the one with the least deviation. Where senses are
  * known, so are the two sheets of thin parts, and directions are taken again, from planes through
- * neighbours on one sheet only (sheetNormals()), unless the cloud is noisy.
+ * neighbours on one sheet only (sheetNormals()), unless the cloud is noisy. The sides of noisy
+ * clouds are found by some of their places; where that fits badly, sheets that noise makes nearly
+ * touch are told apart (NoisySheets.h), and planes through more neighbours are tried.
  *
  * neighbors: the most neighbours that planes go through, at least 3. byTree: the normals that
  * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where

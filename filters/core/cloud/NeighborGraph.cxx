@@ -123,6 +123,24 @@ NeighborGraph::NeighborGraph(const DistinctPoints& places, std::size_t most, Exe
     executor);
 }
 
+Eigen::Vector3d planeNormalOf(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count)
+{
+  return planeThrough(places, place, graph.begin(place), graph.end(place, count)).normal;
+}
+
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, std::size_t count, Executor& executor)
+{
+  std::vector<Eigen::Vector3d> normals(places.size());
+  forEachNeighbors(
+    places, count,
+    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
+    { normals[place] = planeThrough(places, place, begin, end).normal; },
+    executor);
+  return normals;
+}
+
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
 {

@@ -38,6 +38,16 @@ private:
   std::vector<std::uint32_t> neighbors_;
 };
 
+/// The normal, in either sense, of the plane through a place and its `count` nearest neighbours, or
+/// through all that the graph has where there are fewer.
+Eigen::Vector3d planeNormalOf(
+  const DistinctPoints& places, const NeighborGraph& graph, std::size_t place, std::size_t count);
+
+/// The normals of the planes of all places through their `count` nearest neighbours, which are
+/// searched for. Throws Interrupted.
+std::vector<Eigen::Vector3d> planeNormals(
+  const DistinctPoints& places, std::size_t count, Executor& executor);
+
 ///@{
 /// The normals of the planes of all places through their `count` nearest neighbours, or their
 /// deviations. Neighbours that the graph does not have are searched for. Throws Interrupted.
