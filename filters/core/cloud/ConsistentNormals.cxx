@@ -251,13 +251,18 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   share.set(0.05, 0.1);
   Best best(std::make_shared<const Normals>(std::move(byTree)));
   tryAsTheyAre(best.normals, field, best);
+  const std::size_t between = (fewNeighbors + neighbors) / 2;
   if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
   {
+    if (!isNoisy)
+    {
+      share.set(0.1, 1);
+      trySheets(places, *graph, {between, neighbors}, field, executor, best);
+    }
     return {turned(*best.normals, best.turns), best.deviation, false};
   }
   // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
   // sheets that are closer than the points.
-  const std::size_t between = (fewNeighbors + neighbors) / 2;
   std::vector<std::size_t> sizes = {neighbors, 2 * neighbors};
   if (!isNoisy)
   {
