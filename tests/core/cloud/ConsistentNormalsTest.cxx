@@ -120,8 +120,8 @@ void addNoise(Scan& scan, double size, Random& random)
 
 constexpr double cosineOf8Degrees = 0.99;
 
-/// A hollow box with so many points on its outer sheet. Its walls are so thin that many of a point's
-/// neighbours are on the other sheet, and planes through points of both sheets are tilted.
+/// A hollow box with so many points on its outer sheet. Its walls are so thin that many of the
+/// neighbours of a point are on the other sheet, and planes through points of both are tilted.
 Scan hollowBox(int points)
 {
   Scan scan;
