@@ -64,7 +64,9 @@ std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph
   {
     const std::uint32_t* const end = graph.end(place, fewNeighbors);
     const auto neighbors = static_cast<double>(end - graph.begin(place));
-    const double radius = (places.positions()[*(end - 1)] - places.positions()[place]).norm();
+    const Eigen::Vector3d farthest = places.positions()[*(end - 1)] - places.positions()[place];
+    // Squares of the distances between places may underflow.
+    const double radius = farthest.norm() > 0 ? farthest.norm() : farthest.stableNorm();
     spacings[place] = radius * std::sqrt(pi / neighbors);
   }
   return spacings;

@@ -161,8 +161,10 @@ std::vector<Eigen::Vector3d> smoothedAlongSheets(const DistinctPoints& places,
         sum +=
           gaussian(normal.dot(offsets[i]) / near) * gaussian(offsets[i].norm() / around) * normal;
       }
-      const Eigen::Vector3d mean = sum.normalized();
-      means[place] = mean.allFinite() ? mean : normals[place];
+      // Normals that cancel each other leave none.
+      const double length = sum.norm();
+      means[place] =
+        length > 0 && std::isfinite(length) ? Eigen::Vector3d(sum / length) : normals[place];
     });
   forEachPlace(
     [&](std::size_t place, const std::vector<Eigen::Vector3d>& offsets)

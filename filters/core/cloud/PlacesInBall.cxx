@@ -15,8 +15,8 @@ void PlacesInBall::start(const Eigen::Vector3d& center, double radius)
 bool PlacesInBall::findNearest(std::uint32_t place, const Eigen::Vector3d& position,
   std::size_t count, double likely, double atMost, std::vector<Neighbor>& neighbors)
 {
-  // The factor and the term are more than what rounding and underflow may give to squares.
-  const double within = (1 - 1e-9) * (radius_ - (position - center_).norm());
+  // The terms are more than what rounding and underflow may give to distances and squares.
+  const double within = radius_ - (position - center_).norm() - 1e-9 * radius_;
   const double bound = std::min(atMost, within * within - 1e-290);
   if (!(within > 0 && std::min(likely, bound) > 1e-290) || places_.size() <= count)
   {

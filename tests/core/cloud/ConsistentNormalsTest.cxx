@@ -360,3 +360,19 @@ TEST(PatchSigns, AreThoseOfTheLeastSquares)
     EXPECT_EQ(winding::patchSigns(shares), expected);
   }
 }
+
+TEST(ConsistentNormals, OfPlacesWhoseSquaresOfDistancesUnderflowAreOfUnitLength)
+{
+  Scan scan;
+  Random random(13);
+  addSphere(scan, 2000, 1, 1, random);
+  addNoise(scan, 0.1, random);
+  for (int i = 0; i < 500; ++i)
+  {
+    scan.positions.emplace_back(1e-200 * (i % 25), 1e-200 * (i / 25), 0);
+  }
+  for (const Point& normal : estimate(scan.positions).normals)
+  {
+    ASSERT_NEAR(normal.norm(), 1, 1e-9);
+  }
+}
