@@ -82,6 +82,18 @@ NeighborPlane planeThrough(const DistinctPoints& places, std::size_t place,
   return {normal, size * std::sqrt(variance)};
 }
 
+/// Calls work(place, plane) with the plane of every place and of neighbours that a search finds.
+template <class Work>
+void forEachPlane(
+  const DistinctPoints& places, std::size_t count, const Work& work, Executor& executor)
+{
+  forEachNeighbors(
+    places, count,
+    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
+    { work(place, planeThrough(places, place, begin, end)); },
+    executor);
+}
+
 /// Calls work(place, plane) with the plane of every place, of its neighbours in the graph or, where
 /// these are too few, of those that a search finds.
 template <class Work>
@@ -91,11 +103,7 @@ void forEachPlane(const DistinctPoints& places, const NeighborGraph& graph, std:
   const std::size_t others = places.size() - 1;
   if (std::min(count, others) > graph.neighborsPerPlace())
   {
-    forEachNeighbors(
-      places, count,
-      [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
-      { work(place, planeThrough(places, place, begin, end)); },
-      executor);
+    forEachPlane(places, count, work, executor);
     return;
   }
   runBlocks(
@@ -133,10 +141,9 @@ std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, std::size_t count, Executor& executor)
 {
   std::vector<Eigen::Vector3d> normals(places.size());
-  forEachNeighbors(
+  forEachPlane(
     places, count,
-    [&](std::size_t place, const std::uint32_t* begin, const std::uint32_t* end)
-    { normals[place] = planeThrough(places, place, begin, end).normal; },
+    [&](std::size_t place, const NeighborPlane& plane) { normals[place] = plane.normal; },
     executor);
   return normals;
 }

@@ -72,6 +72,25 @@ void findOffsets(const DistinctPoints& places, const NeighborGraph& graph, std::
   }
 }
 
+/// Calls work(place, offsets) for all places, with the places around each (findOffsets()).
+template <class Work>
+void forEachOffsets(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& spacings, const Work& work, Executor& executor)
+{
+  runBlocks(
+    places.size(), placesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::vector<Eigen::Vector3d> offsets;
+      for (std::size_t place = first; place < last; ++place)
+      {
+        findOffsets(places, graph, place, spacings[place], offsets);
+        work(place, offsets);
+      }
+    },
+    executor);
+}
+
 /// Follows a plane to the sheet that it is on, and tells how many of the points lie on it. A sheet
 /// that passes far from the origin counts less.
 double followSheet(const std::vector<Eigen::Vector3d>& points, Plane& plane)
@@ -101,29 +120,24 @@ SheetPlanes sheetPlanes(const DistinctPoints& places, const NeighborGraph& graph
   Executor& executor)
 {
   SheetPlanes planes = {std::vector<Eigen::Vector3d>(places.size()), places.positions()};
-  runBlocks(
-    places.size(), placesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachOffsets(
+    places, graph, spacings,
+    [&](std::size_t place, const std::vector<Eigen::Vector3d>& offsets)
     {
-      std::vector<Eigen::Vector3d> offsets;
-      for (std::size_t place = first; place < last; ++place)
+      double most = -1;
+      Plane best = {Eigen::Vector3d(0, 0, 1), 0};
+      for (const std::size_t count : neighbors)
       {
-        findOffsets(places, graph, place, spacings[place], offsets);
-        double most = -1;
-        Plane best = {Eigen::Vector3d(0, 0, 1), 0};
-        for (const std::size_t count : neighbors)
+        Plane plane = {planeNormalOf(places, graph, place, count), 0};
+        const double onSheet = followSheet(offsets, plane);
+        if (onSheet > most)
         {
-          Plane plane = {planeNormalOf(places, graph, place, count), 0};
-          const double onSheet = followSheet(offsets, plane);
-          if (onSheet > most)
-          {
-            most = onSheet;
-            best = plane;
-          }
+          most = onSheet;
+          best = plane;
         }
-        planes.normals[place] = best.normal;
-        planes.feet[place] += spacings[place] * best.offset * best.normal;
       }
+      planes.normals[place] = best.normal;
+      planes.feet[place] += spacings[place] * best.offset * best.normal;
     },
     executor);
   return planes;
@@ -136,22 +150,8 @@ std::vector<Eigen::Vector3d> smoothedAlongSheets(const DistinctPoints& places,
   constexpr double near = 0.7, around = 2;
   constexpr int rounds = 3;
   std::vector<Eigen::Vector3d> means(normals), smoothed(normals);
-  const auto forEachPlace = [&](const auto& work)
-  {
-    runBlocks(
-      places.size(), placesPerBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        std::vector<Eigen::Vector3d> offsets;
-        for (std::size_t place = first; place < last; ++place)
-        {
-          findOffsets(places, graph, place, spacings[place], offsets);
-          work(place, offsets);
-        }
-      },
-      executor);
-  };
-  forEachPlace(
+  forEachOffsets(
+    places, graph, spacings,
     [&](std::size_t place, const std::vector<Eigen::Vector3d>& offsets)
     {
       Eigen::Vector3d sum = normals[place];
@@ -165,8 +165,10 @@ std::vector<Eigen::Vector3d> smoothedAlongSheets(const DistinctPoints& places,
       const double length = sum.norm();
       means[place] =
         length > 0 && std::isfinite(length) ? Eigen::Vector3d(sum / length) : normals[place];
-    });
-  forEachPlace(
+    },
+    executor);
+  forEachOffsets(
+    places, graph, spacings,
     [&](std::size_t place, const std::vector<Eigen::Vector3d>& offsets)
     {
       Plane plane = {means[place], 0};
@@ -189,7 +191,8 @@ std::vector<Eigen::Vector3d> smoothedAlongSheets(const DistinctPoints& places,
         plane = similar >= fewest ? onSheet.planeLike(plane) : plane;
       }
       smoothed[place] = plane.normal;
-    });
+    },
+    executor);
   return smoothed;
 }
 

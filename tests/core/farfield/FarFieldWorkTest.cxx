@@ -143,11 +143,10 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
       shapes::gridAround(source.bounds(), {voxels, voxels, voxels})};
     return workOn(one, one.grid.wholeExtent(), serial);
   };
-  // Rounding of other instruction sets moves the border between near and far a little: by half a
-  // per cent, or by a node that two blocks of samples are near to.
+  // Rounding of other instruction sets moves the border between near and far a little.
   const auto isNear = [](std::uint64_t found, double known)
   {
-    return std::abs(static_cast<double>(found) - known) <= std::max(0.005 * known, 1024.0);
+    return std::abs(static_cast<double>(found) - known) <= 0.005 * known;
   };
   const auto source = farSource(randomCloud(20000, 322));
   // Where points have a hundred times the area, the estimates of errors decide, not θ.
