@@ -1,6 +1,5 @@
 #include "private/FaultBlocks.h"
 
-#include "surface/Boundary.h"
 #include "surface/Cap.h"
 
 #include "vtkCellArray.h"
@@ -121,8 +120,8 @@ std::int32_t largestOf(const BoundaryLoop& loop, const Multiplicities& multiplic
   return largest;
 }
 
-vtkSmartPointer<vtkPolyData> boundaryBlock(const Surface& surface, const BoundaryChain& chain,
-  const std::vector<BoundaryLoop>& loops, int pointType)
+vtkSmartPointer<vtkPolyData> boundaryBlock(
+  const Surface& surface, const BoundaryChain& chain, const BoundaryLoops& loops, int pointType)
 {
   Multiplicities multiplicities; // the few that are more than 1
   for (const BoundaryEdge& edge : chain.edges)
@@ -135,7 +134,7 @@ vtkSmartPointer<vtkPolyData> boundaryBlock(const Surface& surface, const Boundar
   BlockMaker maker(surface, pointType);
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    BoundaryLoop closed = loops[i];
+    std::vector<std::int32_t> closed(loops[i].begin(), loops[i].end());
     closed.push_back(closed.front());
     maker.addCell(closed);
     maker.addValue("Loop", i);
@@ -146,12 +145,12 @@ vtkSmartPointer<vtkPolyData> boundaryBlock(const Surface& surface, const Boundar
 }
 
 vtkSmartPointer<vtkPolyData> capBlock(
-  const Surface& surface, const std::vector<BoundaryLoop>& loops, int pointType)
+  const Surface& surface, const BoundaryLoops& loops, int pointType)
 {
   BlockMaker maker(surface, pointType);
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    for (const Triangle& triangle : capOf({loops[i]}))
+    for (const Triangle& triangle : capOf(loops[i]))
     {
       maker.addCell(triangle);
       maker.addValue("Loop", i);
@@ -227,7 +226,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
   const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor)
 {
   const BoundaryChain chain = allPairUp(edges) ? BoundaryChain() : boundaryChain(surface, executor);
-  const std::vector<BoundaryLoop> loops = boundaryLoops(chain, surface.vertices.size());
+  const BoundaryLoops loops = boundaryLoops(chain, surface.vertices.size(), executor);
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   const double radius = shape.thickness * surface.bounds.diagonal().norm();
   const auto set = [&blocks, radius](unsigned int place, const char* name, vtkPolyData* block)

@@ -207,13 +207,15 @@ void momentsOfDipoles(benchmark::State& state)
 std::unique_ptr<FarFieldSources> trianglesOf(int n)
 {
   const Surface surface = weldedSphere(n);
-  return farFieldSources(surface.vertices, surface.triangles, surface.bounds, SplitRule());
+  SerialExecutor serial;
+  return farFieldSources(surface.vertices, surface.triangles, surface.bounds, SplitRule(), serial);
 }
 
 std::unique_ptr<FarFieldSources> pointsOf(int n)
 {
   const PointCloud cloud = centroids(weldedSphere(n));
-  return farFieldSources(cloud, cloud.areas);
+  SerialExecutor serial;
+  return farFieldSources(cloud, cloud.areas, serial);
 }
 
 using MakeSources = std::unique_ptr<FarFieldSources> (*)(int n);
@@ -222,8 +224,8 @@ using MakeSources = std::unique_ptr<FarFieldSources> (*)(int n);
 void tree(benchmark::State& state, MakeSources make)
 {
   const auto sources = make(static_cast<int>(state.range(0)));
-  const std::vector<Eigen::Vector3d> centers = sources->centers();
   Threads threads(static_cast<int>(state.range(1)));
+  const std::vector<Eigen::Vector3d> centers = sources->centers(threads);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(SourceTree(centers, sources->leafSize(), threads));
@@ -235,8 +237,8 @@ void momentsOfTree(benchmark::State& state, MakeSources make)
 {
   const auto sources = make(static_cast<int>(state.range(0)));
   Threads threads(static_cast<int>(state.range(1)));
-  const SourceTree tree(sources->centers(), sources->leafSize(), threads);
-  sources->arrange(tree.order(), false);
+  const SourceTree tree(sources->centers(threads), sources->leafSize(), threads);
+  sources->arrange(tree.order(), false, threads);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(SourceMoments(tree, *sources, FarFieldAccuracy::of(1e-3), threads));

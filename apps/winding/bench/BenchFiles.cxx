@@ -25,8 +25,8 @@ namespace
 std::size_t countCrossings(const winding::Surface& surface, const winding::Grid& grid)
 {
   winding::SerialExecutor executor;
-  const std::vector<winding::Triangle> cap =
-    winding::capOf(boundaryLoops(boundaryChain(surface, executor), surface.vertices.size()));
+  const std::vector<winding::Triangle> cap = winding::capOf(
+    boundaryLoops(boundaryChain(surface, executor), surface.vertices.size(), executor));
   std::vector<winding::Triangle> chain = surface.triangles;
   chain.insert(chain.end(), cap.begin(), cap.end());
   const auto inGrid = [&](std::int32_t id) -> Eigen::Vector3d

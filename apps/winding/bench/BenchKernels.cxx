@@ -108,7 +108,7 @@ void addCap(BenchTable& table, const winding::Surface& closed, const winding::Gr
   const winding::BoundaryChain chain = winding::boundaryChain(surface, executor);
   const auto makeCap = [&]
   {
-    return winding::capOf(winding::boundaryLoops(chain, surface.vertices.size()));
+    return winding::capOf(winding::boundaryLoops(chain, surface.vertices.size(), executor));
   };
   table.add(
     line("loops and cap", nanoseconds(makeCap, chain.edges.size()), "ns per boundary edge"));
@@ -178,14 +178,14 @@ void addTree(BenchTable& table, const std::string& of, winding::FarFieldSources&
   winding::Executor& executor, std::size_t threads)
 {
   const char* const unit = "ns per source";
-  const std::vector<Eigen::Vector3d> centers = sources.centers();
+  const std::vector<Eigen::Vector3d> centers = sources.centers(executor);
   const auto makeTree = [&]
   {
     return winding::SourceTree(centers, sources.leafSize(), executor);
   };
   table.add(line("source tree, " + of, nanoseconds(makeTree, centers.size(), 5), unit, threads));
   const winding::SourceTree tree = makeTree();
-  sources.arrange(tree.order(), false);
+  sources.arrange(tree.order(), false, executor);
   const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
   const auto makeMoments = [&]
   {
@@ -200,10 +200,10 @@ void addTrees(BenchTable& table, const winding::Surface& surface, winding::Execu
 {
   // The sources are made anew for each executor, since addTree() puts them into the tree's order.
   const auto triangles = winding::farFieldSources(
-    surface.vertices, surface.triangles, surface.bounds, winding::SplitRule());
+    surface.vertices, surface.triangles, surface.bounds, winding::SplitRule(), executor);
   addTree(table, "triangles", *triangles, executor, threads);
   const winding::PointCloud cloud = verticesOf(surface);
-  const auto points = winding::farFieldSources(cloud, cloud.areas);
+  const auto points = winding::farFieldSources(cloud, cloud.areas, executor);
   addTree(table, "points", *points, executor, threads);
 }
 

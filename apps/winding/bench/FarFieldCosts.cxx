@@ -221,7 +221,8 @@ FarFieldCosts measureFarFieldCosts(int order)
 
 ExactCosts measureExactCosts(const winding::FarFieldSources& sources, bool watching)
 {
-  const std::vector<Eigen::Vector3d> centers = sources.centers();
+  winding::SerialExecutor serial;
+  const std::vector<Eigen::Vector3d> centers = sources.centers(serial);
   winding::Bounds bounds;
   for (const Eigen::Vector3d& center : centers)
   {

@@ -52,8 +52,9 @@ public:
 
   ExactCosts exactCosts() const override
   {
+    winding::SerialExecutor serial;
     const auto sources = winding::farFieldSources(
-      surface_.vertices, surface_.triangles, surface_.bounds, winding::SplitRule());
+      surface_.vertices, surface_.triangles, surface_.bounds, winding::SplitRule(), serial);
     return measureExactCosts(*sources, false);
   }
 
@@ -86,13 +87,14 @@ public:
   std::shared_ptr<const FarField> farField(
     double tolerance, const Grid&, winding::Executor& executor) const override
   {
-    return std::make_shared<FarField>(
-      winding::farFieldSources(cloud_, cloud_.areas), FarFieldAccuracy::of(tolerance), executor);
+    return std::make_shared<FarField>(winding::farFieldSources(cloud_, cloud_.areas, executor),
+      FarFieldAccuracy::of(tolerance), executor);
   }
 
   ExactCosts exactCosts() const override
   {
-    return measureExactCosts(*winding::farFieldSources(cloud_, cloud_.areas), false);
+    winding::SerialExecutor serial;
+    return measureExactCosts(*winding::farFieldSources(cloud_, cloud_.areas, serial), false);
   }
 
 private:
@@ -119,8 +121,8 @@ public:
     , surface_(surface)
   {
     winding::SerialExecutor executor;
-    cap_ = winding::capOf(
-      winding::boundaryLoops(winding::boundaryChain(surface, executor), surface.vertices.size()));
+    cap_ = winding::capOf(winding::boundaryLoops(
+      winding::boundaryChain(surface, executor), surface.vertices.size(), executor));
   }
 
   /// Whether the cap has a far field by the default tolerance.
@@ -154,8 +156,9 @@ public:
 
   ExactCosts exactCosts() const override
   {
-    const auto sources =
-      winding::farFieldSources(surface_.vertices, cap_, surface_.bounds, winding::SplitRule());
+    winding::SerialExecutor serial;
+    const auto sources = winding::farFieldSources(
+      surface_.vertices, cap_, surface_.bounds, winding::SplitRule(), serial);
     return measureExactCosts(*sources, true);
   }
 

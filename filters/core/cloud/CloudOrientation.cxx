@@ -85,7 +85,7 @@ CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
   }
   constexpr double tolerance = 1e-2;
   const FarField field(
-    farFieldSources(cloud, cloud.areas), FarFieldAccuracy::of(tolerance), executor);
+    farFieldSources(cloud, cloud.areas, executor), FarFieldAccuracy::of(tolerance), executor);
   std::vector<float> values(samples.size());
   FieldOutput output;
   output.values = values.data();

@@ -62,7 +62,7 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
     {
       length *= wider;
     }
-    sources = farFieldSources(all, all.areas);
+    sources = farFieldSources(all, all.areas, executor_);
   }
   const FarField field(std::move(sources), FarFieldAccuracy::of(tolerance), executor_);
   Normals gradients(at.size());
@@ -107,10 +107,11 @@ Eigen::MatrixXd PlacesField::sums(const Normals& normals, const Turns& turns,
   {
     const std::uint32_t size = std::min(placesPerPart, end - begin);
     const PointCloud part = this->part(normals, turns, order, begin, begin + size);
-    const std::unique_ptr<FarFieldSources> sources = farFieldSources(part, part.areas);
+    SerialExecutor serial; // a part is little work
+    const std::unique_ptr<FarFieldSources> sources = farFieldSources(part, part.areas, serial);
     std::vector<std::uint32_t> inOrder(size);
     std::iota(inOrder.begin(), inOrder.end(), 0);
-    sources->arrange(inOrder, true);
+    sources->arrange(inOrder, true, serial);
     share.set(static_cast<double>(begin) / end, static_cast<double>(begin + size) / end);
     runBlocks(
       lookedAt_.size(), samplesPerBlock,

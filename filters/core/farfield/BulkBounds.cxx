@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <mutex>
 
 namespace winding
 {
@@ -18,21 +20,32 @@ std::size_t twentiethOf(const std::vector<Eigen::Vector3d>& points)
 /// Whether the middle nine tenths of the points are certain to have a length of `least` at least
 /// along an axis, by the numbers of points in equal parts of the bounds. All lengths are halved:
 /// the difference of two very large coordinates may leave the range.
-bool areSpread(
-  const std::vector<Eigen::Vector3d>& points, const Bounds& bounds, int axis, double leastHalf)
+bool areSpread(const std::vector<Eigen::Vector3d>& points, const Bounds& bounds, int axis,
+  double leastHalf, Executor& executor)
 {
-  constexpr std::size_t parts = 64;
+  constexpr std::size_t parts = 64, pointsPerBlock = 65536;
   const double low = 0.5 * bounds.min()[axis], half = 0.5 * bounds.max()[axis] - low;
   if (!(half > 0 && half >= leastHalf))
   {
     return false;
   }
   std::array<std::size_t, parts> counts{};
-  for (const Eigen::Vector3d& point : points)
-  {
-    const double part = (0.5 * point[axis] - low) / half * parts; // 1 / half may be infinite
-    ++counts[static_cast<std::size_t>(std::min(std::max(part, 0.0), parts - 1.0))];
-  }
+  std::mutex mutex;
+  runBlocks(
+    points.size(), pointsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::array<std::size_t, parts> ofBlock{};
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const double part =
+          (0.5 * points[i][axis] - low) / half * parts; // 1 / half may be infinite
+        ++ofBlock[static_cast<std::size_t>(std::min(std::max(part, 0.0), parts - 1.0))];
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      std::transform(counts.begin(), counts.end(), ofBlock.begin(), counts.begin(), std::plus<>());
+    },
+    executor);
   // The part that holds the n-th point from either end.
   const std::size_t n = twentiethOf(points);
   std::size_t first = 0, last = parts - 1;
@@ -67,15 +80,19 @@ Bounds middleOf(const std::vector<Eigen::Vector3d>& points)
 
 } // namespace
 
-Bounds bulkBounds(const std::vector<Eigen::Vector3d>& points, const Bounds& bounds)
+Bounds bulkBounds(
+  const std::vector<Eigen::Vector3d>& points, const Bounds& bounds, Executor& executor)
 {
   constexpr std::size_t enough = 64;
   // Coordinates are halved first, since the difference of two very large ones may leave the range.
   const double whole =
     points.size() < enough ? 0 : (0.5 * bounds.max() - 0.5 * bounds.min()).maxCoeff();
   const double leastHalf = whole / 16;
-  if (whole == 0 || areSpread(points, bounds, 0, leastHalf) ||
-      areSpread(points, bounds, 1, leastHalf) || areSpread(points, bounds, 2, leastHalf))
+  const auto areSpreadAlong = [&](int axis)
+  {
+    return areSpread(points, bounds, axis, leastHalf, executor);
+  };
+  if (whole == 0 || areSpreadAlong(0) || areSpreadAlong(1) || areSpreadAlong(2))
   {
     return bounds;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Bounds.h"
+#include "base/Executor.h"
 
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace winding
  * the middle with four times that side, but no less than 1e-7 of the bounds. Bounds of fewer than
  * 64 points stay, and those of points nine tenths of which are equal. The order of the points does
  * not matter. Takes linear time: a pass over the points mostly, some more where the bounds shrink.
+ * Throws Interrupted.
  */
-Bounds bulkBounds(const std::vector<Eigen::Vector3d>& points, const Bounds& bounds);
+Bounds bulkBounds(
+  const std::vector<Eigen::Vector3d>& points, const Bounds& bounds, Executor& executor);
 
 } // namespace winding

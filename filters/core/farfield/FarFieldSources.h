@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Bounds.h"
+#include "base/Executor.h"
 #include "farfield/SplitTriangles.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
@@ -21,7 +22,15 @@ struct ItemRange
 };
 
 /// The number of items in ranges.
-std::size_t itemsIn(const std::vector<ItemRange>& ranges);
+inline std::size_t itemsIn(const std::vector<ItemRange>& ranges)
+{
+  std::size_t items = 0;
+  for (const ItemRange& range : ranges)
+  {
+    items += range.end - range.begin;
+  }
+  return items;
+}
 
 /**
  * The sources of a far field: items that are summed exactly near by and are distributions of
@@ -35,7 +44,8 @@ public:
 
   double scale() const { return scale_; }
 
-  virtual std::vector<Eigen::Vector3d> centers() const = 0;
+  /// The centres of the items of the tree. Throws Interrupted.
+  virtual std::vector<Eigen::Vector3d> centers(Executor& executor) const = 0;
 
   /// Whether an item stands before another one with an equal centre: by all of its numbers, so that
   /// items that stand in no order are equal. Valid until the items are arranged.
@@ -50,7 +60,9 @@ public:
 
   /// Puts item order[i] at place i. inSingle: points may be summed in single precision, with
   /// offsets in double; triangles never are, as the last bits decide on which side a sample lies.
-  virtual void arrange(const std::vector<std::uint32_t>& order, bool inSingle) = 0;
+  /// Throws Interrupted, after which the sources are of no use.
+  virtual void arrange(
+    const std::vector<std::uint32_t>& order, bool inSingle, Executor& executor) = 0;
 
   struct Dipole
   {
@@ -111,13 +123,13 @@ private:
   std::size_t wholeSize_ = 0; ///< kept, since every cell of samples asks for it
 };
 
-/// The points of a cloud, spread over its regularization lengths, if it has any.
+/// The points of a cloud, spread over its regularization lengths, if it has any. Throws Interrupted.
 std::unique_ptr<FarFieldSources> farFieldSources(
-  const PointCloud& cloud, const std::vector<double>& areas);
+  const PointCloud& cloud, const std::vector<double>& areas, Executor& executor);
 
 /// The triangles of a surface; those with sides longer than the rule allows are cut in pieces
-/// first.
+/// first. Throws Interrupted.
 std::unique_ptr<FarFieldSources> farFieldSources(const std::vector<Eigen::Vector3d>& vertices,
-  const ChainView& triangles, const Bounds& bounds, const SplitRule& rule);
+  const ChainView& triangles, const Bounds& bounds, const SplitRule& rule, Executor& executor);
 
 } // namespace winding

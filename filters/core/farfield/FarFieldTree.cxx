@@ -10,10 +10,10 @@ namespace
 {
 
 /// Brings the sources into the tree's order, which their moments need, and returns them.
-const FarFieldSources& arranged(
-  FarFieldSources& sources, const SourceTree& hierarchy, const FarFieldAccuracy& accuracy)
+const FarFieldSources& arranged(FarFieldSources& sources, const SourceTree& hierarchy,
+  const FarFieldAccuracy& accuracy, Executor& executor)
 {
-  sources.arrange(hierarchy.order(), accuracy.allowsSingleSums());
+  sources.arrange(hierarchy.order(), accuracy.allowsSingleSums(), executor);
   return sources;
 }
 
@@ -39,9 +39,9 @@ FarFieldTree::FarFieldTree(std::unique_ptr<FarFieldSources> sourcesToArrange,
   const FarFieldAccuracy& wanted, Executor& executor)
   : sources(std::move(sourcesToArrange))
   , accuracy(wanted)
-  , hierarchy(sources->centers(), sources->leafSize(), executor,
+  , hierarchy(sources->centers(executor), sources->leafSize(), executor,
       [this](std::uint32_t a, std::uint32_t b) { return sources->isBefore(a, b); })
-  , moments(hierarchy, arranged(*sources, hierarchy, accuracy), accuracy, executor)
+  , moments(hierarchy, arranged(*sources, hierarchy, accuracy, executor), accuracy, executor)
   , toPolynomial(polynomialColumns(accuracy.order))
 {
 }

@@ -1,6 +1,7 @@
 #include "farfield/SplitTriangles.h"
 
 #include "source/CoordinateOrder.h"
+#include "source/CornersAhead.h"
 
 #include <algorithm>
 #include <atomic>
@@ -113,6 +114,7 @@ bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vert
     {
       for (; first < last && areAllLeft.load(std::memory_order_relaxed); ++first)
       {
+        askForCornersAhead(vertices.data(), triangles, first);
         if (!isLeft(triangles[first]))
         {
           areAllLeft = false;

@@ -161,7 +161,7 @@ std::shared_ptr<const FarField> TriangleFarField::build(
   try
   {
     return std::make_shared<const FarField>(
-      farFieldSources(vertices_, triangles_, bounds_, rule), accuracy_, executor);
+      farFieldSources(vertices_, triangles_, bounds_, rule, executor), accuracy_, executor);
   }
   catch (const Interrupted&)
   {

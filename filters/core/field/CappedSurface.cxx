@@ -27,7 +27,8 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain,
     BoundaryChain ordered;
     ordered.edges = chain.edges;
     sortByCoordinates(ordered.edges, surface.vertices, executor);
-    loops_ = std::make_unique<const RepeatedLoops>(boundaryLoops(ordered, surface.vertices.size()));
+    loops_ = std::make_unique<const RepeatedLoops>(
+      boundaryLoops(ordered, surface.vertices.size(), executor));
     cap_ = capOf(loops_->loops);
     capMultiplicities_ = loops_->multiplicities(trianglesOfCap);
     capArea_ = approximateAreaOf(surface.vertices, cap_);

@@ -156,7 +156,8 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
     return;
   }
   info_.method = Method::hierarchical;
-  farField_ = std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas), accuracy, executor);
+  farField_ =
+    std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas, executor), accuracy, executor);
 }
 
 bool CloudField::evaluateValues(

@@ -103,9 +103,9 @@ OtherCap::OtherCap(
 {
   // Only the loops' vertices are kept, for each resolve() looks at all that there are.
   std::vector<std::int32_t> places(surface.vertices.size(), -1);
-  for (const BoundaryLoop& loop : repeated.loops)
+  for (std::size_t i = 0; i < repeated.loops.size(); ++i)
   {
-    for (const std::int32_t vertex : loop)
+    for (const std::int32_t vertex : repeated.loops[i])
     {
       places[vertex] = 0;
     }
@@ -126,10 +126,14 @@ OtherCap::OtherCap(
   {
     std::transform(triangle.begin(), triangle.end(), triangle.begin(), placeOf);
   }
-  std::vector<BoundaryLoop> loops = repeated.loops;
-  for (BoundaryLoop& loop : loops)
+  BoundaryLoops loops;
+  std::vector<std::int32_t> ofLoop;
+  for (std::size_t i = 0; i < repeated.loops.size(); ++i)
   {
-    std::transform(loop.begin(), loop.end(), loop.begin(), placeOf);
+    const BoundaryLoop loop = repeated.loops[i];
+    ofLoop.resize(loop.size());
+    std::transform(loop.begin(), loop.end(), ofLoop.begin(), placeOf);
+    loops.add({ofLoop.data(), ofLoop.data() + ofLoop.size()});
   }
   fan_ = fanOf(loops, vertices_);
 }

@@ -75,6 +75,12 @@ public:
     return multiplicities_.empty() ? 1 : multiplicities_[i];
   }
 
+  /// The number of the first triangle that counts at all; those behind it do, too.
+  std::size_t firstThatCounts() const
+  {
+    return multiplicities_.empty() || multiplicities_.front() > 0 ? 0 : this->endOfRun(0);
+  }
+
   /// Calls visit(first, last, multiplicity) for each run of triangles that count equally often,
   /// those that count 0 times excepted. There is one run where all count once.
   template <class Visit> void forEachRun(const Visit& visit) const

@@ -4,9 +4,12 @@
 #include "source/CompareCoordinates.h"
 #include "surface/Edges.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 namespace winding
@@ -14,6 +17,8 @@ namespace winding
 
 namespace
 {
+
+constexpr std::size_t edgesPerBlock = 16384;
 
 /// The number of uses that run along an edge from its low to its high vertex, minus the number of
 /// uses that run the other way.
@@ -108,13 +113,36 @@ void sortByCoordinates(std::vector<BoundaryEdge>& edges,
       isBefore(edge.from, edge.to) ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
     return {vertices[lower][0], lower, higher, edge};
   };
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const BoundaryEdge& edge : edges)
+  // Vertices lie anywhere in memory, and are asked for before they are needed.
+  const auto forEachKeyed = [&](std::size_t first, std::size_t last, const auto& work)
   {
-    const double x = std::min(vertices[edge.from][0], vertices[edge.to][0]);
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
+    constexpr std::size_t ahead = 16;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const BoundaryEdge& later = edges[std::min(i + ahead, last - 1)];
+      hwy::Prefetch(&vertices[later.from]);
+      hwy::Prefetch(&vertices[later.to]);
+      work(keyedOf(edges[i]));
+    }
+  };
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  std::mutex mutex;
+  runBlocks(
+    edges.size(), edgesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      double leastOfBlock = std::numeric_limits<double>::infinity(), mostOfBlock = -leastOfBlock;
+      forEachKeyed(first, last,
+        [&](const Keyed& item)
+        {
+          leastOfBlock = std::min(leastOfBlock, item.x);
+          mostOfBlock = std::max(mostOfBlock, item.x);
+        });
+      const std::lock_guard<std::mutex> lock(mutex);
+      least = std::min(least, leastOfBlock);
+      most = std::max(most, mostOfBlock);
+    },
+    executor);
   // Slices of x follow each other, so that each may be sorted by itself. Rounding is monotone: it
   // puts no edge into a slice before that of an edge with a smaller x.
   constexpr std::size_t wantedInSlice = 4096;
@@ -128,13 +156,7 @@ void sortByCoordinates(std::vector<BoundaryEdge>& edges,
   Buckets<Keyed> keyed = distribute<Keyed>(
     edges.size(), slices,
     [&](std::size_t first, std::size_t last, const auto& put)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const Keyed item = keyedOf(edges[i]);
-        put(sliceOf(item.x), item);
-      }
-    },
+    { forEachKeyed(first, last, [&](const Keyed& item) { put(sliceOf(item.x), item); }); },
     executor);
   runBlocks(
     slices, 1,
@@ -151,76 +173,16 @@ void sortByCoordinates(std::vector<BoundaryEdge>& edges,
         });
     },
     executor);
-  std::transform(keyed.begin(0), keyed.end(slices - 1), edges.begin(),
-    [](const Keyed& item) { return item.edge; });
-}
-
-std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices)
-{
-  // All that a walk asks about a vertex stands in one place, as vertices come in any order.
-  struct Vertex
-  {
-    std::uint32_t next = 0, end = 0; // its leaving edges that have not been walked along yet
-    std::int32_t placeInPath = -1;
-  };
-  struct Leaving
-  {
-    std::int32_t to, multiplicity;
-  };
-  std::vector<Vertex> at(vertices);
-  for (const BoundaryEdge& edge : chain.edges)
-  {
-    ++at[edge.from].end;
-  }
-  std::uint32_t start = 0;
-  for (Vertex& vertex : at)
-  {
-    vertex.next = start;
-    start += vertex.end;
-    vertex.end = vertex.next;
-  }
-  std::vector<Leaving> leaving(chain.edges.size()); // by the vertex that they leave
-  for (const BoundaryEdge& edge : chain.edges)
-  {
-    leaving[at[edge.from].end++] = {edge.to, edge.multiplicity};
-  }
-
-  // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
-  // on from there. As many edges leave each vertex as arrive, so a walk can only get stuck where it
-  // began.
-  std::vector<BoundaryLoop> loops;
-  std::vector<std::int32_t> path;
-  for (const BoundaryEdge& seed : chain.edges)
-  {
-    std::int32_t here = seed.from;
-    while (true)
+  runBlocks(
+    edges.size(), edgesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Vertex& vertex = at[here];
-      if (vertex.placeInPath >= 0)
+      for (std::size_t i = first; i < last; ++i)
       {
-        const auto cut = path.begin() + vertex.placeInPath;
-        loops.emplace_back(cut, path.end());
-        for (auto visited = cut; visited != path.end(); ++visited)
-        {
-          at[*visited].placeInPath = -1;
-        }
-        path.erase(cut, path.end());
+        edges[i] = keyed.begin(0)[i].edge;
       }
-      while (vertex.next != vertex.end && leaving[vertex.next].multiplicity == 0)
-      {
-        ++vertex.next;
-      }
-      if (vertex.next == vertex.end)
-      {
-        break;
-      }
-      vertex.placeInPath = static_cast<std::int32_t>(path.size());
-      path.push_back(here);
-      --leaving[vertex.next].multiplicity;
-      here = leaving[vertex.next].to;
-    }
-  }
-  return loops;
+    },
+    executor);
 }
 
 } // namespace winding

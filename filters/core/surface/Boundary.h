@@ -43,20 +43,11 @@ struct BoundaryChain
 /// Sorts edges by the coordinates of their lower, then of their higher end, by x, y and z: an order
 /// that depends neither on the numbers of vertices nor on the directions of edges, and stays where
 /// the source is moved. Each undirected edge may stand there once at most.
-/// Throws Interrupted, and then the edges stand as they did.
+/// Throws Interrupted, after which the edges are of no use.
 void sortByCoordinates(std::vector<BoundaryEdge>& edges,
   const std::vector<Eigen::Vector3d>& vertices, Executor& executor);
 
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.
 BoundaryChain boundaryChain(const Surface& surface, Executor& executor);
-
-/// A closed walk v₀ → v₁ → … → v₀ along boundary edges that visits at least three vertices, none of
-/// them twice.
-using BoundaryLoop = std::vector<std::int32_t>;
-
-/// Splits a chain into loops, which together run along each edge as often as its multiplicity says.
-/// Nothing but the order of the chain's edges decides which loops these are, and where they begin.
-/// `vertices` is the number of vertices of the surface.
-std::vector<BoundaryLoop> boundaryLoops(const BoundaryChain& chain, std::size_t vertices);
 
 } // namespace winding

@@ -5,40 +5,58 @@
 namespace winding
 {
 
-std::vector<Triangle> capOf(const std::vector<BoundaryLoop>& loops)
+namespace
+{
+
+/// Appends the cap of a loop, whose vertices are in rim, which is empty then.
+void appendCap(std::vector<std::int32_t>& rim, std::vector<Triangle>& cap)
+{
+  while (rim.size() > 2)
+  {
+    const std::size_t n = rim.size();
+    for (std::size_t i = 0; i < n; i += 2)
+    {
+      if (i + 1 < n)
+      {
+        // An ear runs against the sense of the rim, whose two edges it cancels.
+        cap.push_back({rim[i], rim[(i + 2) % n], rim[i + 1]});
+      }
+      rim[i / 2] = rim[i];
+    }
+    // A rim of three vertices is one ear, so nothing is left.
+    rim.resize(n == 3 ? 0 : (n + 1) / 2);
+  }
+}
+
+} // namespace
+
+std::vector<Triangle> capOf(const BoundaryLoops& loops)
 {
   std::vector<Triangle> cap;
-  for (BoundaryLoop rim : loops)
+  cap.reserve(loops.vertices() - 2 * loops.size());
+  std::vector<std::int32_t> rim;
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    while (rim.size() > 2)
-    {
-      const std::size_t n = rim.size();
-      BoundaryLoop inner;
-      for (std::size_t i = 0; i < n; i += 2)
-      {
-        inner.push_back(rim[i]);
-        if (i + 1 < n)
-        {
-          // An ear runs against the sense of the rim, whose two edges it cancels.
-          cap.push_back({rim[i], rim[(i + 2) % n], rim[i + 1]});
-        }
-      }
-      if (n == 3)
-      {
-        break; // a rim of three vertices is one ear, so nothing is left
-      }
-      rim = std::move(inner);
-    }
+    rim.assign(loops[i].begin(), loops[i].end());
+    appendCap(rim, cap);
   }
   return cap;
 }
 
-std::vector<Triangle> fanOf(
-  const std::vector<BoundaryLoop>& loops, std::vector<Eigen::Vector3d>& vertices)
+std::vector<Triangle> capOf(const BoundaryLoop& loop)
+{
+  std::vector<Triangle> cap;
+  std::vector<std::int32_t> rim(loop.begin(), loop.end());
+  appendCap(rim, cap);
+  return cap;
+}
+
+std::vector<Triangle> fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices)
 {
   std::vector<Triangle> fan;
-  for (const BoundaryLoop& loop : loops)
+  for (std::size_t number = 0; number < loops.size(); ++number)
   {
+    const BoundaryLoop loop = loops[number];
     Bounds bounds;
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (std::int32_t vertex : loop)

@@ -1,7 +1,7 @@
 #include "surface/NearlyClosed.h"
 
 #include "source/UnitScale.h"
-#include "surface/Boundary.h"
+#include "surface/BoundaryLoops.h"
 #include "surface/Cap.h"
 
 #include <algorithm>
@@ -31,15 +31,16 @@ int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
 
 /// Makes a cap that is the same whichever way the loop runs, but for the sense of its triangles: a
 /// component must not be judged by another cap once it is turned round.
-std::vector<Triangle> unsidedCapOf(BoundaryLoop loop)
+std::vector<Triangle> unsidedCapOf(const BoundaryLoop& loop)
 {
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  const bool isReversed = loop.back() < loop[1];
+  std::vector<std::int32_t> rim(loop.begin(), loop.end());
+  std::rotate(rim.begin(), std::min_element(rim.begin(), rim.end()), rim.end());
+  const bool isReversed = rim.back() < rim[1];
   if (isReversed)
   {
-    std::reverse(loop.begin() + 1, loop.end());
+    std::reverse(rim.begin() + 1, rim.end());
   }
-  std::vector<Triangle> cap = capOf({loop});
+  std::vector<Triangle> cap = capOf(BoundaryLoop(rim.data(), rim.data() + rim.size()));
   for (Triangle& triangle : cap)
   {
     if (isReversed)
@@ -99,9 +100,11 @@ public:
       chain.edges.push_back(
         {edge.net > 0 ? low : high, edge.net > 0 ? high : low, std::abs(edge.net)});
     }
-    for (const BoundaryLoop& loop : boundaryLoops(chain, vertices_.size()))
+    SerialExecutor serial;
+    const BoundaryLoops loops = boundaryLoops(chain, vertices_.size(), serial);
+    for (std::size_t i = 0; i < loops.size(); ++i)
     {
-      std::vector<Triangle> cap = unsidedCapOf(loop);
+      std::vector<Triangle> cap = unsidedCapOf(loops[i]);
       for (Triangle& triangle : cap)
       {
         for (std::int32_t& corner : triangle)
@@ -109,7 +112,7 @@ public:
           corner = vertices_[corner].second;
         }
       }
-      visit(vertices_[loop.front()].first, cap);
+      visit(vertices_[loops[i][0]].first, cap);
     }
   }
 

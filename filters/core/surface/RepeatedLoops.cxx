@@ -6,12 +6,22 @@
 namespace winding
 {
 
-RepeatedLoops::RepeatedLoops(std::vector<BoundaryLoop> all)
+namespace
+{
+
+bool areEqual(const BoundaryLoop& a, const BoundaryLoop& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+} // namespace
+
+RepeatedLoops::RepeatedLoops(BoundaryLoops all)
 {
   std::vector<std::pair<std::int32_t, std::size_t>> runs; // lengths and first loops
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    if (i > 0 && all[i] == all[i - 1])
+    if (i > 0 && areEqual(all[i], all[i - 1]))
     {
       ++runs.back().first;
     }
@@ -29,7 +39,7 @@ RepeatedLoops::RepeatedLoops(std::vector<BoundaryLoop> all)
   for (const auto& [count, first] : runs)
   {
     counts.push_back(count);
-    loops.push_back(std::move(all[first]));
+    loops.add(all[first]);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "source/Surface.h"
-#include "surface/Boundary.h"
+#include "surface/BoundaryLoops.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,7 @@ struct RepeatedLoops
 {
   /// Takes loops as boundaryLoops() makes them: those that run along the same edges come one after
   /// the other.
-  explicit RepeatedLoops(std::vector<BoundaryLoop> all);
+  explicit RepeatedLoops(BoundaryLoops all);
 
   /// The multiplicities of triangles, of which each loop has as many as trianglesOf(loop) says.
   template <class TrianglesOf> Multiplicities multiplicities(const TrianglesOf& trianglesOf) const
@@ -27,7 +27,7 @@ struct RepeatedLoops
     return result;
   }
 
-  std::vector<BoundaryLoop> loops;
+  BoundaryLoops loops;
   std::vector<std::int32_t> counts; ///< by loop; empty where each was there once
 };
 

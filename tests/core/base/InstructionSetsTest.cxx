@@ -101,12 +101,13 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
       {
         winding::FarField(std::move(sources), accuracy, serial).evaluate(view, output, serial);
       };
-      evaluate(winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}));
+      evaluate(
+        winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}, serial));
       EXPECT_LT(largestDifference(values, exact), tolerance);
-      evaluate(winding::farFieldSources(cloud, areas));
+      evaluate(winding::farFieldSources(cloud, areas, serial));
       // Values are large beside points, and so is their rounding to float.
       EXPECT_LT(largestDifference(values, exactOfCloud), tolerance + 1e-5); // measured: 5.5e-6
-      evaluate(winding::farFieldSources(regularized, areas));
+      evaluate(winding::farFieldSources(regularized, areas, serial));
       EXPECT_LT(largestDifference(values, exactOfRegularized), tolerance);
     }
   }

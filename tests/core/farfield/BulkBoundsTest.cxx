@@ -30,6 +30,8 @@ double longest(const winding::Bounds& bounds)
   return bounds.sizes().maxCoeff();
 }
 
+winding::SerialExecutor serial;
+
 } // namespace
 
 TEST(BulkBounds, AreTheBoundsOfWhatHasNoOutliers)
@@ -39,11 +41,12 @@ TEST(BulkBounds, AreTheBoundsOfWhatHasNoOutliers)
     {sphereCloud(1000).positions, randomPoints(10'000, -3, 7, 85), randomPoints(10, 0, 1, 85),
       std::vector<Point>(500, Point(1, 2, 3)), randomPoints(100, 0, 1e-309, 85)})
   {
-    const winding::Bounds bounds = boundsOf(points), bulk = winding::bulkBounds(points, bounds);
+    const winding::Bounds bounds = boundsOf(points),
+                          bulk = winding::bulkBounds(points, bounds, serial);
     EXPECT_EQ(bulk.min(), bounds.min());
     EXPECT_EQ(bulk.max(), bounds.max());
   }
-  EXPECT_TRUE(winding::bulkBounds({}, winding::Bounds()).isEmpty());
+  EXPECT_TRUE(winding::bulkBounds({}, winding::Bounds(), serial).isEmpty());
 }
 
 TEST(BulkBounds, LeaveOutliersOut)
@@ -53,7 +56,7 @@ TEST(BulkBounds, LeaveOutliersOut)
   {
     points.push_back({-distance, 0, distance});
     const winding::Bounds bounds = boundsOf(points);
-    const double size = longest(winding::bulkBounds(points, bounds));
+    const double size = longest(winding::bulkBounds(points, bounds, serial));
     EXPECT_GE(size, 2);
     // Much smaller units would take the outlier out of the range of single precision.
     EXPECT_GE(size, 0.999e-7 * longest(bounds)) << distance; // measured: 1e-7 from 1e30 on
@@ -68,10 +71,10 @@ TEST(BulkBounds, KeepTheFarFieldFastAndRightBesideAFarOutlier)
   cloud.positions.push_back({3e6, 1e6, -2e6});
   cloud.normals.push_back({1, 0, 0});
   winding::PointCloud clean = shapes::clean(cloud);
-  winding::SerialExecutor serial;
   clean.areas = winding::voronoiAreas(clean, serial, winding::defaultNeighbors);
   const auto accuracy = winding::FarFieldAccuracy::of(1e-4);
-  const winding::FarField field(winding::farFieldSources(clean, clean.areas), accuracy, serial);
+  const winding::FarField field(
+    winding::farFieldSources(clean, clean.areas, serial), accuracy, serial);
   const std::vector<Point> around = randomPoints(4000, -1.5, 1.5, 86);
   std::vector<Point> aroundOutlier, between;
   for (const Point& sample : around)

@@ -75,12 +75,13 @@ struct Errors
   double reach = 0;   ///< largest distance of a dipole from the centre over the radius
 };
 
+winding::SerialExecutor serial;
+
 /// Compares the moments of all nodes with the sums over the dipoles of all of their items.
 Errors compare(FarFieldSources& sources, const Items& items, int order, std::size_t leafSize)
 {
-  winding::SerialExecutor serial;
-  const SourceTree tree(sources.centers(), leafSize, serial);
-  sources.arrange(tree.order(), false);
+  const SourceTree tree(sources.centers(serial), leafSize, serial);
+  sources.arrange(tree.order(), false, serial);
   const SourceMoments moments(tree, sources, accuracyOf(order), serial);
   Errors errors;
   for (std::size_t n = 0; n < tree.nodes().size(); ++n)
@@ -126,7 +127,7 @@ TEST_P(SourceMomentsOfOrder, OfCloudsAreTheSumsOfAllPoints)
     {
       areas.push_back(i % 5 == 0 ? 0 : random(0, 0.01) * scale * scale);
     }
-    const auto sources = winding::farFieldSources(clean(cloud), areas);
+    const auto sources = winding::farFieldSources(clean(cloud), areas, serial);
     const Errors errors =
       compare(*sources, itemsOf(cloud, areas, sources->scale()), GetParam(), 10);
     record("moments", errors.moments);
@@ -146,7 +147,7 @@ TEST_P(SourceMomentsOfOrder, OfTrianglesAreTheirIntegrals)
                         .mapped([scale](const Point& p) -> Point { return scale * p; });
     const winding::Surface surface = clean(mesh);
     const auto sources =
-      winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {});
+      winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}, serial);
     const Errors errors = compare(*sources, fineItems(mesh, sources->scale(), 5), GetParam(), 4);
     record("moments", errors.moments);
     // The error is the same for every order and scale, since it is the reference's own.
@@ -164,7 +165,7 @@ TEST_P(SourceMomentsOfOrder, OfManyEqualPointsKeepTheirDigits)
   cloud.positions.emplace_back(1, 1, 1);
   cloud.normals.emplace_back(1, 0, 0);
   const std::vector<double> areas(30001, 1e-4);
-  const auto sources = winding::farFieldSources(clean(cloud), areas);
+  const auto sources = winding::farFieldSources(clean(cloud), areas, serial);
   const Errors errors = compare(*sources, itemsOf(cloud, areas, sources->scale()), GetParam(), 24);
   record("moments", errors.moments);
   EXPECT_LT(errors.moments, 2e-7); // measured: 2e-8
@@ -173,16 +174,15 @@ TEST_P(SourceMomentsOfOrder, OfManyEqualPointsKeepTheirDigits)
 TEST_P(SourceMomentsOfOrder, OfItemsWithoutAreaAreZero)
 {
   const Cloud cloud = randomCloud(100, 354);
-  const auto points = winding::farFieldSources(clean(cloud), std::vector<double>(100, 0.0));
+  const auto points = winding::farFieldSources(clean(cloud), std::vector<double>(100, 0.0), serial);
   const Mesh flat = triangleSoup(100, 355).mapped([](const Point& p) { return Point(p[0], 0, 0); });
   const winding::Surface surface = clean(flat);
   const auto lines =
-    winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {});
+    winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}, serial);
   for (const auto& sources : {points.get(), lines.get()})
   {
-    winding::SerialExecutor serial;
-    const SourceTree tree(sources->centers(), 10, serial);
-    sources->arrange(tree.order(), false);
+    const SourceTree tree(sources->centers(serial), 10, serial);
+    sources->arrange(tree.order(), false, serial);
     const SourceMoments moments(tree, *sources, accuracyOf(GetParam()), serial);
     for (std::size_t n = 0; n < tree.nodes().size(); ++n)
     {
@@ -207,10 +207,9 @@ TEST_P(SourceMomentsOfOrder, KeepSamplesAsFarAwayAsTheWidestOfTheirPointsIsSprea
   {
     cloud.regularizationLengths.push_back(random(0, 0.1));
   }
-  const auto sources = winding::farFieldSources(cloud, std::vector<double>(700, 1e-6));
-  winding::SerialExecutor serial;
-  const SourceTree tree(sources->centers(), 10, serial);
-  sources->arrange(tree.order(), false);
+  const auto sources = winding::farFieldSources(cloud, std::vector<double>(700, 1e-6), serial);
+  const SourceTree tree(sources->centers(serial), 10, serial);
+  sources->arrange(tree.order(), false, serial);
   const FarFieldAccuracy accuracy = accuracyOf(GetParam());
   const SourceMoments moments(tree, *sources, accuracy, serial);
   for (std::size_t n = 0; n < tree.nodes().size(); ++n)
@@ -230,11 +229,10 @@ TEST_P(SourceMomentsOfOrder, HaveTheSameBitsOnAnyThreads)
 {
   SCOPED_TRACE("seeds 356, 357");
   const auto source = farSource(randomCloud(5000, 356));
-  winding::SerialExecutor serial;
   ShuffledThreads threads(357);
   const auto sources = source->sources();
-  const SourceTree tree(sources->centers(), 10, serial);
-  sources->arrange(tree.order(), false);
+  const SourceTree tree(sources->centers(serial), 10, serial);
+  sources->arrange(tree.order(), false, serial);
   const SourceMoments expected(tree, *sources, accuracyOf(GetParam()), serial);
   const SourceMoments moments(tree, *sources, accuracyOf(GetParam()), threads);
   EXPECT_EQ(moments.moments, expected.moments);

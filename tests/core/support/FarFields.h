@@ -88,7 +88,8 @@ public:
   using FarSource::sources;
   std::unique_ptr<winding::FarFieldSources> sources(const winding::Bounds&, double) const override
   {
-    return winding::farFieldSources(cloud_, areas_);
+    winding::SerialExecutor serial;
+    return winding::farFieldSources(cloud_, areas_, serial);
   }
 
   std::vector<double> values(const std::vector<Point>& samples) const override
@@ -163,7 +164,9 @@ public:
       rule.region = region;
       rule.longestSide = 8 * spacing;
     }
-    return winding::farFieldSources(surface_.vertices, surface_.triangles, surface_.bounds, rule);
+    winding::SerialExecutor serial;
+    return winding::farFieldSources(
+      surface_.vertices, surface_.triangles, surface_.bounds, rule, serial);
   }
 
   std::vector<double> values(const std::vector<Point>& samples) const override

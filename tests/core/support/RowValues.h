@@ -60,8 +60,7 @@ class ClosedLatticeChain
 public:
   explicit ClosedLatticeChain(unsigned seed)
     : chain_(randomLatticeChain(seed, 12, 4))
-    , cap_(winding::capOf(
-        winding::boundaryLoops(boundaryOf(chain_.surface), chain_.surface.vertices.size())))
+    , cap_(capOf(chain_.surface))
   {
   }
   const winding::Grid& grid() const { return chain_.grid; }
@@ -72,6 +71,13 @@ public:
   }
 
 private:
+  static std::vector<winding::Triangle> capOf(const winding::Surface& surface)
+  {
+    winding::SerialExecutor serial;
+    return winding::capOf(
+      winding::boundaryLoops(boundaryOf(surface), surface.vertices.size(), serial));
+  }
+
   LatticeChain chain_;
   std::vector<winding::Triangle> cap_;
 };

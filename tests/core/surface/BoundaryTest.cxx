@@ -1,4 +1,4 @@
-#include "surface/Boundary.h"
+#include "surface/BoundaryLoops.h"
 
 #include "core/support/LatticeChain.h"
 #include "core/support/Shapes.h"
@@ -19,6 +19,7 @@ using namespace shapes;
 using winding::BoundaryChain;
 using winding::BoundaryEdge;
 using winding::BoundaryLoop;
+using winding::BoundaryLoops;
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
 /// The number of uses of each edge, signed by their direction from its lower to its higher vertex.
@@ -57,11 +58,18 @@ Counts countsOf(const BoundaryChain& chain)
   return counts;
 }
 
-Counts countsOf(const std::vector<BoundaryLoop>& loops)
+BoundaryLoops loopsOf(const BoundaryChain& chain, const winding::Surface& surface)
+{
+  winding::SerialExecutor serial;
+  return winding::boundaryLoops(chain, surface.vertices.size(), serial);
+}
+
+Counts countsOf(const BoundaryLoops& loops)
 {
   Counts counts;
-  for (const BoundaryLoop& loop : loops)
+  for (std::size_t number = 0; number < loops.size(); ++number)
   {
+    const BoundaryLoop loop = loops[number];
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       addEdge(counts, loop[i], loop[(i + 1) % loop.size()], 1);
@@ -92,13 +100,14 @@ void expectSound(const winding::Surface& surface)
     ASSERT_EQ(difference, 0);
   }
 
-  const auto loops = winding::boundaryLoops(chain, surface.vertices.size());
+  const BoundaryLoops loops = loopsOf(chain, surface);
   // Equal counts and, below, equal total length show that the loops run along no edge there and
   // back.
   ASSERT_EQ(countsOf(loops), countsOf(chain));
   std::size_t loopLength = 0;
-  for (const BoundaryLoop& loop : loops)
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
+    const BoundaryLoop loop = loops[i];
     loopLength += loop.size();
     ASSERT_GE(loop.size(), 3u);
     ASSERT_EQ(std::set<std::int32_t>(loop.begin(), loop.end()).size(), loop.size());
@@ -110,10 +119,10 @@ std::vector<std::size_t> loopSizes(const Mesh& mesh)
 {
   const winding::Surface surface = clean(mesh);
   std::vector<std::size_t> sizes;
-  for (const BoundaryLoop& loop :
-    winding::boundaryLoops(boundaryOf(surface), surface.vertices.size()))
+  const BoundaryLoops loops = loopsOf(boundaryOf(surface), surface);
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    sizes.push_back(loop.size());
+    sizes.push_back(loops[i].size());
   }
   return sizes;
 }
@@ -144,7 +153,7 @@ TEST(BoundaryChain, OfClosedChainsIsEmpty)
     const BoundaryChain chain = boundaryOf(surface);
     EXPECT_TRUE(chain.edges.empty());
     EXPECT_EQ(chain.edgesOfOneTriangle, 0u);
-    EXPECT_TRUE(winding::boundaryLoops(chain, surface.vertices.size()).empty());
+    EXPECT_TRUE(loopsOf(chain, surface).empty());
   }
 }
 

@@ -14,11 +14,13 @@ namespace
 
 using namespace shapes;
 using winding::BoundaryLoop;
+using winding::BoundaryLoops;
 using winding::Triangle;
 
-std::vector<BoundaryLoop> loopsOf(const winding::Surface& surface)
+BoundaryLoops loopsOf(const winding::Surface& surface)
 {
-  return winding::boundaryLoops(boundaryOf(surface), surface.vertices.size());
+  winding::SerialExecutor serial;
+  return winding::boundaryLoops(boundaryOf(surface), surface.vertices.size(), serial);
 }
 
 bool isClosedBy(winding::Surface surface, const std::vector<Triangle>& cap)
@@ -27,11 +29,17 @@ bool isClosedBy(winding::Surface surface, const std::vector<Triangle>& cap)
   return boundaryOf(surface).edges.empty();
 }
 
-BoundaryLoop polygon(std::int32_t corners)
+/// Loops of so many vertices each.
+BoundaryLoops polygons(const std::vector<std::int32_t>& sizes)
 {
-  BoundaryLoop loop(static_cast<std::size_t>(corners));
-  std::iota(loop.begin(), loop.end(), 0);
-  return loop;
+  BoundaryLoops loops;
+  for (const std::int32_t corners : sizes)
+  {
+    std::vector<std::int32_t> loop(static_cast<std::size_t>(corners));
+    std::iota(loop.begin(), loop.end(), 0);
+    loops.add({loop.data(), loop.data() + loop.size()});
+  }
+  return loops;
 }
 
 } // namespace
@@ -64,20 +72,20 @@ TEST(Cap, HasTwoTrianglesLessThanALoopHasEdges)
 {
   for (std::int32_t n = 3; n < 200; ++n)
   {
-    const auto cap = winding::capOf({polygon(n)});
+    const auto cap = winding::capOf(polygons({n}));
     EXPECT_EQ(cap.size(), static_cast<std::size_t>(n) - 2);
     for (const Triangle& t : cap)
     {
       EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
     }
   }
-  EXPECT_EQ(winding::capOf({polygon(7), polygon(3)}).size(), 6u);
-  EXPECT_TRUE(winding::capOf({}).empty());
+  EXPECT_EQ(winding::capOf(polygons({7, 3})).size(), 6u);
+  EXPECT_TRUE(winding::capOf(BoundaryLoops()).empty());
 }
 
 TEST(Cap, RunsAgainstTheRim)
 {
-  EXPECT_EQ(winding::capOf({polygon(3)}), (std::vector<Triangle>{{0, 2, 1}}));
+  EXPECT_EQ(winding::capOf(polygons({3})), (std::vector<Triangle>{{0, 2, 1}}));
 }
 
 TEST(Cap, IsGradedFromTheRimToTheMiddle)
@@ -86,7 +94,7 @@ TEST(Cap, IsGradedFromTheRimToTheMiddle)
   // few triangles: so the triangles near any sample are about as many as the logarithm of the rim.
   for (const std::int32_t n : {64, 1000, 1024, 4097})
   {
-    const auto cap = winding::capOf({polygon(n)});
+    const auto cap = winding::capOf(polygons({n}));
     std::vector<int> uses(static_cast<std::size_t>(n));
     std::size_t small = 0;
     for (const Triangle& t : cap)
