@@ -123,7 +123,8 @@ private:
   std::size_t wholeSize_ = 0; ///< kept, since every cell of samples asks for it
 };
 
-/// The points of a cloud, spread over its regularization lengths, if it has any. Throws Interrupted.
+/// The points of a cloud, spread over its regularization lengths, if it has any.
+/// Throws Interrupted.
 std::unique_ptr<FarFieldSources> farFieldSources(
   const PointCloud& cloud, const std::vector<double>& areas, Executor& executor);
 

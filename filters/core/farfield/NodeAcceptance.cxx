@@ -96,7 +96,7 @@ void NodeCriteria::resize(std::size_t nodes)
 }
 
 void NodeCriteria::setErrors(
-  std::size_t node, int order, double epsilon, double spread, const float* moments)
+  std::size_t node, const FarFieldAccuracy& accuracy, const Content& content)
 {
   static const std::array<double, 2 * largestOrder + 1> factorial = []
   {
@@ -107,6 +107,8 @@ void NodeCriteria::setErrors(
     }
     return values;
   }();
+  const int order = accuracy.order;
+  const double epsilon = accuracy.epsilon;
   // powers[k] is p_k / r^k, as the moments are scaled.
   double powers[largestOrder + 1] = {};
   for (int k = 1; k <= order; ++k)
@@ -114,8 +116,8 @@ void NodeCriteria::setErrors(
     double sum = 0;
     for (int m = 0; m <= k; ++m)
     {
-      const double re = moments[realPlace(k, m)];
-      const double im = m > 0 ? moments[imaginaryPlace(k, m)] : 0;
+      const double re = content.moments[realPlace(k, m)];
+      const double im = m > 0 ? content.moments[imaginaryPlace(k, m)] : 0;
       sum += (m > 0 ? 2 : 1) * factorial[static_cast<std::size_t>(k + m)] *
              factorial[static_cast<std::size_t>(k - m)] * (re * re + im * im);
     }
@@ -123,7 +125,7 @@ void NodeCriteria::setErrors(
   }
   const double r = radius[node];
   // Every other degree vanishes for symmetric patches, so the last but one counts, too.
-  const double next = std::max(powers[order], 0.7 * powers[order - 1]);
+  const double next = std::max({powers[order], 0.7 * powers[order - 1], content.expectedNext});
   double strength = 0;
   for (int k = 1; k <= order; ++k)
   {
@@ -131,7 +133,7 @@ void NodeCriteria::setErrors(
   }
   // The root of p_{P+1} = next · r^{P+1} is taken factor by factor, for the sake of the range.
   const double forMoments = r * std::pow(next / (r * epsilon), 1.0 / (order + 2));
-  const double forSpread = spread > 0 ? r + spread : 0;
+  const double forSpread = content.spread > 0 ? r + content.spread : 0;
   rho[node] = static_cast<float>(std::max(forMoments, forSpread));
   tau[node] = static_cast<float>(std::pow(strength / epsilon, 1.0 / (order + 3)));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "farfield/FarFieldAccuracy.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,7 +24,12 @@
  *
  * Degree k of the moments gives |w_k(x)| ≤ p_k / |x|^{k+1} with p_k² = Σ_m (k+m)! (k−m)! |M_k^m|²
  * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, where the missing p_{P+1} is estimated from
- * p_{P−1} and p_P. For sources of degree 1 and strength p the local degrees above P are at most
+ * p_{P−1} and p_P. The dipoles of a leaf may be so few that they cancel in these two degrees by
+ * chance, and not in the next: n dipoles of strengths a_i at distances ρ_i from the centre have
+ * p_{P+1} ≤ (P+1) Σ a_i ρ_i^P, and 1/√n of that is expected where their phases are random. The
+ * larger estimate counts.
+ *
+ * For sources of degree 1 and strength p the local degrees above P are at most
  * (P+2) R^{P+1} p / (d−r)^{P+3}, so τ = (p/ε)^{1/(P+3)} and T = ((P+2) R^{P+1})^{1/(P+3)}.
  */
 namespace winding
@@ -39,9 +46,16 @@ struct NodeCriteria
 
   void resize(std::size_t nodes);
 
-  /// Sets rho and tau of a node from its moments scaled by its radius, and from the distance within
-  /// which its sources are no pure dipoles.
-  void setErrors(std::size_t node, int order, double epsilon, double spread, const float* moments);
+  /// The numbers, beside its radius, that the errors of a node follow from.
+  struct Content
+  {
+    const float* moments; ///< scaled by its radius
+    double expectedNext;  ///< expected p_{P+1}, scaled likewise; 0 where the moments tell
+    double spread;        ///< distance within which its sources are no pure dipoles
+  };
+
+  /// Sets rho and tau of a node.
+  void setErrors(std::size_t node, const FarFieldAccuracy& accuracy, const Content& content);
 };
 
 /// The properties of a cell that the test uses.

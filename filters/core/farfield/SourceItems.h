@@ -12,8 +12,7 @@
 
 /**
  * @file
- * What the sources of a far field do with arrays of items, on all threads: they may be many
- * millions, which lie anywhere in memory.
+ * Loops over the items of a far field's sources, on all threads, for there may be many millions.
  */
 namespace winding
 {

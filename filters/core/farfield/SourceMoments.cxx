@@ -4,6 +4,7 @@
 #include "farfield/MultipoleKernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace winding
@@ -32,6 +33,7 @@ public:
     , result_(result)
     , strengths_(tree.nodes().size())
     , spreads_(tree.nodes().size())
+    , expectedNext_(tree.nodes().size())
   {
   }
 
@@ -49,7 +51,7 @@ public:
     const double radius = result_.criteria.radius[number];
     result_.criteria.splitRadius[number] = node.children == 0 ? -1.0f : static_cast<float>(radius);
     result_.criteria.setErrors(
-      number, accuracy_.order, accuracy_.epsilon, spreads_[number], result_.of(number));
+      number, accuracy_, {result_.of(number), expectedNext_[number], spreads_[number]});
   }
 
 private:
@@ -82,6 +84,7 @@ private:
     spreads_[number] = accuracy_.spreadMargin * sources_.spread({node.begin, node.end});
 
     const double inverse = 1.0 / result_.criteria.radius[number];
+    expectedNext_[number] = this->expectedNext(dipoles, center, inverse);
     // Thousands of equal items make one leaf; summed in float, they would lose digits one by one.
     Expansion sums(result_.stride);
     for (std::size_t first = 0; first < dipoles.size(); first += DipoleBatch::capacity)
@@ -106,6 +109,26 @@ private:
     }
     std::transform(sums.begin(), sums.end(), this->momentsOf(number),
       [](double moment) { return static_cast<float>(moment); });
+  }
+
+  /// The size of the degree above the order of the moments that is expected where the phases of few
+  /// dipoles are random, in units of the node's radius. It is 0 for many dipoles, which the moments
+  /// tell enough about.
+  double expectedNext(const std::vector<FarFieldSources::Dipole>& dipoles,
+    const Eigen::Vector3d& center, double inverse) const
+  {
+    constexpr std::size_t few = 8;
+    if (dipoles.size() > few)
+    {
+      return 0;
+    }
+    double most = 0;
+    for (const FarFieldSources::Dipole& dipole : dipoles)
+    {
+      const double distance = inverse * (dipole.position - center).norm();
+      most += inverse * dipole.moment.norm() * std::pow(distance, accuracy_.order);
+    }
+    return (accuracy_.order + 1) * most / std::sqrt(static_cast<double>(dipoles.size()));
   }
 
   void buildInner(std::size_t number, const SourceNode& node)
@@ -164,6 +187,7 @@ private:
   SourceMoments& result_;
   std::vector<double> strengths_; ///< by node: the sum of |moment| of its dipoles
   std::vector<double> spreads_;   ///< by node: distance within which its items are no pure dipoles
+  std::vector<double> expectedNext_; ///< by node: expectedNext() of leaves, 0 for others
 };
 
 } // namespace

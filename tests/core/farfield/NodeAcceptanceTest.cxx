@@ -52,6 +52,11 @@ const char* classOf(const NodeCriteria& nodes, std::size_t i, const CellCriteria
   return d > needed ? "accepted" : nodes.splitRadius[i] > cell.splitRadius ? "split" : "kept";
 }
 
+winding::FarFieldAccuracy accuracyOf(int order, double epsilon)
+{
+  return {order, 0.5f, static_cast<float>(epsilon)};
+}
+
 /// A node of dipoles within a distance of 1 from its centre.
 struct Node
 {
@@ -87,7 +92,7 @@ struct Node
     criteria.resize(1);
     criteria.radius[0] = static_cast<float>(size);
     std::vector<float> floats(exact.begin(), exact.end());
-    criteria.setErrors(0, order, epsilon, 0, floats.data());
+    criteria.setErrors(0, accuracyOf(order, epsilon), {floats.data(), 0, 0});
     for (int k = 0; k <= order; ++k)
     {
       for (int at = k * k; at < (k + 1) * (k + 1); ++at)
@@ -206,11 +211,11 @@ TEST(NodeAcceptance, OfNodesWithoutAreaIsByTheAngleAlone)
   criteria.resize(1);
   criteria.radius[0] = 1;
   const std::vector<float> moments(static_cast<std::size_t>(winding::coefficientCount(5)), 0.0f);
-  criteria.setErrors(0, 5, 1e-3, 0, moments.data());
+  criteria.setErrors(0, accuracyOf(5, 1e-3), {moments.data(), 0, 0});
   EXPECT_EQ(criteria.rho[0], 0);
   EXPECT_EQ(criteria.tau[0], 0);
   // Nodes whose sources are spread must be farther away than their radius and that length.
-  criteria.setErrors(0, 5, 1e-3, 3.5, moments.data());
+  criteria.setErrors(0, accuracyOf(5, 1e-3), {moments.data(), 0, 3.5});
   EXPECT_EQ(criteria.rho[0], 4.5f);
   EXPECT_EQ(criteria.tau[0], 0);
 }
