@@ -1,0 +1,147 @@
+#include "cloud/NoisyNormals.h"
+
+#include "base/DividedShare.h"
+#include "cloud/CloudNoise.h"
+#include "cloud/NoisySheets.h"
+#include "cloud/NormalTrials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Every so manieth place of a noisy cloud, such that noise is no more than about half a spacing.
+std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
+{
+  constexpr double wanted = 0.6;
+  const double ratio = noise / wanted;
+  const std::size_t step =
+    std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::min(ratio * ratio, 64.0))));
+  std::vector<Eigen::Vector3d> some;
+  for (std::size_t place = step / 2; place < places.size(); place += step)
+  {
+    some.push_back(places.positions()[place]);
+  }
+  return some;
+}
+
+/// Orients a noisy cloud by some of its places, where noise is small beside its parts.
+OrientedPlaces orientThinned(const DistinctPoints& places,
+  std::unique_ptr<const NeighborGraph> graph, const std::vector<double>& spacings,
+  std::size_t neighbors, Normals byTree, Executor& executor)
+{
+  DividedShare share(executor);
+  share.set(0, 0.1);
+  const std::vector<Eigen::Vector3d> some =
+    thinned(places, medianDeviation(places, *graph, spacings, 2 * neighbors, executor));
+  constexpr std::size_t enough = 1000;
+  share.set(0.1, 1);
+  if (some.size() == places.size() || some.size() < enough)
+  {
+    return orientDensely(
+      places, std::move(graph), spacings, neighbors, true, std::move(byTree), executor);
+  }
+  share.set(0.1, 0.15);
+  const DistinctPoints sparse(some, 1, executor);
+  auto sparseGraph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
+  const std::vector<double> wide = spacingsOf(sparse, *sparseGraph);
+  const bool isStillNoisy = isNoisy(sparse, *sparseGraph, wide, executor);
+  share.set(0.15, 0.8);
+  const OrientedPlaces oriented =
+    orientDensely(sparse, std::move(sparseGraph), wide, neighbors, isStillNoisy, {}, executor);
+  share.set(0.8, 0.95);
+  constexpr double spread = 2;
+  const PlacesField field(sparse, wide, spread, executor);
+  const Normals gradients =
+    field.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions());
+  share.set(0.95, 1);
+  const Normals normals = planeNormals(places, *graph, 2 * neighbors, executor);
+  return {turned(normals, uphill(gradients, normals)), oriented.deviation, oriented.triedPatches};
+}
+
+/// How much w deviates from 1/2, where areas are known but for a common factor, as those of noisy
+/// points are: the least mean square of f w − 1/2 for any f that is not negative.
+double deviationUpToScale(const Eigen::VectorXd& w)
+{
+  const double mean = std::max(w.mean(), 0.0), square = w.array().square().mean();
+  return square > 0 ? 0.25 * (1 - mean * mean / square) : 0.25;
+}
+
+/// Directions in either sense, turned outward.
+Normals turnedOutward(const Normals& positions, Normals directions, Executor& executor)
+{
+  const Turns turns = turnsByPatches(positions, directions, false, executor);
+  return turned(std::move(directions), turns);
+}
+
+/// The normals of noisy sheets that are close to each other: senses are found by the places moved
+/// onto their sheets, which tell them apart, and directions are smoothed along them.
+Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>& spacings,
+  std::size_t neighbors, Executor& executor)
+{
+  constexpr int rounds = 3;
+  DividedShare share(executor);
+  Normals normals;
+  {
+    share.set(0, 0.3);
+    SheetPlanes planes = sheetPlanes(places, NeighborGraph(places, 2 * neighbors, executor),
+      spacings, {fewNeighbors, neighbors, 2 * neighbors}, executor);
+    share.set(0.3, 0.7);
+    normals = turnedOutward(planes.feet, std::move(planes.normals), executor);
+  }
+  share.set(0.7, 1);
+  const NeighborGraph graph(places, 2 * neighbors, executor);
+  for (int round = 0; round < rounds; ++round)
+  {
+    normals = smoothedAlongSheets(places, graph, spacings, normals, executor);
+  }
+  return normals;
+}
+
+} // namespace
+
+OrientedPlaces orientNoisy(
+  const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor)
+{
+  constexpr double spread = 3, good = 0.035, farBetter = 0.6;
+  DividedShare share(executor);
+  share.set(0, 0.05);
+  auto graph = std::make_unique<const NeighborGraph>(places, 2 * neighbors, executor);
+  const std::vector<double> spacings = spacingsOf(places, *graph);
+  share.set(0.05, 0.4);
+  OrientedPlaces best =
+    orientThinned(places, std::move(graph), spacings, neighbors, std::move(byTree), executor);
+  const PlacesField field(places, spacings, spread, executor);
+  const Turns none(places.size(), 0);
+  double least = deviationUpToScale(field.valuesOf(best.normals, none));
+  if (!best.triedPatches || least < good)
+  {
+    return best;
+  }
+  const auto take = [&](Normals normals)
+  {
+    const Eigen::VectorXd w = field.valuesOf(normals, none);
+    const double deviation = deviationUpToScale(w);
+    if (deviation < farBetter * least)
+    {
+      best.normals = std::move(normals);
+      best.deviation = deviationOf(w);
+      least = deviation;
+    }
+  };
+  share.set(0.4, 0.75);
+  take(normalsOfSheets(places, spacings, neighbors, executor));
+  share.set(0.75, 1);
+  if (least >= good)
+  {
+    take(
+      turnedOutward(places.positions(), planeNormals(places, 3 * neighbors, executor), executor));
+  }
+  return best;
+}
+
+} // namespace winding

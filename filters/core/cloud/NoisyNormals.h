@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "cloud/PlaceNormals.h"
+#include "source/DistinctPoints.h"
+
+namespace winding
+{
+
+/// Orients a noisy cloud. Noise about as large as its parts are thick hides the sheets from planes
+/// through some of its places; then all places are oriented, by the planes of sheets that are apart
+/// still, and by planes through many places, which are those of whole parts. Either is taken only
+/// where it fits far better, for noisy points tell little: better by 0.69 was worse, measured, and
+/// by 0.54 right.
+OrientedPlaces orientNoisy(
+  const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor);
+
+} // namespace winding

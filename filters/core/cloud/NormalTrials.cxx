@@ -1,0 +1,119 @@
+#include "cloud/NormalTrials.h"
+
+#include "base/DividedShare.h"
+#include "cloud/NormalPatches.h"
+#include "cloud/PatchSigns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Bounds of doubt that are tried: small ones leave patches that end at edges and thin parts, large
+/// ones leave few patches of noisy clouds.
+constexpr float doubts[] = {0.05f, 0.1f, 0.15f, 0.2f, 0.3f};
+
+/// Patches of fewer places, and the smallest of many patches, follow the others.
+constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
+
+} // namespace
+
+Turns uphill(const Normals& gradients, const Normals& normals)
+{
+  Turns turns(normals.size());
+  for (std::size_t place = 0; place < normals.size(); ++place)
+  {
+    turns[place] = gradients[place].dot(normals[place]) > 0;
+  }
+  return turns;
+}
+
+double deviationOf(const Eigen::VectorXd& w)
+{
+  return (w.array() - 0.5).square().mean();
+}
+
+void tryAsTheyAre(
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Best& best)
+{
+  const Eigen::VectorXd w = field.valuesOf(*normals, Turns(normals->size(), 0));
+  best.take(normals, Turns(normals->size(), 0), deviationOf(w));
+  best.take(normals, Turns(normals->size(), 1), deviationOf(-w));
+}
+
+void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
+  Best& best)
+{
+  DividedShare share(executor);
+  share.set(0, 0.1);
+  NormalPatches patches(places, graph, *normals, executor);
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < std::size(doubts); ++i)
+  {
+    constexpr double ofDoubt = 0.9 / std::size(doubts);
+    const double begin = 0.1 + ofDoubt * static_cast<double>(i);
+    share.set(begin, begin + ofDoubt / 2);
+    patches.grow(doubts[i]);
+    const NormalPatches::Largest largest = patches.largest(fewestPlaces, mostPatches);
+    if (largest.count() == 0 || (before == 1 && largest.count() == 1))
+    {
+      continue;
+    }
+    before = largest.count();
+    Turns turns = patches.areOpposite();
+    const Eigen::VectorXd signs = patchSigns(field.sharesOf(*normals, turns, largest));
+    for (std::size_t patch = 0; patch < largest.count(); ++patch)
+    {
+      for (std::size_t place = largest.starts[patch];
+           signs[static_cast<Eigen::Index>(patch)] < 0 && place < largest.starts[patch + 1];
+           ++place)
+      {
+        turns[largest.places[place]] ^= 1;
+      }
+    }
+    patches.handOn(largest, turns);
+    share.set(begin + ofDoubt / 2, begin + ofDoubt);
+    best.take(normals, turns, deviationOf(field.valuesOf(*normals, turns)));
+  }
+}
+
+void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor, Best& best)
+{
+  const Normals oriented = turned(*best.normals, best.turns);
+  for (const std::size_t size : sizes)
+  {
+    const auto normals =
+      std::make_shared<const Normals>(sheetNormals(places, graph, oriented, size, executor));
+    const Turns none(normals->size(), 0);
+    best.take(normals, none, deviationOf(field.valuesOf(*normals, none)));
+  }
+}
+
+void polish(const DistinctPoints& places, const PlacesField& field, Executor& executor, Best& best)
+{
+  constexpr int mostRounds = 3;
+  DividedShare share(executor);
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    const double before = best.deviation;
+    const double rest = std::pow(0.3, round); // a round is the last one mostly
+    share.set(1 - rest, 1 - 0.4 * rest);
+    const Turns turns =
+      uphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
+    share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
+    best.take(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
+    if (best.deviation == before)
+    {
+      return;
+    }
+  }
+}
+
+} // namespace winding

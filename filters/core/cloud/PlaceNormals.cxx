@@ -1,0 +1,137 @@
+#include "cloud/PlaceNormals.h"
+
+#include "base/DividedShare.h"
+#include "cloud/CloudNoise.h"
+#include "cloud/NormalEstimation.h"
+#include "cloud/NormalTrials.h"
+#include "source/CompareCoordinates.h"
+#include "source/UnitScale.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The deviation of clean clouds whose normals are right is less than this: 0.001 to 0.01. It is
+/// more where solids overlap, for w is 3/2 on the parts within others, and for noisy clouds.
+constexpr double smallDeviation = 0.02, smallDeviationOfNoise = 0.05;
+
+} // namespace
+
+OrientedPlaces orientDensely(const DistinctPoints& places,
+  std::unique_ptr<const NeighborGraph> graph, const std::vector<double>& spacings,
+  std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor)
+{
+  constexpr double spreadOfNoise = 3;
+  DividedShare share(executor);
+  const PlacesField field(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
+  if (byTree.empty())
+  {
+    share.set(0, 0.02);
+    byTree = planeNormals(places, *graph, neighbors, executor);
+    share.set(0.02, 0.05);
+    orientByTree(places, *graph, byTree, executor);
+  }
+  share.set(0.05, 0.1);
+  Best best(std::make_shared<const Normals>(std::move(byTree)));
+  tryAsTheyAre(best.normals, field, best);
+  const std::size_t between = (fewNeighbors + neighbors) / 2;
+  if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
+  {
+    if (!isNoisy)
+    {
+      share.set(0.1, 1);
+      trySheets(places, *graph, {between, neighbors}, field, executor, best);
+    }
+    return {turned(*best.normals, best.turns), best.deviation, false};
+  }
+  // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
+  // sheets that are closer than the points.
+  std::vector<std::size_t> sizes = {neighbors, 2 * neighbors};
+  if (!isNoisy)
+  {
+    sizes.insert(sizes.begin(), {fewNeighbors, between});
+  }
+  // Points that are spread far take long to polish.
+  const double endOfSizes = isNoisy ? 0.3 : 0.9;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const double ofSize = (endOfSizes - 0.1) / static_cast<double>(sizes.size());
+    const double begin = 0.1 + ofSize * static_cast<double>(i);
+    share.set(begin, begin + ofSize / 10);
+    const auto normals =
+      std::make_shared<const Normals>(planeNormals(places, *graph, sizes[i], executor));
+    share.set(begin + ofSize / 10, begin + ofSize);
+    tryPatches(places, *graph, normals, field, executor, best);
+  }
+  if (!isNoisy)
+  {
+    trySheets(places, *graph, {between, neighbors}, field, executor, best);
+  }
+  graph.reset();
+  share.set(endOfSizes, 1);
+  polish(places, field, executor, best);
+  return {turned(*best.normals, best.turns), best.deviation, true};
+}
+
+Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
+{
+  Normals byPlace(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    byPlace[place] = normals[*std::min_element(places.begin(place), places.end(place),
+      [&](std::uint32_t a, std::uint32_t b)
+      { return compareCoordinates(normals[a], normals[b]) < 0; })];
+  }
+  return byPlace;
+}
+
+Turns turnsByPatches(const std::vector<Eigen::Vector3d>& positions, const Normals& normals,
+  bool turnsSinglePoints, Executor& executor)
+{
+  constexpr std::size_t neighbors = 10;
+  DividedShare share(executor);
+  share.set(0, 0.05);
+  const DistinctPoints places(positions, unitScaleOf(positions), executor);
+  const auto ofPlaces = std::make_shared<const Normals>(normalsByPlace(places, normals));
+  Best best(ofPlaces);
+  if (places.size() > 1)
+  {
+    share.set(0.05, 0.2);
+    const NeighborGraph graph(places, neighbors, executor);
+    const std::vector<double> spacings = spacingsOf(places, graph);
+    const PlacesField field(places, spacings, 1, executor);
+    share.set(0.2, 0.25);
+    tryAsTheyAre(ofPlaces, field, best);
+    if (best.deviation >= smallDeviation)
+    {
+      Normals byTree = *ofPlaces;
+      share.set(0.25, 0.4);
+      orientByTree(places, graph, byTree, executor);
+      share.set(0.4, 0.45);
+      tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
+      share.set(0.45, 0.8);
+      tryPatches(places, graph, ofPlaces, field, executor, best);
+      if (turnsSinglePoints)
+      {
+        share.set(0.8, 1);
+        polish(places, field, executor, best);
+      }
+    }
+  }
+  const Normals found = turned(*best.normals, best.turns);
+  Turns turns(positions.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+    {
+      turns[*point] = normals[*point].dot(found[place]) < 0;
+    }
+  }
+  return turns;
+}
+
+} // namespace winding

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "cloud/NeighborGraph.h"
+#include "cloud/PlacesField.h"
+#include "source/DistinctPoints.h"
+
+#include <memory>
+#include <vector>
+
+/**
+ * @file
+ * Normals of a cloud's places that are found by trying all places in several ways, of which the one
+ * with the least deviation is taken. All of these functions throw Interrupted.
+ */
+namespace winding
+{
+
+/// A cloud whose points have normals: by place, and by how much w deviates from 1/2 there.
+struct OrientedPlaces
+{
+  Normals normals;
+  double deviation;
+  bool triedPatches;
+};
+
+/// Orients a cloud by all ways and takes the one with the least deviation. The graph has at least
+/// so many neighbours; it is given up where it is needed no more. byTree: the normals that the
+/// spanning tree gives, by place, or none where they are not known.
+OrientedPlaces orientDensely(const DistinctPoints& places,
+  std::unique_ptr<const NeighborGraph> graph, const std::vector<double>& spacings,
+  std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor);
+
+/// The normal at each place. Where several points stand at a place, it is the one that comes first
+/// by its coordinates, whatever the order of the points.
+Normals normalsByPlace(const DistinctPoints& places, const Normals& normals);
+
+/// Tells which normals patches turn, and whether points are turned one by one in the end.
+Turns turnsByPatches(const std::vector<Eigen::Vector3d>& positions, const Normals& normals,
+  bool turnsSinglePoints, Executor& executor);
+
+} // namespace winding
