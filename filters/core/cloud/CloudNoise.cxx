@@ -8,32 +8,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// The quantile of some values, which it moves.
-double quantile(std::vector<double>& values, double share)
-{
-  const auto at =
-    values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-/// The deviations of points from the planes of their neighbourhoods, in spacings.
-std::vector<double> deviationsOf(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<double>& spacings, std::size_t neighbors, Executor& executor)
-{
-  std::vector<double> deviations = planeDeviations(places, graph, neighbors, executor);
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    deviations[place] /= spacings[place];
-  }
-  return deviations;
-}
-
-} // namespace
-
 std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph& graph)
 {
   std::vector<double> spacings(places.size());
@@ -49,19 +23,25 @@ std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph
   return spacings;
 }
 
+double quantileInSpacings(
+  std::vector<double> deviations, const std::vector<double>& spacings, double share)
+{
+  for (std::size_t place = 0; place < deviations.size(); ++place)
+  {
+    deviations[place] /= spacings[place];
+  }
+  const double before = share * static_cast<double>(deviations.size() - 1);
+  const auto at = deviations.begin() + static_cast<std::ptrdiff_t>(before);
+  std::nth_element(deviations.begin(), at, deviations.end());
+  return *at;
+}
+
 bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, Executor& executor)
 {
   constexpr double clean = 0.2;
-  std::vector<double> deviations = deviationsOf(places, graph, spacings, fewNeighbors, executor);
-  return quantile(deviations, 0.25) > clean;
-}
-
-double medianDeviation(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<double>& spacings, std::size_t neighbors, Executor& executor)
-{
-  std::vector<double> deviations = deviationsOf(places, graph, spacings, neighbors, executor);
-  return quantile(deviations, 0.5);
+  return quantileInSpacings(
+           planeDeviations(places, graph, fewNeighbors, executor), spacings, 0.25) > clean;
 }
 
 } // namespace winding

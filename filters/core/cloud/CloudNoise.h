@@ -26,9 +26,8 @@ std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph
 bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, Executor& executor);
 
-/// The median of the deviations of places, in spacings, from planes through so many neighbours.
-/// Throws Interrupted.
-double medianDeviation(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<double>& spacings, std::size_t neighbors, Executor& executor);
+/// The quantile of the deviations of places from planes, in spacings, that a share of them is below.
+double quantileInSpacings(
+  std::vector<double> deviations, const std::vector<double>& spacings, double share);
 
 } // namespace winding

@@ -35,7 +35,7 @@ OrientedPlaces orientPlaces(
       places, std::move(graph), spacings, neighbors, false, std::move(byTree), executor);
   }
   graph.reset();
-  return orientNoisy(places, neighbors, std::move(byTree), executor);
+  return orientNoisy(places, spacings, neighbors, std::move(byTree), executor);
 }
 
 } // namespace
@@ -71,7 +71,13 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
   const std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
   ShownExecutor shown(executor);
-  return turnsByPatches(positions, normals, true, shown);
+  DividedShare share(shown);
+  share.set(0, 0.05);
+  const DistinctPoints places(positions, unitScaleOf(positions), shown);
+  share.set(0.05, 1);
+  const OrientedPlaces oriented =
+    orientByPatches(places, normalsByPlace(places, normals), true, shown);
+  return oppositeTo(oriented.normals, places, normals);
 }
 
 } // namespace winding

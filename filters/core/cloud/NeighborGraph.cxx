@@ -148,6 +148,21 @@ std::vector<Eigen::Vector3d> planeNormals(
   return normals;
 }
 
+PlacePlanes placePlanes(const DistinctPoints& places, std::size_t count, Executor& executor)
+{
+  PlacePlanes planes = {
+    std::vector<Eigen::Vector3d>(places.size()), std::vector<double>(places.size())};
+  forEachPlane(
+    places, count,
+    [&](std::size_t place, const NeighborPlane& plane)
+    {
+      planes.normals[place] = plane.normal;
+      planes.deviations[place] = plane.deviation;
+    },
+    executor);
+  return planes;
+}
+
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor)
 {

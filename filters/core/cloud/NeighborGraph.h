@@ -48,6 +48,18 @@ Eigen::Vector3d planeNormalOf(
 std::vector<Eigen::Vector3d> planeNormals(
   const DistinctPoints& places, std::size_t count, Executor& executor);
 
+/// The normals of planes and their deviations, by place: the estimated root mean squares of the
+/// distances from them.
+struct PlacePlanes
+{
+  std::vector<Eigen::Vector3d> normals;
+  std::vector<double> deviations;
+};
+
+/// The planes of all places through their `count` nearest neighbours, which are searched for.
+/// Throws Interrupted.
+PlacePlanes placePlanes(const DistinctPoints& places, std::size_t count, Executor& executor);
+
 ///@{
 /// The normals of the planes of all places through their `count` nearest neighbours, or their
 /// deviations. Neighbours that the graph does not have are searched for. Throws Interrupted.

@@ -4,6 +4,8 @@
 #include "cloud/PlaceNormals.h"
 #include "source/DistinctPoints.h"
 
+#include <vector>
+
 namespace winding
 {
 
@@ -12,7 +14,9 @@ namespace winding
 /// still, and by planes through many places, which are those of whole parts. Either is taken only
 /// where it fits far better, for noisy points tell little: better by 0.69 was worse, measured, and
 /// by 0.54 right.
-OrientedPlaces orientNoisy(
-  const DistinctPoints& places, std::size_t neighbors, Normals byTree, Executor& executor);
+///
+/// spacings: by place. byTree: as for orientDensely(). Throws Interrupted.
+OrientedPlaces orientNoisy(const DistinctPoints& places, const std::vector<double>& spacings,
+  std::size_t neighbors, Normals byTree, Executor& executor);
 
 } // namespace winding

@@ -21,6 +21,26 @@ constexpr float doubts[] = {0.05f, 0.1f, 0.15f, 0.2f, 0.3f};
 /// Patches of fewer places, and the smallest of many patches, follow the others.
 constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
 
+/// The places that are none of those given.
+std::vector<std::uint32_t> othersThan(const std::vector<std::uint32_t>& some, std::size_t places)
+{
+  std::vector<unsigned char> isOther(places, 1);
+  for (const std::uint32_t place : some)
+  {
+    isOther[place] = 0;
+  }
+  std::vector<std::uint32_t> others;
+  others.reserve(places - some.size());
+  for (std::size_t place = 0; place < places; ++place)
+  {
+    if (isOther[place])
+    {
+      others.push_back(static_cast<std::uint32_t>(place));
+    }
+  }
+  return others;
+}
+
 } // namespace
 
 Turns uphill(const Normals& gradients, const Normals& normals)
@@ -67,7 +87,8 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     }
     before = largest.count();
     Turns turns = patches.areOpposite();
-    const Eigen::VectorXd signs = patchSigns(field.sharesOf(*normals, turns, largest));
+    const Eigen::MatrixXd shares = field.sharesOf(*normals, turns, largest);
+    const Eigen::VectorXd signs = patchSigns(shares);
     for (std::size_t patch = 0; patch < largest.count(); ++patch)
     {
       for (std::size_t place = largest.starts[patch];
@@ -79,7 +100,9 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     }
     patches.handOn(largest, turns);
     share.set(begin + ofDoubt / 2, begin + ofDoubt);
-    best.take(normals, turns, deviationOf(field.valuesOf(*normals, turns)));
+    const Eigen::VectorXd ofOthers =
+      field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));
+    best.take(normals, turns, deviationOf(shares * signs + ofOthers));
   }
 }
 

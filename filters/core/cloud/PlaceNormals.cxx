@@ -5,9 +5,9 @@
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalTrials.h"
 #include "source/CompareCoordinates.h"
-#include "source/UnitScale.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace winding
 {
@@ -89,49 +89,53 @@ Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
   return byPlace;
 }
 
-Turns turnsByPatches(const std::vector<Eigen::Vector3d>& positions, const Normals& normals,
-  bool turnsSinglePoints, Executor& executor)
+Turns oppositeTo(const Normals& ofPlaces, const DistinctPoints& places, const Normals& normals)
 {
-  constexpr std::size_t neighbors = 10;
-  DividedShare share(executor);
-  share.set(0, 0.05);
-  const DistinctPoints places(positions, unitScaleOf(positions), executor);
-  const auto ofPlaces = std::make_shared<const Normals>(normalsByPlace(places, normals));
-  Best best(ofPlaces);
-  if (places.size() > 1)
-  {
-    share.set(0.05, 0.2);
-    const NeighborGraph graph(places, neighbors, executor);
-    const std::vector<double> spacings = spacingsOf(places, graph);
-    const PlacesField field(places, spacings, 1, executor);
-    share.set(0.2, 0.25);
-    tryAsTheyAre(ofPlaces, field, best);
-    if (best.deviation >= smallDeviation)
-    {
-      Normals byTree = *ofPlaces;
-      share.set(0.25, 0.4);
-      orientByTree(places, graph, byTree, executor);
-      share.set(0.4, 0.45);
-      tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
-      share.set(0.45, 0.8);
-      tryPatches(places, graph, ofPlaces, field, executor, best);
-      if (turnsSinglePoints)
-      {
-        share.set(0.8, 1);
-        polish(places, field, executor, best);
-      }
-    }
-  }
-  const Normals found = turned(*best.normals, best.turns);
-  Turns turns(positions.size());
+  Turns turns(normals.size());
   for (std::size_t place = 0; place < places.size(); ++place)
   {
     for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
     {
-      turns[*point] = normals[*point].dot(found[place]) < 0;
+      turns[*point] = normals[*point].dot(ofPlaces[place]) < 0;
     }
   }
   return turns;
+}
+
+OrientedPlaces orientByPatches(
+  const DistinctPoints& places, Normals normals, bool turnsSinglePoints, Executor& executor)
+{
+  constexpr std::size_t neighbors = 10;
+  if (places.size() < 2)
+  {
+    return {std::move(normals), 0, false};
+  }
+  DividedShare share(executor);
+  const auto given = std::make_shared<const Normals>(std::move(normals));
+  Best best(given);
+  share.set(0, 0.15);
+  const NeighborGraph graph(places, neighbors, executor);
+  const std::vector<double> spacings = spacingsOf(places, graph);
+  const PlacesField field(places, spacings, 1, executor);
+  share.set(0.15, 0.2);
+  tryAsTheyAre(given, field, best);
+  const bool triesPatches = best.deviation >= smallDeviation;
+  if (triesPatches)
+  {
+    Normals byTree = *given;
+    share.set(0.2, 0.35);
+    orientByTree(places, graph, byTree, executor);
+    share.set(0.35, 0.4);
+    tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
+    share.set(0.4, turnsSinglePoints ? 0.8 : 1);
+    tryPatches(places, graph, given, field, executor, best);
+    if (turnsSinglePoints)
+    {
+      share.set(0.8, 1);
+      polish(places, field, executor, best);
+    }
+  }
+  return {turned(*best.normals, best.turns), best.deviation, triesPatches};
 }
 
 } // namespace winding

@@ -35,8 +35,12 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
 /// by its coordinates, whatever the order of the points.
 Normals normalsByPlace(const DistinctPoints& places, const Normals& normals);
 
-/// Tells which normals patches turn, and whether points are turned one by one in the end.
-Turns turnsByPatches(const std::vector<Eigen::Vector3d>& positions, const Normals& normals,
-  bool turnsSinglePoints, Executor& executor);
+/// Whether each point's normal points away from that of its place.
+Turns oppositeTo(const Normals& ofPlaces, const DistinctPoints& places, const Normals& normals);
+
+/// Turns normals that may have any sense by their patches, unless they fit as they are or as the
+/// spanning tree turns them, and one by one in the end where this is asked for.
+OrientedPlaces orientByPatches(
+  const DistinctPoints& places, Normals normals, bool turnsSinglePoints, Executor& executor);
 
 } // namespace winding

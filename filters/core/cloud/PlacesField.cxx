@@ -50,9 +50,18 @@ Eigen::VectorXd PlacesField::valuesOf(const Normals& normals, const Turns& turns
   return this->sums(normals, turns, nullptr, {{0, static_cast<std::uint32_t>(places_.size())}});
 }
 
+Eigen::VectorXd PlacesField::sharesOf(
+  const Normals& normals, const Turns& turns, const std::vector<std::uint32_t>& some) const
+{
+  return this->sums(normals, turns, some.data(), {{0, static_cast<std::uint32_t>(some.size())}});
+}
+
 Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const Normals& at) const
 {
-  constexpr double wider = 1.5, tolerance = 1e-2;
+  // Gradients are to tell senses only, which coarse ones do: points are taken for pure dipoles from
+  // where they have S = 0.88 of what those give (SolidAngle.h).
+  constexpr double wider = 1.5;
+  constexpr FarFieldAccuracy coarse = {3, 0.9f, 1e-2f, 1.7f};
   DividedShare share(executor_);
   share.set(0, 0.1);
   std::unique_ptr<FarFieldSources> sources;
@@ -64,7 +73,7 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
     }
     sources = farFieldSources(all, all.areas, executor_);
   }
-  const FarField field(std::move(sources), FarFieldAccuracy::of(tolerance), executor_);
+  const FarField field(std::move(sources), coarse, executor_);
   Normals gradients(at.size());
   share.set(0.1, 1);
   if (!field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_))

@@ -40,6 +40,10 @@ public:
   Eigen::MatrixXd sharesOf(
     const Normals& normals, const Turns& turns, const NormalPatches::Largest& patches) const;
 
+  /// What some places give to w at the places looked at.
+  Eigen::VectorXd sharesOf(
+    const Normals& normals, const Turns& turns, const std::vector<std::uint32_t>& some) const;
+
   /// w at the places looked at.
   Eigen::VectorXd valuesOf(const Normals& normals, const Turns& turns) const;
 
