@@ -26,7 +26,7 @@ std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph
 bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, Executor& executor);
 
-/// The quantile of the deviations of places from planes, in spacings, that a share of them is below.
+/// The deviation from planes, in spacings, that those of a share of all places are below.
 double quantileInSpacings(
   std::vector<double> deviations, const std::vector<double>& spacings, double share);
 

@@ -56,14 +56,7 @@ ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& position
   ConsistentNormals result;
   result.deviation = oriented.deviation;
   result.triedPatches = oriented.triedPatches;
-  result.normals.resize(positions.size());
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
-    {
-      result.normals[*point] = oriented.normals[place];
-    }
-  }
+  result.normals = normalsByPoint(places, oriented.normals);
   return result;
 }
 
@@ -77,7 +70,15 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
   share.set(0.05, 1);
   const OrientedPlaces oriented =
     orientByPatches(places, normalsByPlace(places, normals), true, shown);
-  return oppositeTo(oriented.normals, places, normals);
+  std::vector<unsigned char> turns(positions.size());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+    {
+      turns[*point] = normals[*point].dot(oriented.normals[place]) < 0;
+    }
+  }
+  return turns;
 }
 
 } // namespace winding

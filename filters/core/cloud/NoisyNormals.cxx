@@ -44,14 +44,14 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   constexpr std::size_t enough = 1000;
   if (some.size() == places.size() || some.size() < enough)
   {
-    planes.normals = {};
+    planes.normals = Normals();
     share.set(0.1, 0.2);
     auto graph = std::make_unique<const NeighborGraph>(places, 2 * neighbors, executor);
     share.set(0.2, 1);
     return orientDensely(
       places, std::move(graph), spacings, neighbors, true, std::move(byTree), executor);
   }
-  byTree = {};
+  byTree = Normals();
   share.set(0.1, 0.15);
   const DistinctPoints sparse(some, 1, executor);
   auto graph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
@@ -87,28 +87,29 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
   constexpr double hopeless = 0.15;
   DividedShare share(executor);
   share.set(0, 0.35);
-  SheetPlanes planes = sheetPlanes(places, NeighborGraph(places, 2 * neighbors, executor), spacings,
-    {fewNeighbors, neighbors, 2 * neighbors}, executor);
+  Normals normals;
   {
+    SheetPlanes planes = sheetPlanes(places, NeighborGraph(places, 2 * neighbors, executor),
+      spacings, {fewNeighbors, neighbors, 2 * neighbors}, executor);
     const DistinctPoints feet(planes.feet, unitScaleOf(planes.feet), executor);
-    planes.feet = {};
+    planes.feet = Normals();
+    Normals ofFeet = normalsByPlace(feet, planes.normals);
+    planes.normals = Normals();
     share.set(0.35, 0.7);
-    const OrientedPlaces oriented =
-      orientByPatches(feet, normalsByPlace(feet, planes.normals), false, executor);
+    const OrientedPlaces oriented = orientByPatches(feet, std::move(ofFeet), false, executor);
     if (oriented.deviation > hopeless)
     {
       return {};
     }
-    const Turns turns = oppositeTo(oriented.normals, feet, planes.normals);
-    planes.normals = turned(std::move(planes.normals), turns);
+    normals = normalsByPoint(feet, oriented.normals);
   }
   share.set(0.7, 1);
   const NeighborGraph graph(places, 2 * neighbors, executor);
   for (int round = 0; round < rounds; ++round)
   {
-    planes.normals = smoothedAlongSheets(places, graph, spacings, planes.normals, executor);
+    normals = smoothedAlongSheets(places, graph, spacings, normals, executor);
   }
-  return std::move(planes.normals);
+  return normals;
 }
 
 } // namespace

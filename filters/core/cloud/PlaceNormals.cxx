@@ -89,17 +89,22 @@ Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
   return byPlace;
 }
 
-Turns oppositeTo(const Normals& ofPlaces, const DistinctPoints& places, const Normals& normals)
+Normals normalsByPoint(const DistinctPoints& places, const Normals& normals)
 {
-  Turns turns(normals.size());
+  std::size_t points = 0;
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    points += places.count(place);
+  }
+  Normals byPoint(points);
   for (std::size_t place = 0; place < places.size(); ++place)
   {
     for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
     {
-      turns[*point] = normals[*point].dot(ofPlaces[place]) < 0;
+      byPoint[*point] = normals[place];
     }
   }
-  return turns;
+  return byPoint;
 }
 
 OrientedPlaces orientByPatches(

@@ -40,7 +40,7 @@ public:
   Eigen::MatrixXd sharesOf(
     const Normals& normals, const Turns& turns, const NormalPatches::Largest& patches) const;
 
-  /// What some places give to w at the places looked at.
+  /// Returns the share of some places in w at the places looked at.
   Eigen::VectorXd sharesOf(
     const Normals& normals, const Turns& turns, const std::vector<std::uint32_t>& some) const;
 
