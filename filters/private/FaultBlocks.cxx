@@ -226,7 +226,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
   const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor)
 {
   const BoundaryChain chain = allPairUp(edges) ? BoundaryChain() : boundaryChain(surface, executor);
-  const BoundaryLoops loops = boundaryLoops(chain, surface.vertices.size(), executor);
+  const BoundaryLoops loops = boundaryLoops(chain.edges, surface.vertices.size(), executor);
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   const double radius = shape.thickness * surface.bounds.diagonal().norm();
   const auto set = [&blocks, radius](unsigned int place, const char* name, vtkPolyData* block)

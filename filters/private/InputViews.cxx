@@ -85,7 +85,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
 
 std::uint64_t InputViews::fingerprint() const
 {
-  ContentHash hash;
+  ContentHash hash(executor_);
   hash.addValue(isSurface_);
   for (vtkPointSet* leaf : leaves_)
   {

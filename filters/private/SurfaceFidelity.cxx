@@ -19,9 +19,9 @@ namespace winding
 namespace
 {
 
-std::vector<Triangle> trianglesOf(vtkPolyData* surface)
+TriangleList trianglesOf(vtkPolyData* surface)
 {
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   auto polygons = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
   {

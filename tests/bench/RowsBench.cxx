@@ -73,7 +73,7 @@ void loopsAndCap(benchmark::State& state)
   const BoundaryChain chain = boundaryChain(surface, serial);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(capOf(boundaryLoops(chain, surface.vertices.size(), serial)));
+    benchmark::DoNotOptimize(capOf(boundaryLoops(chain.edges, surface.vertices.size(), serial)));
   }
   reportTimePer(state, "time per boundary edge", chain.edges.size());
 }
@@ -135,8 +135,8 @@ void capSum(benchmark::State& state)
 {
   const Surface surface = withHoles(weldedSphere(static_cast<int>(state.range(0))), 10);
   SerialExecutor serial;
-  const std::vector<Triangle> cap =
-    capOf(boundaryLoops(boundaryChain(surface, serial), surface.vertices.size(), serial));
+  const TriangleList cap =
+    capOf(boundaryLoops(boundaryChain(surface, serial).edges, surface.vertices.size(), serial));
   const TriangleSum sum(surface.vertices, cap, surface.bounds);
   const SampleBlock block = someSamples();
   double values[SampleBlock::capacity];

@@ -123,7 +123,7 @@ std::string faultOfVertices(const Sharp& sharp, bool& isSingle)
 
 std::size_t selfIntersections(const Cut& cut, Executor& executor)
 {
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   for (const auto& corners : cut.triangles)
   {
     triangles.push_back({static_cast<std::int32_t>(corners[0]),

@@ -25,9 +25,9 @@ namespace
 std::size_t countCrossings(const winding::Surface& surface, const winding::Grid& grid)
 {
   winding::SerialExecutor executor;
-  const std::vector<winding::Triangle> cap = winding::capOf(
-    boundaryLoops(boundaryChain(surface, executor), surface.vertices.size(), executor));
-  std::vector<winding::Triangle> chain = surface.triangles;
+  const winding::TriangleList cap = winding::capOf(
+    boundaryLoops(boundaryChain(surface, executor).edges, surface.vertices.size(), executor));
+  winding::TriangleList chain = surface.triangles;
   chain.insert(chain.end(), cap.begin(), cap.end());
   const auto inGrid = [&](std::int32_t id) -> Eigen::Vector3d
   {

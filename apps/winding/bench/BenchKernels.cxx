@@ -108,11 +108,11 @@ void addCap(BenchTable& table, const winding::Surface& closed, const winding::Gr
   const winding::BoundaryChain chain = winding::boundaryChain(surface, executor);
   const auto makeCap = [&]
   {
-    return winding::capOf(winding::boundaryLoops(chain, surface.vertices.size(), executor));
+    return winding::capOf(winding::boundaryLoops(chain.edges, surface.vertices.size(), executor));
   };
   table.add(
     line("loops and cap", nanoseconds(makeCap, chain.edges.size()), "ns per boundary edge"));
-  const std::vector<winding::Triangle> cap = makeCap();
+  const winding::TriangleList cap = makeCap();
   const winding::TriangleSum sum(surface.vertices, cap, surface.bounds);
   const winding::SampleBlock block = someSamples(grid);
   double values[winding::SampleBlock::capacity];

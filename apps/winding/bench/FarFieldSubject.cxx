@@ -122,7 +122,7 @@ public:
   {
     winding::SerialExecutor executor;
     cap_ = winding::capOf(winding::boundaryLoops(
-      winding::boundaryChain(surface, executor), surface.vertices.size(), executor));
+      winding::boundaryChain(surface, executor).edges, surface.vertices.size(), executor));
   }
 
   /// Whether the cap has a far field by the default tolerance.
@@ -187,7 +187,7 @@ public:
 private:
   const Triangles& triangles_;
   const winding::Surface& surface_;
-  std::vector<winding::Triangle> cap_;
+  winding::TriangleList cap_;
 };
 
 } // namespace

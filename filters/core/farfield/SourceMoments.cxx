@@ -40,6 +40,7 @@ public:
   void build(std::size_t number)
   {
     const SourceNode& node = tree_.nodes()[number];
+    std::fill_n(this->momentsOf(number), result_.stride, 0.0f);
     if (node.children == 0)
     {
       this->buildLeaf(number, node);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/UninitializedVector.h"
 #include "farfield/FarFieldAccuracy.h"
 #include "farfield/FarFieldSources.h"
 #include "farfield/NodeAcceptance.h"
@@ -28,8 +29,8 @@ struct SourceMoments
   std::vector<Eigen::Vector3d> centers;
   NodeCriteria criteria; ///< centres relative to `origin`
   std::size_t stride;
-  std::vector<float> moments; ///< `stride` numbers of each node, scaled by its radius
-  Eigen::Vector3d origin;     ///< the root's centre
+  UninitializedVector<float> moments; ///< `stride` numbers of each node, scaled by its radius
+  Eigen::Vector3d origin;             ///< the root's centre
 };
 
 } // namespace winding

@@ -98,7 +98,7 @@ std::size_t mostPieces(std::size_t triangles, std::size_t samples)
 }
 
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, Executor& executor)
+  const TriangleList& triangles, Executor& executor)
 {
   const auto isLeft = [&](const Triangle& t)
   {

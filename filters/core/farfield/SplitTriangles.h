@@ -45,7 +45,7 @@ std::size_t mostPieces(std::size_t triangles, std::size_t samples);
 
 /// Whether the rule leaves all triangles whole. Throws Interrupted.
 bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, Executor& executor);
+  const TriangleList& triangles, Executor& executor);
 
 /// A piece of a triangle, or a whole one that was not cut.
 struct TrianglePiece

@@ -24,9 +24,7 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain,
 {
   if (!chain.edges.empty())
   {
-    BoundaryChain ordered;
-    ordered.edges = chain.edges;
-    sortByCoordinates(ordered.edges, surface.vertices, executor);
+    const BoundaryEdges ordered = sortedByCoordinates(chain.edges, surface.vertices, executor);
     loops_ = std::make_unique<const RepeatedLoops>(
       boundaryLoops(ordered, surface.vertices.size(), executor));
     cap_ = capOf(loops_->loops);

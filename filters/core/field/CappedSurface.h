@@ -111,7 +111,7 @@ private:
     const FieldOutput& output) const;
 
   const Surface& surface_;
-  std::vector<Triangle> cap_;
+  TriangleList cap_;
   Multiplicities capMultiplicities_;
   double capArea_ = 0;
   std::unique_ptr<const RepeatedLoops> loops_; ///< the surface's rims; null where there is no cap

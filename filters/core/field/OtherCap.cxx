@@ -90,8 +90,7 @@ void addRows(const RowCrossings& rows, int factor, const Grid& grid, const Sampl
 
 } // namespace
 
-OtherCap::OtherCap(
-  const Surface& surface, const RepeatedLoops& repeated, const std::vector<Triangle>& cap)
+OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap)
   : surface_(surface)
   , cap_(cap)
   , capMultiplicities_(repeated.multiplicities(trianglesOfCap))

@@ -41,7 +41,7 @@ class OtherCap
 {
 public:
   /// Keeps a reference to the surface; `cap` is capOf() its loops.
-  OtherCap(const Surface& surface, const RepeatedLoops& repeated, const std::vector<Triangle>& cap);
+  OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap);
 
   /// Writes the value of each sample to values, in their order.
   void resolve(
@@ -59,7 +59,7 @@ private:
 
   const Surface& surface_;
   std::vector<Eigen::Vector3d> vertices_; ///< those of the loops, and the fan's own
-  std::vector<Triangle> cap_, fan_;
+  TriangleList cap_, fan_;
   Multiplicities capMultiplicities_, fanMultiplicities_;
   RowCrossings capRows_, fanRows_;
   TriangleSum surfaceSum_, fanSum_;

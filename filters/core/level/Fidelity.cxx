@@ -56,8 +56,7 @@ void setStatistics(const std::vector<double>& distances, double& largest, double
 
 /// The volume that closed triangles enclose. It is taken about their middle, so that a place far
 /// from the origin costs no digits.
-double volumeOf(
-  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+double volumeOf(const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
 {
   Bounds bounds;
   for (const Triangle& triangle : triangles)
@@ -130,7 +129,7 @@ double bytesForComparison(const Field& field, double triangles, double samples)
 }
 
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, double voxel, std::size_t samples, unsigned seed,
+  const TriangleList& triangles, double voxel, std::size_t samples, unsigned seed,
   Executor& executor)
 {
   Fidelity result;

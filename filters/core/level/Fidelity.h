@@ -45,7 +45,7 @@ double bytesForComparison(const Field& field, double triangles, double samples);
  * Interrupted.
  */
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, double voxel, std::size_t samples, unsigned seed,
+  const TriangleList& triangles, double voxel, std::size_t samples, unsigned seed,
   Executor& executor);
 
 } // namespace winding

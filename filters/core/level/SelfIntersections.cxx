@@ -30,8 +30,7 @@ struct Entry
 class TrianglePairs
 {
 public:
-  TrianglePairs(
-    const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+  TrianglePairs(const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
     : vertices_(vertices)
     , triangles_(triangles)
     , boxes_(triangles.size())
@@ -52,7 +51,7 @@ private:
   std::size_t countIn(const Entry* first, const Entry* last) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
-  const std::vector<Triangle>& triangles_;
+  const TriangleList& triangles_;
   std::vector<Bounds> boxes_;
   Eigen::Vector3d origin_;
   double cellSize_ = 1;
@@ -207,8 +206,8 @@ std::size_t TrianglePairs::count(Executor& executor)
 
 } // namespace
 
-std::size_t countSelfIntersections(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, Executor& executor)
+std::size_t countSelfIntersections(
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles, Executor& executor)
 {
   return TrianglePairs(vertices, triangles).count(executor);
 }

@@ -20,7 +20,7 @@ namespace winding
  * Time: linear in the triangles, if these are of about one size and not crowded. Memory: about 100
  * bytes for each triangle. Throws Interrupted.
  */
-std::size_t countSelfIntersections(const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles, Executor& executor);
+std::size_t countSelfIntersections(
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles, Executor& executor);
 
 } // namespace winding

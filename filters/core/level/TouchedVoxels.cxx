@@ -92,7 +92,7 @@ class Layers
 {
 public:
   /// triangles is null for points.
-  Layers(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>* triangles,
+  Layers(const std::vector<Eigen::Vector3d>& vertices, const TriangleList* triangles,
     const Grid& grid, const Extent& extent, Executor& executor)
     : extent_(extent)
     , triangles_(triangles)
@@ -239,13 +239,13 @@ private:
   }
 
   Extent extent_;
-  const std::vector<Triangle>* triangles_;
+  const TriangleList* triangles_;
   std::vector<Eigen::Vector3d> vertices_; ///< positions in voxels: voxel i is from i to i + 1
   Eigen::Vector3d gridMargin_;
   CountingSort<std::uint32_t> primitives_; ///< by layer
 };
 
-void mark(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>* triangles,
+void mark(const std::vector<Eigen::Vector3d>& vertices, const TriangleList* triangles,
   const Grid& grid, const Extent& extent, unsigned char* marks, Executor& executor)
 {
   if (sampleCount(extent) == 0)

@@ -180,9 +180,9 @@ private:
 };
 
 /// No cap.
-const std::vector<Triangle>& noTriangles()
+const TriangleList& noTriangles()
 {
-  static const std::vector<Triangle> none;
+  static const TriangleList none;
   return none;
 }
 

@@ -354,9 +354,9 @@ RowCrossings::RowCrossings(
 {
 }
 
-const std::vector<Triangle>& RowCrossings::noTriangles()
+const TriangleList& RowCrossings::noTriangles()
 {
-  static const std::vector<Triangle> none;
+  static const TriangleList none;
   return none;
 }
 

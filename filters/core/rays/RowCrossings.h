@@ -90,7 +90,7 @@ public:
     const RowWork& work, Executor& executor) const;
 
 private:
-  static const std::vector<Triangle>& noTriangles();
+  static const TriangleList& noTriangles();
 
   /// The layers of an extent whose data is made at once. All of them, but of very deep grids, so
   /// that the data stays within about half a gigabyte.

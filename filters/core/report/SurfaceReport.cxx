@@ -18,7 +18,7 @@ namespace
 
 std::size_t countDuplicates(const Surface& surface)
 {
-  std::vector<Triangle> sorted = surface.triangles;
+  TriangleList sorted = surface.triangles;
   for (Triangle& triangle : sorted)
   {
     std::sort(triangle.begin(), triangle.end());

@@ -70,7 +70,7 @@ inline int compareTriangles(
 /// Triangles with their multiplicities, as ChainView refers to them.
 struct OrderedTriangles
 {
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   Multiplicities multiplicities;
 };
 

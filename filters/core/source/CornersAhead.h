@@ -44,8 +44,7 @@ void askAhead(const TrianglesView& view, std::size_t triangle, std::size_t end, 
 /// Asks memory for the items of the corners of a triangle some places behind one. To be called for
 /// triangles in their order; all ids are valid.
 template <class Item>
-void askForCornersAhead(
-  const Item* items, const std::vector<Triangle>& triangles, std::size_t triangle)
+void askForCornersAhead(const Item* items, const TriangleList& triangles, std::size_t triangle)
 {
   if (triangle + trianglesAhead < triangles.size())
   {

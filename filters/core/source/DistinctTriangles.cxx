@@ -45,7 +45,7 @@ Triangle reversed(const Triangle& triangle)
 } // namespace
 
 std::optional<DistinctTriangles> distinctTriangles(
-  const std::vector<Triangle>& triangles, const std::vector<char>& mayRepeat)
+  const TriangleList& triangles, const std::vector<char>& mayRepeat)
 {
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -11,7 +11,7 @@ namespace winding
 /// Triangles that stand for all of a list; see distinctTriangles().
 struct DistinctTriangles
 {
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   Multiplicities multiplicities; ///< by triangle, ascending
 };
 
@@ -28,6 +28,6 @@ struct DistinctTriangles
  * compared, and 24 bytes for each.
  */
 std::optional<DistinctTriangles> distinctTriangles(
-  const std::vector<Triangle>& triangles, const std::vector<char>& mayRepeat);
+  const TriangleList& triangles, const std::vector<char>& mayRepeat);
 
 } // namespace winding

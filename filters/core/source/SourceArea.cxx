@@ -11,8 +11,8 @@ namespace
 {
 
 /// The area of every `step`-th triangle.
-double areaOfEvery(std::size_t step, const std::vector<Eigen::Vector3d>& vertices,
-  const std::vector<Triangle>& triangles)
+double areaOfEvery(
+  std::size_t step, const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
 {
   double twice = 0;
   for (std::size_t i = 0; i < triangles.size(); i += step)
@@ -26,13 +26,13 @@ double areaOfEvery(std::size_t step, const std::vector<Eigen::Vector3d>& vertice
 
 } // namespace
 
-double areaOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+double areaOf(const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
 {
   return areaOfEvery(1, vertices, triangles);
 }
 
 double approximateAreaOf(
-  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
 {
   constexpr std::size_t enough = 65536;
   // An odd step meets all kinds of triangles also where pairs or fours of them alternate.
@@ -43,7 +43,7 @@ double approximateAreaOf(
 }
 
 std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
-  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles)
 {
   std::vector<double> cumulativeAreas;
   cumulativeAreas.reserve(triangles.size());

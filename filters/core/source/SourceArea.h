@@ -11,12 +11,12 @@ namespace winding
 {
 
 /// The sum of the areas of triangles, in squares of their coordinates' unit.
-double areaOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+double areaOf(const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles);
 
 /// About areaOf(), for what only needs its size: of more than 65536 triangles every so manieth is
 /// looked at, 65536 of them at least. The order of the triangles decides which.
 double approximateAreaOf(
-  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles);
 
 /**
  * A function that gives points of triangles, evenly distributed if its arguments are so over
@@ -24,7 +24,7 @@ double approximateAreaOf(
  * on the order of the triangles. There must be triangles.
  */
 std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
-  const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles);
 
 /// The distance between samples, if so many are spread evenly over a box that is larger than the
 /// bounds by a twentieth of the longest side on each side, as grids usually are. 0 if there is

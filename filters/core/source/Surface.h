@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Bounds.h"
+#include "base/UninitializedVector.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,9 @@ namespace winding
 
 /// Three vertex ids; positive orientation is counter-clockwise seen from outside.
 using Triangle = std::array<std::int32_t, 3>;
+
+/// Triangles, which may be many millions.
+using TriangleList = UninitializedVector<Triangle>;
 
 /// How often each triangle of a list counts: numbers of at least 0 in ascending order, or none at
 /// all where each counts once.
@@ -36,7 +40,7 @@ inline const Multiplicities& onceEach()
 struct Surface
 {
   std::vector<Eigen::Vector3d> vertices;
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   Multiplicities multiplicities; ///< none, unless equal triangles were taken together
   Bounds bounds;                 ///< box of the vertices; empty when there are none
 
@@ -52,8 +56,7 @@ struct Surface
 class ChainView
 {
 public:
-  ChainView(
-    const std::vector<Triangle>& triangles, const Multiplicities& multiplicities = onceEach())
+  ChainView(const TriangleList& triangles, const Multiplicities& multiplicities = onceEach())
     : triangles_(triangles)
     , multiplicities_(multiplicities)
   {
@@ -64,7 +67,7 @@ public:
   {
   }
 
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const TriangleList& triangles() const { return triangles_; }
   std::size_t size() const { return triangles_.size(); }
   const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
 
@@ -105,7 +108,7 @@ private:
       std::upper_bound(from, multiplicities_.end(), *from) - multiplicities_.begin());
   }
 
-  const std::vector<Triangle>& triangles_;
+  const TriangleList& triangles_;
   const Multiplicities& multiplicities_;
 };
 

@@ -32,8 +32,8 @@ TriangleSum::TriangleSum(
 }
 
 /// Multiplies the factors of triangles first … last − 1, each once.
-void TriangleSum::multiply(const std::vector<Triangle>& triangles, std::size_t first,
-  std::size_t last, const SampleBlock& scaled, AngleProducts& products, bool watching) const
+void TriangleSum::multiply(const TriangleList& triangles, std::size_t first, std::size_t last,
+  const SampleBlock& scaled, AngleProducts& products, bool watching) const
 {
   // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
   // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.

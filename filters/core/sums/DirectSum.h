@@ -56,7 +56,7 @@ public:
 
 private:
   void sum(const SampleBlock& block, double* values, bool* isSuspect) const;
-  void multiply(const std::vector<Triangle>& triangles, std::size_t first, std::size_t last,
+  void multiply(const TriangleList& triangles, std::size_t first, std::size_t last,
     const SampleBlock& scaled, AngleProducts& products, bool watching) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;

@@ -83,18 +83,21 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
     starts.push_back(starts.back() + part.edges.size());
   }
   chain.edges.resize(starts.back());
-  for (std::size_t range = 0; range < parts.size(); ++range)
-  {
-    // The move frees a part's memory as soon as it is copied.
-    const std::vector<BoundaryEdge> edges = std::move(parts[range].edges);
-    std::copy(
-      edges.begin(), edges.end(), chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
-  }
+  runBlocks(
+    parts.size(), 1,
+    [&](std::size_t range, std::size_t, std::size_t)
+    {
+      // The move frees a part's memory as soon as it is copied.
+      const BoundaryEdges edges = std::move(parts[range].edges);
+      std::copy(edges.begin(), edges.end(),
+        chain.edges.begin() + static_cast<std::ptrdiff_t>(starts[range]));
+    },
+    executor);
   return chain;
 }
 
-void sortByCoordinates(std::vector<BoundaryEdge>& edges,
-  const std::vector<Eigen::Vector3d>& vertices, Executor& executor)
+BoundaryEdges sortedByCoordinates(
+  const BoundaryEdges& edges, const std::vector<Eigen::Vector3d>& vertices, Executor& executor)
 {
   // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
   struct Keyed
@@ -173,16 +176,17 @@ void sortByCoordinates(std::vector<BoundaryEdge>& edges,
         });
     },
     executor);
+  BoundaryEdges sorted(edges.size());
   runBlocks(
-    edges.size(), edgesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    slices, 1,
+    [&](std::size_t slice, std::size_t, std::size_t)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        edges[i] = keyed.begin(0)[i].edge;
-      }
+      std::transform(keyed.begin(slice), keyed.end(slice),
+        sorted.begin() + (keyed.begin(slice) - keyed.begin(0)),
+        [](const Keyed& item) { return item.edge; });
     },
     executor);
+  return sorted;
 }
 
 } // namespace winding

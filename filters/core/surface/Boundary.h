@@ -22,12 +22,14 @@ struct BoundaryEdge
   std::int32_t multiplicity;
 };
 
+using BoundaryEdges = UninitializedVector<BoundaryEdge>;
+
 struct BoundaryChain
 {
   /// The edges stand in the order of (lower vertex, higher vertex), which depends on the numbers of
-  /// vertices; sortByCoordinates() gives them one that does not. Each undirected edge occurs
+  /// vertices; sortedByCoordinates() gives them one that does not. Each undirected edge occurs
   /// once at most. At every vertex as many edges leave as arrive, counted with multiplicity.
-  std::vector<BoundaryEdge> edges;
+  BoundaryEdges edges;
 
   /// The number of edges that one triangle uses, which a mesh viewer calls the boundary. All of
   /// them are in the chain, together with edges where orientations disagree or triangles meet in
@@ -43,9 +45,9 @@ struct BoundaryChain
 /// Sorts edges by the coordinates of their lower, then of their higher end, by x, y and z: an order
 /// that depends neither on the numbers of vertices nor on the directions of edges, and stays where
 /// the source is moved. Each undirected edge may stand there once at most.
-/// Throws Interrupted, after which the edges are of no use.
-void sortByCoordinates(std::vector<BoundaryEdge>& edges,
-  const std::vector<Eigen::Vector3d>& vertices, Executor& executor);
+/// Throws Interrupted.
+BoundaryEdges sortedByCoordinates(
+  const BoundaryEdges& edges, const std::vector<Eigen::Vector3d>& vertices, Executor& executor);
 
 /// Makes the boundary chain of a surface: the same for every executor. Throws Interrupted.
 BoundaryChain boundaryChain(const Surface& surface, Executor& executor);

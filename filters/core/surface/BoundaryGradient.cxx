@@ -10,7 +10,7 @@
 namespace winding
 {
 
-BoundaryGradient::BoundaryGradient(const Surface& surface, std::vector<BoundaryEdge> edges)
+BoundaryGradient::BoundaryGradient(const Surface& surface, BoundaryEdges edges)
   : surface_(surface)
   , edges_(std::move(edges))
   , scale_(unitScale(surface.bounds))
@@ -23,7 +23,7 @@ void BoundaryGradient::evaluateGradients(const SampleBlock& block, double* gradi
     [this]
     {
       SerialExecutor serial;
-      sortByCoordinates(edges_, surface_.vertices, serial);
+      edges_ = sortedByCoordinates(edges_, surface_.vertices, serial);
     });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);

@@ -38,15 +38,15 @@ class BoundaryGradient final : public GradientEvaluator
 public:
   /// Keeps a reference to the surface, which must outlive this; edges are those of its boundary
   /// chain.
-  BoundaryGradient(const Surface& surface, std::vector<BoundaryEdge> edges);
+  BoundaryGradient(const Surface& surface, BoundaryEdges edges);
 
   void evaluateGradients(const SampleBlock& block, double* gradients) const override;
 
 private:
   const Surface& surface_;
   mutable std::once_flag areOrdered_;
-  mutable std::vector<BoundaryEdge> edges_; ///< by coordinates, once a gradient was asked for
-  double scale_;                            ///< brings the surface to about unit size (UnitScale.h)
+  mutable BoundaryEdges edges_; ///< by coordinates, once a gradient was asked for
+  double scale_;                ///< brings the surface to about unit size (UnitScale.h)
 };
 
 } // namespace winding

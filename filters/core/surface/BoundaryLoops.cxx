@@ -25,19 +25,19 @@ constexpr std::size_t edgesPerBlock = 16384;
 class LeavingEdges
 {
 public:
-  LeavingEdges(const BoundaryChain& chain, std::size_t vertices, Executor& executor)
-    : edges_(chain.edges.size())
+  LeavingEdges(const BoundaryEdges& chain, std::size_t vertices, Executor& executor)
+    : edges_(chain.size())
     , places_(vertices)
   {
     constexpr std::size_t wantedInBucket = 4096;
     const int shift = bucketShift(vertices, wantedInBucket);
     const Buckets<BoundaryEdge> byVertex = distribute<BoundaryEdge>(
-      chain.edges.size(), bucketsFor(vertices, shift),
+      chain.size(), bucketsFor(vertices, shift),
       [&](std::size_t first, std::size_t last, const auto& put)
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          put(static_cast<std::size_t>(chain.edges[i].from) >> shift, chain.edges[i]);
+          put(static_cast<std::size_t>(chain[i].from) >> shift, chain[i]);
         }
       },
       executor);
@@ -128,21 +128,20 @@ private:
 
 } // namespace
 
-BoundaryLoops boundaryLoops(const BoundaryChain& chain, std::size_t vertices, Executor& executor)
+BoundaryLoops boundaryLoops(const BoundaryEdges& edges, std::size_t vertices, Executor& executor)
 {
-  LeavingEdges leaving(chain, vertices, executor);
+  LeavingEdges leaving(edges, vertices, executor);
   // Each walk goes on until a vertex comes up again, cuts off the loop that this closes, and goes
   // on from there. As many edges leave each vertex as arrive, so a walk can only get stuck where it
   // began.
   BoundaryLoops loops;
   std::vector<std::uint32_t> path; // places of first edges
   std::vector<std::int32_t> loop;
-  const std::vector<BoundaryEdge>& seeds = chain.edges;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    leaving.askForPlace(seeds[std::min(i + 2 * edgesAhead, seeds.size() - 1)].from);
-    leaving.askForEdge(seeds[std::min(i + edgesAhead, seeds.size() - 1)].from);
-    std::uint32_t here = leaving.placeOf(seeds[i].from);
+    leaving.askForPlace(edges[std::min(i + 2 * edgesAhead, edges.size() - 1)].from);
+    leaving.askForEdge(edges[std::min(i + edgesAhead, edges.size() - 1)].from);
+    std::uint32_t here = leaving.placeOf(edges[i].from);
     while (true)
     {
       LeavingEdges::Edge& first = leaving.first(here);

@@ -57,8 +57,8 @@ private:
 };
 
 /// Splits a chain into loops, which together run along each edge as often as its multiplicity says.
-/// Nothing but the order of the chain's edges decides which loops these are, and where they begin.
+/// Nothing but the order of its edges decides which loops these are, and where they begin.
 /// `vertices` is the number of vertices of the surface. Throws Interrupted.
-BoundaryLoops boundaryLoops(const BoundaryChain& chain, std::size_t vertices, Executor& executor);
+BoundaryLoops boundaryLoops(const BoundaryEdges& edges, std::size_t vertices, Executor& executor);
 
 } // namespace winding

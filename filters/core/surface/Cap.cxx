@@ -9,7 +9,7 @@ namespace
 {
 
 /// Appends the cap of a loop, whose vertices are in rim, which is empty then.
-void appendCap(std::vector<std::int32_t>& rim, std::vector<Triangle>& cap)
+void appendCap(std::vector<std::int32_t>& rim, TriangleList& cap)
 {
   while (rim.size() > 2)
   {
@@ -30,9 +30,9 @@ void appendCap(std::vector<std::int32_t>& rim, std::vector<Triangle>& cap)
 
 } // namespace
 
-std::vector<Triangle> capOf(const BoundaryLoops& loops)
+TriangleList capOf(const BoundaryLoops& loops)
 {
-  std::vector<Triangle> cap;
+  TriangleList cap;
   cap.reserve(loops.vertices() - 2 * loops.size());
   std::vector<std::int32_t> rim;
   for (std::size_t i = 0; i < loops.size(); ++i)
@@ -43,17 +43,17 @@ std::vector<Triangle> capOf(const BoundaryLoops& loops)
   return cap;
 }
 
-std::vector<Triangle> capOf(const BoundaryLoop& loop)
+TriangleList capOf(const BoundaryLoop& loop)
 {
-  std::vector<Triangle> cap;
+  TriangleList cap;
   std::vector<std::int32_t> rim(loop.begin(), loop.end());
   appendCap(rim, cap);
   return cap;
 }
 
-std::vector<Triangle> fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices)
+TriangleList fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices)
 {
-  std::vector<Triangle> fan;
+  TriangleList fan;
   for (std::size_t number = 0; number < loops.size(); ++number)
   {
     const BoundaryLoop loop = loops[number];

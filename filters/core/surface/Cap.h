@@ -15,10 +15,10 @@ namespace winding
  * loses ears in the same way until nothing is left: a loop of n vertices gets n − 2 triangles,
  * small ones at the rim and large ones in the middle, so that few of them are near any sample.
  */
-std::vector<Triangle> capOf(const BoundaryLoops& loops);
+TriangleList capOf(const BoundaryLoops& loops);
 
 /// Makes the cap of one loop.
-std::vector<Triangle> capOf(const BoundaryLoop& loop);
+TriangleList capOf(const BoundaryLoop& loop);
 
 /// The number of triangles that capOf() makes of a loop.
 inline std::size_t trianglesOfCap(const BoundaryLoop& loop)
@@ -31,7 +31,7 @@ inline std::size_t trianglesOfCap(const BoundaryLoop& loop)
  * sample lies on the cap of capOf(): the new vertex is put where a second coincidence would be an
  * accident. `vertices` must hold the loops' vertices; the new ones are appended to it.
  */
-std::vector<Triangle> fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices);
+TriangleList fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices);
 
 /// The number of triangles that fanOf() makes of a loop.
 inline std::size_t trianglesOfFan(const BoundaryLoop& loop)

@@ -113,7 +113,7 @@ private:
 
   UsesOfRange usesOf(std::size_t range) const;
 
-  const std::vector<Triangle>& triangles_;
+  const TriangleList& triangles_;
   std::size_t vertices_;
   int shift_; ///< range = vertex >> shift
   /// Numbers of triangles: bucket 2 · range has those whose lowest vertex is in the range, which is

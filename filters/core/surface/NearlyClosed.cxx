@@ -31,7 +31,7 @@ int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
 
 /// Makes a cap that is the same whichever way the loop runs, but for the sense of its triangles: a
 /// component must not be judged by another cap once it is turned round.
-std::vector<Triangle> unsidedCapOf(const BoundaryLoop& loop)
+TriangleList unsidedCapOf(const BoundaryLoop& loop)
 {
   std::vector<std::int32_t> rim(loop.begin(), loop.end());
   std::rotate(rim.begin(), std::min_element(rim.begin(), rim.end()), rim.end());
@@ -40,7 +40,7 @@ std::vector<Triangle> unsidedCapOf(const BoundaryLoop& loop)
   {
     std::reverse(rim.begin() + 1, rim.end());
   }
-  std::vector<Triangle> cap = capOf(BoundaryLoop(rim.data(), rim.data() + rim.size()));
+  TriangleList cap = capOf(BoundaryLoop(rim.data(), rim.data() + rim.size()));
   for (Triangle& triangle : cap)
   {
     if (isReversed)
@@ -92,19 +92,18 @@ public:
   /// Calls visit(component, cap) for every loop.
   template <class Visit> void forEachCap(const Visit& visit) const
   {
-    BoundaryChain chain;
+    BoundaryEdges chain;
     for (const Edge& edge : edges_)
     {
       const std::int32_t low = this->numberOf({edge.component, edge.low});
       const std::int32_t high = this->numberOf({edge.component, edge.high});
-      chain.edges.push_back(
-        {edge.net > 0 ? low : high, edge.net > 0 ? high : low, std::abs(edge.net)});
+      chain.push_back({edge.net > 0 ? low : high, edge.net > 0 ? high : low, std::abs(edge.net)});
     }
     SerialExecutor serial;
     const BoundaryLoops loops = boundaryLoops(chain, vertices_.size(), serial);
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
-      std::vector<Triangle> cap = unsidedCapOf(loops[i]);
+      TriangleList cap = unsidedCapOf(loops[i]);
       for (Triangle& triangle : cap)
       {
         for (std::int32_t& corner : triangle)
@@ -160,7 +159,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
   }
   const OwnBoundaries boundaries(surface, edges, components);
   boundaries.forEachCap(
-    [&](std::int32_t component, const std::vector<Triangle>& cap)
+    [&](std::int32_t component, const TriangleList& cap)
     {
       for (const Triangle& triangle : cap)
       {
@@ -175,7 +174,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
     return capAreas[component] <= mostOfArea * areas[component];
   };
   boundaries.forEachCap(
-    [&](std::int32_t component, const std::vector<Triangle>& cap)
+    [&](std::int32_t component, const TriangleList& cap)
     {
       if (isNearlyClosed(component))
       {

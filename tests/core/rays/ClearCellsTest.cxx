@@ -31,7 +31,7 @@ struct Fixture
     cells.setWindings(valuesOf(winding::TriangleSum(surface), cells.places()));
   }
 
-  const std::vector<winding::Triangle> noCap;
+  const winding::TriangleList noCap;
   winding::Surface surface;
   winding::CrossedChain chain;
   ClearCells cells;

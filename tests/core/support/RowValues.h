@@ -71,15 +71,15 @@ public:
   }
 
 private:
-  static std::vector<winding::Triangle> capOf(const winding::Surface& surface)
+  static winding::TriangleList capOf(const winding::Surface& surface)
   {
     winding::SerialExecutor serial;
     return winding::capOf(
-      winding::boundaryLoops(boundaryOf(surface), surface.vertices.size(), serial));
+      winding::boundaryLoops(boundaryOf(surface).edges, surface.vertices.size(), serial));
   }
 
   LatticeChain chain_;
-  std::vector<winding::Triangle> cap_;
+  winding::TriangleList cap_;
 };
 
 } // namespace shapes

@@ -61,7 +61,7 @@ Counts countsOf(const BoundaryChain& chain)
 BoundaryLoops loopsOf(const BoundaryChain& chain, const winding::Surface& surface)
 {
   winding::SerialExecutor serial;
-  return winding::boundaryLoops(chain, surface.vertices.size(), serial);
+  return winding::boundaryLoops(chain.edges, surface.vertices.size(), serial);
 }
 
 Counts countsOf(const BoundaryLoops& loops)
@@ -240,10 +240,10 @@ TEST(BoundaryLoops, CoverEveryRandomChainAsOftenAsItSays)
   }
 }
 
-TEST(SortByCoordinates, OrdersManyEdgesAlikeOnAnyThreads)
+TEST(SortedByCoordinates, OrdersManyEdgesAlikeOnAnyThreads)
 {
   const winding::Surface sphere = clean(icosphere(5));
-  std::vector<BoundaryEdge> edges;
+  winding::BoundaryEdges edges;
   for (const winding::Triangle& t : sphere.triangles)
   {
     for (std::size_t i = 0; i < 3; ++i)
@@ -269,10 +269,10 @@ TEST(SortByCoordinates, OrdersManyEdgesAlikeOnAnyThreads)
       return winding::compareCoordinates(a, b) < 0 ? std::pair(a, b) : std::pair(b, a);
     };
     winding::SerialExecutor serial;
-    std::vector<BoundaryEdge> sorted = edges, again(edges.rbegin(), edges.rend());
-    winding::sortByCoordinates(sorted, vertices, serial);
+    const auto sorted = winding::sortedByCoordinates(edges, vertices, serial);
     ShuffledThreads threads(105);
-    winding::sortByCoordinates(again, vertices, threads);
+    const auto again =
+      winding::sortedByCoordinates({edges.rbegin(), edges.rend()}, vertices, threads);
     for (std::size_t i = 0; i < sorted.size(); ++i)
     {
       ASSERT_EQ(std::pair(sorted[i].from, sorted[i].to), std::pair(again[i].from, again[i].to));

@@ -20,10 +20,10 @@ using winding::Triangle;
 BoundaryLoops loopsOf(const winding::Surface& surface)
 {
   winding::SerialExecutor serial;
-  return winding::boundaryLoops(boundaryOf(surface), surface.vertices.size(), serial);
+  return winding::boundaryLoops(boundaryOf(surface).edges, surface.vertices.size(), serial);
 }
 
-bool isClosedBy(winding::Surface surface, const std::vector<Triangle>& cap)
+bool isClosedBy(winding::Surface surface, const TriangleList& cap)
 {
   surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
   return boundaryOf(surface).edges.empty();
@@ -85,7 +85,7 @@ TEST(Cap, HasTwoTrianglesLessThanALoopHasEdges)
 
 TEST(Cap, RunsAgainstTheRim)
 {
-  EXPECT_EQ(winding::capOf(polygons({3})), (std::vector<Triangle>{{0, 2, 1}}));
+  EXPECT_EQ(winding::capOf(polygons({3})), (TriangleList{{0, 2, 1}}));
 }
 
 TEST(Cap, IsGradedFromTheRimToTheMiddle)

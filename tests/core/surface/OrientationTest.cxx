@@ -402,8 +402,7 @@ TEST(NearlyClosed, CapsDoNotDependOnTheSideThatIsOut)
       winding::Components components = winding::componentsOf(surface, edges);
       const auto triangles = static_cast<std::ptrdiff_t>(surface.triangles.size());
       winding::closeNearlyClosed(surface, edges, components);
-      std::vector<winding::Triangle> cap(
-        surface.triangles.begin() + triangles, surface.triangles.end());
+      winding::TriangleList cap(surface.triangles.begin() + triangles, surface.triangles.end());
       for (winding::Triangle& t : cap)
       {
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -411,7 +410,7 @@ TEST(NearlyClosed, CapsDoNotDependOnTheSideThatIsOut)
       std::sort(cap.begin(), cap.end());
       return cap;
     };
-    std::vector<winding::Triangle> turned = capOf(mesh.reversed());
+    winding::TriangleList turned = capOf(mesh.reversed());
     for (winding::Triangle& t : turned)
     {
       std::swap(t[1], t[2]);
