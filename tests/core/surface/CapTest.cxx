@@ -16,6 +16,7 @@ using namespace shapes;
 using winding::BoundaryLoop;
 using winding::BoundaryLoops;
 using winding::Triangle;
+using winding::TriangleList;
 
 BoundaryLoops loopsOf(const winding::Surface& surface)
 {

@@ -231,7 +231,7 @@ TEST(Orientation, LeavesWhatIsOneSidedAlsoWhereALargePartMeetsIt)
   Mesh mesh;
   const Surface strip = clean(moebiusStrip(20));
   mesh.points = strip.vertices;
-  mesh.triangles = strip.triangles;
+  mesh.triangles.assign(strip.triangles.begin(), strip.triangles.end());
   const SurfaceEdges::Rim rim = edgesOf(strip).rims.front();
   const winding::Triangle& t = strip.triangles[static_cast<std::size_t>(rim.triangle)];
   const std::size_t from = t[0] + t[1] == rim.low + rim.high   ? 0
