@@ -181,7 +181,9 @@ TEST_F(NormalsCommand, LeaveOutPointsThatHaveNone)
   const std::string in = folder.write("in.xyz", asBareXyz(places));
   const Outcome outcome = this->run(in, "a.xyz", {"--json"});
   EXPECT_EQ(outcome.status, 0) << outcome;
-  EXPECT_NE(outcome.err.find("2 of " + std::to_string(places.size())), std::string::npos);
+  const std::size_t first = outcome.err.find("2 of " + std::to_string(places.size()));
+  EXPECT_NE(first, std::string::npos) << outcome;
+  EXPECT_EQ(outcome.err.find("2 of ", first + 1), std::string::npos) << outcome;
   EXPECT_EQ(outcome.json()["input"]["dropped"], 2) << outcome;
   EXPECT_EQ(outcome.json()["output"]["points"], places.size() - 2);
   EXPECT_EQ(runProgram({"check", folder.path("a.xyz")}).err, "");
@@ -195,6 +197,9 @@ TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
   const Outcome bad = this->run(folder.write("bad.xyz", "nan 0 0\nnan 1 1\n"), "a.ply");
   EXPECT_EQ(bad.status, 2) << bad;
   EXPECT_TRUE(bad.saysInOneLine({"bad.xyz"})) << bad;
+  const Outcome without = this->run(folder.write("o.xyz", "0 0 0 0 0 0\n1 1 0 0 0 0\n"), "a.ply");
+  EXPECT_EQ(without.status, 2) << without;
+  EXPECT_TRUE(without.saysInOneLine({"o.xyz", "length 0", "--replace"})) << without;
   const Outcome huge = this->run(folder.write("huge.xyz", "0 0 0\n1e200 1 1\n"), "a.ply");
   EXPECT_EQ(huge.status, 2) << huge;
   EXPECT_TRUE(huge.saysInOneLine({"huge.xyz", "1e+200"})) << huge;

@@ -60,15 +60,12 @@ vtkSmartPointer<vtkPolyData> cloudOf(vtkPointSet* points, const std::vector<vtkI
   return cloud;
 }
 
-/// The points of a data set without cells and normals.
+/// The points of a data set without cells and normals, whose arrays are shared.
 vtkSmartPointer<vtkPolyData> bare(vtkPointSet* data)
 {
-  std::vector<vtkIdType> all(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t id = 0; id < all.size(); ++id)
-  {
-    all[id] = static_cast<vtkIdType>(id);
-  }
-  const auto cloud = cloudOf(data, all);
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(data->GetPoints());
+  cloud->GetPointData()->ShallowCopy(data->GetPointData());
   if (vtkDataArray* const normals = cloud->GetPointData()->GetNormals())
   {
     cloud->GetPointData()->RemoveArray(normals->GetName());
@@ -76,9 +73,27 @@ vtkSmartPointer<vtkPolyData> bare(vtkPointSet* data)
   return cloud;
 }
 
-/// The points that have a place and a normal; a warning counts others, such as those with NaN.
-vtkSmartPointer<vtkPolyData> oriented(
-  vtkPointSet* found, const Options& options, Messages& messages)
+/// Refuses points whose normals all have length 0, as programs write that have none.
+void checkNormals(vtkPointSet* input, const std::string& file)
+{
+  vtkDataArray* const normals = input->GetPointData()->GetNormals();
+  for (vtkIdType id = 0; normals && id < normals->GetNumberOfTuples(); ++id)
+  {
+    double normal[3];
+    normals->GetTuple(id, normal);
+    if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0)
+    {
+      return;
+    }
+  }
+  if (normals)
+  {
+    throw Failure(REFUSED, file, "has normals of length 0 only; --replace estimates others");
+  }
+}
+
+/// The points that have a place and a normal; the filter has warned of others.
+vtkSmartPointer<vtkPolyData> oriented(vtkPointSet* found)
 {
   vtkDataArray* const normals = found->GetPointData()->GetNormals();
   std::vector<vtkIdType> usable;
@@ -93,13 +108,6 @@ vtkSmartPointer<vtkPolyData> oriented(
     {
       usable.push_back(id);
     }
-  }
-  const auto others = found->GetNumberOfPoints() - static_cast<vtkIdType>(usable.size());
-  if (others > 0)
-  {
-    messages.warn(options.output + ": is written without " + std::to_string(others) + " of " +
-                  std::to_string(found->GetNumberOfPoints()) +
-                  " points, which have no normal, or are at no place");
   }
   return cloudOf(found, usable);
 }
@@ -168,6 +176,10 @@ void runNormals(const Options& options, Messages& messages)
   {
     throw Failure(REFUSED, options.input, "has no points; give a file that has some");
   }
+  if (!options.replace)
+  {
+    checkNormals(input, options.input);
+  }
   vtkNew<vtkPointAreas> filter;
   filter->SetInputDataObject(options.replace ? bare(input).Get() : input.Get());
   filter->EstimateNormalsOn();
@@ -190,7 +202,7 @@ void runNormals(const Options& options, Messages& messages)
                   (figures.haveNormals ? "points keep the normals that they have"
                                        : "points of a mesh get the normals of its faces"));
   }
-  const auto cloud = oriented(vtkPointSet::SafeDownCast(filter->GetOutput()), options, messages);
+  const auto cloud = oriented(vtkPointSet::SafeDownCast(filter->GetOutput()));
   writeCloud(cloud, output, messages);
   output.commit();
   figures.total = stopwatch.seconds();
