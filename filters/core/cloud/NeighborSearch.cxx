@@ -200,40 +200,63 @@ void NeighborSearch::find(
   {
     return;
   }
-  const Eigen::Vector3d& position = places_.positions()[place];
-  const auto number = static_cast<std::uint32_t>(place);
-  const bool isLikeLast = last.found == count;
-  double atMost = std::numeric_limits<double>::infinity(), likely = atMost;
-  if (isLikeLast)
+  double atMost = std::numeric_limits<double>::infinity();
+  if (last.found == count)
   {
     // All that the last search found lies within its distance and the step from there to here.
-    const double distance = last.distance + (position - places_.positions()[last.place]).norm();
+    const Eigen::Vector3d step = places_.positions()[place] - places_.positions()[last.place];
+    const double distance = last.distance + step.norm();
     atMost = roundedUp(distance * distance);
-    likely = 1.2 * last.distance * last.distance;
   }
-  bool isFound = last.ball.findNearest(number, position, count, likely, atMost, neighbors);
-  if (!isFound && isLikeLast)
+  if (!this->findInBall(place, count, atMost, neighbors, last))
   {
-    this->fill(last.ball, place, count, last.distance);
-    isFound = last.ball.findNearest(number, position, count, likely, atMost, neighbors);
-  }
-  if (!isFound)
-  {
-    // The tree of the place itself comes first, since what it finds spares most of the others.
-    NearestPlaces nearest(number, count, atMost, neighbors);
-    const Tree* const own = trees_[place / placesPerTree].get();
-    own->find(position, nearest);
-    for (const std::unique_ptr<const Tree>& tree : trees_)
-    {
-      if (tree.get() != own)
-      {
-        tree->find(position, nearest);
-      }
-    }
+    this->findInTrees(place, count, atMost, neighbors);
   }
   last.place = place;
   last.found = count;
   last.distance = std::sqrt(neighbors.back().squaredDistance);
+}
+
+/// Finds the neighbours in the ball of the last search, or in a new one where that one is too small
+/// and the last search was like this one. Returns false where neither holds all of them for sure.
+bool NeighborSearch::findInBall(std::size_t place, std::size_t count, double atMost,
+  std::vector<Neighbor>& neighbors, Last::Memory& last) const
+{
+  const bool isLikeLast = last.found == count;
+  const double likely = isLikeLast ? 1.2 * last.distance * last.distance : atMost;
+  const auto find = [&]
+  {
+    return last.ball.findNearest(static_cast<std::uint32_t>(place), places_.positions()[place],
+      count, likely, atMost, neighbors);
+  };
+  if (find())
+  {
+    return true;
+  }
+  if (!isLikeLast)
+  {
+    return false;
+  }
+  this->fill(last.ball, place, count, last.distance);
+  return find();
+}
+
+/// Finds the neighbours in the trees. That of the place itself comes first, since what it finds
+/// spares most of the others.
+void NeighborSearch::findInTrees(
+  std::size_t place, std::size_t count, double atMost, std::vector<Neighbor>& neighbors) const
+{
+  const Eigen::Vector3d& position = places_.positions()[place];
+  NearestPlaces nearest(static_cast<std::uint32_t>(place), count, atMost, neighbors);
+  const Tree* const own = trees_[place / placesPerTree].get();
+  own->find(position, nearest);
+  for (const std::unique_ptr<const Tree>& tree : trees_)
+  {
+    if (tree.get() != own)
+    {
+      tree->find(position, nearest);
+    }
+  }
 }
 
 /// Makes a ball that is likely to hold the nearest neighbours of a place and of those that follow

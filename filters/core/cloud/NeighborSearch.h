@@ -47,6 +47,10 @@ public:
 private:
   class Tree;
 
+  bool findInBall(std::size_t place, std::size_t count, double atMost,
+    std::vector<Neighbor>& neighbors, Last::Memory& last) const;
+  void findInTrees(
+    std::size_t place, std::size_t count, double atMost, std::vector<Neighbor>& neighbors) const;
   void fill(PlacesInBall& ball, std::size_t place, std::size_t count, double distance) const;
 
   const DistinctPoints& places_;
