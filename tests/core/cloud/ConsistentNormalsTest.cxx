@@ -105,15 +105,9 @@ void addNoise(Scan& scan, double size, Random& random)
 {
   for (Point& position : scan.positions)
   {
-    // The sum of twelve numbers is about normally distributed.
     for (int axis = 0; axis < 3; ++axis)
     {
-      double sum = -6;
-      for (int i = 0; i < 12; ++i)
-      {
-        sum += random(0, 1);
-      }
-      position[axis] += size * sum;
+      position[axis] += size * random.normal();
     }
   }
 }
@@ -142,6 +136,16 @@ Scan noisyPlates()
     addBox(scan, 3125, Point(0, 0, 0.076 * i), Point(0.5, 0.5, 0.076 * i + 0.038), random);
   }
   addNoise(scan, 0.0072, random);
+  return scan;
+}
+
+/// A plate whose noise is twice its thickness, and more than the spacing of its points.
+Scan veryNoisyPlate()
+{
+  Scan scan;
+  Random random(14);
+  addBox(scan, 8000, Point(0, 0, -0.005), Point(1, 1, 0.005), random);
+  addNoise(scan, 0.02, random);
   return scan;
 }
 
@@ -208,9 +212,22 @@ TEST(ConsistentNormals, OfNoisyPlatesSideBySide)
   EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.93);
 }
 
+TEST(ConsistentNormals, OfAPlateThinnerThanItsNoiseTellItsTwoSides)
+{
+  const Scan scan = veryNoisyPlate();
+  const std::vector<Point> normals = estimate(scan.positions).normals;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    right += normals[i][2] * scan.positions[i][2] > 0;
+  }
+  // 0.848; 0.751 by places of a thinned cloud
+  EXPECT_GT(static_cast<double>(right), 0.8 * static_cast<double>(normals.size()));
+}
+
 TEST(ConsistentNormals, HaveTheSameBitsForAnyThreadsAndOrder)
 {
-  for (const Scan& scan : {plates(), noisyPlates()})
+  for (const Scan& scan : {plates(), noisyPlates(), veryNoisyPlate()})
   {
     const winding::ConsistentNormals expected = estimate(scan.positions);
     std::vector<std::size_t> order(scan.positions.size());

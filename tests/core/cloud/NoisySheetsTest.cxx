@@ -39,12 +39,7 @@ protected:
     std::vector<Point> positions;
     for (std::size_t i = 0; i < sheets * perSheet; ++i)
     {
-      double sum = -6; // and twelve numbers, which are about normally distributed together
-      for (int k = 0; k < 12; ++k)
-      {
-        sum += random(0, 1);
-      }
-      const double height = apart * static_cast<double>(i % sheets) + 0.5 * sum;
+      const double height = apart * static_cast<double>(i % sheets) + 0.5 * random.normal();
       positions.emplace_back(random(0, size), random(0, size), height);
     }
     return positions;

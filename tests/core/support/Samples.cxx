@@ -13,6 +13,16 @@
 namespace shapes
 {
 
+double Random::normal()
+{
+  double sum = -6;
+  for (int i = 0; i < 12; ++i)
+  {
+    sum += (*this)(0, 1);
+  }
+  return sum;
+}
+
 Point Random::point(double low, double high)
 {
   const double x = (*this)(low, high), y = (*this)(low, high), z = (*this)(low, high);

@@ -30,6 +30,8 @@ public:
   {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
+  /// A number of about the normal distribution: the sum of twelve, less their mean.
+  double normal();
   Point point(double low, double high);
   Point direction();
   std::uint64_t bits() { return engine_(); }
