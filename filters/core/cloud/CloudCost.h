@@ -15,7 +15,8 @@ enum class NormalWork
 
 /// The seconds that a cloud is expected to take on one thread before it can be evaluated: to be
 /// read and cleaned, for Voronoi areas, where they are needed, and for normals that are estimated
-/// from so many neighbours.
+/// from so many neighbours. Noise is not known here: it makes normals take about twice as long
+/// where parts are as thin as the noise.
 double secondsToPrepareCloud(
   std::size_t points, int neighbors, bool needsAreas, NormalWork normals);
 

@@ -25,6 +25,7 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
   const std::size_t step =
     std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::min(ratio * ratio, 64.0))));
   std::vector<Eigen::Vector3d> some;
+  some.reserve(places.size() / step + 1);
   for (std::size_t place = step / 2; place < places.size(); place += step)
   {
     some.push_back(places.positions()[place]);
@@ -39,7 +40,7 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   DividedShare share(executor);
   share.set(0, 0.1);
   PlacePlanes planes = placePlanes(places, 2 * neighbors, executor);
-  const std::vector<Eigen::Vector3d> some =
+  std::vector<Eigen::Vector3d> some =
     thinned(places, quantileInSpacings(std::move(planes.deviations), spacings, 0.5));
   constexpr std::size_t enough = 1000;
   if (some.size() == places.size() || some.size() < enough)
@@ -54,6 +55,7 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   byTree = Normals();
   share.set(0.1, 0.15);
   const DistinctPoints sparse(some, 1, executor);
+  some = std::vector<Eigen::Vector3d>();
   auto graph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
   const std::vector<double> wide = spacingsOf(sparse, *graph);
   const bool isStillNoisy = isNoisy(sparse, *graph, wide, executor);
