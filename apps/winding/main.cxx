@@ -57,7 +57,8 @@ int endAlone(const Failure& failure)
 
 /// Lets large blocks of memory go back to the system as soon as they are freed. Otherwise glibc
 /// keeps them once it has seen blocks of their size, and a cloud of noisy points, whose normals and
-/// areas are found one after the other, takes a sixth more.
+/// areas are found one after the other, takes a sixth more. Work that takes less time than that of
+/// normals would be some per cent slower: it waits for fresh memory.
 void giveBackFreedMemory()
 {
 #ifdef __GLIBC__
@@ -93,6 +94,10 @@ void run(const Options& options)
     {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
   limitThreads(options.threads);
+  if (options.estimateNormals || options.command == "normals")
+  {
+    giveBackFreedMemory();
+  }
   try
   {
     commands.at(options.command)(options, messages);
@@ -119,7 +124,6 @@ void fillStandardStreams()
 
 int main(int argc, char** argv)
 {
-  giveBackFreedMemory();
   fillStandardStreams();
   interrupt::install();
   installLastResort();
