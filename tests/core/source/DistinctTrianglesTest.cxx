@@ -25,7 +25,8 @@ TEST(DistinctTriangles, CountWhatIsThereSeveralTimes)
   const auto distinct = distinctTriangles(
     {{0, 1, 2}, {3, 4, 5}, {1, 2, 0}, {5, 4, 3}, {0, 2, 3}, {2, 0, 1}, {6, 7, 8}}, anywhere);
   ASSERT_TRUE(distinct);
-  EXPECT_EQ(distinct->triangles, (winding::TriangleList{{3, 4, 5}, {0, 2, 3}, {6, 7, 8}, {0, 1, 2}}));
+  EXPECT_EQ(
+    distinct->triangles, (winding::TriangleList{{3, 4, 5}, {0, 2, 3}, {6, 7, 8}, {0, 1, 2}}));
   EXPECT_EQ(distinct->multiplicities, (winding::Multiplicities{0, 1, 1, 3}));
 }
 
