@@ -322,7 +322,7 @@ TEST(Gradient, OfATinySourceIsCutOffAtTheLargestNumber)
   // Samples lie beside the boundary, as near as 1e-320, where doubles are close to the smallest
   // that there are. Fields refuse sources as small as this one.
   const winding::Surface surface = cleanScaled(icosphere(1).part(0, 50), 1e-300);
-  const std::vector<winding::BoundaryEdge> edges = boundaryOf(surface).edges;
+  const winding::BoundaryEdges edges = boundaryOf(surface).edges;
   const winding::BoundaryEdge edge = edges[0];
   std::vector<Point> samples;
   for (const double beside : {1e-301, 1e-310, 1e-320})
