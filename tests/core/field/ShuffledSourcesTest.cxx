@@ -141,7 +141,7 @@ Mesh meshOf(const LatticeChain& chain)
 {
   Mesh mesh;
   mesh.points = chain.surface.vertices;
-  mesh.triangles = chain.surface.triangles;
+  mesh.triangles.assign(chain.surface.triangles.begin(), chain.surface.triangles.end());
   return mesh;
 }
 

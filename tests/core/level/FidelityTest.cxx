@@ -20,11 +20,17 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
   return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
 }
 
+Fidelity compare(
+  const Field& field, const Mesh& surface, unsigned seed, winding::Executor& executor)
+{
+  const winding::TriangleList triangles(surface.triangles.begin(), surface.triangles.end());
+  return winding::compareWithSource(field, surface.points, triangles, 0.1, 5000, seed, executor);
+}
+
 Fidelity compare(const Field& field, const Mesh& surface, unsigned seed = 1)
 {
   winding::SerialExecutor serial;
-  return winding::compareWithSource(
-    field, surface.points, surface.triangles, 0.1, 5000, seed, serial);
+  return compare(field, surface, seed, serial);
 }
 
 } // namespace
@@ -96,8 +102,7 @@ TEST(Fidelity, HasTheSameBitsForAnyExecutorAndOtherPointsForAnotherSeed)
   const Mesh other = icosphere(2);
   const Fidelity one = compare(*field, other);
   ShuffledThreads threads(3);
-  const Fidelity again =
-    winding::compareWithSource(*field, other.points, other.triangles, 0.1, 5000, 1, threads);
+  const Fidelity again = compare(*field, other, 1, threads);
   EXPECT_EQ(one.largestFromSource, again.largestFromSource);
   EXPECT_EQ(one.meanToSource, again.meanToSource);
   EXPECT_NE(one.meanToSource, compare(*field, other, 2).meanToSource);

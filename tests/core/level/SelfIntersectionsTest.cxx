@@ -12,10 +12,11 @@ using namespace shapes;
 
 std::size_t countOf(const Mesh& mesh)
 {
+  const winding::TriangleList triangles(mesh.triangles.begin(), mesh.triangles.end());
   winding::SerialExecutor serial;
   ShuffledThreads threads(1);
-  const std::size_t count = winding::countSelfIntersections(mesh.points, mesh.triangles, serial);
-  EXPECT_EQ(count, winding::countSelfIntersections(mesh.points, mesh.triangles, threads));
+  const std::size_t count = winding::countSelfIntersections(mesh.points, triangles, serial);
+  EXPECT_EQ(count, winding::countSelfIntersections(mesh.points, triangles, threads));
   return count;
 }
 
@@ -57,11 +58,9 @@ TEST(SelfIntersections, AreThoseThatAllPairsShow)
     {
       for (std::size_t b = 0; b < a; ++b)
       {
-        Mesh two;
-        two.points = soup.points;
-        two.triangles = {soup.triangles[a], soup.triangles[b]};
+        const winding::TriangleList two = {soup.triangles[a], soup.triangles[b]};
         winding::SerialExecutor serial;
-        pairs += winding::countSelfIntersections(two.points, two.triangles, serial);
+        pairs += winding::countSelfIntersections(soup.points, two, serial);
       }
     }
     EXPECT_EQ(countOf(soup), pairs) << seed;
