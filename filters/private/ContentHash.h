@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/Executor.h"
-
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -10,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <vector>
 
 namespace winding
 {
@@ -19,12 +16,6 @@ namespace winding
 class ContentHash
 {
 public:
-  /// Long arrays are read by the executor, if there is one; the hash is the same without.
-  explicit ContentHash(Executor* executor = nullptr)
-    : executor_(executor)
-  {
-  }
-
   template <class T> void addValue(const T& value) { this->addBytes(&value, sizeof value); }
 
   void addText(const std::string& text)
@@ -70,35 +61,13 @@ public:
   std::uint64_t value() const { return hash_; }
 
 private:
-  void addBytes(const void* data, std::size_t size)
-  {
-    constexpr std::size_t bytesPerBlock = 1 << 20;
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    if (size <= bytesPerBlock)
-    {
-      hash_ = hashOf(bytes, size, hash_);
-      return;
-    }
-    std::vector<std::uint64_t> blocks((size + bytesPerBlock - 1) / bytesPerBlock);
-    SerialExecutor serial;
-    Executor& executor = executor_ ? *executor_ : serial;
-    runBlocks(
-      size, bytesPerBlock,
-      [&](std::size_t block, std::size_t first, std::size_t last)
-      { blocks[block] = hashOf(bytes + first, last - first, firstHash); },
-      executor);
-    for (const std::uint64_t block : blocks)
-    {
-      hash_ = mixed(hash_, block);
-    }
-  }
-
   // A multiplication waits for the one before, so that four chains side by side take a quarter of
   // the time of one. Only long arrays are worth that.
-  static std::uint64_t hashOf(const unsigned char* bytes, std::size_t size, std::uint64_t hash)
+  void addBytes(const void* data, std::size_t size)
   {
     constexpr std::size_t lanes = 4;
     constexpr std::size_t step = lanes * sizeof(std::uint64_t);
+    const auto* bytes = static_cast<const unsigned char*>(data);
     std::size_t done = 0;
     if (size >= 8 * step)
     {
@@ -114,16 +83,15 @@ private:
       }
       for (const std::uint64_t chain : chains)
       {
-        hash = mixed(hash, chain);
+        hash_ = mixed(hash_, chain);
       }
     }
     for (; done < size; done += sizeof(std::uint64_t))
     {
       std::uint64_t word = 0;
       std::memcpy(&word, bytes + done, std::min(sizeof word, size - done));
-      hash = mixed(hash, word);
+      hash_ = mixed(hash_, word);
     }
-    return hash;
   }
 
   static std::uint64_t mixed(std::uint64_t hash, std::uint64_t word)
@@ -132,10 +100,7 @@ private:
     return hash ^ (hash >> 29);
   }
 
-  static constexpr std::uint64_t firstHash = 0x2545F4914F6CDD1Du;
-
-  Executor* executor_;
-  std::uint64_t hash_ = firstHash;
+  std::uint64_t hash_ = 0x2545F4914F6CDD1Du;
 };
 
 } // namespace winding

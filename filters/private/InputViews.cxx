@@ -85,7 +85,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
 
 std::uint64_t InputViews::fingerprint() const
 {
-  ContentHash hash(executor_);
+  ContentHash hash;
   hash.addValue(isSurface_);
   for (vtkPointSet* leaf : leaves_)
   {

@@ -141,7 +141,9 @@ void printReport(
   {
     if (!options.quiet)
     {
-      print(options.input + ": " + std::to_string(points) + " points, mean area " +
+      const std::string ofGiven =
+        figures.given > points ? " of " + std::to_string(figures.given) : std::string();
+      print(options.input + ": " + std::to_string(points) + ofGiven + " points, mean area " +
             shown(meanArea, 3) + ", " + originOf(filter, figures) + ", " + shown(figures.total, 3) +
             " s\nwrote " + options.output);
     }

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -10,7 +12,12 @@ namespace winding
 /// Gives memory whose trivial items are not set to anything before they are written.
 template <class Item> class UninitializedAllocator : public std::allocator<Item>
 {
+  static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_destructible_v<Item>);
+
 public:
+  UninitializedAllocator() = default;
+  template <class Other> UninitializedAllocator(const UninitializedAllocator<Other>&) noexcept {}
+
   template <class Other> struct rebind
   {
     using other = UninitializedAllocator<Other>;
@@ -23,8 +30,8 @@ public:
   }
 };
 
-/// A vector that resize() leaves unwritten, so that the threads that fill it are the first to touch
-/// its memory, which takes longer than what they write mostly. Items must be trivial.
+/// A vector whose new items resize() leaves unwritten. The first write to fresh memory takes longer
+/// than those after it, and the threads that fill the vector share it.
 template <class Item> using UninitializedVector = std::vector<Item, UninitializedAllocator<Item>>;
 
 } // namespace winding

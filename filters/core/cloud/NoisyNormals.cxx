@@ -123,10 +123,14 @@ OrientedPlaces orientNoisy(const DistinctPoints& places, const std::vector<doubl
   DividedShare share(executor);
   share.set(0, 0.4);
   OrientedPlaces best = orientThinned(places, spacings, neighbors, std::move(byTree), executor);
+  if (!best.triedPatches)
+  {
+    return best;
+  }
   const PlacesField field(places, spacings, spread, executor);
   const Turns none(places.size(), 0);
   double least = deviationUpToScale(field.valuesOf(best.normals, none));
-  if (!best.triedPatches || least < good)
+  if (least < good)
   {
     return best;
   }

@@ -34,7 +34,7 @@ struct FarFieldAccuracy
   {
     if (tolerance >= 1e-2)
     {
-      return {3, 0.7f, 3e-3f, 3.3f};
+      return {3, 0.7f, 2.4e-3f, 3.3f};
     }
     if (tolerance >= 1e-3)
     {

@@ -25,9 +25,10 @@
  * Degree k of the moments gives |w_k(x)| ≤ p_k / |x|^{k+1} with p_k² = Σ_m (k+m)! (k−m)! |M_k^m|²
  * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, where the missing p_{P+1} is estimated from
  * p_{P−1} and p_P. The dipoles of a leaf may be so few that they cancel in these two degrees by
- * chance, and not in the next: n dipoles of strengths a_i at distances ρ_i from the centre have
- * p_{P+1} ≤ (P+1) Σ a_i ρ_i^P, and 1/√n of that is expected where their phases are random. The
- * larger estimate counts.
+ * chance, and not in the next: n dipoles of strengths a_i at distances s_i from the centre have
+ * p_{P+1} ≤ (P+1) Σ a_i s_i^P, and 1/√n of that is expected where their phases are random. The
+ * larger estimate counts. Nodes of a few small clusters cancel in the same way and are not told
+ * from others: measured, such nodes err by up to 4 ε, which is a tolerance of 1e-2.
  *
  * For sources of degree 1 and strength p the local degrees above P are at most
  * (P+2) R^{P+1} p / (d−r)^{P+3}, so τ = (p/ε)^{1/(P+3)} and T = ((P+2) R^{P+1})^{1/(P+3)}.

@@ -267,12 +267,7 @@ private:
 
   void set(std::size_t place, const TrianglePiece& piece, std::int32_t multiplicity)
   {
-    const Eigen::Vector3d a = piece.a * scale(), b = piece.b * scale(), c = piece.c * scale();
-    KernelTriangle& item = items_[place];
-    store(a, item.a);
-    store(b, item.b);
-    store(c, item.c);
-    store((b - a).cross(c - a), item.normal);
+    items_[place] = kernelTriangle(piece.a * scale(), piece.b * scale(), piece.c * scale());
     isCut_[place] = piece.isCut;
     if (hasMultiplicities_)
     {

@@ -44,13 +44,8 @@ void TriangleSum::multiply(const TriangleList& triangles, std::size_t first, std
     for (std::size_t i = 0; i < count; ++i)
     {
       const Triangle& triangle = triangles[first + i];
-      const Eigen::Vector3d a = vertices_[triangle[0]] * scale_;
-      const Eigen::Vector3d b = vertices_[triangle[1]] * scale_;
-      const Eigen::Vector3d c = vertices_[triangle[2]] * scale_;
-      store(a, chunk[i].a);
-      store(b, chunk[i].b);
-      store(c, chunk[i].c);
-      store((b - a).cross(c - a), chunk[i].normal);
+      chunk[i] = kernelTriangle(vertices_[triangle[0]] * scale_, vertices_[triangle[1]] * scale_,
+        vertices_[triangle[2]] * scale_);
     }
     const auto multiplyChunk = watching ? multiplyAnglesWatching : multiplyAngles;
     multiplyChunk(chunk, count, scaled, products);

@@ -2,6 +2,9 @@
 
 #include "sums/KernelTypes.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -13,6 +16,39 @@
  */
 namespace winding
 {
+
+/// The triangle of three corners in scaled coordinates. The cross product of any two of its sides
+/// is its normal; that of the shorter two cancels least. Where b and c are exchanged, the normal
+/// turns round to the bit, and it is exactly 0 where the shorter sides are exactly parallel.
+inline KernelTriangle kernelTriangle(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  const Eigen::Vector3d ab = b - a, ac = c - a, bc = c - b;
+  const double lab = ab.squaredNorm(), lac = ac.squaredNorm(), lbc = bc.squaredNorm();
+  Eigen::Vector3d normal;
+  if (lac > std::max(lab, lbc))
+  {
+    normal = ab.cross(bc);
+  }
+  else if (lab > std::max(lac, lbc))
+  {
+    normal = ac.cross(bc);
+  }
+  else if (lab > lbc) // and as long as ac
+  {
+    normal = (0.5 * (ab + ac)).cross(bc);
+  }
+  else
+  {
+    normal = ab.cross(ac);
+  }
+  KernelTriangle triangle;
+  std::copy_n(a.data(), 3, triangle.a);
+  std::copy_n(b.data(), 3, triangle.b);
+  std::copy_n(c.data(), 3, triangle.c);
+  std::copy_n(normal.data(), 3, triangle.normal);
+  return triangle;
+}
 
 /// Writes the sum of all Ω / 4π of each sample: values[i] = argument of product i / 2π + its turns.
 void sumAngles(const AngleProducts& products, std::size_t count, double* values);

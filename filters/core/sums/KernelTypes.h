@@ -20,7 +20,7 @@ constexpr std::size_t kernelChunk = 128;
 struct KernelTriangle
 {
   double a[3], b[3], c[3];
-  double normal[3]; ///< (b − a) × (c − a)
+  double normal[3]; ///< (b − a) × (c − a), from kernelTriangle()
 };
 
 struct KernelDipole

@@ -35,7 +35,7 @@ private:
 class BoundaryLoops
 {
 public:
-  std::size_t size() const { return starts_.size() - 1; }
+  std::size_t size() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   bool empty() const { return this->size() == 0; }
   BoundaryLoop operator[](std::size_t i) const
   {
@@ -58,7 +58,8 @@ private:
 
 /// Splits a chain into loops, which together run along each edge as often as its multiplicity says.
 /// Nothing but the order of its edges decides which loops these are, and where they begin.
-/// `vertices` is the number of vertices of the surface. Throws Interrupted.
+/// `vertices` is the number of vertices of the surface. At each of them as many edges must leave as
+/// arrive, counted with multiplicity. Throws Interrupted.
 BoundaryLoops boundaryLoops(const BoundaryEdges& edges, std::size_t vertices, Executor& executor);
 
 } // namespace winding

@@ -133,7 +133,7 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
     double translations, momentValues, exactPairs;
     double exactPairsOfStrong;
   };
-  const Expected table[] = {{1e-2, 186678, 794368, 24634560, 15511192},
+  const Expected table[] = {{1e-2, 186678, 794368, 24634560, 16364488},
     {1e-3, 262716, 320, 43774656, 21661056}, {1e-4, 795803, 704, 82080520, 35003488},
     {1e-5, 456902, 3712, 85713728, 33847760}, {1e-6, 451031, 2112, 88180672, 38439496}};
   winding::SerialExecutor serial;

@@ -85,6 +85,6 @@ TEST(FewDipoles, AreLeftOutByLittleMoreThanTheirNodeMayErr)
     std::ostringstream name;
     name << "largestOf" << tolerance;
     shapes::record(name.str(), largest);
-    EXPECT_LT(largest, 3.3) << tolerance; // measured: 2.7; 3.6 by the moments alone
+    EXPECT_LT(largest, 3.3) << tolerance; // measured: 3
   }
 }

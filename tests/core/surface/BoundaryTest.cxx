@@ -61,7 +61,15 @@ Counts countsOf(const BoundaryChain& chain)
 BoundaryLoops loopsOf(const BoundaryChain& chain, const winding::Surface& surface)
 {
   winding::SerialExecutor serial;
-  return winding::boundaryLoops(chain.edges, surface.vertices.size(), serial);
+  const auto loops = winding::boundaryLoops(chain.edges, surface.vertices.size(), serial);
+  ShuffledThreads threads(394);
+  const auto again = winding::boundaryLoops(chain.edges, surface.vertices.size(), threads);
+  EXPECT_EQ(again.size(), loops.size());
+  for (std::size_t i = 0; i < std::min(loops.size(), again.size()); ++i)
+  {
+    EXPECT_TRUE(std::equal(loops[i].begin(), loops[i].end(), again[i].begin(), again[i].end()));
+  }
+  return loops;
 }
 
 Counts countsOf(const BoundaryLoops& loops)
