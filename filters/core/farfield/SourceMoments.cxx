@@ -33,17 +33,16 @@ public:
     , result_(result)
     , strengths_(tree.nodes().size())
     , spreads_(tree.nodes().size())
-    , expectedNext_(tree.nodes().size())
   {
   }
 
   void build(std::size_t number)
   {
     const SourceNode& node = tree_.nodes()[number];
-    std::fill_n(this->momentsOf(number), result_.stride, 0.0f);
+    double expectedNext = 0;
     if (node.children == 0)
     {
-      this->buildLeaf(number, node);
+      expectedNext = this->buildLeaf(number, node);
     }
     else
     {
@@ -52,7 +51,7 @@ public:
     const double radius = result_.criteria.radius[number];
     result_.criteria.splitRadius[number] = node.children == 0 ? -1.0f : static_cast<float>(radius);
     result_.criteria.setErrors(
-      number, accuracy_, {result_.of(number), expectedNext_[number], spreads_[number]});
+      number, accuracy_, {result_.of(number), expectedNext, spreads_[number]});
   }
 
 private:
@@ -65,7 +64,8 @@ private:
 
   float* momentsOf(std::size_t number) { return &result_.moments[number * result_.stride]; }
 
-  void buildLeaf(std::size_t number, const SourceNode& node)
+  /// Returns expectedNext() of the leaf.
+  double buildLeaf(std::size_t number, const SourceNode& node)
   {
     std::vector<FarFieldSources::Dipole> dipoles;
     sources_.appendDipoles({node.begin, node.end}, accuracy_.order, dipoles);
@@ -85,7 +85,6 @@ private:
     spreads_[number] = accuracy_.spreadMargin * sources_.spread({node.begin, node.end});
 
     const double inverse = 1.0 / result_.criteria.radius[number];
-    expectedNext_[number] = this->expectedNext(dipoles, center, inverse);
     // Thousands of equal items make one leaf; summed in float, they would lose digits one by one.
     Expansion sums(result_.stride);
     for (std::size_t first = 0; first < dipoles.size(); first += DipoleBatch::capacity)
@@ -110,6 +109,7 @@ private:
     }
     std::transform(sums.begin(), sums.end(), this->momentsOf(number),
       [](double moment) { return static_cast<float>(moment); });
+    return this->expectedNext(dipoles, center, inverse);
   }
 
   /// The size of the degree above the order of the moments that is expected where the phases of few
@@ -160,6 +160,7 @@ private:
 
     const double inverse = 1.0 / result_.criteria.radius[number];
     float* const moments = this->momentsOf(number);
+    std::fill_n(moments, result_.stride, 0.0f);
     for (std::size_t child = node.firstChild; child < node.firstChild + node.children; ++child)
     {
       // The child's moments are brought to units of the parent's radius.
@@ -188,7 +189,6 @@ private:
   SourceMoments& result_;
   std::vector<double> strengths_; ///< by node: the sum of |moment| of its dipoles
   std::vector<double> spreads_;   ///< by node: distance within which its items are no pure dipoles
-  std::vector<double> expectedNext_; ///< by node: expectedNext() of leaves, 0 for others
 };
 
 } // namespace
