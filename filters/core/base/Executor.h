@@ -87,4 +87,21 @@ void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, E
   }
 }
 
+/// Calls work(i) for the items 0 … count − 1, blocks of them at once, as runBlocks() does: for work
+/// of much the same size. Throws Interrupted.
+template <class Work> void forEachItem(std::size_t count, const Work& work, Executor& executor)
+{
+  constexpr std::size_t itemsPerBlock = 4096;
+  runBlocks(
+    count, itemsPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        work(i);
+      }
+    },
+    executor);
+}
+
 } // namespace winding

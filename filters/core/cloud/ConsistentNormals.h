@@ -39,7 +39,7 @@ struct ConsistentNormals
  * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where
  * they are known already. Points at one place have one normal. All normals are finite. The bits are
  * the same for any executor and any order of the points. The work takes O(n log n) time and about
- * 350 bytes per point. Throws Interrupted.
+ * 350 bytes per point beside the points themselves. Throws Interrupted.
  */
 ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
   Executor& executor, std::vector<Eigen::Vector3d> byTree = {});

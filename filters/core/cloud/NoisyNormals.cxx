@@ -65,7 +65,7 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   share.set(0.75, 1);
   constexpr double spread = 2;
   const PlacesField field(sparse, wide, spread, executor);
-  const Turns turns = uphill(
+  const Turns turns = turnsUphill(
     field.gradients(oriented.normals, Turns(sparse.size(), 0), places.positions()), planes.normals);
   return {turned(std::move(planes.normals), turns), oriented.deviation, oriented.triedPatches};
 }

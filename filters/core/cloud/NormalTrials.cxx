@@ -43,7 +43,7 @@ std::vector<std::uint32_t> othersThan(const std::vector<std::uint32_t>& some, st
 
 } // namespace
 
-Turns uphill(const Normals& gradients, const Normals& normals)
+Turns turnsUphill(const Normals& gradients, const Normals& normals)
 {
   Turns turns(normals.size());
   for (std::size_t place = 0; place < normals.size(); ++place)
@@ -59,16 +59,16 @@ double deviationOf(const Eigen::VectorXd& w)
 }
 
 void tryAsTheyAre(
-  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Best& best)
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, BestNormals& best)
 {
   const Eigen::VectorXd w = field.valuesOf(*normals, Turns(normals->size(), 0));
-  best.take(normals, Turns(normals->size(), 0), deviationOf(w));
-  best.take(normals, Turns(normals->size(), 1), deviationOf(-w));
+  best.keepIfBetter(normals, Turns(normals->size(), 0), deviationOf(w));
+  best.keepIfBetter(normals, Turns(normals->size(), 1), deviationOf(-w));
 }
 
 void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
-  Best& best)
+  BestNormals& best)
 {
   DividedShare share(executor);
   share.set(0, 0.1);
@@ -102,12 +102,13 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     share.set(begin + ofDoubt / 2, begin + ofDoubt);
     const Eigen::VectorXd ofOthers =
       field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));
-    best.take(normals, turns, deviationOf(shares * signs + ofOthers));
+    best.keepIfBetter(normals, turns, deviationOf(shares * signs + ofOthers));
   }
 }
 
 void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor, Best& best)
+  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor,
+  BestNormals& best)
 {
   const Normals oriented = turned(*best.normals, best.turns);
   for (const std::size_t size : sizes)
@@ -115,11 +116,12 @@ void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
     const auto normals =
       std::make_shared<const Normals>(sheetNormals(places, graph, oriented, size, executor));
     const Turns none(normals->size(), 0);
-    best.take(normals, none, deviationOf(field.valuesOf(*normals, none)));
+    best.keepIfBetter(normals, none, deviationOf(field.valuesOf(*normals, none)));
   }
 }
 
-void polish(const DistinctPoints& places, const PlacesField& field, Executor& executor, Best& best)
+void turnSinglePoints(
+  const DistinctPoints& places, const PlacesField& field, Executor& executor, BestNormals& best)
 {
   constexpr int mostRounds = 3;
   DividedShare share(executor);
@@ -129,9 +131,9 @@ void polish(const DistinctPoints& places, const PlacesField& field, Executor& ex
     const double rest = std::pow(0.3, round); // a round is the last one mostly
     share.set(1 - rest, 1 - 0.4 * rest);
     const Turns turns =
-      uphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
+      turnsUphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
     share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
-    best.take(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
+    best.keepIfBetter(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
     if (best.deviation == before)
     {
       return;

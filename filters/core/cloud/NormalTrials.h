@@ -18,9 +18,9 @@ namespace winding
 {
 
 /// The normals that fit best so far. Those that were tried for several turns are shared.
-struct Best
+struct BestNormals
 {
-  explicit Best(const std::shared_ptr<const Normals>& first)
+  explicit BestNormals(const std::shared_ptr<const Normals>& first)
     : normals(first)
     , turns(first->size(), 0)
   {
@@ -30,7 +30,8 @@ struct Best
   Turns turns;
   double deviation = std::numeric_limits<double>::infinity();
 
-  void take(const std::shared_ptr<const Normals>& others, const Turns& otherTurns, double other)
+  void keepIfBetter(
+    const std::shared_ptr<const Normals>& others, const Turns& otherTurns, double other)
   {
     if (other < deviation)
     {
@@ -44,23 +45,25 @@ struct Best
 /// The mean square of w − 1/2.
 double deviationOf(const Eigen::VectorXd& w);
 
-/// Whether w increases along each normal.
-Turns uphill(const Normals& gradients, const Normals& normals);
+/// The turns after which w decreases along all normals, as it does from inside to outside.
+Turns turnsUphill(const Normals& gradients, const Normals& normals);
 
-/// Takes normals as they are, or all turned round.
+/// Tries normals as they are, and all turned round.
 void tryAsTheyAre(
-  const std::shared_ptr<const Normals>& normals, const PlacesField& field, Best& best);
+  const std::shared_ptr<const Normals>& normals, const PlacesField& field, BestNormals& best);
 
 /// Tries patches of some normals for all bounds of doubt.
 void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
-  Best& best);
+  BestNormals& best);
 
 /// Tries directions of the planes of single sheets, which are known where senses are.
 void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
-  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor, Best& best);
+  const std::vector<std::size_t>& sizes, const PlacesField& field, Executor& executor,
+  BestNormals& best);
 
-/// Turns points one by one as long as that helps.
-void polish(const DistinctPoints& places, const PlacesField& field, Executor& executor, Best& best);
+/// Turns the normals along which w increases, each by itself, as long as that helps.
+void turnSinglePoints(
+  const DistinctPoints& places, const PlacesField& field, Executor& executor, BestNormals& best);
 
 } // namespace winding

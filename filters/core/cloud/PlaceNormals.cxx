@@ -36,7 +36,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
     orientByTree(places, *graph, byTree, executor);
   }
   share.set(0.05, 0.1);
-  Best best(std::make_shared<const Normals>(std::move(byTree)));
+  BestNormals best(std::make_shared<const Normals>(std::move(byTree)));
   tryAsTheyAre(best.normals, field, best);
   const std::size_t between = (fewNeighbors + neighbors) / 2;
   if (best.deviation < (isNoisy ? smallDeviationOfNoise : smallDeviation))
@@ -55,7 +55,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   {
     sizes.insert(sizes.begin(), {fewNeighbors, between});
   }
-  // Points that are spread far take long to polish.
+  // Gradients of points that are spread far take long, when single points are turned.
   const double endOfSizes = isNoisy ? 0.3 : 0.9;
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
@@ -73,7 +73,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   }
   graph.reset();
   share.set(endOfSizes, 1);
-  polish(places, field, executor, best);
+  turnSinglePoints(places, field, executor, best);
   return {turned(*best.normals, best.turns), best.deviation, true};
 }
 
@@ -117,7 +117,7 @@ OrientedPlaces orientByPatches(
   }
   DividedShare share(executor);
   const auto given = std::make_shared<const Normals>(std::move(normals));
-  Best best(given);
+  BestNormals best(given);
   share.set(0, 0.15);
   const NeighborGraph graph(places, neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, graph);
@@ -137,7 +137,7 @@ OrientedPlaces orientByPatches(
     if (turnsSinglePoints)
     {
       share.set(0.8, 1);
-      polish(places, field, executor, best);
+      turnSinglePoints(places, field, executor, best);
     }
   }
   return {turned(*best.normals, best.turns), best.deviation, triesPatches};

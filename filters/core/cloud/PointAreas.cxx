@@ -270,16 +270,12 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
     },
     executor);
 
-  constexpr std::size_t pointsPerBlock = 16384;
-  runBlocks(
-    areas.size(), pointsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachItem(
+    areas.size(),
+    [&](std::size_t point)
     {
-      for (std::size_t point = first; point < last; ++point)
-      {
-        const std::size_t site = sites_.siteOf(point);
-        areas[point] = areas_[site] / sites_[site].points / places_.scale() / places_.scale();
-      }
+      const std::size_t site = sites_.siteOf(point);
+      areas[point] = areas_[site] / sites_[site].points / places_.scale() / places_.scale();
     },
     executor);
   return areas;

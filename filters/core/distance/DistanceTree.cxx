@@ -17,21 +17,16 @@ namespace
 /// and those of twice as many items about as long.
 constexpr std::size_t trianglesPerLeaf = 4, pointsPerLeaf = 16;
 
-constexpr std::size_t itemsPerBlock = 4096;
-
 std::vector<Eigen::Vector3d> centersOf(const Surface& surface, double scale, Executor& executor)
 {
   std::vector<Eigen::Vector3d> centers(surface.triangles.size());
-  runBlocks(
-    centers.size(), itemsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachItem(
+    centers.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const Triangle t = lowestFirst(surface.vertices, surface.triangles[i]);
-        centers[i] = scale / 3 * surface.vertices[t[0]] +
-                     (scale / 3 * surface.vertices[t[1]] + scale / 3 * surface.vertices[t[2]]);
-      }
+      const Triangle t = lowestFirst(surface.vertices, surface.triangles[i]);
+      centers[i] = scale / 3 * surface.vertices[t[0]] +
+                   (scale / 3 * surface.vertices[t[1]] + scale / 3 * surface.vertices[t[2]]);
     },
     executor);
   return centers;
@@ -65,15 +60,12 @@ DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
     return {scale_ * surface.vertices[t[0]], scale_ * surface.vertices[t[1]],
       scale_ * surface.vertices[t[2]]};
   };
-  runBlocks(
-    triangles_.size(), itemsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachItem(
+    triangles_.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const Corners corners = cornersOf(i);
-        triangles_[i] = nearTriangle(corners[0], corners[1], corners[2]);
-      }
+      const Corners corners = cornersOf(i);
+      triangles_[i] = nearTriangle(corners[0], corners[1], corners[2]);
     },
     executor);
   this->makeBoxes(

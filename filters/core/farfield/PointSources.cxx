@@ -5,6 +5,7 @@
 #include "farfield/SourceItems.h"
 #include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
+#include "sums/DirectSumKernels.h"
 #include "sums/RegularizedKernels.h"
 
 #include <algorithm>
@@ -48,12 +49,12 @@ public:
     , inverseLengths_(cloud.regularizationLengths.size())
   {
     forEachItem(
-      0, items_.size(),
+      items_.size(),
       [&](std::size_t i)
       {
-        store(cloud.positions[i] * scale(), items_[i].position);
         // The scale is multiplied in twice, since its square alone may leave the range.
-        store(cloud.normals[i] * (areas[i] * scale() * scale() / (4 * pi)), items_[i].moment);
+        items_[i] = kernelDipole(cloud.positions[i] * scale(),
+          cloud.normals[i] * (areas[i] * scale() * scale() / (4 * pi)));
         if (this->isSpread())
         {
           inverseLengths_[i] = inverseOfLength(cloud.regularizationLengths[i] * scale());
@@ -66,7 +67,7 @@ public:
   {
     std::vector<Eigen::Vector3d> centers(items_.size());
     forEachItem(
-      0, items_.size(), [&](std::size_t i) { centers[i] = Vector(items_[i].position); }, executor);
+      items_.size(), [&](std::size_t i) { centers[i] = Vector(items_[i].position); }, executor);
     return centers;
   }
 
@@ -89,7 +90,7 @@ public:
     inSingle_ = inSingle;
     singleMoments_.resize(inSingle_ ? items_.size() : 0);
     forEachItem(
-      0, singleMoments_.size(),
+      singleMoments_.size(),
       [&](std::size_t i)
       {
         std::transform(items_[i].moment, items_[i].moment + 3, singleMoments_[i].begin(),

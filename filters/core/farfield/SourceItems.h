@@ -17,24 +17,6 @@
 namespace winding
 {
 
-constexpr std::size_t itemsPerBlock = 16384;
-
-/// Calls work(i) for the items begin … end − 1. Throws Interrupted.
-template <class Work>
-void forEachItem(std::size_t begin, std::size_t end, const Work& work, Executor& executor)
-{
-  runBlocks(
-    end - begin, itemsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = begin + first; i < begin + last; ++i)
-      {
-        work(i);
-      }
-    },
-    executor);
-}
-
 /// Puts item order[i] at place i. Throws Interrupted, and then all items stand as they did.
 template <class Item>
 void rearrange(
@@ -42,13 +24,8 @@ void rearrange(
 {
   UninitializedVector<Item> arranged(items.size());
   forEachItem(
-    0, items.size(), [&](std::size_t i) { arranged[i] = items[order[i]]; }, executor);
+    items.size(), [&](std::size_t i) { arranged[i] = items[order[i]]; }, executor);
   items = std::move(arranged);
-}
-
-inline void store(const Eigen::Vector3d& from, double (&to)[3])
-{
-  std::copy_n(from.data(), 3, to);
 }
 
 } // namespace winding

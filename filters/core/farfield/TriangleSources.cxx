@@ -90,7 +90,7 @@ public:
   {
     std::vector<Eigen::Vector3d> centers(treeItems_);
     forEachItem(
-      0, treeItems_,
+      treeItems_,
       [&](std::size_t i)
       {
         const KernelTriangle& item = items_[i];
@@ -225,11 +225,11 @@ private:
     treeItems_ = triangles.size() - first;
     this->resize(treeItems_);
     forEachItem(
-      first, triangles.size(),
+      treeItems_,
       [&](std::size_t i)
       {
-        askForCornersAhead(vertices.data(), triangles.triangles(), i);
-        this->setTriangle(i - first, vertices, triangles, i);
+        askForCornersAhead(vertices.data(), triangles.triangles(), first + i);
+        this->setTriangle(i, vertices, triangles, first + i);
       },
       executor);
   }

@@ -85,15 +85,8 @@ public:
     , perLayer_(rows.countIn(extent))
   {
     std::unique_ptr<VertexPlace[]> places(new VertexPlace[vertices.size()]);
-    runBlocks(
-      vertices.size(), itemsPerBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          places[i] = VertexPlace(vertices[i], grid, extent);
-        }
-      },
+    forEachItem(
+      vertices.size(), [&](std::size_t i) { places[i] = VertexPlace(vertices[i], grid, extent); },
       executor);
 
     // Most triangles of fine meshes lie between the rows, and are looked at once only.
@@ -269,16 +262,8 @@ public:
     if (3 * bands_.size() > vertices.size())
     {
       inGridUnits_.resize(vertices.size());
-      constexpr std::size_t verticesPerBlock = 16384;
-      runBlocks(
-        vertices.size(), verticesPerBlock,
-        [&](std::size_t, std::size_t first, std::size_t last)
-        {
-          for (std::size_t i = first; i < last; ++i)
-          {
-            inGridUnits_[i] = grid.inGridUnits(vertices[i]);
-          }
-        },
+      forEachItem(
+        vertices.size(), [&](std::size_t i) { inGridUnits_[i] = grid.inGridUnits(vertices[i]); },
         executor);
     }
   }

@@ -11,18 +11,9 @@ DistinctPoints::DistinctPoints(
   const std::vector<Eigen::Vector3d>& positions, double scale, Executor& executor)
   : scale_(scale)
 {
-  constexpr std::size_t pointsPerBlock = 16384;
   std::vector<Eigen::Vector3d> scaled(positions.size());
-  runBlocks(
-    positions.size(), pointsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        scaled[i] = positions[i] * scale;
-      }
-    },
-    executor);
+  forEachItem(
+    positions.size(), [&](std::size_t i) { scaled[i] = positions[i] * scale; }, executor);
 
   // Equal points share a leaf and stand side by side there, in the order of their numbers.
   constexpr std::size_t leafSize = 16;
@@ -32,6 +23,7 @@ DistinctPoints::DistinctPoints(
   {
     return i == 0 || scaled[points_[i]] != scaled[points_[i - 1]];
   };
+  constexpr std::size_t pointsPerBlock = 16384;
   std::vector<std::size_t> firstPlaces((points_.size() + pointsPerBlock - 1) / pointsPerBlock + 1);
   runBlocks(
     points_.size(), pointsPerBlock,

@@ -239,19 +239,15 @@ MeshVertices meshVertices(
     executor);
   std::vector<Unit>& units = parts.front().units;
   units.resize(points);
-  constexpr std::size_t pointsPerBlock = 1 << 14;
-  runBlocks(
-    points, pointsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachItem(
+    points,
+    [&](std::size_t point)
     {
-      for (std::size_t point = first; point < last; ++point)
+      if (parts.size() > 1)
       {
-        if (parts.size() > 1)
-        {
-          units[point].announce(parts[1].units[point]);
-        }
-        units[point].choose();
+        units[point].announce(parts[1].units[point]);
       }
+      units[point].choose();
     },
     executor);
   runBlocks(
@@ -284,18 +280,15 @@ MeshVertices meshVertices(
     executor);
   std::vector<Sum>& sums = parts.front().sums;
   sums.resize(points, Sum::Zero());
-  runBlocks(
-    points, pointsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  forEachItem(
+    points,
+    [&](std::size_t point)
     {
-      for (std::size_t point = first; point < last; ++point)
+      if (parts.size() > 1)
       {
-        if (parts.size() > 1)
-        {
-          sums[point] += parts[1].sums[point];
-        }
-        sums[point][3] /= 3;
+        sums[point] += parts[1].sums[point];
       }
+      sums[point][3] /= 3;
     },
     executor);
   return MeshVertices(std::move(sums));

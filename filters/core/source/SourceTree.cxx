@@ -81,17 +81,12 @@ void sortLeaf(Item* first, Item* last, const SourceTree::IsBefore& isBefore)
 SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize,
   Executor& executor, const IsBefore& isBefore)
 {
-  constexpr std::size_t itemsPerBlock = 16384;
   // std::make_unique() would fill them with zeros first. NOLINTNEXTLINE(modernize-make-unique)
   const std::unique_ptr<Item[]> items(new Item[centers.size()]);
-  runBlocks(
-    centers.size(), itemsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        items[i] = {centers[i], static_cast<std::uint32_t>(i)};
-      }
+  forEachItem(
+    centers.size(),
+    [&](std::size_t i) {
+      items[i] = {centers[i], static_cast<std::uint32_t>(i)};
     },
     executor);
   depthStarts_.push_back(0);
@@ -140,16 +135,8 @@ SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t 
     }
   }
   order_.resize(centers.size());
-  runBlocks(
-    centers.size(), itemsPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        order_[i] = items[i].number;
-      }
-    },
-    executor);
+  forEachItem(
+    centers.size(), [&](std::size_t i) { order_[i] = items[i].number; }, executor);
 }
 
 } // namespace winding

@@ -13,16 +13,6 @@
 namespace winding
 {
 
-namespace
-{
-
-void store(const Eigen::Vector3d& from, double (&to)[3])
-{
-  std::copy_n(from.data(), 3, to);
-}
-
-} // namespace
-
 TriangleSum::TriangleSum(
   const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const Bounds& bounds)
   : vertices_(vertices)
@@ -109,8 +99,7 @@ template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk)
       // The two factors of scale come one after the other: their product alone may leave the range.
       const std::uint32_t point = order_[first + i];
       const double weight = areas_[point] * scale_ * scale_ / (4 * pi);
-      store(cloud_.positions[point] * scale_, chunk[i].position);
-      store(cloud_.normals[point] * weight, chunk[i].moment);
+      chunk[i] = kernelDipole(cloud_.positions[point] * scale_, cloud_.normals[point] * weight);
       inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[point] * scale_);
     }
     addChunk(chunk, lengths.empty() ? nullptr : inverseLengths, count);

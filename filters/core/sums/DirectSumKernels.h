@@ -50,6 +50,12 @@ inline KernelTriangle kernelTriangle(
   return triangle;
 }
 
+/// The dipole at a point in scaled coordinates, of a normal whose length is the area / 4π there.
+inline KernelDipole kernelDipole(const Eigen::Vector3d& position, const Eigen::Vector3d& moment)
+{
+  return {{position.x(), position.y(), position.z()}, {moment.x(), moment.y(), moment.z()}};
+}
+
 /// Writes the sum of all Ω / 4π of each sample: values[i] = argument of product i / 2π + its turns.
 void sumAngles(const AngleProducts& products, std::size_t count, double* values);
 

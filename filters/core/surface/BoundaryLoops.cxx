@@ -1,6 +1,7 @@
 #include "surface/BoundaryLoops.h"
 
 #include "base/BucketSort.h"
+#include "base/CountingSort.h"
 #include "base/UninitializedVector.h"
 
 #include <hwy/cache_control.h>
@@ -99,26 +100,28 @@ private:
   void fill(
     const Buckets<BoundaryEdge>& byVertex, std::size_t bucket, std::size_t firstVertex, int shift)
   {
-    // Numbers of edges become places of the next ones.
-    std::vector<std::uint32_t> next((std::size_t(1) << shift) + 1, 0);
-    for (const BoundaryEdge* edge = byVertex.begin(bucket); edge != byVertex.end(bucket); ++edge)
-    {
-      ++next[static_cast<std::size_t>(edge->from) - firstVertex + 1];
-    }
-    next[0] = static_cast<std::uint32_t>(byVertex.begin(bucket) - byVertex.begin(0));
-    for (std::size_t i = 1; i < next.size(); ++i)
-    {
-      if (next[i] > 0)
+    const std::size_t count = std::size_t(1) << shift;
+    CountingSort<BoundaryEdge> leaving;
+    leaving.sort(count,
+      [&](const auto& visit)
       {
-        places_[firstVertex + i - 1] = next[i - 1];
-      }
-      next[i] += next[i - 1];
-    }
-    for (const BoundaryEdge* edge = byVertex.begin(bucket); edge != byVertex.end(bucket); ++edge)
+        std::for_each(byVertex.begin(bucket), byVertex.end(bucket),
+          [&](const BoundaryEdge& edge)
+          { visit(static_cast<std::size_t>(edge.from) - firstVertex, edge); });
+      });
+    auto place = static_cast<std::uint32_t>(byVertex.begin(bucket) - byVertex.begin(0));
+    for (std::size_t vertex = 0; vertex < count; ++vertex)
     {
-      const std::uint32_t place = next[static_cast<std::size_t>(edge->from) - firstVertex]++;
-      edges_[place] = {
-        edge->from, static_cast<std::uint32_t>(edge->to), edge->multiplicity, -1, place};
+      if (leaving.begin(vertex) != leaving.end(vertex))
+      {
+        places_[firstVertex + vertex] = place;
+      }
+      for (const BoundaryEdge* edge = leaving.begin(vertex); edge != leaving.end(vertex); ++edge)
+      {
+        edges_[place] = {
+          edge->from, static_cast<std::uint32_t>(edge->to), edge->multiplicity, -1, place};
+        ++place;
+      }
     }
   }
 
