@@ -1,5 +1,6 @@
 #include "private/ResultArrays.h"
 
+#include "base/LargePages.h"
 #include "private/FreeMemory.h"
 
 #include "vtkDataSetAttributes.h"
@@ -12,10 +13,6 @@
 #include <utility>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace winding
 {
 
@@ -24,25 +21,6 @@ namespace
 
 constexpr const char* coverageName = "Coverage";
 constexpr const char* distanceName = "SignedDistance";
-
-/// Asks for large pages where the system hands them out on request only.
-void adviseLargePages(vtkDataArray* array)
-{
-#ifdef MADV_HUGEPAGE
-  constexpr std::uintptr_t largePage = 2u << 20;
-  const auto begin = reinterpret_cast<std::uintptr_t>(array->GetVoidPointer(0));
-  const std::uintptr_t end =
-    begin + static_cast<std::uintptr_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
-  const std::uintptr_t first = (begin + largePage - 1) / largePage * largePage;
-  if (first < end)
-  {
-    madvise(
-      static_cast<char*>(array->GetVoidPointer(0)) + (first - begin), end - first, MADV_HUGEPAGE);
-  }
-#else
-  (void)array;
-#endif
-}
 
 void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
 {
@@ -78,7 +56,8 @@ vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name,
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name.c_str());
   array->SetNumberOfTuples(samples);
-  adviseLargePages(array);
+  adviseLargePages(array->GetVoidPointer(0),
+    static_cast<std::size_t>(samples) * static_cast<std::size_t>(array->GetDataTypeSize()));
   return array;
 }
 

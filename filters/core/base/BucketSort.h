@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/UninitializedVector.h"
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -16,7 +16,7 @@ template <class Item> class Buckets
 public:
   Buckets() = default;
   /// starts[b] … starts[b + 1] − 1 are the items of bucket b.
-  Buckets(std::unique_ptr<Item[]> items, std::vector<std::size_t> starts)
+  Buckets(UninitializedVector<Item> items, std::vector<std::size_t> starts)
     : items_(std::move(items))
     , starts_(std::move(starts))
   {
@@ -24,13 +24,13 @@ public:
 
   std::size_t count() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::size_t size(std::size_t bucket) const { return starts_[bucket + 1] - starts_[bucket]; }
-  const Item* begin(std::size_t bucket) const { return items_.get() + starts_[bucket]; }
-  const Item* end(std::size_t bucket) const { return items_.get() + starts_[bucket + 1]; }
-  Item* begin(std::size_t bucket) { return items_.get() + starts_[bucket]; }
-  Item* end(std::size_t bucket) { return items_.get() + starts_[bucket + 1]; }
+  const Item* begin(std::size_t bucket) const { return items_.data() + starts_[bucket]; }
+  const Item* end(std::size_t bucket) const { return items_.data() + starts_[bucket + 1]; }
+  Item* begin(std::size_t bucket) { return items_.data() + starts_[bucket]; }
+  Item* end(std::size_t bucket) { return items_.data() + starts_[bucket + 1]; }
 
 private:
-  std::unique_ptr<Item[]> items_;
+  UninitializedVector<Item> items_;
   std::vector<std::size_t> starts_;
 };
 
@@ -110,14 +110,15 @@ Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& e
     }
   }
 
-  std::unique_ptr<Item[]> items(new Item[starts.back()]); // uninitialised: all are written below
+  UninitializedVector<Item> items(starts.back());
   runBlocks(
     sources, sourcesPerBlock,
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
       std::size_t* const place = places.data() + block * buckets;
       emit(first, last,
-        [place, &items](std::size_t bucket, const Item& item) { items[place[bucket]++] = item; });
+        [place, to = items.data()](std::size_t bucket, const Item& item)
+        { to[place[bucket]++] = item; });
     },
     executor);
   return {std::move(items), std::move(starts)};

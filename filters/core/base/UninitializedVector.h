@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/LargePages.h"
+
+#include <cstddef>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -9,10 +12,11 @@
 namespace winding
 {
 
-/// Gives memory whose trivial items are not set to anything before they are written.
+/// Gives memory whose items are not set to anything before they are written, in large pages if it
+/// is much.
 template <class Item> class UninitializedAllocator : public std::allocator<Item>
 {
-  static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_destructible_v<Item>);
+  static_assert(std::is_trivially_destructible_v<Item>);
 
 public:
   UninitializedAllocator() = default;
@@ -23,6 +27,13 @@ public:
     using other = UninitializedAllocator<Other>;
   };
 
+  Item* allocate(std::size_t count)
+  {
+    Item* const items = std::allocator<Item>::allocate(count);
+    adviseLargePages(items, count * sizeof(Item));
+    return items;
+  }
+
   template <class Other> void construct(Other* place) noexcept { ::new (place) Other; }
   template <class Other, class... Arguments> void construct(Other* place, Arguments&&... arguments)
   {
@@ -30,8 +41,8 @@ public:
   }
 };
 
-/// A vector whose new items resize() leaves unwritten. The first write to fresh memory takes longer
-/// than those after it, and the threads that fill the vector share it.
+/// A vector whose new items resize() leaves unwritten, if their constructor does. The first write to
+/// fresh memory takes longer than those after it, and the threads that fill the vector share it.
 template <class Item> using UninitializedVector = std::vector<Item, UninitializedAllocator<Item>>;
 
 } // namespace winding

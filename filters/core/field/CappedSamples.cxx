@@ -1,4 +1,5 @@
 #include "base/DividedShare.h"
+#include "base/UninitializedVector.h"
 #include "farfield/FarFieldCost.h"
 #include "farfield/PointCells.h"
 #include "farfield/TriangleFarField.h"
@@ -19,7 +20,7 @@ class CappedSurface::Differences final : public PointSink
 {
 public:
   /// integers: χ at each sample. References are kept.
-  Differences(const VectorsView& samples, const std::vector<float>& integers,
+  Differences(const VectorsView& samples, const UninitializedVector<float>& integers,
     const FieldOutput& output, const CappedSurface& surface)
     : samples_(samples)
     , integers_(integers)
@@ -66,7 +67,7 @@ public:
 
 private:
   const VectorsView& samples_;
-  const std::vector<float>& integers_;
+  const UninitializedVector<float>& integers_;
   const FieldOutput& output_;
   const CappedSurface& surface_;
   mutable std::mutex mutex_;
@@ -95,7 +96,7 @@ bool CappedSurface::evaluate(
   }
   DividedShare share(executor);
   share.set(0, 0.5);
-  std::vector<float> integers(samples.size());
+  UninitializedVector<float> integers(samples.size());
   FieldOutput toIntegers;
   toIntegers.values = integers.data();
   if (!points_.evaluate(samples, toIntegers, executor))

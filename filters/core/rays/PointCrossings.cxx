@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -282,7 +283,6 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
     return q[1] >= bounds.min()[1] && q[1] <= bounds.max()[1] && q[2] >= bounds.min()[2] &&
            q[2] <= bounds.max()[2] && q[0] <= bounds.max()[0] && std::isfinite(q[0]);
   };
-  // Values that are known without a ray are asked for twice: writing them down takes longer.
   const auto known = [&](const Eigen::Vector3d& q) -> std::optional<double>
   {
     if (!mayCross(q))
@@ -291,13 +291,18 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
     }
     return clear ? clear->windingAt(q) : std::nullopt;
   };
+  // The samples of each block that need a ray, counted from its first one.
+  std::vector<std::vector<std::uint16_t>> unknown(
+    (samples.size() + samplesPerBlock - 1) / samplesPerBlock);
   RayBox box;
   std::mutex mutex;
   runBlocks(
     samples.size(), samplesPerBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
       RayBox ours;
+      std::uint16_t numbers[samplesPerBlock];
+      std::uint16_t* end = numbers;
       for (std::size_t i = first; i < last; ++i)
       {
         const Eigen::Vector3d q = samples[i];
@@ -309,8 +314,10 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
         else
         {
           ours.add(q * scale);
+          *end++ = static_cast<std::uint16_t>(i - first);
         }
       }
+      unknown[block].assign(numbers, end);
       const std::lock_guard<std::mutex> lock(mutex);
       box.add(ours);
     },
@@ -322,20 +329,21 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   }
   const Columns columns(box, std::min(mostBuckets, samples.size()));
   Buckets<Ray> rays = distribute<Ray>(
-    samples.size(), columns.count(),
+    unknown.size(), columns.count(),
     [&](std::size_t first, std::size_t last, const auto& put)
     {
-      for (std::size_t i = first; i < last; ++i)
+      for (std::size_t block = first; block < last; ++block)
       {
-        const Eigen::Vector3d q = samples[i];
-        if (!known(q))
+        for (const std::uint16_t number : unknown[block])
         {
+          const std::size_t i = block * samplesPerBlock + number;
+          const Eigen::Vector3d q = samples[i];
           const Ray ray = {q[0] * scale, q[1] * scale, q[2] * scale, i, 0};
           put(columns.of(ray.start()), ray);
         }
       }
     },
-    executor, samplesPerBlock);
+    executor, 1);
 
   RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
   for (std::size_t column = 0; column < columns.count(); ++column)

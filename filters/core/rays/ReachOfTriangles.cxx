@@ -40,7 +40,7 @@ ReachOfTriangles::ReachOfTriangles(const RayCounter& counter, const CandidateTri
   , triangles_(triangles)
   , columns_(rays.columns)
   , executor_(executor)
-  , ranges_(new ColumnRange[triangles.size()])
+  , ranges_(triangles.size())
 {
   constexpr std::size_t columnsPerBlock = 64;
   std::vector<RayBox> boxes(columns_.count());

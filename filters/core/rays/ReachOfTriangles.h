@@ -2,10 +2,10 @@
 
 #include "base/BucketSort.h"
 #include "base/Executor.h"
+#include "base/UninitializedVector.h"
 #include "rays/RayCounter.h"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace winding
@@ -63,7 +63,7 @@ private:
   const CandidateTriangles& triangles_;
   const Columns& columns_;
   Executor& executor_;
-  std::unique_ptr<ColumnRange[]> ranges_;
+  UninitializedVector<ColumnRange> ranges_;
   std::vector<std::size_t> rounds_;
 };
 

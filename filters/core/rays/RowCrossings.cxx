@@ -3,6 +3,7 @@
 #include "base/BucketSort.h"
 #include "base/CountingSort.h"
 #include "base/DividedShare.h"
+#include "base/UninitializedVector.h"
 #include "rays/RowTriangle.h"
 #include "source/CornersAhead.h"
 
@@ -84,14 +85,14 @@ public:
     , rows_(rows)
     , perLayer_(rows.countIn(extent))
   {
-    std::unique_ptr<VertexPlace[]> places(new VertexPlace[vertices.size()]);
+    UninitializedVector<VertexPlace> places(vertices.size());
     forEachItem(
       vertices.size(), [&](std::size_t i) { places[i] = VertexPlace(vertices[i], grid, extent); },
       executor);
 
     // Most triangles of fine meshes lie between the rows, and are looked at once only.
     const std::vector<std::uint32_t> reaching =
-      this->trianglesThatReachRows(places.get(), triangles, cap, executor);
+      this->trianglesThatReachRows(places.data(), triangles, cap, executor);
     const std::size_t bands = static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_;
     // A block counts what it has for each band; together the blocks have at most so many counts.
     constexpr std::size_t mostCounts = 1 << 20;
@@ -107,7 +108,7 @@ public:
           const std::uint32_t number = reaching[i];
           const bool isOfCap = number >= triangles.size();
           const Reach reach = this->reachOf(
-            places.get(), isOfCap ? cap[number - triangles.size()] : triangles[number]);
+            places.data(), isOfCap ? cap[number - triangles.size()] : triangles[number]);
           const std::size_t firstBand = rows.bandOf(reach.rows.first);
           const std::size_t lastBand = rows.bandOf(reach.rows.second);
           for (int k = reach.layers.first; k <= reach.layers.second; ++k)

@@ -1,12 +1,12 @@
 #include "source/SourceTree.h"
 
+#include "base/UninitializedVector.h"
 #include "source/CompareCoordinates.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <memory>
 
 namespace winding
 {
@@ -81,8 +81,7 @@ void sortLeaf(Item* first, Item* last, const SourceTree::IsBefore& isBefore)
 SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t leafSize,
   Executor& executor, const IsBefore& isBefore)
 {
-  // std::make_unique() would fill them with zeros first. NOLINTNEXTLINE(modernize-make-unique)
-  const std::unique_ptr<Item[]> items(new Item[centers.size()]);
+  UninitializedVector<Item> items(centers.size());
   forEachItem(
     centers.size(),
     [&](std::size_t i) {
@@ -111,8 +110,8 @@ SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t 
         for (std::size_t i = firstOfBlock; i < lastOfBlock; ++i)
         {
           SourceNode& node = nodes_[first + i];
-          Item* const begin = items.get() + node.begin;
-          Item* const end = items.get() + node.end;
+          Item* const begin = items.data() + node.begin;
+          Item* const end = items.data() + node.end;
           if (node.size() > leafSize)
           {
             node.children = static_cast<std::uint32_t>(cutInFour(begin, end, leafSize, limits[i]));
@@ -129,8 +128,8 @@ SourceTree::SourceTree(const std::vector<Eigen::Vector3d>& centers, std::size_t 
       nodes_[first + i].firstChild = static_cast<std::uint32_t>(nodes_.size());
       for (std::uint32_t child = 0; child < nodes_[first + i].children; ++child)
       {
-        nodes_.push_back({static_cast<std::uint32_t>(limits[i][child] - items.get()),
-          static_cast<std::uint32_t>(limits[i][child + 1] - items.get()), 0, 0});
+        nodes_.push_back({static_cast<std::uint32_t>(limits[i][child] - items.data()),
+          static_cast<std::uint32_t>(limits[i][child + 1] - items.data()), 0, 0});
       }
     }
   }

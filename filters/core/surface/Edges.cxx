@@ -119,8 +119,7 @@ EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
   UsesOfRange result;
   result.firstLow = static_cast<std::int32_t>(firstLow);
   result.ends.assign(vertices, 0);
-  // std::make_unique() would fill them with zeros first. NOLINTNEXTLINE(modernize-make-unique)
-  result.uses.reset(new EdgeUse[2 * numbers_.size(ofLowest) + numbers_.size(ofMiddle)]);
+  result.uses.resize(2 * numbers_.size(ofLowest) + numbers_.size(ofMiddle));
 
   const auto forEachTriangle = [this](std::size_t bucket, const auto& work)
   {
@@ -149,7 +148,7 @@ EdgeUses::UsesOfRange EdgeUses::usesOf(std::size_t range) const
     place = start;
     start += count;
   }
-  EdgeUse* const uses = result.uses.get();
+  EdgeUse* const uses = result.uses.data();
   forEachTriangle(ofLowest,
     [&](std::size_t number, const SortedTriangle& t)
     {

@@ -2,11 +2,11 @@
 
 #include "base/BucketSort.h"
 #include "base/Executor.h"
+#include "base/UninitializedVector.h"
 #include "source/Surface.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace winding
@@ -74,12 +74,12 @@ public:
   /// low vertex it is in [first, last). The uses are unsorted; the visitor may sort them.
   template <class Visit> void forEachVertex(std::size_t range, const Visit& visit) const
   {
-    const UsesOfRange uses = this->usesOf(range);
-    EdgeUse* first = uses.uses.get();
+    UsesOfRange uses = this->usesOf(range);
+    EdgeUse* first = uses.uses.data();
     std::int32_t low = uses.firstLow;
     for (const std::size_t end : uses.ends)
     {
-      EdgeUse* const last = uses.uses.get() + end;
+      EdgeUse* const last = uses.uses.data() + end;
       visit(low, first, last);
       first = last;
       ++low;
@@ -108,7 +108,7 @@ private:
   {
     std::int32_t firstLow;
     std::vector<std::size_t> ends; ///< by low vertex: where its uses end and the next one's begin
-    std::unique_ptr<EdgeUse[]> uses;
+    UninitializedVector<EdgeUse> uses;
   };
 
   UsesOfRange usesOf(std::size_t range) const;
