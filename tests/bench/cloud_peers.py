@@ -2,12 +2,13 @@
 
 Usage: cloud_peers.py <winding> <points> <noise in percent of the diagonal> <mesh>…
 
-Meshes are .stl, .obj or .ply, and closed. So many points are drawn evenly on each, and moved by
-normally distributed steps. Compared are `winding --normal-estimation` tree, consistent and auto;
-vtkPCANormalEstimation with orientations along its graph; and, if it is installed, Open3D's
-estimate_normals() with orient_normals_consistent_tangent_plane(). All look at 20 neighbours. The
-others leave the sense of the whole to chance, and get the better one of both. A peer that takes
-longer than 100 seconds is ended.
+Meshes are .stl, .obj or .ply, and closed, such as those that assemblies.py makes. So many points
+are drawn evenly on each, and moved by normally distributed steps. Compared are `winding
+--normal-estimation` tree, consistent and auto; vtkPCANormalEstimation with orientations along its
+graph; and, if it is installed, Open3D's estimate_normals() with
+orient_normals_consistent_tangent_plane(). All look at 20 neighbours. The others leave the sense of
+the whole to chance, and get the better one of both. A peer that takes longer than 100 seconds is
+ended.
 
 For each it prints the part that |w| >= 0.5 of the mesh and w >= 0.5 of the points with its normals
 have in common, of what is in either, at 40 000 random places in the bounds, and seconds; first with
