@@ -41,8 +41,8 @@ public:
   }
 };
 
-/// A vector whose new items resize() leaves unwritten, if their constructor does. The first write to
-/// fresh memory takes longer than those after it, and the threads that fill the vector share it.
+/// A vector whose new items resize() leaves unwritten, if their constructor does. The first write
+/// to fresh memory takes longer than those after it, and the threads that fill the vector share it.
 template <class Item> using UninitializedVector = std::vector<Item, UninitializedAllocator<Item>>;
 
 } // namespace winding
