@@ -8,15 +8,17 @@
  * - FAULT_SITES=file: none fails; the file gets a line with the number of each allocation that
  *   comes by a way through the program by which none came before.
  *
- * operator new comes here, too, since it calls malloc(). One allocation never fails: the
- * constructor of vtkCellArray (VTK 9.1) does not look whether it got its few bytes, and would
- * crash.
+ * operator new comes here, too, since it calls malloc(). Two kinds of allocations never fail, for
+ * those who ask for them do not look whether they got their few bytes, and would crash: that of the
+ * constructor of vtkCellArray (VTK 9.1), and those of dlopen(), with which TBB looks for a library
+ * that need not be there: glibc 2.36 then writes down an error where it has no memory for it.
  */
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -160,6 +162,16 @@ extern "C"
     void* const found = memalign(alignment, size);
     *block = found ? found : *block;
     return found ? 0 : ENOMEM;
+  }
+
+  void* dlopen(const char* file, int mode)
+  {
+    using Open = void* (*)(const char*, int);
+    const auto open = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "dlopen"));
+    const bool wasInside = std::exchange(isInside, true);
+    void* const library = open(file, mode);
+    isInside = wasInside;
+    return library;
   }
 
   /// The C library's own start of programs; main() is called in between.

@@ -2,6 +2,7 @@
 
 #include "base/CountingSort.h"
 #include "base/Refusal.h"
+#include "base/UninitializedVector.h"
 #include "source/UnitScale.h"
 
 #include <hwy/cache_control.h>
@@ -100,30 +101,41 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   low_ = all.isEmpty() ? Eigen::Vector3d(0, 0, 0)
                        : Eigen::Vector3d(all.center() - Eigen::Vector3d::Constant(0.5 * side));
 
+  // The keys are found once, and written down for the two passes that distribute samples.
+  constexpr std::uint32_t keyOfOthers = std::uint32_t(1) << bitsOfKey;
+  const double cubes = 1 << depth_;
+  UninitializedVector<Sample> keyed(view.size());
+  forEachItem(
+    view.size(),
+    [&](std::size_t i)
+    {
+      const auto number = static_cast<std::uint32_t>(i);
+      const Eigen::Vector3d position = this->positionOf(number);
+      if (!isIn(position))
+      {
+        keyed[i] = {keyOfOthers, number};
+        return;
+      }
+      const Eigen::Array3i index =
+        ((position - low_).array() * (cubes / side)).max(0.0).min(cubes - 1).template cast<int>();
+      const std::uint32_t key = spread(static_cast<std::uint32_t>(index[0])) |
+                                spread(static_cast<std::uint32_t>(index[1])) << 1 |
+                                spread(static_cast<std::uint32_t>(index[2])) << 2;
+      keyed[i] = {key, number};
+    },
+    executor);
+
   // Many samples are distributed by the highest digit of their keys first, and the others come
   // last.
   const int shift = view.size() > samplesPerBlock ? bitsOfKey - digit : bitsOfKey;
-  const std::size_t bucketOfOthers = std::size_t(1) << (bitsOfKey - shift);
-  const double cubes = 1 << depth_;
+  const std::size_t bucketOfOthers = keyOfOthers >> shift;
   samples_ = distribute<Sample>(
-    view.size(), bucketOfOthers + 1,
+    keyed.size(), bucketOfOthers + 1,
     [&](std::size_t first, std::size_t last, const auto& put)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const auto number = static_cast<std::uint32_t>(i);
-        const Eigen::Vector3d position = this->positionOf(number);
-        if (!isIn(position))
-        {
-          put(bucketOfOthers, {0, number});
-          continue;
-        }
-        const Eigen::Array3i index =
-          ((position - low_).array() * (cubes / side)).max(0.0).min(cubes - 1).template cast<int>();
-        const std::uint32_t key = spread(static_cast<std::uint32_t>(index[0])) |
-                                  spread(static_cast<std::uint32_t>(index[1])) << 1 |
-                                  spread(static_cast<std::uint32_t>(index[2])) << 2;
-        put(key >> shift, {key, number});
+        put(keyed[i].key >> shift, keyed[i]);
       }
     },
     executor, samplesPerBlock);
