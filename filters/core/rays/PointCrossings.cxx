@@ -292,6 +292,7 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
     return clear ? clear->windingAt(q) : std::nullopt;
   };
   // The samples of each block that need a ray, counted from its first one.
+  static_assert(samplesPerBlock <= 1 << 16);
   std::vector<std::vector<std::uint16_t>> unknown(
     (samples.size() + samplesPerBlock - 1) / samplesPerBlock);
   RayBox box;
