@@ -14,7 +14,8 @@ struct ConsistentNormals
 {
   std::vector<Eigen::Vector3d> normals; ///< unit vectors that point outward
   /// The mean square of w − 1/2 at points of the cloud, where w is the field of points spread over
-  /// a spacing each: about 0.01 where normals are right, 0.1 and more where many are not.
+  /// a spacing each: about 0.01 where normals are right, 0.1 and more where many are not. That of
+  /// noisy clouds is found by fields that are spread farther, before normals are found again.
   double deviation = 0;
   bool triedPatches = false; ///< false where the normals of the spanning tree fit well
 };
@@ -31,9 +32,10 @@ struct ConsistentNormals
  * Several sizes of neighbourhoods and several bounds of doubt are tried, and the spanning tree of
  * NormalEstimation.h among them; the result is the one with the least deviation. Where senses are
  * known, so are the two sheets of thin parts, and directions are taken again, from planes through
- * neighbours on one sheet only (sheetNormals()), unless the cloud is noisy. The sides of noisy
- * clouds are found by some of their places; where that fits badly, sheets that noise makes nearly
- * touch are told apart (NoisySheets.h), and planes through more neighbours are tried.
+ * neighbours on one sheet only (sheetNormals()). The sides of noisy clouds are found by some of
+ * their places; where that fits badly, sheets that noise makes nearly touch are told apart
+ * (NoisySheets.h), and planes through more neighbours are tried. Then w of all places turns single
+ * normals of noisy clouds, before their directions are taken again.
  *
  * neighbors: the most neighbours that planes go through, at least 3. byTree: the normals that
  * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where

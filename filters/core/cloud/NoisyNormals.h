@@ -14,6 +14,7 @@ namespace winding
 /// still, and by planes through many places, which are those of whole parts. Either is taken only
 /// where it deviates by less than 0.6 of what the first way does, for noisy points tell little:
 /// measured, normals that deviated by 0.69 of it were worse all the same, by 0.54 of it better.
+/// Whichever is taken, senses and directions are found again from it.
 ///
 /// spacings: by place. byTree: as for orientDensely(). Throws Interrupted.
 OrientedPlaces orientNoisy(const DistinctPoints& places, const std::vector<double>& spacings,
