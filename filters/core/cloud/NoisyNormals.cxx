@@ -70,14 +70,6 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   return {turned(std::move(planes.normals), turns), oriented.deviation, oriented.triedPatches};
 }
 
-/// How much w deviates from 1/2, where areas are known but for a common factor, as those of noisy
-/// points are: the least mean square of f w − 1/2 for any f that is not negative.
-double deviationUpToScale(const Eigen::VectorXd& w)
-{
-  const double mean = std::max(w.mean(), 0.0), square = w.array().square().mean();
-  return square > 0 ? 0.25 * (1 - mean * mean / square) : 0.25;
-}
-
 /// The normals of noisy sheets that are close to each other: senses are found by the places moved
 /// onto their sheets, which tell them apart, and directions are smoothed along them. There are none
 /// where sheets do not come apart: then w of the moved places deviates by 0.22 and more, else by
@@ -135,13 +127,11 @@ OrientedPlaces orientInSomeWay(const DistinctPoints& places, const std::vector<d
   }
   const auto take = [&](Normals normals)
   {
-    const Eigen::VectorXd w = field.valuesOf(normals, none);
-    const double deviation = deviationUpToScale(w);
+    const double deviation = deviationUpToScale(field.valuesOf(normals, none));
     if (deviation < farBetter * least)
     {
       best.normals = std::move(normals);
-      best.deviation = deviationOf(w);
-      least = deviation;
+      best.deviation = least = deviation;
     }
   };
   share.set(0.4, 0.75);

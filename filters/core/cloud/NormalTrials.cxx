@@ -58,12 +58,18 @@ double deviationOf(const Eigen::VectorXd& w)
   return (w.array() - 0.5).square().mean();
 }
 
+double deviationUpToScale(const Eigen::VectorXd& w)
+{
+  const double mean = std::max(w.mean(), 0.0), square = w.array().square().mean();
+  return square > 0 ? 0.25 * (1 - mean * mean / square) : 0.25;
+}
+
 void tryAsTheyAre(
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, BestNormals& best)
 {
   const Eigen::VectorXd w = field.valuesOf(*normals, Turns(normals->size(), 0));
-  best.keepIfBetter(normals, Turns(normals->size(), 0), deviationOf(w));
-  best.keepIfBetter(normals, Turns(normals->size(), 1), deviationOf(-w));
+  best.keepIfBetter(normals, Turns(normals->size(), 0), best.measure(w));
+  best.keepIfBetter(normals, Turns(normals->size(), 1), best.measure(-w));
 }
 
 void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
@@ -102,7 +108,7 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     share.set(begin + ofDoubt / 2, begin + ofDoubt);
     const Eigen::VectorXd ofOthers =
       field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));
-    best.keepIfBetter(normals, turns, deviationOf(shares * signs + ofOthers));
+    best.keepIfBetter(normals, turns, best.measure(shares * signs + ofOthers));
   }
 }
 
@@ -116,7 +122,7 @@ void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
     const auto normals =
       std::make_shared<const Normals>(sheetNormals(places, graph, oriented, size, executor));
     const Turns none(normals->size(), 0);
-    best.keepIfBetter(normals, none, deviationOf(field.valuesOf(*normals, none)));
+    best.keepIfBetter(normals, none, best.measure(field.valuesOf(*normals, none)));
   }
 }
 
@@ -133,7 +139,7 @@ void turnSinglePoints(
     const Turns turns =
       turnsUphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
     share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
-    best.keepIfBetter(best.normals, turns, deviationOf(field.valuesOf(*best.normals, turns)));
+    best.keepIfBetter(best.normals, turns, best.measure(field.valuesOf(*best.normals, turns)));
     if (best.deviation == before)
     {
       return;

@@ -17,14 +17,26 @@
 namespace winding
 {
 
+/// The mean square of w − 1/2.
+double deviationOf(const Eigen::VectorXd& w);
+
+/// How much w deviates from 1/2, where areas are known but for a common factor, as those of noisy
+/// points are: the least mean square of f w − 1/2 for any f that is not negative.
+double deviationUpToScale(const Eigen::VectorXd& w);
+
 /// The normals that fit best so far. Those that were tried for several turns are shared.
 struct BestNormals
 {
-  explicit BestNormals(const std::shared_ptr<const Normals>& first)
-    : normals(first)
+  /// howMuch: deviationOf() or, for noisy points, deviationUpToScale().
+  explicit BestNormals(const std::shared_ptr<const Normals>& first,
+    double (*howMuch)(const Eigen::VectorXd&) = deviationOf)
+    : measure(howMuch)
+    , normals(first)
     , turns(first->size(), 0)
   {
   }
+
+  double (*measure)(const Eigen::VectorXd&); ///< how much w deviates
 
   std::shared_ptr<const Normals> normals;
   Turns turns;
@@ -41,9 +53,6 @@ struct BestNormals
     }
   }
 };
-
-/// The mean square of w − 1/2.
-double deviationOf(const Eigen::VectorXd& w);
 
 /// The turns after which w decreases along all normals, as it does from inside to outside.
 Turns turnsUphill(const Normals& gradients, const Normals& normals);
