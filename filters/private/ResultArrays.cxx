@@ -7,7 +7,6 @@
 #include "vtkDoubleArray.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>

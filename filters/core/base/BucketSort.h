@@ -21,6 +21,8 @@ public:
     , starts_(std::move(starts))
   {
   }
+  Buckets(Buckets&&) = default;
+  Buckets& operator=(Buckets&&) = default;
 
   std::size_t count() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::size_t size(std::size_t bucket) const { return starts_[bucket + 1] - starts_[bucket]; }
@@ -67,9 +69,9 @@ inline std::size_t bucketsFor(std::size_t size, int shift)
  * that only counts, and must emit the same both times; it may be called from several threads.
  *
  * Guaranteed: stable, that is, in every bucket the items stand in the order of their sources, for
- * any executor. Item must be trivially copyable. Memory is 8 bytes per block of sources and bucket,
- * beside the items: choose larger blocks for many buckets, smaller ones where a source takes long.
- * Throws Interrupted.
+ * any executor. Item must be trivially destructible. Memory is 8 bytes per block of sources and
+ * bucket, beside the items: choose larger blocks for many buckets, smaller ones where a source
+ * takes long. Throws Interrupted.
  */
 template <class Item, class Emit>
 Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& emit,

@@ -15,8 +15,8 @@ struct ConsistentNormals
   std::vector<Eigen::Vector3d> normals; ///< unit vectors that point outward
   /// The mean square of w − 1/2 at points of the cloud, where w is the field of points spread over
   /// a spacing each: about 0.01 where normals are right, 0.1 and more where many are not. That of
-  /// noisy clouds is taken of f w, with the factor f ≥ 0 that makes it least, and of normals before
-  /// they are found again: 0.03 and more where many are not right.
+  /// noisy clouds may be of some of their points, and up to a factor of their areas; it is of
+  /// normals before they are found again.
   double deviation = 0;
   bool triedPatches = false; ///< false where the normals of the spanning tree fit well
 };

@@ -68,8 +68,8 @@ void tryAsTheyAre(
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, BestNormals& best)
 {
   const Eigen::VectorXd w = field.valuesOf(*normals, Turns(normals->size(), 0));
-  best.keepIfBetter(normals, Turns(normals->size(), 0), best.measure(w));
-  best.keepIfBetter(normals, Turns(normals->size(), 1), best.measure(-w));
+  best.keepIfBetter(normals, Turns(normals->size(), 0), w);
+  best.keepIfBetter(normals, Turns(normals->size(), 1), -w);
 }
 
 void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
@@ -108,7 +108,7 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
     share.set(begin + ofDoubt / 2, begin + ofDoubt);
     const Eigen::VectorXd ofOthers =
       field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));
-    best.keepIfBetter(normals, turns, best.measure(shares * signs + ofOthers));
+    best.keepIfBetter(normals, turns, shares * signs + ofOthers);
   }
 }
 
@@ -122,7 +122,7 @@ void trySheets(const DistinctPoints& places, const NeighborGraph& graph,
     const auto normals =
       std::make_shared<const Normals>(sheetNormals(places, graph, oriented, size, executor));
     const Turns none(normals->size(), 0);
-    best.keepIfBetter(normals, none, best.measure(field.valuesOf(*normals, none)));
+    best.keepIfBetter(normals, none, field.valuesOf(*normals, none));
   }
 }
 
@@ -139,7 +139,7 @@ void turnSinglePoints(
     const Turns turns =
       turnsUphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
     share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
-    best.keepIfBetter(best.normals, turns, best.measure(field.valuesOf(*best.normals, turns)));
+    best.keepIfBetter(best.normals, turns, field.valuesOf(*best.normals, turns));
     if (best.deviation == before)
     {
       return;

@@ -139,6 +139,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
       }
     },
     executor, samplesPerBlock);
+  keyed = UninitializedVector<Sample>();
   runBlocks(
     bucketOfOthers, 1,
     [&](std::size_t bucket, std::size_t, std::size_t)

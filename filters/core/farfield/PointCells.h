@@ -61,7 +61,7 @@ public:
     const bool* isSuspect) const override;
 
 private:
-  /// A sample's place on the curve and its number.
+  /// A sample's place on the curve, behind its end for those that are left out, and its number.
   struct Sample
   {
     std::uint32_t key, number;

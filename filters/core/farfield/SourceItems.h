@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>

@@ -345,6 +345,7 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
       }
     },
     executor, 1);
+  unknown.clear(); // 2 bytes per ray, which tasks need no more
 
   RaysInColumns inColumns = {columns, std::vector<Ray*>(columns.count() + 1)};
   for (std::size_t column = 0; column < columns.count(); ++column)

@@ -45,7 +45,7 @@ class ClearCells;
  * that turns out to be longer is given up, and its column is divided into tasks. So interruption is
  * answered soon. A line of samples along x is one task; a million of them take a tenth of a second.
  *
- * The memory is 42 bytes per sample, and 40 more for each sample of a column that is divided; up to
+ * The memory is 44 bytes per sample, and 40 more for each sample of a column that is divided; up to
  * 140 bytes per triangle, and that again for each triangle of a column that is divided: lists of
  * the triangles in columns are made for as many columns at a time as that allows. A thread takes up
  * to 20 MB.

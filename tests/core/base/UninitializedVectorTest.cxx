@@ -1,4 +1,5 @@
 #include "base/UninitializedVector.h"
+#include "base/LargePages.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,12 @@
 #include "source/SourceTree.h"
 #include "source/Surface.h"
 
+#include <gtest/gtest.h>
+
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace
 {
