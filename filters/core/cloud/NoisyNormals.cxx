@@ -107,7 +107,7 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
 }
 
 /// Orients a noisy cloud in several ways and takes the one that fits best.
-OrientedPlaces orientInSomeWay(const DistinctPoints& places, const std::vector<double>& spacings,
+OrientedPlaces orientInTheBestWay(const DistinctPoints& places, const std::vector<double>& spacings,
   std::size_t neighbors, Normals byTree, Executor& executor)
 {
   constexpr double spread = 3, good = 0.035, farBetter = 0.6;
@@ -181,7 +181,7 @@ OrientedPlaces orientNoisy(const DistinctPoints& places, const std::vector<doubl
   DividedShare share(executor);
   share.set(0, 0.9);
   OrientedPlaces oriented =
-    orientInSomeWay(places, spacings, neighbors, std::move(byTree), executor);
+    orientInTheBestWay(places, spacings, neighbors, std::move(byTree), executor);
   share.set(0.9, 1);
   oriented.normals = foundAgain(places, spacings, neighbors, std::move(oriented.normals), executor);
   return oriented;

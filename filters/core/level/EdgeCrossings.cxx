@@ -151,15 +151,8 @@ EdgeCrossings::EdgeCrossings(
   const ChainView chain(surface);
   constexpr std::size_t perBlock = 1024;
   std::vector<Eigen::Vector3d> vertices(surface.vertices.size()); // in units of the grid
-  runBlocks(
-    vertices.size(), perBlock,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        vertices[i] = grid.inGridUnits(surface.vertices[i]);
-      }
-    },
+  forEachItem(
+    vertices.size(), [&](std::size_t i) { vertices[i] = grid.inGridUnits(surface.vertices[i]); },
     executor);
   // Triangles are sorted by layer, as the edges are, so that few of the edges are at work at a
   // time.

@@ -98,31 +98,18 @@ public:
     , triangles_(triangles)
     , vertices_(vertices.size())
   {
-    constexpr std::size_t perBlock = 4096;
-    runBlocks(
-      vertices.size(), perBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          vertices_[i] = grid.inGridUnits(vertices[i]).array() + 0.5;
-        }
-      },
-      executor);
+    forEachItem(
+      vertices.size(),
+      [&](std::size_t i) { vertices_[i] = grid.inGridUnits(vertices[i]).array() + 0.5; }, executor);
     // The grid's position is rounded, too, by any program that computes it from its voxels.
     gridMargin_ =
       rounding * (grid.firstSample.cwiseAbs().cwiseQuotient(grid.spacing).array() + 1).matrix();
 
     std::vector<Range> reaches(this->count());
-    runBlocks(
-      reaches.size(), perBlock,
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          reaches[i] = this->layersOf(this->primitive(static_cast<std::uint32_t>(i)));
-        }
-      },
+    forEachItem(
+      reaches.size(),
+      [&](std::size_t i)
+      { reaches[i] = this->layersOf(this->primitive(static_cast<std::uint32_t>(i))); },
       executor);
     const auto forEachPlace = [&](const auto& visit)
     {
