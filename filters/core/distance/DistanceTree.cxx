@@ -199,30 +199,48 @@ bool DistanceTree::mayHoldNearer(double squared, const Nearest& nearest) const
   return squared <= reach * reach;
 }
 
-void DistanceTree::keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
-  const double* squaredLimits, std::vector<NearItems>& kept) const
+void DistanceTree::assign(const std::vector<NearItems>& runs, Candidates& to) const
 {
   if (points_.empty())
   {
-    winding::keepNearer(triangles_.data(), runs, samples, squaredLimits, kept);
+    to.assign(triangles_.data(), runs);
   }
   else
   {
-    winding::keepNearer(points_.data(), runs, samples, squaredLimits, kept);
+    to.assign(points_.data(), runs);
   }
 }
 
 void DistanceTree::lowerSquaredDistances(
-  const std::vector<NearItems>& runs, const SampleBlock& samples, double* squared) const
+  const std::uint32_t* items, std::size_t count, const SampleBlock& samples, double* squared) const
 {
   if (points_.empty())
   {
-    winding::lowerSquaredDistances(triangles_.data(), runs.data(), runs.size(), samples, squared);
+    winding::lowerSquaredDistances(triangles_.data(), items, count, samples, squared);
   }
   else
   {
-    winding::lowerSquaredDistances(points_.data(), runs.data(), runs.size(), samples, squared);
+    winding::lowerSquaredDistances(points_.data(), items, count, samples, squared);
   }
+}
+
+void DistanceTree::findNearestOfEach(
+  const std::uint32_t* items, std::size_t count, const SampleBlock& samples, Nearest* nearest) const
+{
+  if (points_.empty())
+  {
+    winding::findNearestOfEach(triangles_.data(), items, count, samples, nearest);
+  }
+  else
+  {
+    winding::findNearestOfEach(points_.data(), items, count, samples, nearest);
+  }
+}
+
+bool DistanceTree::isNearer(
+  std::uint32_t triangle, const SampleBlock& samples, const double* limits) const
+{
+  return winding::isNearer(triangles_[triangle], samples, limits);
 }
 
 } // namespace winding

@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Executor.h"
+#include "distance/Candidates.h"
 #include "distance/NearestKernels.h"
 #include "source/PointCloud.h"
 #include "source/SourceTree.h"
@@ -50,15 +51,20 @@ public:
   /// Sets `nearest` to a point of an item, if that is nearer to the sample.
   void compare(const Eigen::Vector3d& sample, std::uint32_t item, Nearest& nearest) const;
 
-  /// Appends to `kept` those of the items of leaves that are no farther than a limit from at least
-  /// one of 8 samples, in scaled coordinates; see NearestKernels.h.
-  void keepNearer(const std::vector<NearItems>& runs, const SampleBlock& samples,
-    const double* squaredLimits, std::vector<NearItems>& kept) const;
+  /// Lists of items that may be nearest to samples, which are empty as yet.
+  Candidates noCandidates() const { return Candidates(points_.empty() ? 3 : 1); }
 
-  /// Lowers the squared distances of samples, in scaled coordinates, to those from the items of
-  /// leaves; see NearestKernels.h.
-  void lowerSquaredDistances(
-    const std::vector<NearItems>& runs, const SampleBlock& samples, double* squared) const;
+  /// Replaces all candidates by the items of some runs.
+  void assign(const std::vector<NearItems>& runs, Candidates& to) const;
+
+  ///@{
+  /// The loops of NearestKernels.h, for samples in scaled coordinates.
+  void lowerSquaredDistances(const std::uint32_t* items, std::size_t count,
+    const SampleBlock& samples, double* squared) const;
+  void findNearestOfEach(const std::uint32_t* items, std::size_t count, const SampleBlock& samples,
+    Nearest* nearest) const;
+  bool isNearer(std::uint32_t triangle, const SampleBlock& samples, const double* limits) const;
+  ///@}
 
 private:
   template <class BoxOf> void makeBoxes(const BoxOf& boxOf, Executor& executor);

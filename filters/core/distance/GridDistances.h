@@ -13,7 +13,7 @@ namespace winding
 /**
  * Distances of the samples of a grid, found for cells of samples rather than one by one: from large
  * cells down to those of a few samples, each with a list of what may be nearest to any of its
- * samples (NearestLists.h).
+ * samples (CellDescent.h).
  *
  * Cells and lists are those of the whole grid, whatever part of it is asked for, and so are the
  * bits.
@@ -34,15 +34,6 @@ public:
   bool evaluate(Executor& executor) const;
 
 private:
-  class Descent;
-
-  /// The part of a block that is still to be done.
-  struct Piece
-  {
-    std::size_t block;
-    Extent samples;
-  };
-
   Extent samplesOfBlock(std::size_t number) const;
 
   const DistanceTree& tree_;

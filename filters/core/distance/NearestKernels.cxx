@@ -114,7 +114,7 @@ HWY_INLINE void takeNearer(
 }
 
 template <class Item>
-HWY_INLINE void lower(const Item* HWY_RESTRICT items, const NearItems* HWY_RESTRICT runs,
+HWY_INLINE void lower(const Item* HWY_RESTRICT items, const std::uint32_t* HWY_RESTRICT numbers,
   std::size_t count, const SampleBlock& samples, double* HWY_RESTRICT squared)
 {
   using D = hn::ScalableTag<double>;
@@ -124,68 +124,32 @@ HWY_INLINE void lower(const Item* HWY_RESTRICT items, const NearItems* HWY_RESTR
     const Offsets<D> sample = {
       hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
     NearestOffsets<D> nearest = {hn::Load(d, squared + s), sample};
-    for (const NearItems* run = runs; run != runs + count; ++run)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      for (const Item* item = items + run->first; item != items + run->last; ++item)
-      {
-        takeNearer(d, *item, sample, nearest);
-      }
+      takeNearer(d, items[numbers[i]], sample, nearest);
     }
     hn::Store(nearest.squared, d, squared + s);
   }
 }
 
-HWY_INLINE const double* beginOf(const NearTriangle& triangle)
+bool isTriangleNearer(
+  const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits)
 {
-  return triangle.a;
-}
-
-HWY_INLINE const double* beginOf(const NearPoint& point)
-{
-  return point.position;
-}
-
-template <class Item>
-HWY_INLINE bool isNearer(const Item& item, const SampleBlock& samples, const double* squaredLimits)
-{
-  using D = hn::CappedTag<double, 8>;
+  using D = hn::CappedTag<double, samplesAtOnce>;
   const D d;
-  for (std::size_t s = 0; s < 8; s += hn::Lanes(d))
+  for (std::size_t s = 0; s < samplesAtOnce; s += hn::Lanes(d))
   {
     const Offsets<D> sample = {
       hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
-    const Offsets<D> offset = difference(d, sample, broadcast(d, beginOf(item)));
+    const Offsets<D> offset = difference(d, sample, broadcast(d, triangle.a));
     NearestOffsets<D> nearest = {product(d, offset, offset), offset};
-    takeNearer(d, item, sample, nearest);
+    takeNearer(d, triangle, sample, nearest);
     if (!hn::AllFalse(d, hn::Le(nearest.squared, hn::Load(d, squaredLimits + s))))
     {
       return true;
     }
   }
   return false;
-}
-
-template <class Item>
-HWY_INLINE void keep(const Item* HWY_RESTRICT items, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* HWY_RESTRICT squaredLimits,
-  std::vector<NearItems>& kept)
-{
-  for (const NearItems& run : runs)
-  {
-    for (std::uint32_t i = run.first; i != run.last; ++i)
-    {
-      if (!isNearer(items[i], samples, squaredLimits))
-      {
-        continue;
-      }
-      if (!kept.empty() && kept.back().last == i)
-      {
-        ++kept.back().last;
-        continue;
-      }
-      kept.push_back({i, i + 1});
-    }
-  }
 }
 
 template <class Item>
@@ -208,28 +172,62 @@ HWY_INLINE void find(
   nearest.offset[2] = hn::GetLane(best.offset.z);
 }
 
-void lowerByTriangles(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
+template <class Item>
+HWY_INLINE void findOfEach(const Item* HWY_RESTRICT items,
+  const std::uint32_t* HWY_RESTRICT numbers, std::size_t count, const SampleBlock& samples,
+  Nearest* HWY_RESTRICT nearest)
+{
+  using D = hn::CappedTag<double, samplesAtOnce>;
+  const D d;
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Offsets<D> sample = {
+      hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
+    NearestOffsets<D> best = {hn::Set(d, std::numeric_limits<double>::infinity()), sample};
+    auto place = hn::Zero(d);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto before = best.squared;
+      takeNearer(d, items[numbers[i]], sample, best);
+      const auto here = hn::Set(d, static_cast<double>(i));
+      place = hn::IfThenElse(hn::Lt(best.squared, before), here, place);
+    }
+    alignas(64) double lanes[5][samplesAtOnce];
+    hn::Store(best.squared, d, lanes[0]);
+    hn::Store(best.offset.x, d, lanes[1]);
+    hn::Store(best.offset.y, d, lanes[2]);
+    hn::Store(best.offset.z, d, lanes[3]);
+    hn::Store(place, d, lanes[4]);
+    for (std::size_t lane = 0; lane < hn::Lanes(d) && s + lane < samples.count; ++lane)
+    {
+      nearest[s + lane] = {lanes[0][lane], {lanes[1][lane], lanes[2][lane], lanes[3][lane]},
+        numbers[static_cast<std::size_t>(lanes[4][lane])]};
+    }
+  }
+}
+
+void lowerByTriangles(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, double* squared)
+{
+  lower(triangles, numbers, count, samples, squared);
+}
+
+void lowerByPoints(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
   const SampleBlock& samples, double* squared)
 {
-  lower(triangles, runs, count, samples, squared);
+  lower(points, numbers, count, samples, squared);
 }
 
-void lowerByPoints(const NearPoint* points, const NearItems* runs, std::size_t count,
-  const SampleBlock& samples, double* squared)
+void findOfEachAmongTriangles(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, Nearest* nearest)
 {
-  lower(points, runs, count, samples, squared);
+  findOfEach(triangles, numbers, count, samples, nearest);
 }
 
-void keepTriangles(const NearTriangle* triangles, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+void findOfEachAmongPoints(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const SampleBlock& samples, Nearest* nearest)
 {
-  keep(triangles, runs, samples, squaredLimits, kept);
-}
-
-void keepPoints(const NearPoint* points, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
-{
-  keep(points, runs, samples, squaredLimits, kept);
+  findOfEach(points, numbers, count, samples, nearest);
 }
 
 void findAmongTriangles(
@@ -254,8 +252,9 @@ namespace winding
 
 HWY_EXPORT(lowerByTriangles);
 HWY_EXPORT(lowerByPoints);
-HWY_EXPORT(keepTriangles);
-HWY_EXPORT(keepPoints);
+HWY_EXPORT(isTriangleNearer);
+HWY_EXPORT(findOfEachAmongTriangles);
+HWY_EXPORT(findOfEachAmongPoints);
 HWY_EXPORT(findAmongTriangles);
 HWY_EXPORT(findAmongPoints);
 
@@ -293,28 +292,33 @@ NearTriangle nearTriangle(
   return triangle;
 }
 
-void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
+void lowerSquaredDistances(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, double* squared)
+{
+  HWY_DYNAMIC_DISPATCH(lowerByTriangles)(triangles, numbers, count, samples, squared);
+}
+
+void lowerSquaredDistances(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
   const SampleBlock& samples, double* squared)
 {
-  HWY_DYNAMIC_DISPATCH(lowerByTriangles)(triangles, runs, count, samples, squared);
+  HWY_DYNAMIC_DISPATCH(lowerByPoints)(points, numbers, count, samples, squared);
 }
 
-void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
-  const SampleBlock& samples, double* squared)
+bool isNearer(const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits)
 {
-  HWY_DYNAMIC_DISPATCH(lowerByPoints)(points, runs, count, samples, squared);
+  return HWY_DYNAMIC_DISPATCH(isTriangleNearer)(triangle, samples, squaredLimits);
 }
 
-void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+void findNearestOfEach(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, Nearest* nearest)
 {
-  HWY_DYNAMIC_DISPATCH(keepTriangles)(triangles, runs, samples, squaredLimits, kept);
+  HWY_DYNAMIC_DISPATCH(findOfEachAmongTriangles)(triangles, numbers, count, samples, nearest);
 }
 
-void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept)
+void findNearestOfEach(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const SampleBlock& samples, Nearest* nearest)
 {
-  HWY_DYNAMIC_DISPATCH(keepPoints)(points, runs, samples, squaredLimits, kept);
+  HWY_DYNAMIC_DISPATCH(findOfEachAmongPoints)(points, numbers, count, samples, nearest);
 }
 
 void findNearest(

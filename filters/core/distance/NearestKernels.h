@@ -50,27 +50,24 @@ struct NearItems
   std::uint32_t first, last;
 };
 
+/// So many samples are compared with an item at once; with fewer samples it takes as long.
+constexpr std::size_t samplesAtOnce = 8;
+
 ///@{
-/// Lowers squared[i] to the square of the distance of sample i from the nearest of the items, for
-/// all samples of a block and for the entries that pad them to whole vectors. squared: aligned as
-/// the block is.
-void lowerSquaredDistances(const NearTriangle* triangles, const NearItems* runs, std::size_t count,
-  const SampleBlock& samples, double* squared);
-void lowerSquaredDistances(const NearPoint* points, const NearItems* runs, std::size_t count,
+/// Lowers squared[i] to the square of the distance of sample i from the nearest of the items of
+/// some numbers, for all samples of a block and for the entries that pad them to whole vectors.
+/// squared: aligned as the block is.
+void lowerSquaredDistances(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, double* squared);
+void lowerSquaredDistances(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
   const SampleBlock& samples, double* squared);
 ///@}
 
-///@{
-/**
- * Appends to `kept`, as runs, the items whose distance from at least one of 8 samples, as the loops
- * compute it, is no more than the sample's limit. The caller adds the rounding of distances
- * (roundingOfOffset) to the limits. squaredLimits: 8 numbers, aligned as the block is.
- */
-void keepNearer(const NearTriangle* triangles, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
-void keepNearer(const NearPoint* points, const std::vector<NearItems>& runs,
-  const SampleBlock& samples, const double* squaredLimits, std::vector<NearItems>& kept);
-///@}
+/// Whether a triangle's distance from at least one of the first samplesAtOnce samples of a block,
+/// as the loops compute it, is no more than the sample's limit. The caller adds the rounding of
+/// distances (roundingOfOffset) to the limits. squaredLimits: one for each, aligned as the block.
+bool isNearer(
+  const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits);
 
 /// The nearest point found so far.
 struct Nearest
@@ -100,6 +97,15 @@ void findNearest(
   const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest);
 void findNearest(
   const NearPoint* points, const NearItems& run, const double* sample, Nearest& nearest);
+///@}
+
+///@{
+/// Sets nearest[i] to the nearest point of the items of some numbers, of which there is at least
+/// one, for each sample of a block of samplesAtOnce samples at most.
+void findNearestOfEach(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const SampleBlock& samples, Nearest* nearest);
+void findNearestOfEach(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const SampleBlock& samples, Nearest* nearest);
 ///@}
 
 } // namespace winding

@@ -1,7 +1,6 @@
 #include "distance/NearestLists.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace winding
@@ -10,16 +9,9 @@ namespace winding
 namespace
 {
 
-/// An item is compared with this many samples at once; with fewer samples it takes as long.
-constexpr double samplesAtOnce = 8;
-
-/// A triangle whose sides stand for its inside (NearestKernels.h) is thinner than this times the
-/// source: the others have weights that are right to as much.
-constexpr double thin = 0x1p-40;
-
 /// Whether a box may hold the nearest point of a sample of the cell, by the test of the class.
 /// slack: the rounding of the difference of squares.
-bool canBeNearest(const NearestLists::Cell& cell, const Bounds& box, double slack)
+bool canBeNearest(const NearestCell& cell, const Bounds& box, double slack)
 {
   double least = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -41,15 +33,9 @@ bool canBeNearest(const NearestLists::Cell& cell, const Bounds& box, double slac
 NearestLists::NearestLists(const DistanceTree& tree, double limit)
   : tree_(tree)
   , limit_(limit)
+  , rounding_(tree)
   , nodes_(tree.empty() ? 0 : 1, 0)
 {
-  if (!tree.empty())
-  {
-    const Bounds& box = tree.box(0);
-    sourceSize_ = box.sizes().norm();
-    farthest_ = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-    squareOfThin_ = (thin * sourceSize_) * (thin * sourceSize_);
-  }
 }
 
 std::size_t NearestLists::itemsFrom(std::size_t firstNode) const
@@ -62,7 +48,7 @@ std::size_t NearestLists::itemsFrom(std::size_t firstNode) const
   return items;
 }
 
-void NearestLists::findNearest(Cell& cell, std::size_t firstNode, const SourcePoint* nearby)
+void NearestLists::findNearest(NearestCell& cell, std::size_t firstNode, const SourcePoint* nearby)
 {
   const Eigen::Vector3d center = cell.center();
   Nearest nearest = {std::numeric_limits<double>::infinity(), {0, 0, 0}};
@@ -91,49 +77,47 @@ void NearestLists::findNearest(Cell& cell, std::size_t firstNode, const SourcePo
       items += tree_.findNearest(center, nodes_[n], nearest);
     }
   }
-  work_ += samplesAtOnce * static_cast<double>(items);
+  work_ += static_cast<double>(samplesAtOnce * items);
   if (nearest.squared < known)
   {
-    cell.nearest.position = center - Eigen::Map<const Eigen::Vector3d>(nearest.offset);
-    // Three coordinates are rounded by half an epsilon each.
-    cell.nearest.rounding = roundingOfOffset(std::sqrt(nearest.squared), sourceSize_) +
-                            std::numeric_limits<double>::epsilon() * farthest_;
-    cell.nearest.item = nearest.item;
+    rounding_.setNearest(cell, nearest);
+    return;
   }
-  cell.squaredReach = (cell.low - cell.nearest.position).squaredNorm() +
-                      (cell.high - cell.nearest.position).squaredNorm();
-}
-
-/// The sum δ + ε of the class: the rounding of the nearest point and of the distances from it that
-/// are compared.
-double NearestLists::roundingOf(const Cell& cell) const
-{
-  // Four distances are rounded: those of the nearest item and of another one, each from a sample
-  // and from a corner of the cell.
-  return cell.nearest.rounding + 4 * roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
+  cell.setReach();
 }
 
 /// Whether all of a box is farther than the limit from all of a cell.
-bool NearestLists::isBeyond(const Cell& cell, const Bounds& box) const
+bool NearestLists::isBeyond(const NearestCell& cell, const Bounds& box) const
 {
   const Eigen::Vector3d apart = (box.min() - cell.high).cwiseMax(cell.low - box.max()).cwiseMax(0);
   return apart.norm() > limit_;
 }
 
-void NearestLists::append(
-  Cell& cell, std::size_t firstNode, const SourcePoint* nearby, bool areLeaves)
+void NearestLists::append(NearestCell& cell, std::size_t firstNode, const SourcePoint* nearby)
 {
   const std::size_t lastNode = nodes_.size();
-  if (lastNode == firstNode)
+  if (lastNode > firstNode)
   {
-    return;
+    this->findNearest(cell, firstNode, nearby);
+    this->appendOpened(cell, firstNode, (cell.high - cell.low).maxCoeff());
   }
-  this->findNearest(cell, firstNode, nearby);
-  const double side = (cell.high - cell.low).maxCoeff();
-  const double rounding = this->roundingOf(cell);
-  const double slack = (2 * std::sqrt(cell.squaredReach) + rounding) * rounding +
-                       32 * std::numeric_limits<double>::epsilon() * cell.squaredReach +
-                       squareOfThin_;
+}
+
+void NearestLists::open(const NearestCell& cell, std::size_t firstNode)
+{
+  const std::size_t lastNode = nodes_.size();
+  this->appendOpened(cell, firstNode, -1);
+  const auto begin = nodes_.begin();
+  nodes_.erase(
+    begin + static_cast<std::ptrdiff_t>(firstNode), begin + static_cast<std::ptrdiff_t>(lastNode));
+}
+
+/// Appends what may be nearest to a sample of a cell, from the list that begins at firstNode: nodes
+/// that are larger than `size` are opened.
+void NearestLists::appendOpened(const NearestCell& cell, std::size_t firstNode, double size)
+{
+  const std::size_t lastNode = nodes_.size();
+  const double slack = rounding_.slackOf(cell);
   for (std::size_t n = firstNode; n < lastNode; ++n)
   {
     opened_.assign(1, nodes_[n]);
@@ -149,7 +133,7 @@ void NearestLists::append(
       {
         continue;
       }
-      if (node.children > 0 && (areLeaves || box.sizes().maxCoeff() > side))
+      if (node.children > 0 && box.sizes().maxCoeff() > size)
       {
         for (std::uint32_t i = 0; i < node.children; ++i)
         {
@@ -171,40 +155,6 @@ const std::vector<NearItems>& NearestLists::items(std::size_t firstNode)
     runs_.push_back({node.begin, node.end});
   }
   return runs_;
-}
-
-/// Makes the test of canBeNearest() with the distances of the items instead of boxes.
-const std::vector<NearItems>& NearestLists::nearItems(const Cell& cell, std::size_t firstNode)
-{
-  kept_.clear();
-  if (this->items(firstNode).empty())
-  {
-    return kept_;
-  }
-  const double rounding = this->roundingOf(cell);
-  SampleBlock corners;
-  corners.count = 8;
-  alignas(64) double squared[8];
-  for (std::size_t i = 0; i < 8; ++i)
-  {
-    const Eigen::Vector3d corner((i & 1 ? cell.high : cell.low)[0],
-      (i & 2 ? cell.high : cell.low)[1], (i & 4 ? cell.high : cell.low)[2]);
-    corners.set(i, corner);
-    const double distance = (corner - cell.nearest.position).norm() + rounding;
-    squared[i] = distance * distance + squareOfThin_;
-  }
-  tree_.keepNearer(runs_, corners, squared, kept_);
-  for (const NearItems& run : runs_)
-  {
-    work_ += samplesAtOnce * (run.last - run.first);
-  }
-  const std::uint32_t item = cell.nearest.item;
-  if (std::none_of(kept_.begin(), kept_.end(),
-        [item](const NearItems& run) { return run.first <= item && item < run.last; }))
-  {
-    kept_.push_back({item, item + 1});
-  }
-  return kept_;
 }
 
 } // namespace winding

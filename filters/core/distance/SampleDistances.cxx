@@ -1,7 +1,7 @@
 #include "distance/SampleDistances.h"
 
 #include "base/BucketSort.h"
-#include "distance/NearestLists.h"
+#include "distance/CellDescent.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
@@ -15,24 +15,11 @@ namespace winding
 namespace
 {
 
-/// Samples are searched for one by one if there are fewer than one for so many items: lists for
-/// samples that are so far from each other are long. Lists take twice as long as searches for
-/// 10 000 random samples of 70 000 triangles, and two thirds as long for 100 000 (measured).
-constexpr std::size_t itemsPerSample = 4;
-
-/// Cells of this size are evaluated, unless their lists are long.
-constexpr std::size_t samplesPerCell = 64;
-
-/// Lists with more items than this for each sample are too long: the cell is cut further, down to
-/// so few samples that they are searched for one by one.
-constexpr std::size_t mostItemsPerSample = 64, fewSamples = 8;
-
 /// A bucket has about so many samples, and makes a task.
 constexpr std::size_t samplesPerBucket = 4096;
 
-/// A task leaves its rest to other tasks after so many samples times items, which take some tenths
-/// of a second.
-constexpr double mostWorkPerTask = 1 << 28;
+/// Fewer samples are searched for one by one, as those in cells lie far from each other.
+constexpr std::size_t fewestForCells = 4096;
 
 /// A sample in the tree's coordinates, and its number.
 struct Place
@@ -114,196 +101,93 @@ private:
   std::vector<Cut> cuts_; ///< from 1 on: the children of node n are 2n and 2n + 1
 };
 
-/// Samples that are still to be done: a part of a bucket.
-struct Piece
-{
-  Place* first;
-  Place* last;
-};
-
-/// The way from a piece down to its samples. Each task has its own, which holds the task's lists.
-class Descent
+/// Places as CellDescent.h wants them: a part is a range of them, which gets sorted into halves.
+class PlaceSamples
 {
 public:
-  Descent(const DistanceTree& tree, const FieldOutput& output)
-    : tree_(tree)
+  struct Part
+  {
+    Place* first;
+    Place* last;
+  };
+  using Name = std::size_t;
+
+  PlaceSamples(double scale, const FieldOutput& output)
+    : scale_(scale)
     , output_(output)
-    , lists_(tree, output.distanceLimit * tree.scale())
   {
   }
 
-  /// Goes the way, and returns the pieces that it left undone.
-  std::vector<Piece> run(const Piece& piece)
+  static std::size_t count(const Part& part)
   {
-    if (piece.first != piece.last)
-    {
-      this->descend(piece, 0, nullptr);
-    }
-    return std::move(left_);
+    return static_cast<std::size_t>(part.last - part.first);
   }
 
-  /// Searches for the nearest item of a sample, from one that may be near.
-  double searched(const Eigen::Vector3d& position, const NearestLists::SourcePoint* nearby) const
+  static Bounds boxOf(const Part& part)
   {
-    const double limit = output_.distanceLimit * tree_.scale();
-    Nearest nearest = {limit * limit, {0, 0, 0}};
-    if (!tree_.empty())
+    Bounds box;
+    for (const Place* place = part.first; place != part.last; ++place)
     {
-      if (nearby)
-      {
-        tree_.compare(position, nearby->item, nearest);
-      }
-      tree_.findNearest(position, 0, nearest);
+      box.extend(place->position);
     }
-    return nearest.squared;
+    return box;
+  }
+
+  static bool isAskedFor(const Part& part) { return part.first != part.last; }
+
+  /// Halves a part across the longest side of its box.
+  static std::pair<Part, Part> halves(const Part& part)
+  {
+    int axis;
+    boxOf(part).sizes().maxCoeff(&axis);
+    Place* const middle = part.first + (part.last - part.first) / 2;
+    std::nth_element(part.first, middle, part.last,
+      [axis](const Place& a, const Place& b) { return a.position[axis] < b.position[axis]; });
+    return {{part.first, middle}, {middle, part.last}};
+  }
+
+  template <class Function> static void forEach(const Part& part, const Function& f)
+  {
+    for (const Place* place = part.first; place != part.last; ++place)
+    {
+      f(place->position, place->sample);
+    }
   }
 
   void write(double squared, std::size_t sample) const
   {
-    output_.writeDistance(std::sqrt(squared) / tree_.scale(), sample);
+    output_.writeDistance(std::sqrt(squared) / scale_, sample);
   }
 
 private:
-  using Cell = NearestLists::Cell;
-
-  void descend(const Piece& piece, std::size_t firstNode, const NearestLists::SourcePoint* nearby)
-  {
-    if (work_ + lists_.work() > mostWorkPerTask && hasEvaluated_)
-    {
-      left_.push_back(piece);
-      return;
-    }
-    Bounds box;
-    for (const Place* place = piece.first; place != piece.last; ++place)
-    {
-      box.extend(place->position);
-    }
-    Cell cell;
-    cell.low = box.min();
-    cell.high = box.max();
-    const auto samples = static_cast<std::size_t>(piece.last - piece.first);
-    const bool isSmall = samples <= samplesPerCell || cell.low == cell.high;
-    const std::size_t lastNode = lists_.size();
-    lists_.append(cell, firstNode, nearby, isSmall);
-    const bool isLong = isSmall && lists_.itemsFrom(lastNode) > mostItemsPerSample * samples;
-    if (isLong && samples <= fewSamples)
-    {
-      this->searchEach(piece, cell);
-    }
-    else if (lists_.size() == lastNode || (isSmall && !isLong) || cell.low == cell.high)
-    {
-      this->evaluate(piece, cell, lastNode);
-    }
-    else
-    {
-      this->cut(piece, box, isSmall ? 1 : 3, cell, lastNode);
-    }
-    lists_.removeFrom(lastNode);
-  }
-
-  /// Halves a piece across the longest side of its box, some times over.
-  void cut(
-    const Piece& piece, const Bounds& box, int times, const Cell& cell, std::size_t firstNode)
-  {
-    const auto samples = static_cast<std::size_t>(piece.last - piece.first);
-    if (times == 0 || samples <= fewSamples)
-    {
-      this->descend(piece, firstNode, &cell.nearest);
-      return;
-    }
-    int axis;
-    box.sizes().maxCoeff(&axis);
-    Place* const middle = piece.first + (piece.last - piece.first) / 2;
-    std::nth_element(piece.first, middle, piece.last,
-      [axis](const Place& a, const Place& b) { return a.position[axis] < b.position[axis]; });
-    const double at = middle->position[axis];
-    Eigen::Vector3d low = box.min(), high = box.max();
-    low[axis] = high[axis] = at;
-    this->cut({piece.first, middle}, Bounds(box.min(), high), times - 1, cell, firstNode);
-    this->cut({middle, piece.last}, Bounds(low, box.max()), times - 1, cell, firstNode);
-  }
-
-  void searchEach(const Piece& piece, const Cell& cell)
-  {
-    hasEvaluated_ = true;
-    for (const Place* place = piece.first; place != piece.last; ++place)
-    {
-      this->write(this->searched(place->position, &cell.nearest), place->sample);
-    }
-  }
-
-  /// Writes the distances from what the list of leaves from firstNode on holds: nothing where all
-  /// of the source is beyond the limit.
-  void evaluate(const Piece& piece, const Cell& cell, std::size_t firstNode)
-  {
-    hasEvaluated_ = true;
-    const std::vector<NearItems>& kept = lists_.nearItems(cell, firstNode);
-    if (cell.low == cell.high)
-    {
-      this->evaluateEqual(piece, kept);
-      return;
-    }
-    for (const NearItems& run : kept)
-    {
-      work_ += static_cast<double>(piece.last - piece.first) * (run.last - run.first);
-    }
-    SampleBlock block;
-    alignas(64) double squared[SampleBlock::capacity];
-    for (const Place* first = piece.first; first != piece.last; first += block.count)
-    {
-      block.count = std::min(static_cast<std::size_t>(piece.last - first), SampleBlock::capacity);
-      std::fill_n(squared, SampleBlock::capacity, std::numeric_limits<double>::infinity());
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        block.set(n, first[n].position);
-      }
-      tree_.lowerSquaredDistances(kept, block, squared);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        this->write(squared[n], first[n].sample);
-      }
-    }
-  }
-
-  /// Writes the distance of samples at one place, found once: there may be any number of them.
-  void evaluateEqual(const Piece& piece, const std::vector<NearItems>& kept) const
-  {
-    SampleBlock block;
-    alignas(64) double squared[SampleBlock::capacity];
-    std::fill_n(squared, SampleBlock::capacity, std::numeric_limits<double>::infinity());
-    block.count = 1;
-    block.set(0, piece.first->position);
-    tree_.lowerSquaredDistances(kept, block, squared);
-    for (const Place* place = piece.first; place != piece.last; ++place)
-    {
-      this->write(squared[0], place->sample);
-    }
-  }
-
-  const DistanceTree& tree_;
+  double scale_;
   const FieldOutput& output_;
-  NearestLists lists_;
-  double work_ = 0;           ///< samples times items of the cells evaluated so far
-  bool hasEvaluated_ = false; ///< true after the first cell, so that every task gets on
-  std::vector<Piece> left_;
 };
 
 bool searchAll(const DistanceTree& tree, const VectorsView& samples, const FieldOutput& output,
   Executor& executor)
 {
   constexpr std::size_t samplesPerBlock = 256;
+  const PlaceSamples places(tree.scale(), output);
+  const double limit = output.distanceLimit * tree.scale();
   return executor.run((samples.size() + samplesPerBlock - 1) / samplesPerBlock,
     [&](std::size_t block)
     {
-      const Descent descent(tree, output);
       const std::size_t first = block * samplesPerBlock;
       const std::size_t last = std::min(samples.size(), first + samplesPerBlock);
       for (std::size_t n = first; n < last; ++n)
       {
         const Eigen::Vector3d sample = samples[n];
-        descent.write(sample.allFinite() ? descent.searched(scaled(sample, tree.scale()), nullptr)
-                                         : std::numeric_limits<double>::quiet_NaN(),
-          n);
+        Nearest nearest = {limit * limit, {0, 0, 0}};
+        if (!sample.allFinite())
+        {
+          nearest.squared = std::numeric_limits<double>::quiet_NaN();
+        }
+        else if (!tree.empty())
+        {
+          tree.findNearest(scaled(sample, tree.scale()), 0, nearest);
+        }
+        places.write(nearest.squared, n);
       }
     });
 }
@@ -314,8 +198,7 @@ bool evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor)
 try
 {
-  const std::size_t items = tree.empty() ? 0 : tree.node(0).size();
-  if (items == 0 || samples.size() < std::max(items / itemsPerSample, samplesPerBucket))
+  if (tree.empty() || samples.size() < fewestForCells)
   {
     return searchAll(tree, samples, output, executor);
   }
@@ -338,32 +221,13 @@ try
   {
     output.writeDistance(std::numeric_limits<double>::quiet_NaN(), place->sample);
   }
-  std::vector<Piece> pieces(buckets.count());
-  for (std::size_t bucket = 0; bucket < pieces.size(); ++bucket)
+  std::vector<PlaceSamples::Part> parts(buckets.count());
+  for (std::size_t bucket = 0; bucket < parts.size(); ++bucket)
   {
-    pieces[bucket] = {places.begin(bucket), places.end(bucket)};
+    parts[bucket] = {places.begin(bucket), places.end(bucket)};
   }
-  for (bool isFirst = true; !pieces.empty(); isFirst = false)
-  {
-    std::vector<std::vector<Piece>> left(pieces.size());
-    const auto work = [&](std::size_t n)
-    {
-      left[n] = Descent(tree, output).run(pieces[n]);
-    };
-    // Pieces that were left run without showing progress, which would begin again.
-    const bool complete =
-      isFirst ? executor.run(pieces.size(), work) : executor.runBriefly(pieces.size(), work);
-    if (!complete)
-    {
-      return false;
-    }
-    pieces.clear();
-    for (const std::vector<Piece>& some : left)
-    {
-      pieces.insert(pieces.end(), some.begin(), some.end());
-    }
-  }
-  return true;
+  return evaluateByCells(tree, output.distanceLimit * tree.scale(),
+    PlaceSamples(tree.scale(), output), std::move(parts), executor);
 }
 catch (const Interrupted&)
 {

@@ -12,9 +12,9 @@ namespace winding
  * Writes the distances of scattered samples; NaN at samples that are NaN or infinite. Returns false
  * when the executor was interrupted.
  *
- * Samples that lie close beside the source's primitives are sorted into cells, as the leaves of a
- * k-d tree, and those of a cell share the list of what may be nearest to them (NearestLists.h).
- * Samples that are few, or far from each other, are searched for one by one.
+ * Samples are sorted into cells, as the leaves of a k-d tree, and those of a cell share the list of
+ * what may be nearest to them (CellDescent.h). Samples that are few, or whose lists stay long, are
+ * searched for one by one.
  *
  * Guaranteed: the bits of a distance depend on the source and the sample only, not on other samples
  * or their order. The memory is 32 bytes per sample.

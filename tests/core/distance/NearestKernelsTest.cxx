@@ -10,7 +10,6 @@ namespace
 
 using namespace shapes;
 using winding::Nearest;
-using winding::NearItems;
 using winding::NearTriangle;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -123,7 +122,11 @@ TEST(NearestKernels, AllSamplesOfABlockAndAllInstructionSetsAgree)
     triangles.push_back(winding::nearTriangle(t.a, t.b, t.c));
     points.push_back(winding::nearPoint(t.a));
   }
-  const std::vector<NearItems> runs = {{0, 5}, {7, 8}, {20, 40}};
+  std::vector<std::uint32_t> numbers = {0, 1, 2, 3, 4, 7};
+  for (std::uint32_t i = 39; i >= 20; --i)
+  {
+    numbers.push_back(i);
+  }
   winding::SampleBlock block;
   block.count = 77;
   for (std::size_t i = 0; i < block.count; ++i)
@@ -138,16 +141,17 @@ TEST(NearestKernels, AllSamplesOfABlockAndAllInstructionSetsAgree)
     alignas(64) double ofPoints[winding::SampleBlock::capacity];
     std::fill(std::begin(ofTriangles), std::end(ofTriangles), infinite);
     std::fill(std::begin(ofPoints), std::end(ofPoints), infinite);
-    winding::lowerSquaredDistances(triangles.data(), runs.data(), runs.size(), block, ofTriangles);
-    winding::lowerSquaredDistances(points.data(), runs.data(), runs.size(), block, ofPoints);
+    winding::lowerSquaredDistances(
+      triangles.data(), numbers.data(), numbers.size(), block, ofTriangles);
+    winding::lowerSquaredDistances(points.data(), numbers.data(), numbers.size(), block, ofPoints);
     for (std::size_t i = 0; i < block.count; ++i)
     {
       const double q[3] = {block.x[i], block.y[i], block.z[i]};
       Nearest triangle = {infinite, {0, 0, 0}}, point = triangle;
-      for (const NearItems& run : runs)
+      for (const std::uint32_t number : numbers)
       {
-        winding::findNearest(triangles.data(), run, q, triangle);
-        winding::findNearest(points.data(), run, q, point);
+        winding::findNearest(triangles.data(), {number, number + 1}, q, triangle);
+        winding::findNearest(points.data(), {number, number + 1}, q, point);
       }
       ASSERT_NEAR(std::sqrt(ofTriangles[i]), std::sqrt(triangle.squared), 1e-14);
       ASSERT_NEAR(std::sqrt(ofPoints[i]), std::sqrt(point.squared), 1e-14);
@@ -159,45 +163,76 @@ TEST(NearestKernels, AllSamplesOfABlockAndAllInstructionSetsAgree)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-TEST(NearestKernels, KeptIsWhatIsNearerThanALimit)
+TEST(NearestKernels, NearestOfEachSampleIsThatOfItAlone)
 {
-  SCOPED_TRACE("seed 804");
-  Random random(804);
+  SCOPED_TRACE("seed 805");
+  Random random(805);
   std::vector<NearTriangle> triangles;
-  for (int i = 0; i < 200; ++i)
+  std::vector<winding::NearPoint> points;
+  for (int i = 0; i < 60; ++i)
   {
     const Corners t = someTriangle(random, i % 7);
     triangles.push_back(winding::nearTriangle(t.a, t.b, t.c));
+    points.push_back(winding::nearPoint(t.a));
   }
+  const std::vector<std::uint32_t> numbers = {59, 3, 8, 9, 10, 30, 31, 44, 1};
+  for (std::size_t count = 1; count <= winding::samplesAtOnce; ++count)
+  {
+    winding::SampleBlock block;
+    block.count = count;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      block.set(i, random.point(-2, 2));
+    }
+    const auto check = [&](const auto& items)
+    {
+      Nearest found[winding::samplesAtOnce];
+      winding::findNearestOfEach(items.data(), numbers.data(), numbers.size(), block, found);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const double q[3] = {block.x[i], block.y[i], block.z[i]};
+        Nearest alone = {infinite, {0, 0, 0}};
+        for (const std::uint32_t number : numbers)
+        {
+          winding::findNearest(items.data(), {number, number + 1}, q, alone);
+        }
+        EXPECT_EQ(found[i].squared, alone.squared);
+        EXPECT_EQ(found[i].item, alone.item);
+        EXPECT_EQ(Point(Eigen::Map<const Point>(found[i].offset)),
+          Point(Eigen::Map<const Point>(alone.offset)));
+      }
+    };
+    check(triangles);
+    check(points);
+  }
+}
+
+TEST(NearestKernels, NearerIsWhatIsWithinALimit)
+{
+  SCOPED_TRACE("seed 804");
+  Random random(804);
   winding::SampleBlock corners;
-  corners.count = 8;
-  alignas(64) double limits[8];
-  for (std::size_t i = 0; i < 8; ++i)
+  corners.count = winding::samplesAtOnce;
+  alignas(64) double limits[winding::samplesAtOnce];
+  for (std::size_t i = 0; i < winding::samplesAtOnce; ++i)
   {
     corners.set(i, random.point(-1, 1));
     limits[i] = std::pow(random(0, 0.3), 2);
   }
-  std::vector<NearItems> kept;
-  winding::keepNearer(triangles.data(), {{0, 50}, {60, 200}}, corners, limits, kept);
-  std::vector<bool> isKept(200);
-  for (const NearItems& run : kept)
+  int count = 0;
+  for (int n = 0; n < 200; ++n)
   {
-    ASSERT_LT(run.first, run.last);
-    std::fill(isKept.begin() + run.first, isKept.begin() + run.last, true);
-  }
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < 200; ++n)
-  {
+    const Corners t = someTriangle(random, n % 7);
+    const NearTriangle triangle = winding::nearTriangle(t.a, t.b, t.c);
     bool isNearer = false;
-    for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < winding::samplesAtOnce; ++i)
     {
       const Point q(corners.x[i], corners.y[i], corners.z[i]);
-      isNearer = isNearer || findDistance(triangles[n], q) <= std::sqrt(limits[i]);
+      isNearer = isNearer || findDistance(triangle, q) <= std::sqrt(limits[i]);
     }
-    const bool isAsked = n < 50 || n >= 60;
-    EXPECT_EQ(isKept[n], isAsked && isNearer) << n;
-    count += isKept[n];
+    EXPECT_EQ(winding::isNearer(triangle, corners, limits), isNearer) << n;
+    count += isNearer;
   }
-  EXPECT_GT(count, 10u);
-  EXPECT_LT(count, 180u);
+  EXPECT_GT(count, 10);
+  EXPECT_LT(count, 180);
 }

@@ -1,0 +1,54 @@
+#include "distance/NearestCell.h"
+
+#include <cmath>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+/// A triangle whose sides stand for its inside (NearestKernels.h) is thinner than this times the
+/// source: the others have weights that are right to as much.
+constexpr double thin = 0x1p-40;
+
+} // namespace
+
+NearestRounding::NearestRounding(const DistanceTree& tree)
+{
+  if (!tree.empty())
+  {
+    const Bounds& box = tree.box(0);
+    sourceSize_ = box.sizes().norm();
+    farthest_ = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    squareOfThin_ = (thin * sourceSize_) * (thin * sourceSize_);
+  }
+}
+
+void NearestRounding::setNearest(NearestCell& cell, const Nearest& nearest) const
+{
+  cell.nearest.position = cell.center() - Eigen::Map<const Eigen::Vector3d>(nearest.offset);
+  // Three coordinates are rounded by half an epsilon each.
+  cell.nearest.rounding = roundingOfOffset(std::sqrt(nearest.squared), sourceSize_) +
+                          std::numeric_limits<double>::epsilon() * farthest_;
+  cell.nearest.item = nearest.item;
+  cell.setReach();
+}
+
+double NearestRounding::of(const NearestCell& cell) const
+{
+  // Four distances are rounded: those of the nearest item and of another one, each from a sample
+  // and from a corner of the cell.
+  return cell.nearest.rounding + 4 * roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
+}
+
+double NearestRounding::slackOf(const NearestCell& cell) const
+{
+  // Corners of items and the cell's centre are rounded, too.
+  const double rounding = this->of(cell) + 4 * std::numeric_limits<double>::epsilon() * farthest_;
+  return (2 * std::sqrt(cell.squaredReach) + rounding) * rounding +
+         32 * std::numeric_limits<double>::epsilon() * cell.squaredReach + squareOfThin_;
+}
+
+} // namespace winding

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "distance/Candidates.h"
+#include "distance/NearestCell.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * The items of a DistanceTree that may be nearest to any sample of a small cell, and of cells in
+ * it: those that pass the test of Candidates, with the rounding of NearestRounding.
+ *
+ * Guaranteed: the items that are left hold, for each sample of the cell within the limit of the
+ * lists that they come from, the one whose distance is the smallest of all items' as the loops
+ * compute it: so the least computed distance of a sample does not depend on its cell.
+ */
+class NearestItems
+{
+public:
+  /// Keeps a reference.
+  explicit NearestItems(const DistanceTree& tree);
+
+  /// Sets `to` to those of the items of leaves that may be nearest to a sample of a cell.
+  void keep(const NearestCell& cell, const std::vector<NearItems>& runs, Candidates& to);
+
+  /// Sets `nearest` and squaredReach of up to samplesAtOnce cells, from the candidates of a cell
+  /// around them, of which there is at least one.
+  void findNearest(NearestCell* cells, std::size_t count, const Candidates& candidates);
+
+  /// Sets `to` to those of the candidates of a cell that may be nearest to a sample of a cell in
+  /// it.
+  void keep(const NearestCell& cell, const Candidates& candidates, Candidates& to);
+
+  /// The numbers of the candidates of a cell that may be nearest to a sample of a cell in it: of
+  /// some more than keep() finds, in less time.
+  const std::vector<std::uint32_t>& numbers(const NearestCell& cell, const Candidates& candidates);
+
+  /// The samples times items that have been looked at so far.
+  double work() const { return work_; }
+
+private:
+  void findPlaces(const NearestCell& cell, const Candidates& candidates);
+  void removeFar(const NearestCell& cell, const Candidates& candidates);
+  void setCorners(const NearestCell& cell, double* squaredLimits);
+
+  const DistanceTree& tree_;
+  const NearestRounding rounding_;
+  double work_ = 0;
+  Candidates all_; ///< of the leaves looked at
+  std::vector<std::uint32_t> places_, numbers_;
+  SampleBlock block_;
+};
+
+} // namespace winding
