@@ -22,7 +22,7 @@ template <int corners>
 HWY_INLINE std::size_t find(const double* HWY_RESTRICT rows, std::size_t stride, std::size_t count,
   const CandidateTest& test, std::uint32_t* HWY_RESTRICT places)
 {
-  using D = hn::ScalableTag<double>;
+  using D = hn::CappedTag<double, 8>;
   const D d;
   const auto slack = hn::Set(d, test.slack);
   std::size_t found = 0;

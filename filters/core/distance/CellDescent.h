@@ -62,10 +62,10 @@ private:
   /// the other way round (measured).
   static constexpr std::size_t mostItems = 6144, fewSamples = samplesAtOnce;
 
-  /// Opening nodes down to leaves is taken to leave this part of their items. Where it is not done
-  /// until the items are few, 100 000 random samples of 250 000 triangles take 0.13 s instead of
+  /// Opening nodes down to leaves is taken to leave one in so many of their items. Where nodes wait
+  /// until their items are few, 100 000 random samples of 250 000 triangles take 0.13 s instead of
   /// 0.22 (measured).
-  static constexpr std::size_t leftByOpening = 2;
+  static constexpr std::size_t itemsForEachLeft = 2;
 
   /// Lists of so few items are not worth making shorter.
   static constexpr std::size_t fewItems = 16;
@@ -102,18 +102,16 @@ private:
     lists_.append(cell, firstNode, nearby);
     if (lists_.size() == lastNode)
     {
-      this->evaluate(part, false, nullptr, 0); // all of the source is beyond the limit
+      this->evaluate(part, nullptr, 0); // all of the source is beyond the limit
       return;
     }
     if (cell.isOnePlace())
     {
-      lists_.open(cell, lastNode);
-      const Candidates& kept = this->keep(cell, lastNode);
-      this->evaluate(part, true, kept.numbers(), kept.size());
+      this->searchOnce(part, cell.low, cell.nearest);
     }
     else if (count <= samplesPerList && this->openIfShort(cell, lastNode))
     {
-      this->keep(cell, lastNode);
+      items_.keep(cell, lists_.items(lastNode), this->candidatesAt(0));
       this->refine(part, 0);
     }
     else if (count <= fewSamples)
@@ -135,7 +133,7 @@ private:
   /// enough are left.
   bool openIfShort(const NearestCell& cell, std::size_t firstNode)
   {
-    if (lists_.itemsFrom(firstNode) > leftByOpening * mostItems)
+    if (lists_.itemsFrom(firstNode) > itemsForEachLeft * mostItems)
     {
       return false;
     }
@@ -152,6 +150,7 @@ private:
   /// Halves a part three times over, but no part of so few samples that they are searched for.
   Parts partsOf(const Part& part) const
   {
+    static_assert(samplesAtOnce == 1 << 3);
     Parts parts;
     this->cut(part, 3, parts);
     return parts;
@@ -178,21 +177,13 @@ private:
     return candidates_[depth];
   }
 
-  /// Sets the first candidates to those of the list of leaves that begins at firstNode.
-  const Candidates& keep(const NearestCell& cell, std::size_t firstNode)
-  {
-    Candidates& kept = this->candidatesAt(0);
-    items_.keep(cell, lists_.items(firstNode), kept);
-    return kept;
-  }
-
   /// Writes the distances of a part's samples from the candidates at a depth.
   void refine(const Part& part, std::size_t depth)
   {
     const Candidates& candidates = candidates_[depth];
     if (samples_.count(part) <= fewSamples || candidates.size() <= fewItems)
     {
-      this->evaluate(part, false, candidates.numbers(), candidates.size());
+      this->evaluate(part, candidates.numbers(), candidates.size());
       return;
     }
     const Parts parts = this->partsOf(part);
@@ -207,10 +198,10 @@ private:
       {
         continue;
       }
-      if (samples_.count(some) <= fewSamples || cells[i].isOnePlace())
+      if (samples_.count(some) <= fewSamples)
       {
         const std::vector<std::uint32_t>& numbers = items_.numbers(cells[i], candidates);
-        this->evaluate(some, cells[i].isOnePlace(), numbers.data(), numbers.size());
+        this->evaluate(some, numbers.data(), numbers.size());
         continue;
       }
       items_.keep(cells[i], candidates, this->candidatesAt(depth + 1));
@@ -218,34 +209,42 @@ private:
     }
   }
 
-  /// Writes the distances of samples, each found from a point that is near.
-  void searchEach(const Part& part, const SourcePoint& nearby)
+  /// The square of a sample's distance, found by a search from a point that is near.
+  double searched(const Eigen::Vector3d& position, const SourcePoint& nearby)
   {
     hasEvaluated_ = true;
-    samples_.forEach(part,
-      [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
-      {
-        Nearest nearest = {limit_ * limit_, {0, 0, 0}};
-        tree_.compare(position, nearby.item, nearest);
-        tree_.findNearest(position, 0, nearest);
-        samples_.write(nearest.squared, sample);
-      });
+    Nearest nearest = {limit_ * limit_, {0, 0, 0}};
+    tree_.compare(position, nearby.item, nearest);
+    // One sample is compared with an item in the time of several.
+    work_ += static_cast<double>(samplesAtOnce * (tree_.findNearest(position, 0, nearest) + 1));
+    return nearest.squared;
   }
 
-  /// Writes the distances of samples from items, of which there are none where all of the
-  /// source is beyond the limit. Samples at one place, which may be many, have one distance.
-  void evaluate(
-    const Part& part, bool isOnePlace, const std::uint32_t* items, std::size_t itemCount)
+  void searchEach(const Part& part, const SourcePoint& nearby)
+  {
+    samples_.forEach(part,
+      [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
+      { samples_.write(this->searched(position, nearby), sample); });
+  }
+
+  /// Writes the distance of samples at one place, of which there may be any number.
+  void searchOnce(const Part& part, const Eigen::Vector3d& place, const SourcePoint& nearby)
+  {
+    const double squared = this->searched(place, nearby);
+    samples_.forEach(part, [&](const Eigen::Vector3d&, const typename Samples::Name& sample)
+      { samples_.write(squared, sample); });
+  }
+
+  /// Writes the distances of samples from items, of which there are none where all of the source is
+  /// beyond the limit.
+  void evaluate(const Part& part, const std::uint32_t* items, std::size_t itemCount)
   {
     hasEvaluated_ = true;
     samples_.forEach(part,
       [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
       {
-        names_.push_back(sample);
-        if (!isOnePlace || block_.count == 0)
-        {
-          block_.set(block_.count++, position);
-        }
+        names_[block_.count] = sample;
+        block_.set(block_.count++, position);
         if (block_.count == SampleBlock::capacity)
         {
           this->writeBlock(items, itemCount);
@@ -261,11 +260,10 @@ private:
     std::fill_n(squared, padded, std::numeric_limits<double>::infinity());
     tree_.lowerSquaredDistances(items, itemCount, block_, squared);
     work_ += static_cast<double>(padded * itemCount);
-    for (std::size_t n = 0; n < names_.size(); ++n)
+    for (std::size_t n = 0; n < block_.count; ++n)
     {
-      samples_.write(squared[std::min(n, block_.count - 1)], names_[n]);
+      samples_.write(squared[n], names_[n]);
     }
-    names_.clear();
     block_.count = 0;
   }
 
@@ -276,8 +274,8 @@ private:
   NearestItems items_;
   std::deque<Candidates> candidates_; ///< of the cells that lie in each other, from the largest on
   SampleBlock block_;
-  std::vector<typename Samples::Name> names_; ///< of the samples of the block
-  double work_ = 0;                           ///< samples times items of the cells evaluated so far
+  typename Samples::Name names_[SampleBlock::capacity]; ///< of the samples of the block
+  double work_ = 0;           ///< samples times items of the cells evaluated so far
   bool hasEvaluated_ = false; ///< true after the first cell, so that every task gets on
   std::vector<Part> left_;
 };
@@ -288,10 +286,9 @@ template <class Samples>
 bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samples,
   std::vector<typename Samples::Part> parts, Executor& executor)
 {
-  using Parts = std::vector<typename Samples::Part>;
   for (bool isFirst = true; !parts.empty(); isFirst = false)
   {
-    std::vector<Parts> left(parts.size());
+    std::vector<std::vector<typename Samples::Part>> left(parts.size());
     const auto work = [&](std::size_t n)
     {
       left[n] = CellDescent<Samples>(tree, limit, samples).run(parts[n]);
@@ -304,7 +301,7 @@ bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samp
       return false;
     }
     parts.clear();
-    for (const Parts& some : left)
+    for (const auto& some : left)
     {
       parts.insert(parts.end(), some.begin(), some.end());
     }

@@ -19,8 +19,7 @@ namespace winding
  *
  * Coordinates are those of the source times scale(), which changes nothing but exponents. Nothing
  * depends on the order of the triangles or points, and on which corner a triangle begins with. The
- * tree
- * takes about bytesFor() of memory.
+ * tree takes about bytesFor() of memory.
  */
 class DistanceTree
 {

@@ -15,8 +15,8 @@ namespace winding
  * cells down to those of a few samples, each with a list of what may be nearest to any of its
  * samples (CellDescent.h).
  *
- * Cells and lists are those of the whole grid, whatever part of it is asked for, and so are the
- * bits.
+ * Blocks are those of the whole grid, whatever part of it is asked for. Guaranteed: the bits of a
+ * distance depend on the source and the sample only.
  *
  * A task is a block of samples. Where lists stay long, as about the centre of a sphere, it ends
  * after some cells and leaves the others to further tasks, so that executors can be interrupted in

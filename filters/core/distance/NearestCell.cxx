@@ -45,8 +45,7 @@ double NearestRounding::of(const NearestCell& cell) const
 
 double NearestRounding::slackOf(const NearestCell& cell) const
 {
-  // Corners of items and the cell's centre are rounded, too.
-  const double rounding = this->of(cell) + 4 * std::numeric_limits<double>::epsilon() * farthest_;
+  const double rounding = this->of(cell);
   return (2 * std::sqrt(cell.squaredReach) + rounding) * rounding +
          32 * std::numeric_limits<double>::epsilon() * cell.squaredReach + squareOfThin_;
 }

@@ -95,7 +95,7 @@ void NearestItems::removeFar(const NearestCell& cell, const Candidates& candidat
 }
 
 /// Sets the block to the corners of a cell, and the squared distances beyond which nothing can be
-/// nearest to them.
+/// nearest to them. The triangle and the nearest one may both be thin.
 void NearestItems::setCorners(const NearestCell& cell, double* squaredLimits)
 {
   const double rounding = rounding_.of(cell);
@@ -106,7 +106,7 @@ void NearestItems::setCorners(const NearestCell& cell, double* squaredLimits)
       (n & 2 ? cell.high : cell.low)[1], (n & 4 ? cell.high : cell.low)[2]);
     block_.set(n, corner);
     const double distance = (corner - cell.nearest.position).norm() + rounding;
-    squaredLimits[n] = distance * distance + rounding_.squareOfThin();
+    squaredLimits[n] = distance * distance + 2 * rounding_.squareOfThin();
   }
 }
 

@@ -34,7 +34,7 @@ public:
   void keep(const NearestCell& cell, const Candidates& candidates, Candidates& to);
 
   /// The numbers of the candidates of a cell that may be nearest to a sample of a cell in it: of
-  /// some more than keep() finds, in less time.
+  /// some more than keep() finds, in less time, as large triangles are not looked at once more.
   const std::vector<std::uint32_t>& numbers(const NearestCell& cell, const Candidates& candidates);
 
   /// The samples times items that have been looked at so far.

@@ -117,7 +117,7 @@ template <class Item>
 HWY_INLINE void lower(const Item* HWY_RESTRICT items, const std::uint32_t* HWY_RESTRICT numbers,
   std::size_t count, const SampleBlock& samples, double* HWY_RESTRICT squared)
 {
-  using D = hn::ScalableTag<double>;
+  using D = hn::CappedTag<double, samplesAtOnce>;
   const D d;
   for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
   {
