@@ -68,8 +68,11 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
         ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
       // A height below the normal numbers is none: the product of two such would be 0, and has no
       // argument. It is +0 then, not −0: by a factor of 1 − 0i, a product at the branch cut would
-      // change the sign of its imaginary part and so lose a turn.
-      const auto isInPlane = hn::Le(hn::Abs(height), smallestNormal);
+      // change the sign of its imaginary part and so lose a turn. A sample at b or c has no height,
+      // either, though rounding may give it one: the length is 0 there, and far above the smallest
+      // normal number anywhere else.
+      const Vec toBOrC = hn::Min(b, c);
+      const auto isInPlane = hn::Le(hn::Min(hn::Abs(height), toBOrC), smallestNormal);
       const Vec num = hn::IfThenZeroElse(isInPlane, height);
       // The denominator is symmetric in b and c to the bit, so that the sum is odd under their
       // exchange.
@@ -80,7 +83,7 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       {
         const Vec bound = hn::Mul(hn::Mul(a, b), hn::Mul(c, hn::Set(d, suspectAngle)));
         const auto isOn = hn::And(hn::Le(den, bound), hn::Le(hn::Abs(num), bound));
-        const Vec nearest = hn::Min(a, hn::Min(b, c)), sides = hn::Add(a, hn::Add(b, c));
+        const Vec nearest = hn::Min(a, toBOrC), sides = hn::Add(a, hn::Add(b, c));
         const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
         suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }

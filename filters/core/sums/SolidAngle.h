@@ -15,10 +15,11 @@
  *
  * Guaranteed: (1) there is no absolute epsilon, so a uniform scale of all coordinates changes
  * nothing but rounding; (2) solid angles are odd under a flip of orientation, to the bit where the
- * flip exchanges b and c; (3) a sample in the plane of a triangle receives 0 from it: on the
- * surface the sums are therefore principal values, the mean of the two sides (0.5 on a face of a
- * closed mesh); (4) degenerate triangles give 0. Not guaranteed is (3) for a sample that is in the
- * plane only up to rounding; it gets one side.
+ * flip exchanges b and c; (3) a sample in the plane of a triangle, at a vertex above all, receives 0
+ * from it: on the surface the sums are therefore principal values, the mean of the two sides (0.5
+ * on a face of a closed mesh) and, at a vertex, the share of directions that lead inside; (4)
+ * degenerate triangles give 0. Not guaranteed is (3) for a sample that is in the plane only up to
+ * rounding and at no vertex; it gets one side.
  */
 namespace winding
 {
@@ -37,11 +38,12 @@ template <class Scalar>
 Scalar solidAngle(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c)
 {
   const Scalar numerator = a.dot((b - a).cross(c - a));
-  if (numerator == 0)
+  const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
+  // At a vertex the numerator may be rounding instead of 0.
+  if (numerator == 0 || la == 0 || lb == 0 || lc == 0)
   {
     return 0;
   }
-  const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
   // The denominator is symmetric in b and c to the bit.
   const Scalar denominator = (lb * lc + b.dot(c)) * la + (a.dot(b) * lc + a.dot(c) * lb);
   return 2 * std::atan2(numerator, denominator);

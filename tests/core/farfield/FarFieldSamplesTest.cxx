@@ -248,6 +248,22 @@ TEST(FarFieldSamples, AreFiniteOnTheSources)
   }
 }
 
+TEST(FarFieldSamples, AtVerticesAreThoseOfTheDirectSum)
+{
+  for (const Mesh& mesh : {torus(40, 20), icosphere(3).part(0, 900)})
+  {
+    const std::vector<double> expected = valuesOf(winding::TriangleSum(clean(mesh)), mesh.points);
+    for (const double tolerance : {1e-2, 1e-6})
+    {
+      const std::vector<float> values = valuesAt(fieldOf(*farSource(mesh), tolerance), mesh.points);
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        ASSERT_NEAR(values[i], expected[i], tolerance) << mesh.points[i].transpose();
+      }
+    }
+  }
+}
+
 TEST(FarFieldSamples, AreFiniteOnGridsOfAnySize)
 {
   for (const auto& source : someSources())

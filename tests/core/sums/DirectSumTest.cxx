@@ -150,6 +150,25 @@ TEST(TriangleSum, IsTheShareOfTheSolidOnGridPlanesOfLatticeSolids)
   EXPECT_LT(worst, 1e-12); // measured: 3.2e-16
 }
 
+TEST(TriangleSum, IsTheShareOfTheSolidAtVerticesOfTurnedSolids)
+{
+  SCOPED_TRACE("seed 15");
+  // No sample lies in the plane of a triangle but up to rounding, except at its corners.
+  Eigen::Matrix3d turn;
+  turn = Eigen::AngleAxisd(1, Point(3, -1, 2).normalized());
+  const Cells cells = randomCells(4, 15);
+  const Mesh mesh = surfaceOf(cells);
+  const Mesh turned = mesh.mapped([&turn](const Point& p) -> Point { return turn * p; });
+  std::vector<double> expected;
+  for (const Point& vertex : mesh.points)
+  {
+    expected.push_back(shapes::windingOf(cells, vertex));
+  }
+  const double worst = largestDifference(windingOf(turned, turned.points), expected);
+  record("worst", worst);
+  EXPECT_LT(worst, 1e-12); // measured:
+}
+
 TEST(TriangleSum, IsAdditiveOverSoups)
 {
   SCOPED_TRACE("seeds 16, 17");

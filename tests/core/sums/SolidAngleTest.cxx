@@ -159,6 +159,18 @@ TEST(SolidAngle, IsZeroInThePlaneOfTheTriangle)
   }
 }
 
+TEST(SolidAngle, IsZeroAtTheVertices)
+{
+  SCOPED_TRACE("seed 4");
+  for (const Corners& t : randomTriangles(1000, 4))
+  {
+    for (const Point& q : {t.a, t.b, t.c})
+    {
+      ASSERT_EQ(angle(t.a - q, t.b - q, t.c - q), 0) << q.transpose();
+    }
+  }
+}
+
 TEST(SolidAngle, OfDegenerateTrianglesIsZero)
 {
   const Point a(1, 2, 3), b(0.5, -1, 2), middle = 0.5 * (a + b);
