@@ -5,6 +5,7 @@
 #include "input/Table.h"
 #include "program/Failure.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkPolyData.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -17,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Table table(file.name());
     for (std::size_t column = 0; column < table.columns(); ++column)
     {
-      if (table.isNumeric(column) && table.numbers({column}).size() != table.rows())
+      const auto rows = static_cast<vtkIdType>(table.rows());
+      if (table.isNumeric(column) && table.numbers({column})->GetNumberOfTuples() != rows)
       {
         __builtin_trap();
       }

@@ -86,12 +86,7 @@ void addColumns(const Table& table, vtkDataSet* points)
     vtkSmartPointer<vtkAbstractArray> array;
     if (table.isNumeric(column))
     {
-      vtkNew<vtkDoubleArray> numbers;
-      for (const double value : table.numbers({column}))
-      {
-        numbers->InsertNextValue(value);
-      }
-      array = numbers;
+      array = table.numbers({column});
     }
     else
     {

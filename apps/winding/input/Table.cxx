@@ -5,6 +5,7 @@
 #include "files/TextScanning.h"
 #include "input/TableText.h"
 #include "program/Failure.h"
+#include "program/Threads.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -30,16 +31,32 @@ std::string plainName(const std::string& column)
   return other == others.end() ? name : other->second;
 }
 
-/// Columns as the components of one array.
-vtkSmartPointer<vtkDoubleArray> interleaved(
-  const Table& table, const std::vector<std::size_t>& columns)
+/// A text in parts of whole rows, which end where lines do unless there are quoted fields: with any
+/// of these the whole is one part.
+std::vector<std::string_view> partsOf(std::string_view text)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(static_cast<int>(columns.size()));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(table.rows()));
-  const std::vector<double> values = table.numbers(columns);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
+  constexpr std::size_t bytesPerPart = 1 << 18;
+  const bool hasQuotes = text.find('"') != std::string_view::npos;
+  std::vector<std::string_view> parts;
+  while (!text.empty())
+  {
+    const std::size_t end = hasQuotes ? text.size() : text.find('\n', bytesPerPart);
+    const std::size_t size = end < text.size() ? end + 1 : text.size();
+    parts.push_back(text.substr(0, size));
+    text.remove_prefix(size);
+  }
+  return parts;
+}
+
+std::size_t countFields(std::string_view row, char separator)
+{
+  std::size_t count = 0;
+  RowFields fields(row, separator);
+  for (std::string_view field; fields.next(field);)
+  {
+    ++count;
+  }
+  return count;
 }
 
 /// The columns that have these meanings; none where one of them is missing.
@@ -66,49 +83,75 @@ Table::Table(const std::string& fileName)
   , separator_(suffixOf(fileName) == ".tsv" ? '\t' : ',')
   , lineEnd_(text_.find("\r\n") != std::string::npos ? "\r\n" : "\n")
 {
-  std::size_t line = 0;
   // Spreadsheets begin their files with a byte order mark.
   std::size_t start = text_.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
-  while (start < text_.size())
+  while (start < text_.size() && trimmed(header_).empty())
   {
-    ++line;
-    std::string_view row;
-    if (!takeRow(text_, separator_, start, row))
+    const std::string_view rest = std::string_view(text_).substr(start);
+    if (!takeRow(text_, separator_, start, header_))
     {
-      throw Failure(REFUSED, fileName_,
-        "line " + std::to_string(line) +
-          ": a quotation mark is not closed, or not at the end of its field");
+      this->refuseQuotation(rest);
     }
-    const std::size_t first = line;
-    line += static_cast<std::size_t>(std::count(row.begin(), row.end(), '\n'));
+  }
+  for (const std::string_view field : splitRow(header_, separator_))
+  {
+    names_.push_back(unquoted(field));
+  }
+  this->readRows(std::string_view(text_).substr(std::min(start, text_.size())));
+}
+
+std::vector<std::string_view> Table::rowsOf(std::string_view part) const
+{
+  std::vector<std::string_view> rows;
+  for (std::size_t start = 0; start < part.size();)
+  {
+    const std::string_view rest = part.substr(start);
+    std::string_view row;
+    if (!takeRow(part, separator_, start, row))
+    {
+      this->refuseQuotation(rest);
+    }
     if (trimmed(row).empty())
     {
       continue;
     }
-    if (names_.empty())
+    if (const std::size_t fields = countFields(row, separator_); fields != names_.size())
     {
-      header_ = row;
-      for (const std::string_view field : splitRow(row, separator_))
-      {
-        names_.push_back(unquoted(field));
-      }
-      continue;
+      this->refuseRow(row, "has " + std::to_string(fields) + " fields, but the header names " +
+                             std::to_string(names_.size()) + "; it is truncated or damaged");
     }
-    std::size_t fields = 0;
-    RowFields rest(row, separator_);
-    for (std::string_view field; rest.next(field);)
-    {
-      ++fields;
-    }
-    if (fields != names_.size())
-    {
-      throw Failure(REFUSED, fileName_,
-        "line " + std::to_string(first) + ": has " + std::to_string(fields) +
-          " fields, but the header names " + std::to_string(names_.size()) +
-          "; it is truncated or damaged");
-    }
-    rows_.push_back({row, first});
+    rows.push_back(row);
   }
+  return rows;
+}
+
+void Table::readRows(std::string_view text)
+{
+  const std::vector<std::string_view> parts = partsOf(text);
+  std::vector<std::vector<std::string_view>> rows(parts.size());
+  runOnThreads(parts.size(), [&](std::size_t i) { rows[i] = this->rowsOf(parts[i]); });
+  std::size_t count = 0;
+  for (const auto& some : rows)
+  {
+    count += some.size();
+  }
+  rows_.reserve(count);
+  for (auto& some : rows)
+  {
+    rows_.insert(rows_.end(), some.begin(), some.end());
+    some = {};
+  }
+}
+
+void Table::refuseQuotation(std::string_view row) const
+{
+  this->refuseRow(row, "a quotation mark is not closed, or not at the end of its field");
+}
+
+void Table::refuseRow(std::string_view row, const std::string& message) const
+{
+  const auto line = 1 + std::count(text_.data(), row.data(), '\n');
+  throw Failure(REFUSED, fileName_, "line " + std::to_string(line) + ": " + message);
 }
 
 std::optional<std::size_t> Table::find(const std::string& name) const
@@ -132,41 +175,51 @@ std::optional<std::size_t> Table::findIf(
   return static_cast<std::size_t>(found - names_.begin());
 }
 
-std::vector<double> Table::numbers(const std::vector<std::size_t>& columns) const
+vtkSmartPointer<vtkDoubleArray> Table::numbers(const std::vector<std::size_t>& columns) const
 {
-  constexpr std::size_t unwanted = SIZE_MAX;
+  constexpr std::size_t unwanted = SIZE_MAX, rowsPerBlock = 4096;
   std::vector<std::size_t> places(names_.size(), unwanted); // of each column among the wanted
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     places[columns[i]] = i;
   }
-  std::vector<double> values(rows_.size() * columns.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i)
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(static_cast<int>(columns.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(rows_.size()));
+  double* const values = array->GetPointer(0);
+  const auto readRow = [&](std::size_t row)
   {
-    RowFields fields(rows_[i].text, separator_);
+    RowFields fields(rows_[row], separator_);
     std::string_view field;
     for (std::size_t column = 0; fields.next(field); ++column)
     {
       const std::size_t place = places[column];
-      if (place != unwanted && !parseNumber(trimmed(field), values[i * columns.size() + place]))
+      if (place != unwanted && !parseNumber(trimmed(field), values[row * columns.size() + place]))
       {
-        throw Failure(REFUSED, fileName_,
-          "line " + std::to_string(rows_[i].line) + ": \"" +
-            std::string(trimmed(field).substr(0, 20)) + "\" in column " + names_[column] +
-            " is no number");
+        this->refuseRow(rows_[row], '"' + std::string(trimmed(field).substr(0, 20)) +
+                                      "\" in column " + names_[column] + " is no number");
       }
     }
-  }
-  return values;
+  };
+  runOnThreads((rows_.size() + rowsPerBlock - 1) / rowsPerBlock,
+    [&](std::size_t block)
+    {
+      const std::size_t end = std::min((block + 1) * rowsPerBlock, rows_.size());
+      for (std::size_t row = block * rowsPerBlock; row < end; ++row)
+      {
+        readRow(row);
+      }
+    });
+  return array;
 }
 
 std::vector<std::string> Table::texts(std::size_t column) const
 {
   std::vector<std::string> texts;
   texts.reserve(rows_.size());
-  for (const Row& row : rows_)
+  for (const std::string_view row : rows_)
   {
-    texts.push_back(unquoted(splitRow(row.text, separator_)[column]));
+    texts.push_back(unquoted(splitRow(row, separator_)[column]));
   }
   return texts;
 }
@@ -174,10 +227,10 @@ std::vector<std::string> Table::texts(std::size_t column) const
 bool Table::isNumeric(std::size_t column) const
 {
   return std::all_of(rows_.begin(), rows_.end(),
-    [&](const Row& row)
+    [&](std::string_view row)
     {
       double value;
-      return parseNumber(trimmed(splitRow(row.text, separator_)[column]), value);
+      return parseNumber(trimmed(splitRow(row, separator_)[column]), value);
     });
 }
 
@@ -191,7 +244,7 @@ vtkSmartPointer<vtkPolyData> Table::points() const
         (separator_ == ',' ? "commas" : "tabs"));
   }
   vtkNew<vtkPoints> points;
-  points->SetData(interleaved(*this, columns));
+  points->SetData(this->numbers(columns));
   vtkNew<vtkCellArray> vertices;
   if (points->GetNumberOfPoints() > 0) // VTK's writers crash on a cell without points
   {
@@ -213,13 +266,13 @@ vtkSmartPointer<vtkPolyData> cloudFrom(const Table& table)
   const std::vector<std::size_t> normals = findAll(table, {"nx", "ny", "nz"});
   if (!normals.empty())
   {
-    const auto array = interleaved(table, normals);
+    const auto array = table.numbers(normals);
     array->SetName("Normals");
     cloud->GetPointData()->SetNormals(array);
   }
   if (const std::optional<std::size_t> area = table.findMeaning("area"))
   {
-    const auto array = interleaved(table, {*area});
+    const auto array = table.numbers({*area});
     array->SetName("Area");
     cloud->GetPointData()->AddArray(array);
   }

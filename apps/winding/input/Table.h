@@ -2,18 +2,21 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+class vtkDoubleArray;
 class vtkPolyData;
 
 /**
  * A text table with a header row: .csv with commas, .tsv with tabs. The text of its rows stays
  * unchanged, so that columns that are not understood can be handed on. Quoted fields may have
- * separators and ends of lines in them (TableText.h).
+ * separators and ends of lines in them (TableText.h). Rows and numbers are read by all threads, but
+ * rows by one where any field is quoted.
  */
 class Table
 {
@@ -34,8 +37,9 @@ public:
   /// "Normals:2").
   std::optional<std::size_t> findMeaning(const std::string& name) const;
 
-  /// Columns as numbers, row by row. Throws Failure, naming the line, where a field is no number.
-  std::vector<double> numbers(const std::vector<std::size_t>& columns) const;
+  /// Columns as the components of one array. Throws Failure, naming the first line with a field
+  /// that is no number.
+  vtkSmartPointer<vtkDoubleArray> numbers(const std::vector<std::size_t>& columns) const;
 
   /// The fields of a column as they say, without quotation marks around them.
   std::vector<std::string> texts(std::size_t column) const;
@@ -51,17 +55,19 @@ public:
   std::string_view header() const { return header_; }
 
   /// The text of a row, without the end of its last line.
-  std::string_view row(std::size_t index) const { return rows_[index].text; }
+  std::string_view row(std::size_t index) const { return rows_[index]; }
 
   /// The end of the file's lines.
   const char* lineEnd() const { return lineEnd_; }
 
 private:
-  struct Row
-  {
-    std::string_view text;
-    std::size_t line; ///< the number of its first line in the file, from 1
-  };
+  /// Finds all rows of a part of the text.
+  std::vector<std::string_view> rowsOf(std::string_view part) const;
+  void readRows(std::string_view text);
+
+  /// Throw Failure about the line in which a row begins.
+  [[noreturn]] void refuseRow(std::string_view row, const std::string& message) const;
+  [[noreturn]] void refuseQuotation(std::string_view row) const;
 
   std::optional<std::size_t> findIf(
     const std::function<bool(const std::string& column)>& isWanted) const;
@@ -72,7 +78,7 @@ private:
   const char* lineEnd_;
   std::string_view header_;
   std::vector<std::string> names_;
-  std::vector<Row> rows_;
+  std::vector<std::string_view> rows_;
 };
 
 /// A source from a table: points, with normals from the columns nx, ny and nz and areas from the

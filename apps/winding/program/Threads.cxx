@@ -1,9 +1,13 @@
 #include "program/Threads.h"
 
+#include "program/Interrupt.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <exception>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -28,4 +32,34 @@ void limitThreads(int threads)
 int threadsUsed(int threads)
 {
   return threads > 0 ? atMostTheProcessors(threads) : vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+void runOnThreads(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  // Exceptions that leave a thread would end the program.
+  std::vector<std::exception_ptr> thrown(count);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto i = static_cast<std::size_t>(first);
+           i < static_cast<std::size_t>(last) && !interrupt::requested(); ++i)
+      {
+        try
+        {
+          work(i);
+        }
+        catch (...)
+        {
+          thrown[i] = std::current_exception();
+        }
+      }
+    });
+  interrupt::check();
+  for (const std::exception_ptr& exception : thrown)
+  {
+    if (exception)
+    {
+      std::rethrow_exception(exception);
+    }
+  }
 }

@@ -1,0 +1,101 @@
+/// Tables of so many rows that several threads read them.
+
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+class LargeTables : public testing::Test
+{
+protected:
+  static constexpr int count = 40'000; // 1.1 MB: five parts
+
+  static std::vector<std::string> rows()
+  {
+    std::vector<std::string> rows = {"x,y,z,row"};
+    for (int i = 1; i <= count; ++i)
+    {
+      const double angle = i;
+      std::ostringstream row;
+      row.precision(17);
+      row << std::cos(angle) << ',' << std::sin(angle) << ',' << i / 1e5 << ',' << i;
+      rows.push_back(row.str());
+      rows.resize(rows.size() + i % 3); // blank lines, too
+    }
+    return rows;
+  }
+
+  static std::string joined(const std::vector<std::string>& rows)
+  {
+    std::string text;
+    for (const std::string& row : rows)
+    {
+      text += row + '\n';
+    }
+    return text;
+  }
+
+  Outcome probe(
+    const std::string& queries, const std::string& out, const std::string& threads) const
+  {
+    const std::string source = folder.write("source.off", asOff(sphere(1)));
+    return runProgram({"probe", source, folder.write("q.csv", queries), "-o", folder.path(out),
+      "--overwrite", "--threads", threads});
+  }
+
+  const TemporaryFolder folder;
+};
+
+TEST_F(LargeTables, AreTheSameForAnyThreadsAndWithQuotedFields)
+{
+  std::vector<std::string> plain = this->rows();
+  ASSERT_EQ(this->probe(joined(plain), "one.csv", "1").status, 0);
+  ASSERT_EQ(this->probe(joined(plain), "two.csv", "2").status, 0);
+  const std::string expected = contentsOf(folder.path("one.csv"));
+  EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n'), count + 1);
+  EXPECT_TRUE(expected == contentsOf(folder.path("two.csv")));
+  // With a quotation mark anywhere all rows are read by one thread.
+  plain.front() = "x,y,z,\"row\"";
+  plain.back() = "0,0,0,\"\n\"";
+  ASSERT_EQ(this->probe(joined(plain), "quoted.csv", "2").status, 0);
+  const std::string quoted = contentsOf(folder.path("quoted.csv"));
+  const auto body = [](const std::string& text)
+  {
+    const std::size_t first = text.find('\n');
+    return text.substr(first, 1'000'000);
+  };
+  EXPECT_TRUE(body(expected) == body(quoted));
+  EXPECT_NE(quoted.find("\n0,0,0,\"\n\",1,1\n"), std::string::npos);
+}
+
+TEST_F(LargeTables, AreRefusedForTheFirstFaultInTheFile)
+{
+  const std::vector<std::string> sound = this->rows();
+  const std::size_t early = sound.size() / 3, late = sound.size() - 1;
+  for (const std::string threads : {"1", "2"})
+  {
+    std::vector<std::string> rows = sound;
+    rows[early] = "1,2";
+    rows[late] = "1";
+    Outcome run = this->probe(joined(rows), "out.csv", threads);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(run.saysInOneLine({"line " + std::to_string(early + 1) + ": has 2 fields"})) << run;
+    rows[early] = "1,two,3,4";
+    rows[late] = "1,2,three,4";
+    run = this->probe(joined(rows), "out.csv", threads);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(run.saysInOneLine(
+      {"line " + std::to_string(early + 1) + ": \"two\" in column y is no number"}))
+      << run;
+  }
+}
+
+} // namespace
