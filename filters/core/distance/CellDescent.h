@@ -280,22 +280,30 @@ private:
   std::vector<Part> left_;
 };
 
+/// Whether tasks show progress. It would begin again with tasks that do what others have left.
+enum class TaskProgress
+{
+  shown,
+  hidden
+};
+
 /// Writes the distances of the samples of some parts, each in a task or in more. Returns false when
 /// the executor was interrupted.
 template <class Samples>
 bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samples,
-  std::vector<typename Samples::Part> parts, Executor& executor)
+  std::vector<typename Samples::Part> parts, Executor& executor,
+  TaskProgress progress = TaskProgress::shown)
 {
-  for (bool isFirst = true; !parts.empty(); isFirst = false)
+  for (; !parts.empty(); progress = TaskProgress::hidden)
   {
     std::vector<std::vector<typename Samples::Part>> left(parts.size());
     const auto work = [&](std::size_t n)
     {
       left[n] = CellDescent<Samples>(tree, limit, samples).run(parts[n]);
     };
-    // Parts that were left run without showing progress, which would begin again.
-    const bool isComplete =
-      isFirst ? executor.run(parts.size(), work) : executor.runBriefly(parts.size(), work);
+    const bool isComplete = progress == TaskProgress::shown
+                              ? executor.run(parts.size(), work)
+                              : executor.runBriefly(parts.size(), work);
     if (!isComplete)
     {
       return false;

@@ -4,7 +4,6 @@
 #include "source/UnitScale.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace winding
@@ -53,27 +52,15 @@ DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
       })
   , triangles_(surface.triangles.size())
 {
-  using Corners = std::array<Eigen::Vector3d, 3>;
-  const auto cornersOf = [&](std::size_t place) -> Corners
-  {
-    const Triangle t = lowestFirst(surface.vertices, surface.triangles[tree_.order()[place]]);
-    return {scale_ * surface.vertices[t[0]], scale_ * surface.vertices[t[1]],
-      scale_ * surface.vertices[t[2]]};
-  };
-  forEachItem(
-    triangles_.size(),
-    [&](std::size_t i)
+  this->makeItemsAndBoxes(
+    [&](std::uint32_t place)
     {
-      const Corners corners = cornersOf(i);
-      triangles_[i] = nearTriangle(corners[0], corners[1], corners[2]);
-    },
-    executor);
-  this->makeBoxes(
-    [&](std::size_t place)
-    {
-      const Corners corners = cornersOf(place);
-      Bounds box(corners[0]);
-      return box.extend(corners[1]).extend(corners[2]);
+      const Triangle t = lowestFirst(surface.vertices, surface.triangles[tree_.order()[place]]);
+      const Eigen::Vector3d a = scale_ * surface.vertices[t[0]],
+                            b = scale_ * surface.vertices[t[1]],
+                            c = scale_ * surface.vertices[t[2]];
+      triangles_[place] = nearTriangle(a, b, c);
+      return Bounds(a).extend(b).extend(c);
     },
     executor);
 }
@@ -81,17 +68,16 @@ DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
 DistanceTree::DistanceTree(const PointCloud& cloud, Executor& executor)
   : scale_(unitScale(cloud.bounds))
   , tree_(centersOf(cloud, scale_), pointsPerLeaf, executor)
+  , points_(cloud.positions.size())
 {
-  points_.reserve(cloud.positions.size());
-  for (const std::uint32_t item : tree_.order())
-  {
-    points_.push_back(nearPoint(scale_ * cloud.positions[item]));
-  }
-  const auto boxOf = [&](std::size_t place)
-  {
-    return Bounds(Eigen::Vector3d(scale_ * cloud.positions[tree_.order()[place]]));
-  };
-  this->makeBoxes(boxOf, executor);
+  this->makeItemsAndBoxes(
+    [&](std::uint32_t place)
+    {
+      const Eigen::Vector3d position = scale_ * cloud.positions[tree_.order()[place]];
+      points_[place] = nearPoint(position);
+      return Bounds(position);
+    },
+    executor);
 }
 
 std::size_t DistanceTree::bytesFor(bool areTriangles, std::size_t primitives)
@@ -103,8 +89,10 @@ std::size_t DistanceTree::bytesFor(bool areTriangles, std::size_t primitives)
   return primitives * (perItem + 2 * perLeaf / leafSize);
 }
 
-/// Makes the boxes depth by depth from the deepest up, as a node's box is made from its children's.
-template <class BoxOf> void DistanceTree::makeBoxes(const BoxOf& boxOf, Executor& executor)
+/// Makes what stands in leaves, each item once, and the boxes of nodes: depth by depth from the
+/// deepest up, as a node's box is made from its children's. make(place) makes an item, and returns
+/// its box.
+template <class Make> void DistanceTree::makeItemsAndBoxes(const Make& make, Executor& executor)
 {
   const std::vector<SourceNode>& nodes = tree_.nodes();
   boxes_.resize(nodes.size());
@@ -125,7 +113,7 @@ template <class BoxOf> void DistanceTree::makeBoxes(const BoxOf& boxOf, Executor
           }
           for (std::uint32_t i = node.begin; node.children == 0 && i < node.end; ++i)
           {
-            boxes_[n].extend(boxOf(i));
+            boxes_[n].extend(make(i));
           }
         }
       },

@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Executor.h"
+#include "base/UninitializedVector.h"
 #include "distance/Candidates.h"
 #include "distance/NearestKernels.h"
 #include "source/PointCloud.h"
@@ -66,7 +67,7 @@ public:
   ///@}
 
 private:
-  template <class BoxOf> void makeBoxes(const BoxOf& boxOf, Executor& executor);
+  template <class Make> void makeItemsAndBoxes(const Make& make, Executor& executor);
 
   void findAmong(const Eigen::Vector3d& sample, const NearItems& items, Nearest& nearest) const;
 
@@ -77,8 +78,8 @@ private:
   double size_ = 0; ///< no distance of two points of the source is larger
   SourceTree tree_;
   std::vector<Bounds> boxes_;
-  std::vector<NearTriangle> triangles_; ///< in the tree's order; none in a tree of points
-  std::vector<NearPoint> points_;       ///< in the tree's order; none in a tree of triangles
+  UninitializedVector<NearTriangle> triangles_; ///< in the tree's order; none in a tree of points
+  UninitializedVector<NearPoint> points_;       ///< in the tree's order; none in one of triangles
 };
 
 /// The square of the distance of a point from a box.

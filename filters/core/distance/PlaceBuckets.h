@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/BucketSort.h"
+#include "base/Executor.h"
+#include "base/Views.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace winding
+{
+
+/// A sample in the tree's coordinates, and its number.
+struct Place
+{
+  Eigen::Vector3d position;
+  std::size_t sample;
+};
+
+/**
+ * Scattered samples in a tree's coordinates, sorted into buckets of about `perBucket` samples each,
+ * however they are distributed: by a k-d tree that is balanced for a few of them. The last bucket
+ * has the samples that are NaN or infinite. Throws Interrupted.
+ */
+Buckets<Place> sortIntoBuckets(
+  const VectorsView& samples, double scale, std::size_t perBucket, Executor& executor);
+
+} // namespace winding
