@@ -18,7 +18,7 @@ EvaluationCost costOfDistances(const SampledSource& source, double band)
   // Every primitive is nearest, or may be, to some of the samples beside it and to some far away;
   // only the former are within a band. The lists of samples that lie close together get no shorter
   // than those of one sample, which are longer for more primitives, and for samples farther away.
-  const double beside = (areTriangles ? 1.5e-6 : 0.4e-6) * primitives + 25e-9 * samples;
+  const double beside = (areTriangles ? 1.5e-6 : 0.4e-6) * primitives + 14e-9 * samples;
   const double within = samples > 0 ? std::min(1.0, 2 * band * source.area / samples) : 0;
   const double far = std::min(1.0, samples / (40 * std::max(source.area, 1.0)));
   // In a flat box, as that of a plate, no sample is far away. The volume over the area, as a part
@@ -29,7 +29,7 @@ EvaluationCost costOfDistances(const SampledSource& source, double band)
   const double away =
     flatness * ((areTriangles ? 0.4e-6 : 0.13e-6) * primitives +
                  (areTriangles ? 0.6e-6 : 0.33e-6) * std::sqrt(primitives * samples) +
-                 (areTriangles ? 6e-9 : 0) * std::pow(primitives, 0.25) * far * samples);
+                 (areTriangles ? 5.5e-9 : 0) * std::pow(primitives, 0.25) * far * samples);
   const bool hasBand = band < std::numeric_limits<double>::infinity();
   cost.seconds = beside + (hasBand ? std::min(1.0, 2 * within) : 1) * away;
   if (!source.isGrid)

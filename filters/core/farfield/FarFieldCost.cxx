@@ -33,13 +33,13 @@ EvaluationCost costOfFarField(const SampledSource& source, int order)
   // source, such as a cap, than about a large one.
   const double cells = isTriangle && source.isGrid ? 0.22e-6 * std::sqrt(source.area * samples) : 0;
   const double near =
-    orderFactor(order) * ((isTriangle ? 5.5e-6 : 2.2e-6) * sparse * source.area + cells);
+    orderFactor(order) * ((isTriangle ? 5.5e-6 : 3e-6) * sparse * source.area + cells);
   // A sample is near to no more than all triangles.
   const double nearAtMost = isTriangle ? costOfDirectSum(source).seconds : near;
   const double perSample = source.primitives == 0 ? 0
-                           : !source.isGrid       ? 180e-9
-                           : isTriangle           ? 6e-9
-                                                  : 35e-9;
+                           : !source.isGrid       ? 160e-9
+                           : isTriangle           ? 1.5e-9
+                                                  : 20e-9;
   // Triangles that are cut have pieces of 12 squares on average.
   const double items = isTriangle
                          ? std::clamp(source.area / 12, primitives,

@@ -24,7 +24,7 @@ EvaluationCost costOfCrossings(
   // and for scans.
   const auto count = static_cast<double>(samples);
   const double slowdown = slowdownByCacheMisses(triangles);
-  const double perSample = 50e-9 + 12.5e-9 * rays.layers;
+  const double perSample = 35e-9 + 12.5e-9 * rays.layers;
   return {40e-9 * slowdown * static_cast<double>(triangles) + perSample * count +
             slowdown * (12e-9 * rays.lengths + 90e-9 * rays.widths) * std::sqrt(count),
     (bytesPerPrimitive + 140) * triangles + 42 * samples};

@@ -7,11 +7,11 @@ namespace winding
 
 double secondsToPrepareSurface(std::size_t triangles, std::size_t points, std::size_t capTriangles)
 {
-  constexpr double start = 20e-6;
+  constexpr double start = 200e-6;
   // The edges of a boundary are sorted and chained on one thread.
   return start + 2e-6 * static_cast<double>(capTriangles) +
          slowdownByCacheMisses(triangles) *
-           (70e-9 * static_cast<double>(triangles) + 40e-9 * static_cast<double>(points));
+           (85e-9 * static_cast<double>(triangles) + 40e-9 * static_cast<double>(points));
 }
 
 } // namespace winding
