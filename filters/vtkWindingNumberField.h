@@ -29,7 +29,8 @@
  * towards +y, or if that is on the surface too towards +z, or +x. Sums (method DIRECT, clouds, the
  * caps of open surfaces) give a sample exactly in the plane of a triangle the mean of both sides,
  * 0.5 on a face of a closed mesh, and a sample that lies there only up to rounding one of the
- * sides. At a vertex they give the share of directions that lead inside.
+ * sides. Sums of triangles give a vertex of a closed mesh the share of directions that lead inside,
+ * if no other triangle passes there.
  *
  * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds
  * without normals, sources of which no primitive is usable, and results larger than the free

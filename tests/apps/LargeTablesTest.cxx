@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -74,6 +75,30 @@ TEST_F(LargeTables, AreTheSameForAnyThreadsAndWithQuotedFields)
   };
   EXPECT_TRUE(body(expected) == body(quoted));
   EXPECT_NE(quoted.find("\n0,0,0,\"\n\",1,1\n"), std::string::npos);
+}
+
+TEST_F(LargeTables, MayHaveOtherEndsOfLinesAndNoLastOne)
+{
+  const std::string plain = joined(this->rows());
+  ASSERT_EQ(this->probe(plain, "plain.csv", "2").status, 0);
+  std::string text = std::regex_replace(plain, std::regex("\n"), "\r\n");
+  text.resize(text.size() - 2);
+  ASSERT_EQ(this->probe(text, "other.csv", "2").status, 0);
+  const std::string other = contentsOf(folder.path("other.csv"));
+  EXPECT_TRUE(
+    std::regex_replace(other, std::regex("\r\n"), "\n") == contentsOf(folder.path("plain.csv")));
+}
+
+TEST_F(LargeTables, OfWrongRowsAloneAreRefusedForTheFirst)
+{
+  std::string text = "x;y;z\n";
+  while (text.size() < 4'000'000)
+  {
+    text += "1,5;2,5;3,5\n";
+  }
+  const Outcome run = this->probe(text, "out.csv", "2");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.saysInOneLine({"line 2: has 4 fields, but the header names 1"})) << run;
 }
 
 TEST_F(LargeTables, AreRefusedForTheFirstFaultInTheFile)

@@ -9,6 +9,7 @@
 #include "files/Suffix.h"
 #include "input/ReadInput.h"
 #include "input/Table.h"
+#include "input/TableReading.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/WriteOutput.h"
@@ -107,7 +108,9 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
 {
   if (isTable(options.queries))
   {
+    TableReading reading(messages.isQuiet());
     queries.table.emplace(options.queries);
+    reading.passed(0.5);
     checkColumns(
       [&](const std::string& name) { return queries.table->find(name).has_value(); }, options);
     queries.points = queries.table->points();

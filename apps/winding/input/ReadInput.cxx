@@ -5,6 +5,7 @@
 #include "input/ContentCheck.h"
 #include "input/ReaderProcess.h"
 #include "input/Table.h"
+#include "input/TableReading.h"
 #include "input/VtkReaders.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
@@ -70,7 +71,10 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
   }
   if (isTable(fileName))
   {
-    return cloudFrom(Table(fileName));
+    TableReading reading(messages.isQuiet());
+    const Table table(fileName);
+    reading.passed(0.5);
+    return cloudFrom(table);
   }
   return isMesh             ? readWith<vtkSurfaceMeshReader>(fileName, messages)
          : suffix == ".off" ? readWith<vtkGeomviewOFFReader>(fileName, messages)

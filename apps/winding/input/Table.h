@@ -15,8 +15,8 @@ class vtkPolyData;
 /**
  * A text table with a header row: .csv with commas, .tsv with tabs. The text of its rows stays
  * unchanged, so that columns that are not understood can be handed on. Quoted fields may have
- * separators and ends of lines in them (TableText.h). Rows and numbers are read by all threads, but
- * rows by one where any field is quoted.
+ * separators and ends of lines in them (TableText.h). Rows and numbers are read by all threads;
+ * with a quotation mark anywhere in the file its rows are found by one.
  */
 class Table
 {

@@ -5,9 +5,10 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
+#include <mutex>
 #include <thread>
-#include <vector>
 
 namespace
 {
@@ -37,12 +38,14 @@ int threadsUsed(int threads)
 void runOnThreads(std::size_t count, const std::function<void(std::size_t)>& work)
 {
   // Exceptions that leave a thread would end the program.
-  std::vector<std::exception_ptr> thrown(count);
+  std::exception_ptr thrown;
+  std::atomic<std::size_t> lowest{count}; // of the numbers that threw
+  std::mutex mutex;
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (auto i = static_cast<std::size_t>(first);
-           i < static_cast<std::size_t>(last) && !interrupt::requested(); ++i)
+           i < static_cast<std::size_t>(last) && i < lowest && !interrupt::requested(); ++i)
       {
         try
         {
@@ -50,16 +53,18 @@ void runOnThreads(std::size_t count, const std::function<void(std::size_t)>& wor
         }
         catch (...)
         {
-          thrown[i] = std::current_exception();
+          const std::lock_guard<std::mutex> lock(mutex);
+          if (i < lowest)
+          {
+            lowest = i;
+            thrown = std::current_exception();
+          }
         }
       }
     });
   interrupt::check();
-  for (const std::exception_ptr& exception : thrown)
+  if (thrown)
   {
-    if (exception)
-    {
-      std::rethrow_exception(exception);
-    }
+    std::rethrow_exception(thrown);
   }
 }

@@ -10,10 +10,10 @@
  * costOfRows(), costOfFarField(), …), for users to be told. The choice of a method
  * does not depend on these seconds, but on a rule of its own, isCheaperDirectly().
  *
- * The figures were fitted to runs on one thread of a processor of 2023 with AVX-512: meshes and
- * clouds with 20 to 22 million primitives, on grids and scattered. The direct sum and the far field
- * take twice to three times as long there as on a processor of 2025, and their figures lie between
- * the two. Most estimates lie within a factor of 2 of the measured times, nearly all within 3.
+ * The figures were fitted to runs on two threads of processors with AVX-512: meshes and clouds with
+ * 20 to 22 million primitives, on grids and scattered. `winding bench expected` prints them beside
+ * the times taken: on the processor that they were fitted to last they lie within a factor of 2 of
+ * each other (docs/performance.md), on others of the same years within 3.
  */
 namespace winding
 {

@@ -280,6 +280,17 @@ private:
   std::vector<Part> left_;
 };
 
+/// All parts that tasks have left undone.
+template <class Part> std::vector<Part> joined(const std::vector<std::vector<Part>>& left)
+{
+  std::vector<Part> parts;
+  for (const std::vector<Part>& some : left)
+  {
+    parts.insert(parts.end(), some.begin(), some.end());
+  }
+  return parts;
+}
+
 /// Whether tasks show progress. It would begin again with tasks that do what others have left.
 enum class TaskProgress
 {
@@ -308,11 +319,7 @@ bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samp
     {
       return false;
     }
-    parts.clear();
-    for (const auto& some : left)
-    {
-      parts.insert(parts.end(), some.begin(), some.end());
-    }
+    parts = joined(left);
   }
   return true;
 }

@@ -31,11 +31,11 @@ std::vector<Eigen::Vector3d> centersOf(const Surface& surface, double scale, Exe
   return centers;
 }
 
-std::vector<Eigen::Vector3d> centersOf(const PointCloud& cloud, double scale)
+std::vector<Eigen::Vector3d> centersOf(const PointCloud& cloud, double scale, Executor& executor)
 {
   std::vector<Eigen::Vector3d> centers(cloud.positions.size());
-  std::transform(cloud.positions.begin(), cloud.positions.end(), centers.begin(),
-    [scale](const Eigen::Vector3d& position) { return scale * position; });
+  forEachItem(
+    centers.size(), [&](std::size_t i) { centers[i] = scale * cloud.positions[i]; }, executor);
   return centers;
 }
 
@@ -67,7 +67,7 @@ DistanceTree::DistanceTree(const Surface& surface, Executor& executor)
 
 DistanceTree::DistanceTree(const PointCloud& cloud, Executor& executor)
   : scale_(unitScale(cloud.bounds))
-  , tree_(centersOf(cloud, scale_), pointsPerLeaf, executor)
+  , tree_(centersOf(cloud, scale_, executor), pointsPerLeaf, executor)
   , points_(cloud.positions.size())
 {
   this->makeItemsAndBoxes(

@@ -6,7 +6,8 @@ namespace winding
 namespace
 {
 
-/// A task ends after so many items, or a part of few samples: some hundredths of a second.
+/// A task ends when its searches have looked at so many items, in some hundredths of a second, and
+/// after one search at least.
 constexpr std::size_t mostItemsPerTask = 1 << 22;
 
 /// Parts of so few samples are not put in order.
@@ -25,27 +26,43 @@ void OrderedSearch::descend(const PlaceSamples::Part& part)
   if (items_ > mostItemsPerTask)
   {
     left_.push_back(part);
+    return;
   }
-  else if (PlaceSamples::count(part) > fewSamples)
+  if (PlaceSamples::count(part) <= fewSamples)
   {
-    const auto halves = PlaceSamples::halves(part);
-    this->descend(halves.first);
-    this->descend(halves.second);
+    this->searchEach(part);
+    return;
   }
-  else
+  const Bounds box = PlaceSamples::boxOf(part);
+  if (box.min() == box.max())
   {
-    PlaceSamples::forEach(part, [this](const Eigen::Vector3d& position, std::size_t sample)
-      { samples_.write(this->searched(position), sample); });
+    // Any number of samples may be at one place.
+    const double squared = this->searched(box.min());
+    PlaceSamples::forEach(
+      part, [&](const Eigen::Vector3d&, std::size_t sample) { samples_.write(squared, sample); });
+    return;
+  }
+  const auto halves = PlaceSamples::halves(part);
+  this->descend(halves.first);
+  this->descend(halves.second);
+}
+
+void OrderedSearch::searchEach(const PlaceSamples::Part& part)
+{
+  for (Place* place = part.first; place != part.last; ++place)
+  {
+    if (items_ > mostItemsPerTask)
+    {
+      left_.push_back({place, part.last});
+      return;
+    }
+    samples_.write(this->searched(place->position), place->sample);
   }
 }
 
-/// The square of a sample's distance. Any number of samples may be at one place.
+/// The square of a place's distance.
 double OrderedSearch::searched(const Eigen::Vector3d& position)
 {
-  if (hasSearched_ && position == lastPosition_)
-  {
-    return lastSquared_;
-  }
   Nearest nearest = {squaredLimit_, {0, 0, 0}};
   if (hasFound_)
   {
@@ -57,10 +74,7 @@ double OrderedSearch::searched(const Eigen::Vector3d& position)
     hasFound_ = true;
     lastItem_ = nearest.item;
   }
-  hasSearched_ = true;
-  lastPosition_ = position;
-  lastSquared_ = nearest.squared;
-  return lastSquared_;
+  return nearest.squared;
 }
 
 } // namespace winding

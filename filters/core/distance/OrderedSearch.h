@@ -3,6 +3,7 @@
 #include "distance/DistanceTree.h"
 #include "distance/PlaceSamples.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,15 +34,13 @@ public:
 
 private:
   void descend(const PlaceSamples::Part& part);
+  void searchEach(const PlaceSamples::Part& part);
   double searched(const Eigen::Vector3d& position);
 
   const DistanceTree& tree_;
   const PlaceSamples& samples_;
   double squaredLimit_;
-  bool hasSearched_ = false;
   bool hasFound_ = false;
-  Eigen::Vector3d lastPosition_;
-  double lastSquared_ = 0;
   std::uint32_t lastItem_ = 0; ///< the nearest one of the last search that found any
   std::size_t items_ = 0;      ///< that searches have looked at
   std::vector<PlaceSamples::Part> left_;

@@ -19,9 +19,10 @@ struct Place
 };
 
 /**
- * Scattered samples in a tree's coordinates, sorted into buckets of about `perBucket` samples each,
- * however they are distributed: by a k-d tree that is balanced for a few of them. The last bucket
- * has the samples that are NaN or infinite. Throws Interrupted.
+ * Scattered samples in a tree's coordinates, sorted into buckets by a k-d tree that is balanced for
+ * some of them: of about `perBucket` samples each, but samples at one place share a bucket, and
+ * there are no more than mostBuckets. The last bucket has the samples that are NaN or infinite.
+ * Throws Interrupted.
  */
 Buckets<Place> sortIntoBuckets(
   const VectorsView& samples, double scale, std::size_t perBucket, Executor& executor);

@@ -11,7 +11,8 @@
 namespace winding
 {
 
-/// Places as CellDescent.h wants them: a part is a range of them, which gets sorted into halves.
+/// Places as CellDescent.h and OrderedSearch.h want them: a part is a range of them, which gets
+/// sorted into halves.
 class PlaceSamples
 {
 public:

@@ -33,11 +33,7 @@ bool searchInOrder(const DistanceTree& tree, double limit, const PlaceSamples& s
   std::vector<Parts> left(parts.size());
   const bool isComplete = executor.run(parts.size(),
     [&](std::size_t n) { left[n] = OrderedSearch(tree, limit, samples).run(parts[n]); });
-  parts.clear();
-  for (const Parts& some : left)
-  {
-    parts.insert(parts.end(), some.begin(), some.end());
-  }
+  parts = joined(left);
   return isComplete;
 }
 

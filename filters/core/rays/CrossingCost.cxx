@@ -11,7 +11,7 @@ EvaluationCost costOfRows(const SampledSource& source)
   // their area. Where they are smaller than voxels, most lie between the rows.
   const double reaching = std::min(triangles, 4 * source.area);
   return {slowdownByCacheMisses(source.primitives) * (35e-9 * triangles + 20e-9 * reaching) +
-            30e-9 * std::pow(samples, 2.0 / 3) + 15e-9 * source.area + secondsPerValue * samples,
+            20e-9 * std::pow(samples, 2.0 / 3) + 15e-9 * source.area + secondsPerValue * samples,
     (bytesPerPrimitive + 20) * source.primitives};
 }
 

@@ -69,8 +69,8 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       // A height below the normal numbers is none: the product of two such would be 0, and has no
       // argument. It is +0 then, not −0: by a factor of 1 − 0i, a product at the branch cut would
       // change the sign of its imaginary part and so lose a turn. A sample at b or c has no height,
-      // either, though rounding may give it one: the length is 0 there, and far above the smallest
-      // normal number anywhere else.
+      // either, though rounding may give it one: the length is 0 there. Lengths are 0 or far above
+      // the smallest normal number, as they are roots.
       const Vec toBOrC = hn::Min(b, c);
       const auto isInPlane = hn::Le(hn::Min(hn::Abs(height), toBOrC), smallestNormal);
       const Vec num = hn::IfThenZeroElse(isInPlane, height);

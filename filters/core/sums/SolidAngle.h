@@ -15,11 +15,11 @@
  *
  * Guaranteed: (1) there is no absolute epsilon, so a uniform scale of all coordinates changes
  * nothing but rounding; (2) solid angles are odd under a flip of orientation, to the bit where the
- * flip exchanges b and c; (3) a sample in the plane of a triangle, at a vertex above all, receives 0
- * from it: on the surface the sums are therefore principal values, the mean of the two sides (0.5
- * on a face of a closed mesh) and, at a vertex, the share of directions that lead inside; (4)
- * degenerate triangles give 0. Not guaranteed is (3) for a sample that is in the plane only up to
- * rounding and at no vertex; it gets one side.
+ * flip exchanges b and c; (3) a sample in the plane of a triangle, or at one of its vertices,
+ * receives 0 from it: on the surface the sums are therefore principal values, the mean of the two
+ * sides (0.5 on a face of a closed mesh) and, at a vertex, the share of directions that lead
+ * inside; (4) degenerate triangles give 0. Not guaranteed is (3) for a sample that is in the plane
+ * only up to rounding and at no vertex; it gets one side.
  */
 namespace winding
 {

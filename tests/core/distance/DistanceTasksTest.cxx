@@ -122,6 +122,38 @@ TEST(DistanceTasks, OfEqualSamplesTakeNoLongerThanOfOne)
     static_cast<std::ptrdiff_t>(samples.size()));
 }
 
+TEST(DistanceTasks, OfEqualSamplesThatAreFewTakeNoLongerThanOfOne)
+{
+  winding::SerialExecutor serial;
+  const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
+  const std::vector<Point> samples(79'000, Point(0, 0, 0));
+  Distances found(samples.size());
+  CountingTasks executor;
+  EXPECT_TRUE(winding::evaluateDistances(tree,
+    winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), executor));
+  EXPECT_LE(executor.tasks, 74u) << "10 to sort, 64 to search, and none is left for cells";
+  EXPECT_EQ(std::count(found.distances.begin(), found.distances.end(), found.distances[0]),
+    static_cast<std::ptrdiff_t>(samples.size()));
+}
+
+TEST(DistanceTasks, SearchesAreInterruptedWhereverThatComes)
+{
+  winding::SerialExecutor serial;
+  const winding::DistanceTree tree(clean(icosphere(5)), serial);
+  const std::vector<Point> samples = randomPoints(5000, -1, 1, 76);
+  int runs = 0;
+  for (bool isOver = false; !isOver; ++runs)
+  {
+    Interruption executor(runs);
+    Distances found(samples.size());
+    const bool isComplete = winding::evaluateDistances(tree,
+      winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), executor);
+    isOver = !executor.cameToPass();
+    EXPECT_EQ(isComplete, isOver) << runs;
+  }
+  EXPECT_GT(runs, 2) << "sorting, and searches";
+}
+
 TEST(DistanceTasks, WorkThatTasksLeaveShowsNoProgressOnceMore)
 {
   /// Counts the calls whose tasks show progress, and those whose tasks do not.

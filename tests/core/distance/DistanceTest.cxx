@@ -178,6 +178,45 @@ TEST(Distance, OfASampleDoesNotDependOnTheOthers)
   }
 }
 
+TEST(Distance, OfFewSamplesIsThatOfMany)
+{
+  SCOPED_TRACE("seeds 74, 75");
+  const std::vector<std::shared_ptr<const Field>> fields = {
+    fieldOf(icosphere(5)), fieldOf(triangleSoup(20'000, 74)), fieldOf(sphereCloud(20'000))};
+  // Beside samples everywhere there are many in a small region, equal ones, and two without a
+  // place.
+  std::vector<Point> some = randomPoints(4000, -1.3, 1.3, 75);
+  for (std::size_t n = 0; n < 2000; ++n)
+  {
+    some.push_back(Point(0.9, 0.1, 0) + 1e-3 * some[n]);
+    some.push_back(some[7]);
+  }
+  some.emplace_back(std::nan(""), 0, 0);
+  some.emplace_back(0, infinite, 0);
+  std::vector<Point> many = some;
+  for (int copy = 0; copy < 3; ++copy)
+  {
+    many.insert(many.end(), some.begin(), some.end());
+  }
+  for (const std::shared_ptr<const Field>& field : fields)
+  {
+    for (const double limit : {infinite, 0.05})
+    {
+      // Fewer samples than triangles or points are searched for one by one; more share cells.
+      const Distances few = evaluate(*field, some, limit), all = evaluate(*field, many, limit);
+      const std::vector<Point> reversed(some.rbegin(), some.rend());
+      const Distances turned = evaluate(*field, reversed, limit);
+      for (std::size_t n = 0; n + 2 < some.size(); ++n)
+      {
+        ASSERT_EQ(few.distances[n], all.distances[n]) << n;
+        ASSERT_EQ(few.distances[n], turned.distances[some.size() - 1 - n]) << n;
+      }
+      EXPECT_TRUE(std::isnan(few.distances[some.size() - 2]));
+      EXPECT_TRUE(std::isnan(few.distances[some.size() - 1]));
+    }
+  }
+}
+
 TEST(Distance, CloseSamplesAreAsExact)
 {
   SCOPED_TRACE("seed 813");

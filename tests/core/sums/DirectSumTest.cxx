@@ -166,7 +166,7 @@ TEST(TriangleSum, IsTheShareOfTheSolidAtVerticesOfTurnedSolids)
   }
   const double worst = largestDifference(windingOf(turned, turned.points), expected);
   record("worst", worst);
-  EXPECT_LT(worst, 1e-12); // measured:
+  EXPECT_LT(worst, 1e-12); // measured: 2.2e-16
 }
 
 TEST(TriangleSum, IsAdditiveOverSoups)
