@@ -30,8 +30,10 @@ EvaluationCost costOfFarField(const SampledSource& source, int order)
   const double sparse =
     isTriangle || source.area == 0 ? 1 : std::min(1.0, std::pow(primitives / source.area, 0.55));
   // Cells grow with their distance from the source, so that there are fewer of them about a small
-  // source, such as a cap, than about a large one.
-  const double cells = isTriangle && source.isGrid ? 0.22e-6 * std::sqrt(source.area * samples) : 0;
+  // source, such as a cap, than about a large one; but more than its area says, as it has a rim.
+  const double cells = isTriangle && source.isGrid ? 0.22e-6 * std::sqrt(source.area * samples) +
+                                                       60e-6 * std::sqrt(source.area)
+                                                   : 0;
   const double near =
     orderFactor(order) * ((isTriangle ? 5.5e-6 : 3e-6) * sparse * source.area + cells);
   // A sample is near to no more than all triangles.
