@@ -1,6 +1,7 @@
 #include "distance/SampleDistances.h"
 
 #include "distance/CellDescent.h"
+#include "distance/NearestLists.h"
 #include "distance/OrderedSearch.h"
 #include "distance/PlaceBuckets.h"
 #include "distance/PlaceSamples.h"
@@ -25,16 +26,23 @@ std::size_t samplesPerTask(std::size_t samples)
   return std::clamp(samples / tasks, fewest, most);
 }
 
-/// Searches for what is nearest to each sample, and leaves some parts undone (OrderedSearch.h).
-/// Returns false when the executor was interrupted.
-bool searchInOrder(const DistanceTree& tree, double limit, const PlaceSamples& samples,
-  Parts& parts, Executor& executor)
+/// Whether the samples of a part lie so far from each other that the list of what may be nearest to
+/// any of them is long beside their number. A place alone needs no list.
+bool areSparse(const DistanceTree& tree, double limit, const PlaceSamples::Part& part)
 {
-  std::vector<Parts> left(parts.size());
-  const bool isComplete = executor.run(parts.size(),
-    [&](std::size_t n) { left[n] = OrderedSearch(tree, limit, samples).run(parts[n]); });
-  parts = joined(left);
-  return isComplete;
+  constexpr std::size_t itemsPerSample = 32;
+  const Bounds box = PlaceSamples::boxOf(part);
+  NearestCell cell;
+  cell.low = box.min();
+  cell.high = box.max();
+  if (cell.isOnePlace())
+  {
+    return true;
+  }
+  NearestLists lists(tree, limit);
+  const std::size_t first = lists.size();
+  lists.append(cell, 0, nullptr);
+  return lists.itemsFrom(first) > itemsPerSample * PlaceSamples::count(part);
 }
 
 } // namespace
@@ -56,13 +64,17 @@ try
     { output.writeDistance(std::numeric_limits<double>::quiet_NaN(), sample); });
   parts.pop_back();
 
-  const bool areSparse = !tree.empty() && samples.size() < tree.node(0).size();
-  if (areSparse && !searchInOrder(tree, limit, places, parts, executor))
+  const bool areFew = !tree.empty() && samples.size() < tree.node(0).size();
+  std::vector<Parts> left(parts.size());
+  const auto work = [&](std::size_t n)
   {
-    return false;
-  }
-  const auto progress = areSparse ? TaskProgress::hidden : TaskProgress::shown;
-  return evaluateByCells(tree, limit, places, std::move(parts), executor, progress);
+    const PlaceSamples::Part& part = parts[n];
+    const bool searches = areFew && places.isAskedFor(part) && areSparse(tree, limit, part);
+    left[n] = searches ? OrderedSearch(tree, limit, places).run(part)
+                       : CellDescent<PlaceSamples>(tree, limit, places).run(part);
+  };
+  return executor.run(parts.size(), work) &&
+         evaluateByCells(tree, limit, places, joined(left), executor, TaskProgress::hidden);
 }
 catch (const Interrupted&)
 {
