@@ -63,7 +63,7 @@ TEST_F(LargeTables, AreTheSameForAnyThreadsAndWithQuotedFields)
   const std::string expected = contentsOf(folder.path("one.csv"));
   EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n'), count + 1);
   EXPECT_TRUE(expected == contentsOf(folder.path("two.csv")));
-  // With a quotation mark anywhere all rows are read by one thread.
+  // One thread reads all rows where there is a quotation mark anywhere.
   plain.front() = "x,y,z,\"row\"";
   plain.back() = "0,0,0,\"\n\"";
   ASSERT_EQ(this->probe(joined(plain), "quoted.csv", "2").status, 0);
