@@ -74,15 +74,6 @@ private:
   /// is equally near, as at the centre of a sphere, tasks take some tenths of a second.
   static constexpr double mostWorkPerTask = 1 << 28;
 
-  NearestCell cellOf(const Part& part) const
-  {
-    const Bounds box = samples_.boxOf(part);
-    NearestCell cell;
-    cell.low = box.min();
-    cell.high = box.max();
-    return cell;
-  }
-
   /// firstNode: where the list of the cell begins that the part lies in; nearby: a point of the
   /// source, or null.
   void descend(const Part& part, std::size_t firstNode, const SourcePoint* nearby)
@@ -96,7 +87,7 @@ private:
       left_.push_back(part);
       return;
     }
-    NearestCell cell = this->cellOf(part);
+    NearestCell cell = cellOf(samples_.boxOf(part));
     const std::size_t count = samples_.count(part);
     const std::size_t lastNode = lists_.size();
     lists_.append(cell, firstNode, nearby);
@@ -189,7 +180,7 @@ private:
     const Parts parts = this->partsOf(part);
     NearestCell cells[samplesAtOnce];
     std::transform(parts.part, parts.part + parts.count, cells,
-      [this](const Part& some) { return this->cellOf(some); });
+      [this](const Part& some) { return cellOf(samples_.boxOf(some)); });
     items_.findNearest(cells, parts.count, candidates);
     for (std::size_t i = 0; i < parts.count; ++i)
     {

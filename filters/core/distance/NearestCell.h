@@ -30,6 +30,12 @@ struct NearestCell
   }
 };
 
+/// The cell of a box. The source's nearest point is still to be found.
+inline NearestCell cellOf(const Bounds& box)
+{
+  return {box.min(), box.max(), {Eigen::Vector3d::Zero(), 0, 0}, 0};
+}
+
 /**
  * The rounding of distances that are compared to find what may be nearest to a cell's samples.
  *

@@ -31,10 +31,7 @@ std::size_t samplesPerTask(std::size_t samples)
 bool areSparse(const DistanceTree& tree, double limit, const PlaceSamples::Part& part)
 {
   constexpr std::size_t itemsPerSample = 32;
-  const Bounds box = PlaceSamples::boxOf(part);
-  NearestCell cell;
-  cell.low = box.min();
-  cell.high = box.max();
+  NearestCell cell = cellOf(PlaceSamples::boxOf(part));
   if (cell.isOnePlace())
   {
     return true;
