@@ -17,7 +17,7 @@ namespace
 class LargeTables : public testing::Test
 {
 protected:
-  static constexpr int count = 40'000; // 1.1 MB: five parts
+  static constexpr int count = 40'000; // 2.6 MB: ten parts
 
   static std::vector<std::string> rows()
   {
