@@ -1,6 +1,7 @@
 #include "private/MeshFiles.h"
 
 #include "private/ErrorReports.h"
+#include "private/HandedArray.h"
 #include "private/SmpExecutor.h"
 
 #include "vtkAlgorithm.h"
@@ -22,30 +23,13 @@ namespace winding
 namespace
 {
 
-/// Gives the memory of an array to one of VTK's, whose integers of 64 bits may have another name.
-template <class Array, class Number>
-vtkSmartPointer<Array> handedOver(PlainArray<Number>& numbers, int components)
-{
-  using Value = typename Array::ValueType;
-  static_assert(sizeof(Value) == sizeof(Number), "the numbers stay as they are");
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetNumberOfComponents(components);
-  const auto size = static_cast<vtkIdType>(numbers.size());
-  if (size > 0)
-  {
-    array->SetArray(
-      reinterpret_cast<Value*>(numbers.release()), size, 0, Array::VTK_DATA_ARRAY_FREE);
-  }
-  return array;
-}
-
 vtkSmartPointer<vtkDataArray> handedOver(VectorArrays& vectors)
 {
   if (vectors.doubles.empty() && !vectors.floats.empty())
   {
-    return handedOver<vtkFloatArray>(vectors.floats, 3);
+    return handedArray<vtkFloatArray>(vectors.floats, 3);
   }
-  return handedOver<vtkDoubleArray>(vectors.doubles, 3);
+  return handedArray<vtkDoubleArray>(vectors.doubles, 3);
 }
 
 vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
@@ -53,44 +37,10 @@ vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
   auto array = vtkSmartPointer<vtkCellArray>::New();
   if (cells.count() > 0)
   {
-    const auto offsets = handedOver<vtkTypeInt64Array>(cells.offsets, 1);
-    array->SetData(offsets, handedOver<vtkTypeInt64Array>(cells.connectivity, 1));
+    const auto offsets = handedArray<vtkTypeInt64Array>(cells.offsets, 1);
+    array->SetData(offsets, handedArray<vtkTypeInt64Array>(cells.connectivity, 1));
   }
   return array;
-}
-
-void handOver(MeshArrays& mesh, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetData(handedOver(mesh.points));
-  output->SetPoints(points);
-  output->SetVerts(handedOver(mesh.vertices));
-  output->SetLines(handedOver(mesh.lines));
-  output->SetPolys(handedOver(mesh.polygons));
-  if (mesh.normals.count() > 0)
-  {
-    const auto normals = handedOver(mesh.normals);
-    normals->SetName("Normals");
-    output->GetPointData()->SetNormals(normals);
-  }
-  if (!mesh.colors.empty())
-  {
-    const auto colors = handedOver<vtkUnsignedCharArray>(mesh.colors, mesh.colorComponents);
-    colors->SetName(mesh.colorComponents == 4 ? "RGBA" : "RGB");
-    output->GetPointData()->SetScalars(colors);
-  }
-  if (!mesh.textureCoordinates.empty())
-  {
-    const auto coordinates = handedOver<vtkFloatArray>(mesh.textureCoordinates, 2);
-    coordinates->SetName("TCoords");
-    output->GetPointData()->SetTCoords(coordinates);
-  }
-  if (!mesh.areas.empty())
-  {
-    const auto areas = handedOver<vtkDoubleArray>(mesh.areas, 1);
-    areas->SetName("Area");
-    output->GetPointData()->AddArray(areas);
-  }
 }
 
 unsigned long errorCodeOf(FileFault fault)
@@ -113,8 +63,42 @@ unsigned long errorCodeOf(FileFault fault)
 
 } // namespace
 
-int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
-  const MeshParser& parse, vtkPolyData* output)
+void handOver(MeshArrays& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(handedOver(mesh.points));
+  output->SetPoints(points);
+  output->SetVerts(handedOver(mesh.vertices));
+  output->SetLines(handedOver(mesh.lines));
+  output->SetPolys(handedOver(mesh.polygons));
+  if (mesh.normals.count() > 0)
+  {
+    const auto normals = handedOver(mesh.normals);
+    normals->SetName("Normals");
+    output->GetPointData()->SetNormals(normals);
+  }
+  if (!mesh.colors.empty())
+  {
+    const auto colors = handedArray<vtkUnsignedCharArray>(mesh.colors, mesh.colorComponents);
+    colors->SetName(mesh.colorComponents == 4 ? "RGBA" : "RGB");
+    output->GetPointData()->SetScalars(colors);
+  }
+  if (!mesh.textureCoordinates.empty())
+  {
+    const auto coordinates = handedArray<vtkFloatArray>(mesh.textureCoordinates, 2);
+    coordinates->SetName("TCoords");
+    output->GetPointData()->SetTCoords(coordinates);
+  }
+  if (!mesh.areas.empty())
+  {
+    const auto areas = handedArray<vtkDoubleArray>(mesh.areas, 1);
+    areas->SetName("Area");
+    output->GetPointData()->AddArray(areas);
+  }
+}
+
+int readFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
+  const FileParser& parse, vtkPolyData* output)
 {
   errorCode = vtkErrorCode::NoError;
   const auto read = [&]()
@@ -123,8 +107,7 @@ int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& erro
     {
       const InputFile file(fileName);
       SmpExecutor executor(reader, 0);
-      MeshArrays mesh = parse(file, executor);
-      handOver(mesh, output);
+      parse(file, executor);
     }
     catch (const FileRefusal& refusal)
     {
@@ -140,6 +123,17 @@ int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& erro
   }
   output->Initialize();
   return 0;
+}
+
+int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
+  const MeshParser& parse, vtkPolyData* output)
+{
+  const auto parseInto = [&](const InputFile& file, Executor& executor)
+  {
+    MeshArrays mesh = parse(file, executor);
+    handOver(mesh, output);
+  };
+  return readFile(reader, fileName, errorCode, parseInto, output);
 }
 
 } // namespace winding

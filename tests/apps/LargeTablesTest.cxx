@@ -98,7 +98,10 @@ TEST_F(LargeTables, OfWrongRowsAloneAreRefusedForTheFirst)
   }
   const Outcome run = this->probe(text, "out.csv", "2");
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(run.saysInOneLine({"line 2: has 4 fields, but the header names 1"})) << run;
+  EXPECT_TRUE(run.saysInOneLine({"has no columns x, y and z", "separated by commas"})) << run;
+  const Outcome fields = this->probe("x,y,z\n" + text.substr(6), "out.csv", "2");
+  EXPECT_EQ(fields.status, 2);
+  EXPECT_TRUE(fields.saysInOneLine({"line 2: has 4 fields, but the header names 3"})) << fields;
 }
 
 TEST_F(LargeTables, AreRefusedForTheFirstFaultInTheFile)

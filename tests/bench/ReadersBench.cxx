@@ -1,18 +1,17 @@
 // Measures readers of files: those of the module on one thread and on all, and VTK's where there is
-// one; of tables the program's reader.
+// one.
 //
 // Usage: readers_bench [--points <folder>] <file…>. A line for each file and reader says the best
 // of several rounds in milliseconds and MB/s, and the processor time of all threads, which other
 // work on the machine changes less. With --points the coordinates that each reader gave are left in
 // the folder as doubles, <file>.<reader>, for readers_peers.py to compare.
 
-#include "input/Table.h"
-
 #include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkOrientedPointsReader.h"
 #include "vtkPLYReader.h"
+#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSTLReader.h"
@@ -51,11 +50,6 @@ Data readByVtkStl(const std::string& fileName)
   reader->MergingOff(); // the module's reader leaves points apart, too
   reader->Update();
   return reader->GetOutput();
-}
-
-Data readByTable(const std::string& fileName)
-{
-  return Table(fileName).points();
 }
 
 void keepPoints(vtkPolyData* data, const std::string& name)
@@ -119,7 +113,7 @@ void measureFile(const std::string& fileName, int all)
   }
   else if (suffix == ".csv")
   {
-    measureOnThreads(fileName, all, readByTable);
+    measureOnThreads(fileName, all, readBy<vtkPointTableReader>);
   }
   else
   {

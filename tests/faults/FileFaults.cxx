@@ -7,6 +7,7 @@
  * - FAULT_OPENING=n: at which opening of such a file, from 1 on.
  * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, or pause for
  *   a second, or hang for a minute.
+ * - FAULT_VICTIM: the file that is unlinked or truncated in its place, if this is set.
  */
 #include <atomic>
 #include <cstdarg>
@@ -40,6 +41,10 @@ void disturb(const char* path)
   if (!part || !at || !action || !std::strstr(path, part) || ++openings != std::atol(at))
   {
     return;
+  }
+  if (const char* const victim = std::getenv("FAULT_VICTIM"))
+  {
+    path = victim;
   }
   struct stat status = {};
   if (std::strcmp(action, "unlink") == 0)

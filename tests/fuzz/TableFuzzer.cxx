@@ -1,37 +1,118 @@
-// A fuzzer of tables: all that can be asked of one.
+// A fuzzer of tables: all that can be asked of one, in blocks of any size, and the places of rows.
 
 #include "FuzzedFile.h"
 
-#include "input/Table.h"
-#include "program/Failure.h"
+#include "base/Executor.h"
+#include "files/TableFile.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkPolyData.h"
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string>
+
+namespace
+{
+
+using winding::PlainArray;
+using winding::PointTable;
+
+/// The table, or what is wrong with it.
+struct Read
+{
+  std::optional<PointTable> table;
+  std::string refusal;
+};
+
+Read read(const winding::InputFile& file, const winding::TableOptions& options)
+{
+  winding::SerialExecutor serial;
+  Read result;
+  try
+  {
+    result.table = winding::readPointTable(file, options, serial);
+  }
+  catch (const winding::FileRefusal& refusal)
+  {
+    result.refusal = refusal.what();
+  }
+  return result;
+}
+
+void require(bool isTrue)
+{
+  if (!isTrue)
+  {
+    __builtin_trap();
+  }
+}
+
+/// Whether arrays have the same bits, NaN included.
+template <class Number> bool same(const PlainArray<Number>& a, const PlainArray<Number>& b)
+{
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Number)) == 0);
+}
+
+void requireSame(const PointTable& a, const PointTable& b)
+{
+  require(same(a.points.points.doubles, b.points.points.doubles));
+  require(same(a.points.normals.doubles, b.points.normals.doubles));
+  require(same(a.points.areas, b.points.areas));
+  require(same(a.rowPlaces, b.rowPlaces));
+  require(a.header == b.header && a.names == b.names && a.columns.size() == b.columns.size());
+  for (std::size_t i = 0; i < a.columns.size(); ++i)
+  {
+    require(a.columns[i].name == b.columns[i].name && a.columns[i].texts == b.columns[i].texts);
+    require(same(a.columns[i].numbers, b.columns[i].numbers));
+  }
+}
+
+/// The header and the rows one after the other are a table of the same points.
+void requireRowsAtTheirPlaces(
+  const PointTable& table, const std::string& text, const winding::TableOptions& options)
+{
+  std::string joined = table.header;
+  for (std::size_t i = 0; i < table.rowPlaces.size(); i += 2)
+  {
+    const auto offset = static_cast<std::size_t>(table.rowPlaces[i]);
+    const auto size = static_cast<std::size_t>(table.rowPlaces[i + 1]);
+    require(offset + size <= text.size());
+    joined += text.substr(offset, size) + '\n';
+  }
+  static const fuzz::FuzzedFile file(".joined");
+  file.write(reinterpret_cast<const std::uint8_t*>(joined.data()), joined.size());
+  const winding::InputFile input(file.name().c_str());
+  const Read again = read(input, options);
+  require(again.table.has_value());
+  require(same(table.points.points.doubles, again.table->points.points.doubles));
+  require(same(table.points.normals.doubles, again.table->points.normals.doubles));
+}
+
+} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const fuzz::FuzzedFile commas(".csv"), tabs(".tsv");
-  const fuzz::FuzzedFile& file = size % 4 == 3 ? tabs : commas;
-  file.write(data, size);
-  try
+  if (size == 0)
   {
-    const Table table(file.name());
-    for (std::size_t column = 0; column < table.columns(); ++column)
-    {
-      const auto rows = static_cast<vtkIdType>(table.rows());
-      if (table.isNumeric(column) && table.numbers({column})->GetNumberOfTuples() != rows)
-      {
-        __builtin_trap();
-      }
-      if (table.texts(column).size() != table.rows())
-      {
-        __builtin_trap();
-      }
-    }
-    cloudFrom(table);
+    return 0;
   }
-  catch (const Failure&)
+  static const fuzz::FuzzedFile file(".csv");
+  file.write(data, size);
+  const winding::InputFile input(file.name().c_str());
+  winding::TableOptions options;
+  options.separator = size % 4 == 3 ? '\t' : ',';
+  options.normalsAndAreas = size % 3 != 0;
+  options.allColumns = true;
+  options.rowPlaces = true;
+  const Read whole = read(input, options);
+  options.bytesPerBlock = 1 + data[size / 2] % 64;
+  const Read inBlocks = read(input, options);
+  require(whole.refusal == inBlocks.refusal);
+  if (whole.table)
   {
+    requireSame(*whole.table, *inBlocks.table);
+    requireRowsAtTheirPlaces(
+      *whole.table, std::string(reinterpret_cast<const char*>(data), size), options);
   }
   return 0;
 }

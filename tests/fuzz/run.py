@@ -24,6 +24,7 @@ FILES_OF = {
     "obj": [".obj"],
     "off": [".off"],
     "xyz": [".xyz", ".pwn"],
+    "csv": [".csv"],
     "table": [".csv", ".tsv"],
     "ply": [".ply"],
     "stl": [".stl"],

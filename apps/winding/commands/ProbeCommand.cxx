@@ -7,9 +7,8 @@
 #include "commands/ReportParts.h"
 #include "files/ExactNumber.h"
 #include "files/Suffix.h"
+#include "input/QueryTable.h"
 #include "input/ReadInput.h"
-#include "input/Table.h"
-#include "input/TableReading.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/WriteOutput.h"
@@ -19,11 +18,10 @@
 #include "program/Stopwatch.h"
 #include "program/Threads.h"
 
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <fstream>
@@ -46,7 +44,7 @@ struct Figures
 /// The points asked about, and the table that they come from, if they come from one.
 struct Queries
 {
-  std::optional<Table> table;
+  std::optional<QueryTable> table;
   vtkSmartPointer<vtkPointSet> points;
 };
 
@@ -74,60 +72,22 @@ void checkColumns(const std::function<bool(const std::string&)>& isColumn, const
   }
 }
 
-/// Adds the columns of a table to its points as arrays, but for the coordinates.
-void addColumns(const Table& table, vtkDataSet* points)
-{
-  for (std::size_t column = 0; column < table.columns(); ++column)
-  {
-    const std::string& name = table.name(column);
-    if (name == "x" || name == "y" || name == "z")
-    {
-      continue;
-    }
-    vtkSmartPointer<vtkAbstractArray> array;
-    if (table.isNumeric(column))
-    {
-      array = table.numbers({column});
-    }
-    else
-    {
-      vtkNew<vtkStringArray> texts;
-      for (const std::string& text : table.texts(column))
-      {
-        texts->InsertNextValue(text);
-      }
-      array = texts;
-    }
-    array->SetName(name.c_str());
-    points->GetPointData()->AddArray(array);
-  }
-}
-
-/// Reads the queries into a place where they stay: a table refers to its own text.
+/// Reads the queries into a place where they stay.
 void readQueries(const Options& options, Messages& messages, Queries& queries)
 {
   if (isTable(options.queries))
   {
-    TableReading reading(messages.isQuiet());
-    queries.table.emplace(options.queries);
-    reading.passed(0.5);
-    checkColumns(
-      [&](const std::string& name) { return queries.table->find(name).has_value(); }, options);
+    queries.table.emplace(options.queries, !isTable(options.output), messages);
+    checkColumns([&](const std::string& name) { return queries.table->hasColumn(name); }, options);
     queries.points = queries.table->points();
-    if (!isTable(options.output))
-    {
-      addColumns(*queries.table, queries.points);
-    }
+    return;
   }
-  else
+  if (isTable(options.output))
   {
-    if (isTable(options.output))
-    {
-      checkColumns(
-        [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
-    }
-    queries.points = readInput(options.queries, messages);
+    checkColumns(
+      [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
+  queries.points = readInput(options.queries, messages);
 }
 
 /// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.
@@ -151,13 +111,12 @@ std::string asField(const std::string& name, char separator)
 /// Writes the rows that came in unchanged, or the coordinates of points that came in otherwise,
 /// with a column more for each result: all of them, or with --extract those that are inside.
 void writeTable(
-  const Queries& queries, const ProbeAnswer& probed, const Options& options, OutputFile& file)
+  Queries& queries, const ProbeAnswer& probed, const Options& options, OutputFile& file)
 {
   vtkDataSet* answer = probed.data;
-  const char own = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
-  const char separator = queries.table ? queries.table->separator() : own;
+  const char separator = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
   const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
-  if (separator != own)
+  if (queries.table && suffixOf(options.queries) != suffixOf(file.name()))
   {
     throw Failure(REFUSED, file.name(),
       "the columns of the queries are kept as they are; give it their suffix " +
@@ -181,7 +140,7 @@ void writeTable(
     }
     if (queries.table)
     {
-      stream << queries.table->row(static_cast<std::size_t>(i));
+      stream << queries.table->row(i);
     }
     else
     {
@@ -199,6 +158,10 @@ void writeTable(
   if (!stream)
   {
     file.refuseWriting();
+  }
+  if (queries.table)
+  {
+    queries.table->checkRows();
   }
 }
 

@@ -3,23 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
-
-namespace
-{
-
-template <class Number> bool parse(std::string_view word, Number& value)
-{
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
-  {
-    word.remove_prefix(1); // from_chars() knows no plus sign
-  }
-  const char* end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-} // namespace
 
 std::string_view takeLine(std::string_view text, std::size_t& start)
 {
@@ -49,20 +32,13 @@ std::string_view takeWord(std::string_view& text)
 
 bool parseInteger(std::string_view word, long long& value)
 {
-  return parse(word, value);
-}
-
-bool parseNumber(std::string_view word, double& value)
-{
-  if (parse(word, value))
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
   {
-    return true;
+    word.remove_prefix(1); // from_chars() knows no plus sign
   }
-  // strtod() also reads what overflows or underflows, which from_chars() leaves alone.
-  const std::string text(word);
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return !text.empty() && end == text.c_str() + text.size();
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
 }
 
 std::string inSmallLetters(std::string_view text)

@@ -12,8 +12,5 @@ std::string_view takeWord(std::string_view& text);
 /// Reads a word that is a whole number. False if it is none, or does not fit into the value.
 bool parseInteger(std::string_view word, long long& value);
 
-/// Reads a word that is a number in any of the ways in which text files have them, nan and inf too.
-bool parseNumber(std::string_view word, double& value);
-
 /// A text with small letters for capital ones, of those that ASCII has.
 std::string inSmallLetters(std::string_view text);

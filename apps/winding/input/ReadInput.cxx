@@ -4,17 +4,15 @@
 #include "files/Suffix.h"
 #include "input/ContentCheck.h"
 #include "input/ReaderProcess.h"
-#include "input/Table.h"
-#include "input/TableReading.h"
+#include "input/RunReader.h"
 #include "input/VtkReaders.h"
 #include "program/Failure.h"
-#include "program/Interrupt.h"
 #include "program/Messages.h"
-#include "program/Progress.h"
 
 #include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
 #include "vtkOrientedPointsReader.h"
+#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceMeshReader.h"
 
@@ -23,14 +21,10 @@ namespace
 
 /// Reads a file with a reader of the module, which believes nothing that the file does not hold.
 template <class Reader>
-vtkSmartPointer<vtkPointSet> readWith(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkPointSet> readBy(Reader* reader, const std::string& fileName, Messages& messages)
 {
-  vtkNew<Reader> reader;
-  const Progress progress(reader, Phase::reading, messages.isQuiet());
   reader->SetFileName(fileName.c_str());
-  reader->Update();
-  interrupt::check();
-  messages.throwIfError(fileName);
+  runReader(reader, fileName, messages);
   return reader->GetOutput();
 }
 
@@ -71,14 +65,16 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
   }
   if (isTable(fileName))
   {
-    TableReading reading(messages.isQuiet());
-    const Table table(fileName);
-    reading.passed(0.5);
-    return cloudFrom(table);
+    vtkNew<vtkPointTableReader> reader;
+    reader->ReadAllColumnsOff();
+    return readBy(reader.Get(), fileName, messages);
   }
-  return isMesh             ? readWith<vtkSurfaceMeshReader>(fileName, messages)
-         : suffix == ".off" ? readWith<vtkGeomviewOFFReader>(fileName, messages)
-                            : readWith<vtkOrientedPointsReader>(fileName, messages);
+  if (isMesh)
+  {
+    return readBy(vtkNew<vtkSurfaceMeshReader>().Get(), fileName, messages);
+  }
+  return suffix == ".off" ? readBy(vtkNew<vtkGeomviewOFFReader>().Get(), fileName, messages)
+                          : readBy(vtkNew<vtkOrientedPointsReader>().Get(), fileName, messages);
 }
 
 } // namespace

@@ -21,8 +21,8 @@ public:
     , starts_(std::move(starts))
   {
   }
-  Buckets(Buckets&&) = default;
-  Buckets& operator=(Buckets&&) = default;
+  Buckets(Buckets&&) noexcept = default;
+  Buckets& operator=(Buckets&&) noexcept = default;
 
   std::size_t count() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::size_t size(std::size_t bucket) const { return starts_[bucket + 1] - starts_[bucket]; }

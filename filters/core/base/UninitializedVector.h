@@ -22,9 +22,9 @@ public:
   UninitializedAllocator() = default;
   template <class Other> UninitializedAllocator(const UninitializedAllocator<Other>&) noexcept {}
 
-  template <class Other> struct rebind
+  template <class Other> struct rebind // NOLINT: the standard names it, and what is in it
   {
-    using other = UninitializedAllocator<Other>;
+    using other = UninitializedAllocator<Other>; // NOLINT
   };
 
   Item* allocate(std::size_t count)

@@ -7,7 +7,7 @@
 namespace winding
 {
 
-ContentLines::Part::Part(const InputFile& file, LineScanner lines, std::size_t blockFirst,
+ContentLines::Part::Part(const InputFile& file, const LineScanner& lines, std::size_t blockFirst,
   std::size_t blockLast, std::size_t first, std::size_t last)
   : file_(file)
   , lines_(lines)

@@ -34,8 +34,8 @@ public:
   public:
     /// `lines` are all of the block, by their numbers from `blockFirst` up to, without,
     /// `blockLast`; those from `first` up to, without, `last` are the part.
-    Part(const InputFile& file, LineScanner lines, std::size_t blockFirst, std::size_t blockLast,
-      std::size_t first, std::size_t last);
+    Part(const InputFile& file, const LineScanner& lines, std::size_t blockFirst,
+      std::size_t blockLast, std::size_t first, std::size_t last);
 
     /// Goes to the next line; false at the end of the part. Throws FileRefusal where the file has
     /// changed since its lines were counted.

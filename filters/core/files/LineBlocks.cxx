@@ -54,7 +54,7 @@ std::size_t nextLine(const InputFile& file, std::size_t from)
 } // namespace
 
 LineBlocks::LineBlocks(const InputFile& file, std::size_t start, std::size_t bytesPerBlock)
-  : file_(file)
+  : file_(&file)
   , starts_{start}
 {
   while (starts_.back() < file.size())
@@ -68,9 +68,9 @@ TextBlock LineBlocks::read(std::size_t block) const
 {
   const std::size_t first = starts_[block], size = starts_[block + 1] - first;
   char last = '\n';
-  file_.read(first + size - 1, &last, 1);
+  file_->read(first + size - 1, &last, 1);
   PlainArray<char> bytes(size + (last != '\n' ? 1 : 0));
-  file_.read(first, bytes.data(), size);
+  file_->read(first, bytes.data(), size);
   bytes[bytes.size() - 1] = '\n'; // the file may change between both readings
   return {std::move(bytes), first};
 }

@@ -49,13 +49,21 @@ public:
   explicit LineBlocks(
     const InputFile& file, std::size_t start = 0, std::size_t bytesPerBlock = usualBytes);
 
+  /// The blocks begin at these places, in their order, but for the last, which is the end of the
+  /// last block.
+  LineBlocks(const InputFile& file, std::vector<std::size_t> starts)
+    : file_(&file)
+    , starts_(std::move(starts))
+  {
+  }
+
   std::size_t count() const { return starts_.size() - 1; }
 
   /// Reads a block. Throws FileRefusal where the file cannot be read.
   TextBlock read(std::size_t block) const;
 
 private:
-  const InputFile& file_;
+  const InputFile* file_;
   std::vector<std::size_t> starts_; ///< places of the blocks, and the end of the file
 };
 

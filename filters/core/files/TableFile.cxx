@@ -1,0 +1,248 @@
+#include "files/TableFile.h"
+
+#include "base/DividedShare.h"
+#include "files/TableRows.h"
+#include "files/Words.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <map>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The meaning of a column: its name in small letters, and x, y and so on for ParaView's names.
+std::string meaningOf(const std::string& name)
+{
+  std::string small(name);
+  std::transform(small.begin(), small.end(), small.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
+    {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
+  const auto other = others.find(small);
+  return other == others.end() ? small : other->second;
+}
+
+/// The columns that have these meanings; none where one of them is missing.
+std::vector<std::size_t> columnsOf(
+  const std::vector<std::string>& meanings, const std::vector<std::string>& names)
+{
+  std::vector<std::size_t> columns;
+  for (const std::string& meaning : meanings)
+  {
+    const auto found = std::find_if(names.begin(), names.end(),
+      [&meaning](const std::string& name) { return meaningOf(name) == meaning; });
+    if (found == names.end())
+    {
+      return {};
+    }
+    columns.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  return columns;
+}
+
+/// Where the fields of a column go as numbers: the one of the first row, and every so many places
+/// behind it that of the next one.
+struct Target
+{
+  double* first = nullptr;
+  std::size_t step = 0;          ///< 0 where the column is passed over
+  TableColumn* column = nullptr; ///< what has their texts if they are no numbers; null if they must
+};
+
+/// Reads the fields of the rows of a table.
+class FieldsParser
+{
+public:
+  FieldsParser(const InputFile& file, const TableRows& rows, PointTable& table)
+    : file_(file)
+    , rows_(rows)
+    , table_(table)
+    , targets_(table.names.size())
+    , isText_(table.names.size())
+  {
+  }
+
+  /// Has columns read as the components of one array, if there are any.
+  void readInto(PlainArray<double>& numbers, const std::vector<std::size_t>& columns)
+  {
+    numbers = PlainArray<double>(rows_.count() * columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      targets_[columns[i]] = {numbers.begin() + (numbers.empty() ? 0 : i), columns.size(), nullptr};
+    }
+  }
+
+  /// Has all columns read that are not read yet.
+  void readOthers()
+  {
+    table_.columns.reserve(targets_.size()); // targets refer to columns
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+    {
+      if (targets_[i].step == 0)
+      {
+        TableColumn& column = table_.columns.emplace_back();
+        const std::string& name = table_.names[i];
+        column.name = name.empty() ? "Column " + std::to_string(i + 1) : name;
+        column.numbers = PlainArray<double>(rows_.count());
+        targets_[i] = {column.numbers.data(), 1, &column};
+      }
+    }
+  }
+
+  void readPlaces() { table_.rowPlaces = PlainArray<std::int64_t>(2 * rows_.count()); }
+
+  void run(Executor& executor)
+  {
+    DividedShare share(executor);
+    share.set(0, table_.columns.empty() ? 1 : 0.7);
+    rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
+    if (std::find(isText_.begin(), isText_.end(), true) == isText_.end())
+    {
+      return;
+    }
+    share.set(0.7, 1);
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+    {
+      if (isText_[i])
+      {
+        targets_[i].column->numbers = {};
+        targets_[i].column->texts.resize(rows_.count());
+      }
+    }
+    rows_.visit([this](TableRows::Part& part) { this->readTexts(part); }, executor);
+  }
+
+private:
+  void readNumbers(TableRows::Part& part)
+  {
+    while (part.nextRow())
+    {
+      RowScanner& fields = part.fields();
+      for (std::size_t i = 0; i < targets_.size(); ++i)
+      {
+        this->readField(part, i);
+      }
+      if (fields.state() != RowState::ended)
+      {
+        this->checkFields(part);
+      }
+      if (!table_.rowPlaces.empty())
+      {
+        std::int64_t* const place = &table_.rowPlaces[2 * part.number()];
+        place[0] = static_cast<std::int64_t>(part.offset());
+        place[1] = static_cast<std::int64_t>(fields.row().size());
+      }
+    }
+  }
+
+  void readField(TableRows::Part& part, std::size_t index)
+  {
+    const Target& target = targets_[index];
+    const bool isNumber = target.step > 0 && !isText_[index];
+    if (isNumber && part.fields().nextNumber(target.first[target.step * part.number()]))
+    {
+      return;
+    }
+    std::string_view field;
+    if (isNumber || !part.fields().nextField(field))
+    {
+      this->checkFields(part);
+    }
+    if (!isNumber)
+    {
+      return;
+    }
+    part.fields().nextField(field);
+    if (!target.column)
+    {
+      part.refuse(shown(trimmed(field)) + " in column " + table_.names[index] + " is no number");
+    }
+    isText_[index] = true;
+  }
+
+  void readTexts(TableRows::Part& part)
+  {
+    while (part.nextRow())
+    {
+      for (std::size_t i = 0; i < targets_.size(); ++i)
+      {
+        std::string_view field;
+        if (!part.fields().nextField(field))
+        {
+          file_.refuseChanged();
+        }
+        if (isText_[i])
+        {
+          targets_[i].column->texts[part.number()] = unquoted(field);
+        }
+      }
+      if (part.fields().state() != RowState::ended)
+      {
+        file_.refuseChanged();
+      }
+    }
+  }
+
+  /// Throws FileRefusal where the present row has not as many fields as the header.
+  void checkFields(const TableRows::Part& part) const
+  {
+    if (const std::size_t fields = part.countFields(); fields != targets_.size())
+    {
+      part.refuse("has " + std::to_string(fields) + " fields, but the header names " +
+                  std::to_string(targets_.size()) + "; it is truncated or damaged");
+    }
+  }
+
+  const InputFile& file_;
+  const TableRows& rows_;
+  PointTable& table_;
+  std::vector<Target> targets_;           ///< one for each column
+  std::vector<std::atomic<bool>> isText_; ///< of each column, whether a field was no number
+};
+
+} // namespace
+
+PointTable readPointTable(const InputFile& file, const TableOptions& options, Executor& executor)
+{
+  TableHeader header = readTableHeader(file, options.separator, options.bytesPerBlock);
+  PointTable table;
+  table.header = std::move(header.text);
+  table.names = std::move(header.names);
+  const auto positions = columnsOf({"x", "y", "z"}, table.names);
+  if (positions.empty())
+  {
+    file.refuse(
+      std::string("has no columns x, y and z; name them in the first line, separated by ") +
+      (options.separator == '\t' ? "tabs" : "commas"));
+  }
+  DividedShare share(executor);
+  share.set(0, 0.2); // finding the rows takes a fifth of the time
+  const TableRows rows(file, options.separator, header.end, options.bytesPerBlock, executor);
+  FieldsParser parser(file, rows, table);
+  parser.readInto(table.points.points.doubles, positions);
+  if (options.normalsAndAreas)
+  {
+    parser.readInto(table.points.normals.doubles, columnsOf({"nx", "ny", "nz"}, table.names));
+    parser.readInto(table.points.areas, columnsOf({"area"}, table.names));
+  }
+  if (options.allColumns)
+  {
+    parser.readOthers();
+  }
+  if (options.rowPlaces)
+  {
+    parser.readPlaces();
+  }
+  share.set(0.2, 1);
+  parser.run(executor);
+  table.points.vertices = oneCellOf(rows.count());
+  return table;
+}
+
+} // namespace winding

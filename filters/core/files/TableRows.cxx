@@ -1,0 +1,230 @@
+#include "files/TableRows.h"
+
+#include "base/DividedShare.h"
+#include "files/OrderedBlocks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+[[noreturn]] void refuseQuotation(const InputFile& file, std::size_t offset)
+{
+  file.refuseLine(offset, "a quotation mark is not closed, or not at the end of its field");
+}
+
+/// The text from `first` on, of so many bytes, or to the end of the file, behind which an end of
+/// line is added.
+TextBlock textFrom(const InputFile& file, std::size_t first, std::size_t bytes)
+{
+  const std::size_t count = std::min(bytes, file.size() - first);
+  const bool isLast = first + count == file.size();
+  PlainArray<char> text(count + (isLast ? 1 : 0));
+  file.read(first, text.data(), count);
+  if (isLast)
+  {
+    text[count] = '\n';
+  }
+  return {std::move(text), first};
+}
+
+/**
+ * Calls visit(rows, behind) for whole rows from the place `start` on, one or more as far as so many
+ * bytes hold them, until it returns false: `behind` is the place behind the row. Returns the place
+ * behind the last one. Throws FileRefusal for quotation marks that are not as they should be.
+ */
+template <class Visit>
+std::size_t visitWholeRows(
+  const InputFile& file, std::size_t start, char separator, std::size_t bytes, const Visit& visit)
+{
+  for (;; bytes *= 2)
+  {
+    const TextBlock text = textFrom(file, start, bytes);
+    const bool isLast = bytes >= file.size() - start;
+    RowScanner rows(text.text(), separator);
+    std::size_t behind = start;
+    while (rows.nextRow() && rows.passRow())
+    {
+      behind = std::min(text.offsetOf(rows.rest().data()), file.size());
+      if (!visit(rows))
+      {
+        return behind;
+      }
+    }
+    if (rows.state() == RowState::broken || (isLast && rows.state() == RowState::cut))
+    {
+      refuseQuotation(file, text.offsetOf(rows.rowStart()));
+    }
+    if (isLast || behind > start)
+    {
+      return isLast ? file.size() : behind;
+    }
+  }
+}
+
+} // namespace
+
+TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce)
+{
+  char first[byteOrderMark.size()] = {};
+  file.read(0, first, std::min(sizeof first, file.size()));
+  const bool hasMark = std::string_view(first, sizeof first) == byteOrderMark;
+  TableHeader header;
+  const auto take = [&header, separator](const RowScanner& row)
+  {
+    header.text.assign(row.rowStart(), row.rest().data());
+    RowScanner fields(header.text, separator);
+    fields.nextRow();
+    for (std::string_view field; fields.nextField(field);)
+    {
+      header.names.push_back(unquoted(field));
+    }
+    return false;
+  };
+  header.end =
+    visitWholeRows(file, hasMark ? byteOrderMark.size() : 0, separator, bytesAtOnce, take);
+  return header;
+}
+
+TableRows::TableRows(const InputFile& file, char separator, std::size_t start,
+  std::size_t bytesPerBlock, Executor& executor)
+  : file_(file)
+  , separator_(separator)
+  , blocks_(file, start, bytesPerBlock)
+{
+  if (!this->countPlainRows(executor))
+  {
+    this->findQuotedRows(start, bytesPerBlock, executor);
+  }
+  for (std::size_t block = 0; block + 1 < starts_.size(); ++block)
+  {
+    starts_[block + 1] += starts_[block];
+  }
+}
+
+/// Counts the rows of all blocks; false where a quotation mark stands in any of them.
+bool TableRows::countPlainRows(Executor& executor)
+{
+  starts_.assign(blocks_.count() + 1, 0);
+  std::atomic<bool> isPlain{true};
+  runOrderedBlocks(
+    blocks_.count(),
+    [&](std::size_t block)
+    {
+      if (!isPlain)
+      {
+        return;
+      }
+      const TextBlock text = blocks_.read(block);
+      if (text.text().find('"') != std::string_view::npos)
+      {
+        isPlain = false;
+        return;
+      }
+      RowScanner rows(text.text(), separator_);
+      while (rows.nextRow() && rows.passLine())
+      {
+        ++starts_[block + 1];
+      }
+    },
+    executor);
+  return isPlain;
+}
+
+/// Makes blocks of whole rows in the order of the file.
+void TableRows::findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Executor& executor)
+{
+  starts_.assign(1, 0);
+  std::vector<std::size_t> places = {start};
+  DividedShare share(executor);
+  const auto shareOf = [&](std::size_t place)
+  {
+    return static_cast<double>(place) / static_cast<double>(file_.size());
+  };
+  while (places.back() < file_.size())
+  {
+    const std::size_t from = places.back();
+    share.set(shareOf(from), shareOf(std::min(from + bytesPerBlock, file_.size())));
+    starts_.push_back(0);
+    runOrderedBlocks(
+      1,
+      [&](std::size_t)
+      {
+        places.push_back(visitWholeRows(file_, from, separator_, bytesPerBlock,
+          [this](const RowScanner&)
+          {
+            ++starts_.back();
+            return true;
+          }));
+      },
+      executor);
+  }
+  blocks_ = LineBlocks(file_, std::move(places));
+}
+
+void TableRows::visit(const std::function<void(Part& part)>& work, Executor& executor) const
+{
+  runOrderedBlocks(
+    blocks_.count(),
+    [&](std::size_t block)
+    {
+      Part part(file_, blocks_.read(block), separator_, starts_[block], starts_[block + 1]);
+      work(part);
+    },
+    executor);
+}
+
+TableRows::Part::Part(
+  const InputFile& file, TextBlock text, char separator, std::size_t first, std::size_t last)
+  : file_(file)
+  , text_(std::move(text))
+  , fields_(text_.text(), separator)
+  , separator_(separator)
+  , next_(first)
+  , last_(last)
+{
+}
+
+bool TableRows::Part::nextRow()
+{
+  const bool isThere = fields_.nextRow();
+  if (isThere != (next_ < last_))
+  {
+    file_.refuseChanged();
+  }
+  next_ += isThere ? 1 : 0;
+  return isThere;
+}
+
+std::size_t TableRows::Part::countFields() const
+{
+  const char* const end = text_.text().data() + text_.text().size();
+  RowScanner row(
+    {fields_.rowStart(), static_cast<std::size_t>(end - fields_.rowStart())}, separator_);
+  row.nextRow();
+  std::size_t count = 0;
+  for (std::string_view field; row.nextField(field);)
+  {
+    ++count;
+  }
+  if (row.state() != RowState::ended)
+  {
+    refuseQuotation(file_, this->offset());
+  }
+  return count;
+}
+
+void TableRows::Part::refuse(const std::string& message) const
+{
+  file_.refuseLine(this->offset(), message);
+}
+
+} // namespace winding

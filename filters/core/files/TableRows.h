@@ -1,0 +1,94 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "files/LineBlocks.h"
+#include "files/RowScanner.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace winding
+{
+
+/// The first row of a table, which names its columns.
+struct TableHeader
+{
+  std::string text; ///< as it is in the file, and the end of its last line; empty if there is none
+  std::vector<std::string> names;
+  std::size_t end = 0; ///< the place in the file behind it
+};
+
+/// Reads the first row that has anything on it, behind a byte order mark if there is one. Throws
+/// FileRefusal for quotation marks that are not as they should be.
+TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce);
+
+/**
+ * The rows of a table, numbered from 0 on, in blocks that any thread may read. Where no quotation
+ * mark stands in them all threads find the rows; otherwise one goes through them, for only what
+ * stands before tells whether an end of line is in a field. Blank lines are no rows.
+ */
+class TableRows
+{
+public:
+  /// Finds the rows from the place `start` on, and reads the whole file for it. The file must live
+  /// as long as this object. Throws FileRefusal where it cannot be read and for quotation marks
+  /// that are not as they should be, and Interrupted.
+  TableRows(const InputFile& file, char separator, std::size_t start, std::size_t bytesPerBlock,
+    Executor& executor);
+
+  std::size_t count() const { return starts_.back(); }
+
+  /// The rows of a block.
+  class Part
+  {
+  public:
+    /// They have the numbers from `first` up to, without, `last`.
+    Part(
+      const InputFile& file, TextBlock text, char separator, std::size_t first, std::size_t last);
+
+    /// Goes to the next row; false at the end of the part. All fields of the row before must have
+    /// been taken. Throws FileRefusal where the file has changed since its rows were found.
+    bool nextRow();
+
+    /// The number of the present row.
+    std::size_t number() const { return next_ - 1; }
+
+    /// The fields of the present row.
+    RowScanner& fields() { return fields_; }
+
+    /// The number of fields in the present row. Throws FileRefusal for quotation marks that are not
+    /// as they should be.
+    std::size_t countFields() const;
+
+    /// The place of the present row in the file.
+    std::size_t offset() const { return text_.offsetOf(fields_.rowStart()); }
+
+    /// Throws a FileRefusal about the line in which the present row begins.
+    [[noreturn]] void refuse(const std::string& message) const;
+
+  private:
+    const InputFile& file_;
+    TextBlock text_;
+    RowScanner fields_;
+    char separator_;
+    std::size_t next_; ///< the number of the next row
+    std::size_t last_;
+  };
+
+  /// Calls work(part) for all parts of the table, on the executor. Work may throw, as in
+  /// runOrderedBlocks().
+  void visit(const std::function<void(Part& part)>& work, Executor& executor) const;
+
+private:
+  bool countPlainRows(Executor& executor);
+  void findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Executor& executor);
+
+  const InputFile& file_;
+  char separator_;
+  LineBlocks blocks_;
+  std::vector<std::size_t> starts_; ///< the number of the first row of each block; last, of all
+};
+
+} // namespace winding

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "files/PlainArray.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+namespace winding
+{
+
+/// Gives the memory of an array to one of VTK's, whose integers of 64 bits may have another name.
+template <class Array, class Number>
+vtkSmartPointer<Array> handedArray(PlainArray<Number>& numbers, int components)
+{
+  using Value = typename Array::ValueType;
+  static_assert(sizeof(Value) == sizeof(Number), "the numbers stay as they are");
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  const auto size = static_cast<vtkIdType>(numbers.size());
+  if (size > 0)
+  {
+    array->SetArray(
+      reinterpret_cast<Value*>(numbers.release()), size, 0, Array::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
+}
+
+} // namespace winding

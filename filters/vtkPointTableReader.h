@@ -1,0 +1,109 @@
+/**
+ * @class   vtkPointTableReader
+ * @brief   read points with normals and areas from a table (.csv, .tsv)
+ *
+ * The reader gives vtkPolyData with a point for each row of a text table, in double precision, and
+ * one cell of all points, so that they can be seen. Fields are separated by commas, or by tabs in
+ * files that end in .tsv. The first row names the columns:
+ *
+ * - x, y and z are the positions, and must be there;
+ * - nx, ny and nz become the active point normals "Normals", as they are, whatever their length;
+ * - area becomes the point data array "Area", which vtkWindingNumberField takes for the areas of
+ *   the points;
+ * - all other columns become point data arrays of their names with ReadAllColumns: vtkDoubleArray
+ *   where all fields are numbers, vtkStringArray otherwise.
+ *
+ * The names of positions, normals and areas may have small letters or large ones, or be those that
+ * ParaView gives to components when it saves data as a table ("Points:0", "Normals:2"). Of several
+ * columns with one meaning the first counts, of several others with one name the last.
+ *
+ * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
+ * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
+ * order mark is passed over. Rows are read by all threads, and the result is the same for any
+ * number of threads; beside it the reader needs no memory that grows with the file.
+ *
+ * Errors, each one line through vtkErrorMacro with the name and the line of the file, with the
+ * error code set and the output empty: files that cannot be read, are empty, have no columns x, y
+ * and z, rows with more or fewer fields than there are columns, fields of positions, normals and
+ * areas that are no numbers, and quotation marks that are not closed. NaN and infinite numbers are
+ * read as they are.
+ *
+ * @sa vtkOrientedPointsReader vtkDelimitedTextReader vtkWindingNumberField vtkWindingNumberProbe
+ */
+#ifndef vtkPointTableReader_h
+#define vtkPointTableReader_h
+
+#include "vtkFiltersWindingModule.h" // for export macro
+#include "vtkNew.h"                  // for ColumnNames
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the header
+
+class vtkStringArray;
+
+class VTKFILTERSWINDING_EXPORT vtkPointTableReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPointTableReader* New();
+  vtkTypeMacro(vtkPointTableReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The name of the file to read. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Whether the columns nx, ny, nz and area become normals and areas. Otherwise they are columns
+  /// like all others. Default: on.
+  vtkSetMacro(ReadNormalsAndAreas, bool);
+  vtkGetMacro(ReadNormalsAndAreas, bool);
+  vtkBooleanMacro(ReadNormalsAndAreas, bool);
+  ///@}
+
+  ///@{
+  /// Whether columns other than those of positions, normals and areas are read, too. A column
+  /// without a name becomes an array Column and its number, from 1 on. Default: on.
+  vtkSetMacro(ReadAllColumns, bool);
+  vtkGetMacro(ReadAllColumns, bool);
+  vtkBooleanMacro(ReadAllColumns, bool);
+  ///@}
+
+  ///@{
+  /// Whether the point data array "RowPlace" says where the row of each point is in the file:
+  /// "Offset", the number of bytes before it, and "Size", the number of its bytes without the end
+  /// of its last line. A program may hand rows on with it as they are. Default: off.
+  vtkSetMacro(GenerateRowPlaces, bool);
+  vtkGetMacro(GenerateRowPlaces, bool);
+  vtkBooleanMacro(GenerateRowPlaces, bool);
+  ///@}
+
+  /// The first row of the file as it is, with the end of its last line, after an update; empty
+  /// where nothing was read. Where the file ends with it, an end of line is added.
+  std::string GetHeader() const { return this->Header; }
+
+  /// The names of all columns in their order, after an update; none where nothing was read.
+  vtkStringArray* GetColumnNames() { return this->ColumnNames; }
+
+protected:
+  vtkPointTableReader();
+  ~vtkPointTableReader() override;
+
+  vtkPointTableReader(const vtkPointTableReader&) = delete;
+  void operator=(const vtkPointTableReader&) = delete;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  char* FileName = nullptr;
+  bool ReadNormalsAndAreas = true;
+  bool ReadAllColumns = true;
+  bool GenerateRowPlaces = false;
+
+private:
+  std::string Header;
+  vtkNew<vtkStringArray> ColumnNames;
+};
+
+#endif

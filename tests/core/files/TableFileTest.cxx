@@ -1,0 +1,375 @@
+/// Tables of points: what they give, what they refuse, and that threads and blocks change nothing.
+
+#include "core/files/Parsing.h"
+#include "core/support/Interruption.h"
+#include "core/support/ShuffledThreads.h"
+
+#include "files/TableFile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace winding;
+
+namespace
+{
+
+using Numbers = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+PointTable read(const std::string& contents, const TableOptions& options, Executor& executor)
+{
+  const TemporaryFile file(contents);
+  return readPointTable(InputFile(file.name()), options, executor);
+}
+
+PointTable read(const std::string& contents, const TableOptions& options = {})
+{
+  SerialExecutor serial;
+  return read(contents, options, serial);
+}
+
+TableOptions withAll()
+{
+  TableOptions options;
+  options.allColumns = true;
+  options.rowPlaces = true;
+  return options;
+}
+
+/// Refuses with these options what a parser of meshes would.
+template <char separator> MeshArrays readPoints(const InputFile& file, Executor& executor)
+{
+  TableOptions options;
+  options.separator = separator;
+  return std::move(readPointTable(file, options, executor).points);
+}
+
+std::string refusalOf(const std::string& contents)
+{
+  return ::refusalOf(readPoints<','>, contents);
+}
+
+void expectSameTable(const PointTable& a, const PointTable& b)
+{
+  expectSame(a.points, b.points);
+  EXPECT_EQ(vectorOf(a.points.areas), vectorOf(b.points.areas));
+  EXPECT_EQ(vectorOf(a.rowPlaces), vectorOf(b.rowPlaces));
+  EXPECT_EQ(a.header, b.header);
+  EXPECT_EQ(a.names, b.names);
+  ASSERT_EQ(a.columns.size(), b.columns.size());
+  for (std::size_t i = 0; i < a.columns.size(); ++i)
+  {
+    EXPECT_EQ(a.columns[i].name, b.columns[i].name);
+    EXPECT_EQ(vectorOf(a.columns[i].numbers), vectorOf(b.columns[i].numbers));
+    EXPECT_EQ(a.columns[i].texts, b.columns[i].texts);
+  }
+}
+
+TEST(TableFile, PositionsNormalsAndAreas)
+{
+  const PointTable table =
+    read("nz,x,area,y,z,nx,ny\n1,2,3,4,5,6,7\n\n +8 , -.5,1e3,0.1,nan,\"9\",-inf\n");
+  EXPECT_EQ(table.points.points.doubles.size(), 6u);
+  EXPECT_EQ(Numbers(table.points.points.doubles.begin(), table.points.points.doubles.begin() + 5),
+    (Numbers{2, 4, 5, -0.5, 0.1}));
+  EXPECT_TRUE(std::isnan(table.points.points.doubles[5]));
+  EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{6, 7, 1, 9, -INFINITY, 8}));
+  EXPECT_EQ(vectorOf(table.points.areas), (Numbers{3, 1e3}));
+  expectCells(table.points.vertices, {0, 2}, {0, 1});
+  EXPECT_TRUE(table.columns.empty());
+  EXPECT_TRUE(table.rowPlaces.empty());
+}
+
+TEST(TableFile, NamesOfColumns)
+{
+  const PointTable table = read("\"Points:2\",POINTS:0,Points:1,Normals:0,NORMALS:1,normals:2\n"
+                                "3,1,2,4,5,6\n");
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3}));
+  EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{4, 5, 6}));
+  EXPECT_EQ(table.names.front(), "Points:2");
+  const PointTable twice = read("x,y,z,X\n1,2,3,4\n", withAll());
+  EXPECT_EQ(vectorOf(twice.points.points.doubles), (Numbers{1, 2, 3})) << "the first counts";
+  ASSERT_EQ(twice.columns.size(), 1u);
+  EXPECT_EQ(twice.columns[0].name, "X");
+  EXPECT_EQ(read("x,y,z,nx,ny\n1,2,3,4,5\n").points.normals.count(), 0u)
+    << "a component is missing";
+}
+
+TEST(TableFile, OtherColumnsAreNumbersOrTexts)
+{
+  const PointTable table =
+    read(",x,y,z,t,name,area,\"a, \"\"b\"\"\"\n1,0,0,0,7,\"p\nq\",2,\n2,0,0,0,8e400,r,3,4\n"
+         "3,0,0,0,-8e-400, s ,4,5\" pipe\n",
+      withAll());
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(table.columns[0].name, "Column 1");
+  EXPECT_EQ(vectorOf(table.columns[0].numbers), (Numbers{1, 2, 3}));
+  EXPECT_EQ(table.columns[1].texts, (Texts{"7", "8e400", "-8e-400"})) << "no double holds 8e400";
+  EXPECT_EQ(table.columns[2].texts, (Texts{"p\nq", "r", "s"}));
+  EXPECT_TRUE(table.columns[2].numbers.empty());
+  EXPECT_EQ(table.columns[3].name, "a, \"b\"");
+  EXPECT_EQ(table.columns[3].texts, (Texts{"", "4", "5\" pipe"}));
+  EXPECT_EQ(vectorOf(table.points.areas), (Numbers{2, 3, 4}));
+}
+
+TEST(TableFile, NormalsAndAreasMayBeColumnsAsAllOthers)
+{
+  TableOptions options = withAll();
+  options.normalsAndAreas = false;
+  const PointTable table = read("x,y,z,nx,ny,nz,area\n1,2,3,4,5,6,north\n", options);
+  EXPECT_EQ(table.points.normals.count(), 0u);
+  EXPECT_TRUE(table.points.areas.empty());
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(vectorOf(table.columns[2].numbers), (Numbers{6}));
+  EXPECT_EQ(table.columns[3].texts, (Texts{"north"}));
+}
+
+TEST(TableFile, PlacesOfRows)
+{
+  const std::string header = "x,y,z,\"a\nb\"\r\n", first = " 1,2,3,\"\r\n\"", second = "4,5,6,7 ";
+  const std::string contents = "\xEF\xBB\xBF\n" + header + first + "\r\n\r\n  \n" + second;
+  const PointTable table = read(contents, withAll());
+  EXPECT_EQ(table.header, header);
+  EXPECT_EQ(table.names, (Texts{"x", "y", "z", "a\nb"}));
+  ASSERT_EQ(table.rowPlaces.size(), 4u);
+  const auto rowAt = [&](std::size_t i)
+  {
+    return contents.substr(static_cast<std::size_t>(table.rowPlaces[2 * i]),
+      static_cast<std::size_t>(table.rowPlaces[2 * i + 1]));
+  };
+  EXPECT_EQ(rowAt(0), first);
+  EXPECT_EQ(rowAt(1), second);
+}
+
+TEST(TableFile, TabsSeparate)
+{
+  TableOptions options = withAll();
+  options.separator = '\t';
+  const PointTable table = read("x\ty\tz\tt\n1\t 2\t3\ta,b\n4\t5\t6\t\n", options);
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(table.columns[0].texts, (Texts{"a,b", ""}));
+  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x,y,z\n1,2,3\n"),
+    "has no columns x, y and z; name them in the first line, separated by tabs");
+}
+
+TEST(TableFile, WithoutRows)
+{
+  for (const std::string end : {"", "\n", "\r\n", "\n\n  \n"})
+  {
+    const PointTable table = read("x,y,z,nx,ny,nz,area,t" + end, withAll());
+    EXPECT_EQ(table.points.points.count(), 0u);
+    EXPECT_EQ(table.points.vertices.count(), 0u);
+    EXPECT_EQ(table.header, "x,y,z,nx,ny,nz,area,t" + (end == "\r\n" ? end : "\n"));
+    EXPECT_EQ(table.columns.size(), 1u);
+  }
+}
+
+TEST(TableFile, Refusals)
+{
+  const auto expect = [](const std::string& text, const std::string& words)
+  {
+    EXPECT_EQ(refusalOf(text), words) << text;
+  };
+  const std::string none =
+    "has no columns x, y and z; name them in the first line, separated by commas";
+  const std::string mark = "a quotation mark is not closed, or not at the end of its field";
+  expect("", "is empty");
+  expect("\n \n", none);
+  expect("\xEF\xBB\xBF", none);
+  expect("x;y;z\n1;2;3\n", none);
+  expect("x,y\n1,2\n", none);
+  expect("1,2,3\n4,5,6\n", none);
+  expect(
+    "x,y,z\n1,2\n", "line 2: has 2 fields, but the header names 3; it is truncated or damaged");
+  expect("\nx,y,z\n1,2,3\n\n1,2,3,4\n",
+    "line 5: has 4 fields, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1,two,3\n", "line 2: \"two\" in column y is no number");
+  expect("x,y,z\n1,,3\n", "line 2: \"\" in column y is no number");
+  expect("x,y,z\n1,1e400,3\n", "line 2: \"1e400\" in column y is no number");
+  expect("X,y,z\n0x10,2,3\n", "line 2: \"0x10\" in column X is no number");
+  expect("x,y,z,Area\n1,2,3,4 m\n", "line 2: \"4 m\" in column Area is no number");
+  expect("x,y,z\n1,\"a\nb\",3\n", "line 2: \"a?b\" in column y is no number");
+  expect(
+    "x,y,z\n1,-,3,4\n", "line 2: has 4 fields, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1,a,\"b\n", "line 2: " + mark);
+  expect("x,y,\"z\n1,2,3\n", "line 1: " + mark);
+  expect("x,y,z,t\n1,2,3,\"a\nb\n5,6,7,8\n", "line 2: " + mark);
+  expect("x,y,z,t\n1,2,3,4\n1,2,3,\"a\"b\n", "line 3: " + mark);
+  expect("x,y,z,t\n1,2,3,\"a\nb\"c\n", "line 2: " + mark);
+  expect("x,y,z,t\n\"1\" 2,2,3,4\n", "line 2: " + mark);
+  expect(std::string("x,y,z\n1,\0,3\n", 12), "line 2: \"?\" in column y is no number");
+}
+
+/// Tables of random rows, with quotation marks in some or none.
+std::string randomTable(std::mt19937& random)
+{
+  const bool mayBeQuoted = random() % 2 == 0;
+  const std::string end = random() % 2 == 0 ? "\n" : "\r\n";
+  const auto field = [&]
+  {
+    const std::string number = std::to_string(static_cast<int>(random() % 2000) - 1000) + ".25";
+    const std::string spaces(random() % 8 == 0 ? 1 : 0, ' ');
+    return spaces + (mayBeQuoted && random() % 9 == 0 ? '"' + number + '"' : number) + spaces;
+  };
+  const auto text = [&]
+  {
+    std::string inner = std::string(random() % 7, 'a') + (random() % 5 == 0 ? "7" : "");
+    if (mayBeQuoted && random() % 3 == 0)
+    {
+      const char* const middles[] = {"\"\"", "\n", "\r\n", ",", "\\\n", "\"\"\n\"\""};
+      return '"' + inner + middles[random() % 6] + inner + '"';
+    }
+    return inner;
+  };
+  std::string table = "t,x,y,z,n" + end;
+  for (auto rows = random() % 40; rows > 0; --rows)
+  {
+    table += text() + ',' + field() + ',' + field() + ',' + field() + ',' + field() +
+             (rows == 1 && random() % 2 == 0 ? "" : end);
+    table += random() % 7 == 0 ? " " + end : "";
+  }
+  return table;
+}
+
+TEST(TableFile, ThreadsAndBlocksChangeNothing)
+{
+  std::mt19937 random(17);
+  for (unsigned seed = 0; seed < 200; ++seed)
+  {
+    const std::string contents = randomTable(random);
+    SCOPED_TRACE("table " + std::to_string(seed) + ":\n" + contents);
+    TableOptions options = withAll();
+    const PointTable whole = read(contents, options);
+    for (const std::size_t bytes : {1, 7, 64})
+    {
+      options.bytesPerBlock = bytes;
+      shapes::ShuffledThreads threads(seed);
+      expectSameTable(read(contents, options, threads), whole);
+    }
+    if (testing::Test::HasFailure())
+    {
+      return;
+    }
+  }
+}
+
+TEST(TableFile, TheFirstFaultIsToldForAnyThreadsAndBlocks)
+{
+  std::string contents = "x,y,z\n";
+  for (int row = 0; row < 100; ++row)
+  {
+    contents += row == 40 ? "1,2\n" : row == 70 ? "1,two,3\n" : "1,2,3\n";
+  }
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    TableOptions options;
+    options.bytesPerBlock = 10;
+    shapes::ShuffledThreads threads(seed);
+    try
+    {
+      read(contents, options, threads);
+      FAIL() << "nothing was refused";
+    }
+    catch (const FileRefusal& refusal)
+    {
+      EXPECT_NE(std::string(refusal.what()).find("line 42: has 2 fields"), std::string::npos)
+        << refusal.what();
+    }
+  }
+}
+
+TEST(TableFile, EndsWhenInterrupted)
+{
+  for (const std::string mark : {"", "\""})
+  {
+    std::string contents = "x,y,z,t\n";
+    for (int row = 0; row < 20; ++row)
+    {
+      contents += "1,2,3," + mark + "a" + mark + "\n";
+    }
+    TableOptions options = withAll();
+    options.bytesPerBlock = 32;
+    int runs = 0;
+    for (bool cameToPass = true; cameToPass; ++runs)
+    {
+      shapes::Interruption interruption(runs, 1);
+      bool isThrown = false;
+      try
+      {
+        read(contents, options, interruption);
+      }
+      catch (const Interrupted&)
+      {
+        isThrown = true;
+      }
+      cameToPass = interruption.cameToPass();
+      EXPECT_EQ(isThrown, cameToPass);
+    }
+    EXPECT_GE(runs, 3) << "rows, numbers and texts";
+  }
+}
+
+/// Writes other contents into a file when so many runs are done.
+class ChangingFile final : public Executor
+{
+public:
+  ChangingFile(const TemporaryFile& file, int runs, std::string contents)
+    : file_(file)
+    , runs_(runs)
+    , contents_(std::move(contents))
+  {
+  }
+
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    if (runs_-- == 0)
+    {
+      file_.write(contents_);
+    }
+    SerialExecutor serial;
+    return serial.run(count, work);
+  }
+
+private:
+  const TemporaryFile& file_;
+  int runs_;
+  std::string contents_;
+};
+
+TEST(TableFile, ChangesMeanwhileAreRefused)
+{
+  const std::string contents = "x,y,z,t\n1,2,3,a\n4,5,6,b\n";
+  const std::string one = "x,y,z,t\n1,2,3,a4,5,6,bb\n", open = "x,y,z,t\n1,2,3,\"a\n4,5,6b\n";
+  const std::string three = "x,y,z,t\n1,2,3,a\n4,5,6\n,\n", brief = "x,y\n";
+  // The first run finds the rows, the second reads numbers, the third texts.
+  const auto wordsFor = [&](const std::string& other, int run)
+  {
+    const TemporaryFile file(contents);
+    ChangingFile changing(file, run, other);
+    try
+    {
+      readPointTable(InputFile(file.name()), withAll(), changing);
+    }
+    catch (const FileRefusal& refusal)
+    {
+      return std::string(refusal.what()).substr(std::string(file.name()).size() + 2);
+    }
+    return std::string("nothing");
+  };
+  const std::string changed = "has changed while it was read; read it again";
+  for (const std::string& other : {one, open, three})
+  {
+    EXPECT_EQ(wordsFor(other, 2), changed) << other;
+  }
+  EXPECT_EQ(wordsFor(one, 1).substr(0, 20), "line 2: has 7 fields");
+  EXPECT_EQ(wordsFor(open, 1).substr(0, 24), "line 2: a quotation mark");
+  EXPECT_EQ(wordsFor(three, 1).substr(0, 20), "line 3: has 3 fields");
+  EXPECT_EQ(wordsFor(brief, 1), "cannot be read to its end");
+  EXPECT_EQ(wordsFor(brief, 2), "cannot be read to its end");
+}
+
+} // namespace
