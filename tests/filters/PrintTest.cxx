@@ -3,6 +3,7 @@
 #include "vtkNew.h"
 #include "vtkOrientedPointsReader.h"
 #include "vtkPointAreas.h"
+#include "vtkPointTableReader.h"
 #include "vtkSurfaceMeshReader.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
@@ -64,5 +65,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
   expectPrinted<vtkGeomviewOFFReader>({"FileName: (none)"});
   expectPrinted<vtkOrientedPointsReader>({"FileName: (none)"});
+  expectPrinted<vtkPointTableReader>(
+    {"FileName: (none)", "ReadNormalsAndAreas: 1", "ReadAllColumns: 1", "GenerateRowPlaces: 0"});
   expectPrinted<vtkSurfaceMeshReader>({"FileName: (none)"});
 }

@@ -1,4 +1,5 @@
 #include "filters/ErrorLog.h"
+#include "filters/FileReading.h"
 #include "filters/ReadMesh.h"
 
 #include "vtkCellArray.h"
@@ -16,73 +17,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
-#include <unistd.h>
+using namespace reading;
 
 namespace
 {
-
-/// A temporary file with some contents, removed with the object.
-class TextFile
-{
-public:
-  TextFile(const std::string& contents, const std::string& suffix)
-    : path_((std::filesystem::temp_directory_path() /
-             ("winding-readers-test-" + std::to_string(getpid()) + suffix))
-              .string())
-  {
-    std::ofstream(path_, std::ios::binary) << contents;
-  }
-  ~TextFile() { std::filesystem::remove(path_); }
-
-  const char* path() const { return path_.c_str(); }
-
-private:
-  std::string path_;
-};
-
-template <class Reader>
-vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string& suffix = ".txt")
-{
-  const TextFile file(contents, suffix);
-  vtkNew<Reader> reader;
-  const ErrorLog log(reader);
-  reader->SetFileName(file.path());
-  reader->Update();
-  EXPECT_EQ(log.errors(), "");
-  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
-  return reader->GetOutput();
-}
-
-/// Expects one error that says `part`, an error code, and an output without points.
-template <class Reader>
-void expectRefusal(const std::string& contents, const std::string& part, unsigned long code,
-  const std::string& suffix = ".txt")
-{
-  const TextFile file(contents, suffix);
-  vtkNew<Reader> reader;
-  const ErrorLog log(reader);
-  reader->SetFileName(file.path());
-  reader->Update();
-  EXPECT_NE(log.errors().find(part), std::string::npos) << contents << "\n" << log.errors();
-  EXPECT_NE(log.errors().find(file.path()), std::string::npos);
-  EXPECT_EQ(reader->GetErrorCode(), code) << contents;
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
-}
-
-constexpr unsigned long format = vtkErrorCode::FileFormatError;
-constexpr unsigned long end = vtkErrorCode::PrematureEndOfFileError;
-
-void expectRow(vtkDataArray* array, vtkIdType row, double x, double y, double z)
-{
-  ASSERT_NE(array, nullptr);
-  const double* tuple = array->GetTuple3(row);
-  EXPECT_EQ(tuple[0], x);
-  EXPECT_EQ(tuple[1], y);
-  EXPECT_EQ(tuple[2], z);
-}
 
 using Off = vtkGeomviewOFFReader;
 using Points = vtkOrientedPointsReader;

@@ -106,6 +106,8 @@ class TestHelp(unittest.TestCase):
     def test_readers_have_pages(self):
         for name in ("GeomviewOFFReader", "OrientedPointsReader", "SurfaceMeshReader"):
             self.assertEqual(self.page("sources." + name).names, ["FileName"])
+        self.assertEqual(self.page("sources.PointTableReader").names,
+                         ["FileName", "ReadNormalsAndAreas", "ReadAllColumns"])
 
 
 if __name__ == "__main__":

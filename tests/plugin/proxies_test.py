@@ -374,7 +374,7 @@ class TestProxies(unittest.TestCase):
     def test_all_is_documented_in_sentences(self):
         names = [("filters", name) for name in SETTABLE]
         names += [("sources", "GeomviewOFFReader"), ("sources", "OrientedPointsReader"),
-                  ("sources", "SurfaceMeshReader")]
+                  ("sources", "PointTableReader"), ("sources", "SurfaceMeshReader")]
         for group, name in names:
             proxy = new_proxy(group, name)
             documentation = proxy.GetDocumentation()

@@ -6,6 +6,13 @@ from paraview import servermanager, simple
 from support import points_source, result, run_tests, text_file
 
 
+def readers_of(path):
+    """The names of the readers among which ParaView lets a user choose for a file."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    readers = factory.GetReaders(path, servermanager.ActiveConnection.Session)
+    return [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
+
+
 class TestReaders(unittest.TestCase):
     def test_off(self):
         tetrahedron = """OFF
@@ -29,27 +36,39 @@ class TestReaders(unittest.TestCase):
             self.assertAlmostEqual(values.GetTuple1(0), 1, places=6)
 
     def test_oriented_points(self):
-        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
-        session = servermanager.ActiveConnection.Session
         for suffix in (".xyz", ".pwn"):
             with self.subTest(suffix), text_file(suffix, "0 0 1 0 0 1\n0 1 0 0 1 0\n") as path:
-                readers = factory.GetReaders(path, session)
-                names = [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
-                self.assertIn("OrientedPointsReader", names)
+                self.assertIn("OrientedPointsReader", readers_of(path))
                 data = result(simple.OrientedPointsReader(FileName=path))
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
 
     def test_surface_mesh(self):
-        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
-        session = servermanager.ActiveConnection.Session
         with text_file(".obj", "v 0 0 0\nv 0.1 0 0\nv 0 1 0\nf 1 2 3\n") as path:
-            readers = factory.GetReaders(path, session)
-            names = [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
-            self.assertNotIn("SurfaceMeshReader", names)  # ParaView's own reader stays the only one
+            self.assertNotIn("SurfaceMeshReader", readers_of(path))  # ParaView has its own
             data = result(simple.SurfaceMeshReader(FileName=path))
             self.assertEqual((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (3, 1))
             self.assertEqual(data.GetPoint(1)[0], 0.1)
+
+    def test_point_table(self):
+        sphere = simple.Sphere(Radius=1, ThetaResolution=32, PhiResolution=32)
+        with text_file(".csv", "") as path:
+            simple.SaveData(path, proxy=sphere, Precision=17)  # "Normals:0", "Points:0" and so on
+            self.assertNotIn("PointTableReader", readers_of(path))  # ParaView has its own
+            reader = simple.PointTableReader(FileName=path)
+            data = result(reader)
+            self.assertEqual(data.GetNumberOfPoints(), result(sphere).GetNumberOfPoints())
+            self.assertEqual(data.GetPointData().GetNormals().GetNumberOfComponents(), 3)
+            probe = simple.WindingNumberProbe(Input=points_source((0, 0, 0)), Source=reader)
+            values = result(probe).GetPointData().GetArray("WindingNumber")
+            self.assertAlmostEqual(values.GetTuple1(0), 1, places=1)
+        with text_file(".csv", "x,y,z,nx,ny,nz,t,name\n1,2,3,0,0,1,7,a\n") as path:
+            reader = simple.PointTableReader(FileName=path)
+            self.assertEqual(sorted(result(reader).PointData.keys()), ["Normals", "name", "t"])
+            reader.ReadNormalsAndAreas = 0
+            self.assertIn("nz", result(reader).PointData.keys())
+            reader.ReadAllColumns = 0
+            self.assertEqual(list(result(reader).PointData.keys()), [])
 
 
 if __name__ == "__main__":

@@ -218,12 +218,14 @@ class PipelineTest(unittest.TestCase):
     def test_readers(self):
         with tempfile.TemporaryDirectory() as folder:
             mesh, points = pathlib.Path(folder, "mesh.off"), pathlib.Path(folder, "points.xyz")
-            surface = pathlib.Path(folder, "surface.obj")
+            surface, table = pathlib.Path(folder, "surface.obj"), pathlib.Path(folder, "table.csv")
+            table.write_text("x,y,z,name\n0,0,0,a\n1,0,0,b\n")
             surface.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
             mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
             points.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
             for reader, path, count in ((vtkFiltersWinding.vtkGeomviewOFFReader(), mesh, 3),
                                         (vtkFiltersWinding.vtkOrientedPointsReader(), points, 2),
+                                        (vtkFiltersWinding.vtkPointTableReader(), table, 2),
                                         (vtkFiltersWinding.vtkSurfaceMeshReader(), surface, 3)):
                 errors = errors_of(reader)
                 reader.SetFileName(str(path))
