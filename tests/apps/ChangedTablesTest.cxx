@@ -31,7 +31,7 @@ protected:
     setenv("FAULT_OPENING", "1", 1);
     setenv("FAULT_ACTION", action, 1);
     setenv("FAULT_VICTIM", queries.c_str(), 1);
-    const Outcome run = runProgram({"probe", source, queries, "-o", folder.path(out)});
+    Outcome run = runProgram({"probe", source, queries, "-o", folder.path(out)});
     unsetenv("FAULT_VICTIM");
     unsetenv("LD_PRELOAD");
     return run;

@@ -13,6 +13,11 @@ def readers_of(path):
     return [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
 
 
+def names_of_arrays(reader):
+    arrays = result(reader).GetPointData()
+    return {arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())}
+
+
 class TestReaders(unittest.TestCase):
     def test_off(self):
         tetrahedron = """OFF
@@ -64,11 +69,11 @@ class TestReaders(unittest.TestCase):
             self.assertAlmostEqual(values.GetTuple1(0), 1, places=1)
         with text_file(".csv", "x,y,z,nx,ny,nz,t,name\n1,2,3,0,0,1,7,a\n") as path:
             reader = simple.PointTableReader(FileName=path)
-            self.assertEqual(sorted(result(reader).PointData.keys()), ["Normals", "name", "t"])
+            self.assertEqual(names_of_arrays(reader), {"Normals", "name", "t"})
             reader.ReadNormalsAndAreas = 0
-            self.assertIn("nz", result(reader).PointData.keys())
+            self.assertEqual(names_of_arrays(reader), {"nx", "ny", "nz", "name", "t"})
             reader.ReadAllColumns = 0
-            self.assertEqual(list(result(reader).PointData.keys()), [])
+            self.assertEqual(names_of_arrays(reader), set())
 
 
 if __name__ == "__main__":
