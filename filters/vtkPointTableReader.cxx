@@ -12,35 +12,44 @@
 #include "vtkTypeInt64Array.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <map>
+
 vtkStandardNewMacro(vtkPointTableReader);
 
 namespace
 {
 
-vtkSmartPointer<vtkStringArray> textsOf(const std::vector<std::string>& texts)
+/// Texts go straight into VTK's arrays, so that there is no second copy of them.
+class StringArrays final : public winding::TextColumns
 {
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetNumberOfValues(static_cast<vtkIdType>(texts.size()));
-  for (std::size_t i = 0; i < texts.size(); ++i)
+public:
+  void add(std::size_t column, std::size_t rows) override
   {
-    array->SetValue(static_cast<vtkIdType>(i), texts[i]);
+    auto& array = arrays_[column];
+    array = vtkSmartPointer<vtkStringArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(rows));
   }
-  return array;
-}
 
-void handOver(winding::PointTable& table, bool withPlaces, vtkPolyData* output)
-{
-  for (winding::TableColumn& column : table.columns)
+  void set(std::size_t column, std::size_t row, const std::string& text) override
   {
-    vtkSmartPointer<vtkAbstractArray> array;
-    if (column.texts.empty())
+    arrays_.find(column)->second->SetValue(static_cast<vtkIdType>(row), text);
+  }
+
+  vtkStringArray* of(std::size_t column) { return arrays_[column]; }
+
+private:
+  std::map<std::size_t, vtkSmartPointer<vtkStringArray>> arrays_;
+};
+
+void handOver(winding::PointTable& table, StringArrays& texts, bool withPlaces, vtkPolyData* output)
+{
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+  {
+    winding::TableColumn& column = table.columns[i];
+    vtkSmartPointer<vtkAbstractArray> array = texts.of(i);
+    if (!column.isText)
     {
       array = winding::handedArray<vtkDoubleArray>(column.numbers, 1);
-    }
-    else
-    {
-      array = textsOf(column.texts);
-      column.texts = {};
     }
     array->SetName(column.name.c_str());
     output->GetPointData()->AddArray(array);
@@ -80,10 +89,11 @@ int vtkPointTableReader::RequestData(
     const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(file.name());
     options.separator = vtksys::SystemTools::LowerCase(suffix) == ".tsv" ? '\t' : ',';
     options.normalsAndAreas = this->ReadNormalsAndAreas;
-    options.allColumns = this->ReadAllColumns;
+    StringArrays texts;
+    options.texts = this->ReadAllColumns ? &texts : nullptr;
     options.rowPlaces = this->GenerateRowPlaces;
     winding::PointTable table = winding::readPointTable(file, options, executor);
-    handOver(table, options.rowPlaces, output);
+    handOver(table, texts, options.rowPlaces, output);
     for (const std::string& name : table.names)
     {
       this->ColumnNames->InsertNextValue(name);

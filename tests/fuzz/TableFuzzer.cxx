@@ -3,7 +3,7 @@
 #include "FuzzedFile.h"
 
 #include "base/Executor.h"
-#include "files/TableFile.h"
+#include "core/support/KeptTexts.h"
 
 #include <algorithm>
 #include <cstring>
@@ -20,13 +20,15 @@ using winding::PointTable;
 struct Read
 {
   std::optional<PointTable> table;
+  KeptTexts texts;
   std::string refusal;
 };
 
-Read read(const winding::InputFile& file, const winding::TableOptions& options)
+Read read(const winding::InputFile& file, winding::TableOptions options)
 {
   winding::SerialExecutor serial;
   Read result;
+  options.texts = &result.texts;
   try
   {
     result.table = winding::readPointTable(file, options, serial);
@@ -62,7 +64,7 @@ void requireSame(const PointTable& a, const PointTable& b)
   require(a.header == b.header && a.names == b.names && a.columns.size() == b.columns.size());
   for (std::size_t i = 0; i < a.columns.size(); ++i)
   {
-    require(a.columns[i].name == b.columns[i].name && a.columns[i].texts == b.columns[i].texts);
+    require(a.columns[i].name == b.columns[i].name && a.columns[i].isText == b.columns[i].isText);
     require(same(a.columns[i].numbers, b.columns[i].numbers));
   }
 }
@@ -102,7 +104,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   winding::TableOptions options;
   options.separator = size % 4 == 3 ? '\t' : ',';
   options.normalsAndAreas = size % 3 != 0;
-  options.allColumns = true;
   options.rowPlaces = true;
   const Read whole = read(input, options);
   options.bytesPerBlock = 1 + data[size / 2] % 64;
@@ -111,6 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (whole.table)
   {
     requireSame(*whole.table, *inBlocks.table);
+    require(whole.texts.all() == inBlocks.texts.all());
     requireRowsAtTheirPlaces(
       *whole.table, std::string(reinterpret_cast<const char*>(data), size), options);
   }

@@ -51,8 +51,9 @@ std::vector<std::size_t> columnsOf(
 struct Target
 {
   double* first = nullptr;
-  std::size_t step = 0;          ///< 0 where the column is passed over
-  TableColumn* column = nullptr; ///< what has their texts if they are no numbers; null if they must
+  std::size_t step = 0;   ///< 0 where the column is passed over
+  bool mayBeText = false; ///< whether fields may be no numbers
+  std::size_t other = 0;  ///< the column's place among the table's others, if they may
 };
 
 /// Reads the fields of the rows of a table.
@@ -74,48 +75,52 @@ public:
     numbers = PlainArray<double>(rows_.count() * columns.size());
     for (std::size_t i = 0; i < columns.size(); ++i)
     {
-      targets_[columns[i]] = {numbers.begin() + (numbers.empty() ? 0 : i), columns.size(), nullptr};
+      targets_[columns[i]] = {numbers.begin() + (numbers.empty() ? 0 : i), columns.size()};
     }
   }
 
   /// Has all columns read that are not read yet.
   void readOthers()
   {
-    table_.columns.reserve(targets_.size()); // targets refer to columns
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
       if (targets_[i].step == 0)
       {
+        const std::size_t place = table_.columns.size();
         TableColumn& column = table_.columns.emplace_back();
         const std::string& name = table_.names[i];
         column.name = name.empty() ? "Column " + std::to_string(i + 1) : name;
         column.numbers = PlainArray<double>(rows_.count());
-        targets_[i] = {column.numbers.data(), 1, &column};
+        targets_[i] = {column.numbers.data(), 1, true, place};
       }
     }
   }
 
   void readPlaces() { table_.rowPlaces = PlainArray<std::int64_t>(2 * rows_.count()); }
 
-  void run(Executor& executor)
+  /// Texts are null where no others are read.
+  void run(TextColumns* texts, Executor& executor)
   {
     DividedShare share(executor);
-    share.set(0, table_.columns.empty() ? 1 : 0.7);
+    share.set(0, texts ? 0.7 : 1);
     rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
-    if (std::find(isText_.begin(), isText_.end(), true) == isText_.end())
-    {
-      return;
-    }
-    share.set(0.7, 1);
+    bool hasTexts = false;
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
       if (isText_[i])
       {
-        targets_[i].column->numbers = {};
-        targets_[i].column->texts.resize(rows_.count());
+        TableColumn& column = table_.columns[targets_[i].other];
+        column.isText = true;
+        column.numbers = {};
+        texts->add(targets_[i].other, rows_.count());
+        hasTexts = true;
       }
     }
-    rows_.visit([this](TableRows::Part& part) { this->readTexts(part); }, executor);
+    if (hasTexts)
+    {
+      share.set(0.7, 1);
+      rows_.visit([&](TableRows::Part& part) { this->readTexts(part, *texts); }, executor);
+    }
   }
 
 private:
@@ -159,14 +164,14 @@ private:
       return;
     }
     part.fields().nextField(field);
-    if (!target.column)
+    if (!target.mayBeText)
     {
       part.refuse(shown(trimmed(field)) + " in column " + table_.names[index] + " is no number");
     }
     isText_[index] = true;
   }
 
-  void readTexts(TableRows::Part& part)
+  void readTexts(TableRows::Part& part, TextColumns& texts)
   {
     while (part.nextRow())
     {
@@ -179,7 +184,7 @@ private:
         }
         if (isText_[i])
         {
-          targets_[i].column->texts[part.number()] = unquoted(field);
+          texts.set(targets_[i].other, part.number(), unquoted(field));
         }
       }
       if (part.fields().state() != RowState::ended)
@@ -231,7 +236,7 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
     parser.readInto(table.points.normals.doubles, columnsOf({"nx", "ny", "nz"}, table.names));
     parser.readInto(table.points.areas, columnsOf({"area"}, table.names));
   }
-  if (options.allColumns)
+  if (options.texts)
   {
     parser.readOthers();
   }
@@ -240,7 +245,7 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
     parser.readPlaces();
   }
   share.set(0.2, 1);
-  parser.run(executor);
+  parser.run(options.texts, executor);
   table.points.vertices = oneCellOf(rows.count());
   return table;
 }

@@ -13,22 +13,37 @@
 namespace winding
 {
 
+/// Keeps the texts of columns whose fields are no numbers: what the fields stand for, without
+/// quotation marks around them.
+class TextColumns
+{
+public:
+  virtual ~TextColumns() = default;
+
+  /// Makes room for a text of every row in a column, which has this index in PointTable::columns.
+  virtual void add(std::size_t column, std::size_t rows) = 0;
+
+  /// Takes a text of a column that was added. Threads give different texts at the same time.
+  virtual void set(std::size_t column, std::size_t row, const std::string& text) = 0;
+};
+
 /// The way to read a table, and what of it.
 struct TableOptions
 {
-  char separator = ',';    ///< or a tab
-  bool normalsAndAreas = true; ///< whether these columns are read as such, or are like all others
-  bool allColumns = false; ///< whether columns that have no meaning are read, too
-  bool rowPlaces = false;  ///< whether the places of the rows in the file are wanted
+  char separator = ',';         ///< or a tab
+  bool normalsAndAreas = true;  ///< whether these columns are read as such, or are like all others
+  bool rowPlaces = false;       ///< whether the places of the rows in the file are wanted
+  TextColumns* texts = nullptr; ///< null where columns that have no meaning are not wanted
   std::size_t bytesPerBlock = LineBlocks::usualBytes;
 };
 
-/// A column of a table. Numbers are filled where all fields are numbers, texts otherwise.
+/// A column of a table that has no meaning. Where a field is no number it is one of texts, which
+/// TextColumns has.
 struct TableColumn
 {
   std::string name;
-  PlainArray<double> numbers;
-  std::vector<std::string> texts; ///< without quotation marks around them
+  bool isText = false;
+  PlainArray<double> numbers; ///< empty where it is one of texts
 };
 
 /// The content of a table of points.

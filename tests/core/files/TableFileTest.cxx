@@ -2,6 +2,7 @@
 
 #include "core/files/Parsing.h"
 #include "core/support/Interruption.h"
+#include "core/support/KeptTexts.h"
 #include "core/support/ShuffledThreads.h"
 
 #include "files/TableFile.h"
@@ -20,32 +21,54 @@ namespace
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-PointTable read(const std::string& contents, const TableOptions& options, Executor& executor)
+struct Table : PointTable
+{
+  std::map<std::size_t, Texts> texts; ///< by the places of their columns
+};
+
+/// The way in which a table is read.
+struct Way
+{
+  bool withOthers = false; ///< columns without a meaning, and places of rows
+  bool withNormals = true;
+  char separator = ',';
+  std::size_t bytesPerBlock = LineBlocks::usualBytes;
+};
+
+constexpr Way withOthers = {true};
+
+Table read(const InputFile& file, const Way& way, Executor& executor)
+{
+  KeptTexts texts;
+  TableOptions options;
+  options.separator = way.separator;
+  options.normalsAndAreas = way.withNormals;
+  options.rowPlaces = way.withOthers;
+  options.texts = way.withOthers ? &texts : nullptr;
+  options.bytesPerBlock = way.bytesPerBlock;
+  Table table = {readPointTable(file, options, executor), {}};
+  table.texts = texts.all();
+  return table;
+}
+
+Table read(const std::string& contents, const Way& way, Executor& executor)
 {
   const TemporaryFile file(contents);
-  return readPointTable(InputFile(file.name()), options, executor);
+  return read(InputFile(file.name()), way, executor);
 }
 
-PointTable read(const std::string& contents, const TableOptions& options = {})
+Table read(const std::string& contents, const Way& way = {})
 {
   SerialExecutor serial;
-  return read(contents, options, serial);
+  return read(contents, way, serial);
 }
 
-TableOptions withAll()
-{
-  TableOptions options;
-  options.allColumns = true;
-  options.rowPlaces = true;
-  return options;
-}
-
-/// Refuses with these options what a parser of meshes would.
+/// The points of a table, as parsers of meshes give them.
 template <char separator> MeshArrays readPoints(const InputFile& file, Executor& executor)
 {
-  TableOptions options;
-  options.separator = separator;
-  return std::move(readPointTable(file, options, executor).points);
+  Way way;
+  way.separator = separator;
+  return std::move(read(file, way, executor).points);
 }
 
 std::string refusalOf(const std::string& contents)
@@ -53,25 +76,25 @@ std::string refusalOf(const std::string& contents)
   return ::refusalOf(readPoints<','>, contents);
 }
 
-void expectSameTable(const PointTable& a, const PointTable& b)
+void expectSameTable(const Table& a, const Table& b)
 {
   expectSame(a.points, b.points);
   EXPECT_EQ(vectorOf(a.points.areas), vectorOf(b.points.areas));
   EXPECT_EQ(vectorOf(a.rowPlaces), vectorOf(b.rowPlaces));
   EXPECT_EQ(a.header, b.header);
   EXPECT_EQ(a.names, b.names);
+  EXPECT_EQ(a.texts, b.texts);
   ASSERT_EQ(a.columns.size(), b.columns.size());
   for (std::size_t i = 0; i < a.columns.size(); ++i)
   {
     EXPECT_EQ(a.columns[i].name, b.columns[i].name);
     EXPECT_EQ(vectorOf(a.columns[i].numbers), vectorOf(b.columns[i].numbers));
-    EXPECT_EQ(a.columns[i].texts, b.columns[i].texts);
   }
 }
 
 TEST(TableFile, PositionsNormalsAndAreas)
 {
-  const PointTable table =
+  const Table table =
     read("nz,x,area,y,z,nx,ny\n1,2,3,4,5,6,7\n\n +8 , -.5,1e3,0.1,nan,\"9\",-inf\n");
   EXPECT_EQ(table.points.points.doubles.size(), 6u);
   EXPECT_EQ(Numbers(table.points.points.doubles.begin(), table.points.points.doubles.begin() + 5),
@@ -86,12 +109,12 @@ TEST(TableFile, PositionsNormalsAndAreas)
 
 TEST(TableFile, NamesOfColumns)
 {
-  const PointTable table = read("\"Points:2\",POINTS:0,Points:1,Normals:0,NORMALS:1,normals:2\n"
-                                "3,1,2,4,5,6\n");
+  const Table table = read("\"Points:2\",POINTS:0,Points:1,Normals:0,NORMALS:1,normals:2\n"
+                           "3,1,2,4,5,6\n");
   EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3}));
   EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{4, 5, 6}));
   EXPECT_EQ(table.names.front(), "Points:2");
-  const PointTable twice = read("x,y,z,X\n1,2,3,4\n", withAll());
+  const Table twice = read("x,y,z,X\n1,2,3,4\n", withOthers);
   EXPECT_EQ(vectorOf(twice.points.points.doubles), (Numbers{1, 2, 3})) << "the first counts";
   ASSERT_EQ(twice.columns.size(), 1u);
   EXPECT_EQ(twice.columns[0].name, "X");
@@ -101,38 +124,38 @@ TEST(TableFile, NamesOfColumns)
 
 TEST(TableFile, OtherColumnsAreNumbersOrTexts)
 {
-  const PointTable table =
+  const Table table =
     read(",x,y,z,t,name,area,\"a, \"\"b\"\"\"\n1,0,0,0,7,\"p\nq\",2,\n2,0,0,0,8e400,r,3,4\n"
          "3,0,0,0,-8e-400, s ,4,5\" pipe\n",
-      withAll());
+      withOthers);
   ASSERT_EQ(table.columns.size(), 4u);
   EXPECT_EQ(table.columns[0].name, "Column 1");
   EXPECT_EQ(vectorOf(table.columns[0].numbers), (Numbers{1, 2, 3}));
-  EXPECT_EQ(table.columns[1].texts, (Texts{"7", "8e400", "-8e-400"})) << "no double holds 8e400";
-  EXPECT_EQ(table.columns[2].texts, (Texts{"p\nq", "r", "s"}));
+  EXPECT_EQ(table.texts.at(1), (Texts{"7", "8e400", "-8e-400"})) << "no double holds 8e400";
+  EXPECT_EQ(table.texts.at(2), (Texts{"p\nq", "r", "s"}));
   EXPECT_TRUE(table.columns[2].numbers.empty());
   EXPECT_EQ(table.columns[3].name, "a, \"b\"");
-  EXPECT_EQ(table.columns[3].texts, (Texts{"", "4", "5\" pipe"}));
+  EXPECT_EQ(table.texts.at(3), (Texts{"", "4", "5\" pipe"}));
   EXPECT_EQ(vectorOf(table.points.areas), (Numbers{2, 3, 4}));
 }
 
 TEST(TableFile, NormalsAndAreasMayBeColumnsAsAllOthers)
 {
-  TableOptions options = withAll();
-  options.normalsAndAreas = false;
-  const PointTable table = read("x,y,z,nx,ny,nz,area\n1,2,3,4,5,6,north\n", options);
+  Way way = withOthers;
+  way.withNormals = false;
+  const Table table = read("x,y,z,nx,ny,nz,area\n1,2,3,4,5,6,north\n", way);
   EXPECT_EQ(table.points.normals.count(), 0u);
   EXPECT_TRUE(table.points.areas.empty());
   ASSERT_EQ(table.columns.size(), 4u);
   EXPECT_EQ(vectorOf(table.columns[2].numbers), (Numbers{6}));
-  EXPECT_EQ(table.columns[3].texts, (Texts{"north"}));
+  EXPECT_EQ(table.texts.at(3), (Texts{"north"}));
 }
 
 TEST(TableFile, PlacesOfRows)
 {
   const std::string header = "x,y,z,\"a\nb\"\r\n", first = " 1,2,3,\"\r\n\"", second = "4,5,6,7 ";
   const std::string contents = "\xEF\xBB\xBF\n" + header + first + "\r\n\r\n  \n" + second;
-  const PointTable table = read(contents, withAll());
+  const Table table = read(contents, withOthers);
   EXPECT_EQ(table.header, header);
   EXPECT_EQ(table.names, (Texts{"x", "y", "z", "a\nb"}));
   ASSERT_EQ(table.rowPlaces.size(), 4u);
@@ -147,11 +170,11 @@ TEST(TableFile, PlacesOfRows)
 
 TEST(TableFile, TabsSeparate)
 {
-  TableOptions options = withAll();
-  options.separator = '\t';
-  const PointTable table = read("x\ty\tz\tt\n1\t 2\t3\ta,b\n4\t5\t6\t\n", options);
+  Way way = withOthers;
+  way.separator = '\t';
+  const Table table = read("x\ty\tz\tt\n1\t 2\t3\ta,b\n4\t5\t6\t\n", way);
   EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
-  EXPECT_EQ(table.columns[0].texts, (Texts{"a,b", ""}));
+  EXPECT_EQ(table.texts.at(0), (Texts{"a,b", ""}));
   EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x,y,z\n1,2,3\n"),
     "has no columns x, y and z; name them in the first line, separated by tabs");
 }
@@ -160,7 +183,7 @@ TEST(TableFile, WithoutRows)
 {
   for (const std::string end : {"", "\n", "\r\n", "\n\n  \n"})
   {
-    const PointTable table = read("x,y,z,nx,ny,nz,area,t" + end, withAll());
+    const Table table = read("x,y,z,nx,ny,nz,area,t" + end, withOthers);
     EXPECT_EQ(table.points.points.count(), 0u);
     EXPECT_EQ(table.points.vertices.count(), 0u);
     EXPECT_EQ(table.header, "x,y,z,nx,ny,nz,area,t" + (end == "\r\n" ? end : "\n"));
@@ -242,13 +265,13 @@ TEST(TableFile, ThreadsAndBlocksChangeNothing)
   {
     const std::string contents = randomTable(random);
     SCOPED_TRACE("table " + std::to_string(seed) + ":\n" + contents);
-    TableOptions options = withAll();
-    const PointTable whole = read(contents, options);
+    Way way = withOthers;
+    const Table whole = read(contents, way);
     for (const std::size_t bytes : {1, 7, 64})
     {
-      options.bytesPerBlock = bytes;
+      way.bytesPerBlock = bytes;
       shapes::ShuffledThreads threads(seed);
-      expectSameTable(read(contents, options, threads), whole);
+      expectSameTable(read(contents, way, threads), whole);
     }
     if (testing::Test::HasFailure())
     {
@@ -266,12 +289,12 @@ TEST(TableFile, TheFirstFaultIsToldForAnyThreadsAndBlocks)
   }
   for (unsigned seed = 0; seed < 20; ++seed)
   {
-    TableOptions options;
-    options.bytesPerBlock = 10;
+    Way way;
+    way.bytesPerBlock = 10;
     shapes::ShuffledThreads threads(seed);
     try
     {
-      read(contents, options, threads);
+      read(contents, way, threads);
       FAIL() << "nothing was refused";
     }
     catch (const FileRefusal& refusal)
@@ -291,8 +314,8 @@ TEST(TableFile, EndsWhenInterrupted)
     {
       contents += "1,2,3," + mark + "a" + mark + "\n";
     }
-    TableOptions options = withAll();
-    options.bytesPerBlock = 32;
+    Way way = withOthers;
+    way.bytesPerBlock = 32;
     int runs = 0;
     for (bool cameToPass = true; cameToPass; ++runs)
     {
@@ -300,7 +323,7 @@ TEST(TableFile, EndsWhenInterrupted)
       bool isThrown = false;
       try
       {
-        read(contents, options, interruption);
+        read(contents, way, interruption);
       }
       catch (const Interrupted&)
       {
@@ -352,7 +375,7 @@ TEST(TableFile, ChangesMeanwhileAreRefused)
     ChangingFile changing(file, run, other);
     try
     {
-      readPointTable(InputFile(file.name()), withAll(), changing);
+      read(InputFile(file.name()), withOthers, changing);
     }
     catch (const FileRefusal& refusal)
     {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "files/TableFile.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// Keeps the texts of a table in vectors.
+class KeptTexts final : public winding::TextColumns
+{
+public:
+  void add(std::size_t column, std::size_t rows) override { texts_[column].resize(rows); }
+  void set(std::size_t column, std::size_t row, const std::string& text) override
+  {
+    texts_.find(column)->second[row] = text;
+  }
+
+  /// The texts of each column that is one of texts.
+  const std::map<std::size_t, std::vector<std::string>>& all() const { return texts_; }
+
+private:
+  std::map<std::size_t, std::vector<std::string>> texts_;
+};
