@@ -30,6 +30,7 @@ public:
     array->SetNumberOfValues(static_cast<vtkIdType>(rows));
   }
 
+  /// VTK's arrays may be written to by several threads as long as nobody has looked values up.
   void set(std::size_t column, std::size_t row, const std::string& text) override
   {
     arrays_.find(column)->second->SetValue(static_cast<vtkIdType>(row), text);
@@ -41,7 +42,15 @@ private:
   std::map<std::size_t, vtkSmartPointer<vtkStringArray>> arrays_;
 };
 
-void handOver(winding::PointTable& table, StringArrays& texts, bool withPlaces, vtkPolyData* output)
+vtkSmartPointer<vtkTypeInt64Array> rowPlaces(winding::PointTable& table)
+{
+  auto places = winding::handedArray<vtkTypeInt64Array>(table.rowPlaces, 2);
+  places->SetComponentName(0, "Offset");
+  places->SetComponentName(1, "Size");
+  return places;
+}
+
+void handOver(winding::PointTable& table, StringArrays& texts, vtkPolyData* output)
 {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
   {
@@ -54,14 +63,6 @@ void handOver(winding::PointTable& table, StringArrays& texts, bool withPlaces, 
     array->SetName(column.name.c_str());
     output->GetPointData()->AddArray(array);
   }
-  if (withPlaces)
-  {
-    const auto places = winding::handedArray<vtkTypeInt64Array>(table.rowPlaces, 2);
-    places->SetName("RowPlace");
-    places->SetComponentName(0, "Offset");
-    places->SetComponentName(1, "Size");
-    output->GetPointData()->AddArray(places);
-  }
   winding::handOver(table.points, output);
 }
 
@@ -70,6 +71,7 @@ void handOver(winding::PointTable& table, StringArrays& texts, bool withPlaces, 
 vtkPointTableReader::vtkPointTableReader()
 {
   this->SetNumberOfInputPorts(0);
+  this->RowPlaces = vtkSmartPointer<vtkTypeInt64Array>::New();
 }
 
 vtkPointTableReader::~vtkPointTableReader()
@@ -82,6 +84,7 @@ int vtkPointTableReader::RequestData(
 {
   this->Header.clear();
   this->ColumnNames->Initialize();
+  this->RowPlaces = vtkSmartPointer<vtkTypeInt64Array>::New();
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
   const auto parse = [this, output](const winding::InputFile& file, winding::Executor& executor)
   {
@@ -93,7 +96,8 @@ int vtkPointTableReader::RequestData(
     options.texts = this->ReadAllColumns ? &texts : nullptr;
     options.rowPlaces = this->GenerateRowPlaces;
     winding::PointTable table = winding::readPointTable(file, options, executor);
-    handOver(table, texts, options.rowPlaces, output);
+    handOver(table, texts, output);
+    this->RowPlaces = rowPlaces(table);
     for (const std::string& name : table.names)
     {
       this->ColumnNames->InsertNextValue(name);

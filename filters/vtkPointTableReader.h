@@ -11,16 +11,18 @@
  * - area becomes the point data array "Area", which vtkWindingNumberField takes for the areas of
  *   the points;
  * - all other columns become point data arrays of their names with ReadAllColumns: vtkDoubleArray
- *   where all fields are numbers, vtkStringArray otherwise.
+ *   where all fields are numbers, vtkStringArray otherwise. A column without a name becomes Column
+ *   and its number, from 1 on; where another array has the name, the number stands behind it.
  *
  * The names of positions, normals and areas may have small letters or large ones, or be those that
  * ParaView gives to components when it saves data as a table ("Points:0", "Normals:2"). Of several
- * columns with one meaning the first counts, of several others with one name the last.
+ * columns with one meaning the first counts, and those behind it are like all others.
  *
  * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
  * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
  * order mark is passed over. Rows are read by all threads, and the result is the same for any
- * number of threads; beside it the reader needs no memory that grows with the file.
+ * number of threads. Of the text there are only parts in memory at a time, a quarter of a megabyte
+ * for each thread, or a row where one is longer.
  *
  * Errors, each one line through vtkErrorMacro with the name and the line of the file, with the
  * error code set and the output empty: files that cannot be read, are empty, have no columns x, y
@@ -36,10 +38,12 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for ColumnNames
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for RowPlaces
 
 #include <string> // for the header
 
 class vtkStringArray;
+class vtkTypeInt64Array;
 
 class VTKFILTERSWINDING_EXPORT vtkPointTableReader : public vtkPolyDataAlgorithm
 {
@@ -63,27 +67,31 @@ public:
   ///@}
 
   ///@{
-  /// Whether columns other than those of positions, normals and areas are read, too. A column
-  /// without a name becomes an array Column and its number, from 1 on. Default: on.
+  /// Whether columns other than those of positions, normals and areas are read, too. Default: on.
   vtkSetMacro(ReadAllColumns, bool);
   vtkGetMacro(ReadAllColumns, bool);
   vtkBooleanMacro(ReadAllColumns, bool);
   ///@}
 
   ///@{
-  /// Whether the point data array "RowPlace" says where the row of each point is in the file:
-  /// "Offset", the number of bytes before it, and "Size", the number of its bytes without the end
-  /// of its last line. A program may hand rows on with it as they are. Default: off.
+  /// Whether GetRowPlaces() says where the row of each point is in the file, so that a program may
+  /// hand rows on as they are. Default: off.
   vtkSetMacro(GenerateRowPlaces, bool);
   vtkGetMacro(GenerateRowPlaces, bool);
   vtkBooleanMacro(GenerateRowPlaces, bool);
   ///@}
 
+  /// The places of the rows after an update with GenerateRowPlaces, for each point two components:
+  /// "Offset", the number of bytes before its row, and "Size", the number of bytes of the row
+  /// without the end of its last line. Without tuples otherwise.
+  vtkTypeInt64Array* GetRowPlaces() { return this->RowPlaces; }
+
   /// The first row of the file as it is, with the end of its last line, after an update; empty
   /// where nothing was read. Where the file ends with it, an end of line is added.
   std::string GetHeader() const { return this->Header; }
 
-  /// The names of all columns in their order, after an update; none where nothing was read.
+  /// The names of all columns in their order, as the first row has them, after an update; none
+  /// where nothing was read.
   vtkStringArray* GetColumnNames() { return this->ColumnNames; }
 
 protected:
@@ -104,6 +112,7 @@ protected:
 private:
   std::string Header;
   vtkNew<vtkStringArray> ColumnNames;
+  vtkSmartPointer<vtkTypeInt64Array> RowPlaces;
 };
 
 #endif

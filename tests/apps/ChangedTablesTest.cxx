@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace
@@ -44,7 +45,7 @@ TEST_F(ChangedTables, AreRefused)
 {
   const Outcome run = this->probe("truncate", "out.csv");
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(run.saysInOneLine({"q.csv: has changed while it was read"})) << run;
+  EXPECT_TRUE(run.saysInOneLine({"q.csv: has changed since it was read"})) << run;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"q.csv", "source.off"}));
 }
 
@@ -55,6 +56,23 @@ TEST_F(ChangedTables, MayBeRemoved)
   const std::string text = contentsOf(folder.path("out.csv"));
   EXPECT_EQ(text.rfind("x,y,z,name,WindingNumber,Inside\n0,0,0,a,1,1\n0,0,9,\"b\",", 0), 0u)
     << text;
+}
+
+/// The rows that were read are still there.
+TEST_F(ChangedTables, MayGrow)
+{
+  const Outcome run = this->probe("append", "out.csv");
+  ASSERT_EQ(run.status, 0) << run;
+  const std::string text = contentsOf(folder.path("out.csv"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+}
+
+/// Neither the size nor the time of the file tells.
+TEST_F(ChangedTables, OfTheSameSizeAndTimeAreRefused)
+{
+  const Outcome run = this->probe("alter", "out.csv");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.saysInOneLine({"q.csv: has changed since it was read"})) << run;
 }
 
 /// Rows are not needed any more where the answer is no table.

@@ -89,6 +89,27 @@ TEST_F(LargeTables, MayHaveOtherEndsOfLinesAndNoLastOne)
     std::regex_replace(other, std::regex("\r\n"), "\n") == contentsOf(folder.path("plain.csv")));
 }
 
+/// Rows that are handed on lie far from each other in the file, and one is longer than any block.
+TEST_F(LargeTables, GiveTheRowsThatAreInside)
+{
+  const std::string note(700'000, 'n');
+  std::string text = "x,y,z,note\n", inside = "x,y,z,note,WindingNumber,Inside\n";
+  for (int i = 0; i < 60'000; ++i)
+  {
+    const bool isInside = i % 20'000 == 7'000;
+    const std::string row = std::string(isInside ? "0,0,0,\"" : "9,9,9,\"") +
+                            (i == 27'000 ? note : std::to_string(i)) + '"';
+    text += row + '\n';
+    inside += isInside ? row + ",1,1\n" : "";
+  }
+  const std::string source = folder.write("source.off", asOff(sphere(1)));
+  const std::string queries = folder.write("q.csv", text);
+  const Outcome run =
+    runProgram({"probe", source, queries, "-o", folder.path("in.csv"), "--extract"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_TRUE(contentsOf(folder.path("in.csv")) == inside);
+}
+
 TEST_F(LargeTables, OfWrongRowsAloneAreRefusedForTheFirst)
 {
   std::string text = "x;y;z\n";

@@ -212,7 +212,8 @@ TEST_F(ProbeCommand, BadQueriesAreNamed)
 
 TEST_F(ProbeCommand, TableToVtp)
 {
-  const std::string queries = folder.write("q.csv", "x,y,z,t,name\n0,0,0,7,a\n3,0,0,8,b\n");
+  const std::string queries =
+    folder.write("q.csv", "x,y,z,t,name,RowPlace,area\n0,0,0,7,a,5,north\n3,0,0,8,b,6,south\n");
   ASSERT_EQ(probe(queries, "out.vtp").status, 0);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(folder.path("out.vtp").c_str());
@@ -223,7 +224,30 @@ TEST_F(ProbeCommand, TableToVtp)
   EXPECT_NEAR(data->GetArray("WindingNumber")->GetTuple1(0), 1, 1e-12);
   EXPECT_EQ(data->GetArray("Inside")->GetTuple1(1), 0);
   EXPECT_EQ(data->GetArray("t")->GetTuple1(1), 8);
+  EXPECT_EQ(data->GetArray("RowPlace")->GetTuple1(1), 6);
   EXPECT_NE(data->GetAbstractArray("name"), nullptr);
+  EXPECT_NE(data->GetAbstractArray("area"), nullptr) << "areas of queries mean nothing";
+}
+
+TEST_F(ProbeCommand, ResultsReplaceNoColumn)
+{
+  const std::string queries = folder.write("q.csv", ",x,y,z,w\n7,0,0,0,8\n");
+  for (const std::string out : {"out.csv", "out.vtp"})
+  {
+    const Outcome run = probe(queries, out, {"--array", "w"});
+    EXPECT_EQ(run.status, 2) << out;
+    EXPECT_TRUE(run.saysInOneLine({"q.csv", "already has a column w", "--array"})) << run;
+  }
+  // Arrays have names, where columns need not.
+  EXPECT_EQ(probe(queries, "out.csv", {"--array", "Column 1"}).status, 0);
+  EXPECT_EQ(probe(queries, "out.vtp", {"--array", "Column 1"}).status, 2);
+}
+
+TEST_F(ProbeCommand, ColumnsMayHaveNamesThatBeginOtherFiles)
+{
+  const std::string queries = folder.write("q.tsv", "CUTOFF\tx\ty\tz\n1\t0\t0\t0\n");
+  ASSERT_EQ(probe(queries, "out.tsv").status, 0);
+  EXPECT_NE(contentsOf(folder.path("out.tsv")).find("\n1\t0\t0\t0\t1"), std::string::npos);
 }
 
 TEST_F(ProbeCommand, DataSetsKeepTheirCells)

@@ -5,9 +5,9 @@
  *
  * - FAULT_FILE: a part of the file's name; other files are left alone.
  * - FAULT_OPENING=n: at which opening of such a file, from 1 on.
- * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, or pause for
- *   a second, or hang for a minute.
- * - FAULT_VICTIM: the file that is unlinked or truncated in its place, if this is set.
+ * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, append to it,
+ *   alter its last byte but one with its time as before, pause for a second, or hang for a minute.
+ * - FAULT_VICTIM: the file to which this happens in its place, if this is set.
  */
 #include <atomic>
 #include <cstdarg>
@@ -30,6 +30,22 @@ void sleepThroughSignals(int seconds)
   while (nanosleep(&left, &left) != 0)
   {
   }
+}
+
+template <class Function> Function next(const char* name)
+{
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+using Open = int (*)(const char*, int, ...);
+using FileOpen = std::FILE* (*)(const char*, const char*);
+
+void writeInto(const char* path, int flags, const char* text, off_t offset)
+{
+  const int file = next<Open>("open")(path, O_WRONLY | flags);
+  lseek(file, offset, SEEK_SET);
+  static_cast<void>(!write(file, text, std::strlen(text)));
+  close(file);
 }
 
 void disturb(const char* path)
@@ -55,6 +71,16 @@ void disturb(const char* path)
   {
     static_cast<void>(!truncate(path, status.st_size / 2));
   }
+  else if (std::strcmp(action, "append") == 0)
+  {
+    writeInto(path, O_APPEND, "1,2,3,4\n", 0);
+  }
+  else if (std::strcmp(action, "alter") == 0 && stat(path, &status) == 0)
+  {
+    writeInto(path, 0, "?", status.st_size - 2);
+    const struct timespec times[] = {status.st_atim, status.st_mtim};
+    utimensat(AT_FDCWD, path, times, 0);
+  }
   else if (std::strcmp(action, "hang") == 0)
   {
     sleepThroughSignals(60);
@@ -64,14 +90,6 @@ void disturb(const char* path)
     sleepThroughSignals(1);
   }
 }
-
-template <class Function> Function next(const char* name)
-{
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
-
-using Open = int (*)(const char*, int, ...);
-using FileOpen = std::FILE* (*)(const char*, const char*);
 
 int openNext(const char* name, const char* path, int flags, va_list arguments)
 {

@@ -72,15 +72,32 @@ TEST(PointTableReader, ColumnsBecomeArrays)
   reader->ReadAllColumnsOff();
   reader->GenerateRowPlacesOn();
   reader->Update();
-  EXPECT_EQ(arrays->GetNumberOfArrays(), 1);
-  auto* const places = vtkTypeInt64Array::SafeDownCast(arrays->GetArray("RowPlace"));
-  ASSERT_NE(places, nullptr);
+  EXPECT_EQ(arrays->GetNumberOfArrays(), 0);
+  vtkTypeInt64Array* const places = reader->GetRowPlaces();
+  ASSERT_EQ(places->GetNumberOfTuples(), 2);
   EXPECT_STREQ(places->GetComponentName(0), "Offset");
   EXPECT_STREQ(places->GetComponentName(1), "Size");
   EXPECT_EQ(places->GetTypedComponent(0, 0), 23);
   EXPECT_EQ(places->GetTypedComponent(0, 1), 20);
   EXPECT_EQ(places->GetTypedComponent(1, 0), 45);
   EXPECT_EQ(log.errors(), "");
+}
+
+TEST(PointTableReader, NoColumnHidesAnother)
+{
+  const auto cloud = read<Table>(
+    "t,x,y,z,area,Area,nx,ny,nz,Normals,t,,Column 12,RowPlace\n1,2,3,4,5,6,7,8,9,10,11,12,13,14\n",
+    ".csv");
+  vtkPointData* const arrays = cloud->GetPointData();
+  const std::pair<const char*, double> expected[] = {{"Area", 5}, {"Area 6", 6}, {"Normals", 7},
+    {"Normals 10", 10}, {"t", 1}, {"t 11", 11}, {"Column 12", 13}, {"Column 12 12", 12},
+    {"RowPlace", 14}};
+  EXPECT_EQ(arrays->GetNumberOfArrays(), 9);
+  for (const auto& [name, value] : expected)
+  {
+    ASSERT_NE(arrays->GetArray(name), nullptr) << name;
+    EXPECT_EQ(arrays->GetArray(name)->GetComponent(0, 0), value) << name;
+  }
 }
 
 TEST(PointTableReader, WithoutRows)
@@ -92,11 +109,9 @@ TEST(PointTableReader, WithoutRows)
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   vtkPointData* const arrays = reader->GetOutput()->GetPointData();
-  for (const char* name : {"t", "RowPlace"})
-  {
-    ASSERT_NE(arrays->GetArray(name), nullptr) << name;
-    EXPECT_EQ(arrays->GetArray(name)->GetNumberOfTuples(), 0);
-  }
+  ASSERT_NE(arrays->GetArray("t"), nullptr);
+  EXPECT_EQ(arrays->GetArray("t")->GetNumberOfTuples(), 0);
+  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
 }
 
 TEST(PointTableReader, Refusals)
@@ -116,7 +131,9 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
   const ErrorLog log(reader);
   const TextFile file("x,y,z\n1,2,3\n", ".csv");
   reader->SetFileName(file.path());
+  reader->GenerateRowPlacesOn();
   reader->Update();
+  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 1);
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 3);
   reader->SetFileName("/nowhere.csv");
   reader->Update();
@@ -124,6 +141,7 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
   EXPECT_NE(log.errors().find("/nowhere.csv: no such file"), std::string::npos);
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 0);
+  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
   EXPECT_EQ(reader->GetHeader(), "");
   reader->SetFileName(nullptr);
   reader->Update();

@@ -77,7 +77,15 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
 {
   if (isTable(options.queries))
   {
-    queries.table.emplace(options.queries, !isTable(options.output), messages);
+    const bool isHandedOn = isTable(options.output);
+    if (isHandedOn && suffixOf(options.queries) != suffixOf(options.output))
+    {
+      throw Failure(REFUSED, options.output,
+        "the columns of the queries are kept as they are; give it their suffix " +
+          suffixOf(options.queries));
+    }
+    queries.table.emplace(
+      options.queries, isHandedOn ? QueryTable::With::rows : QueryTable::With::columns, messages);
     checkColumns([&](const std::string& name) { return queries.table->hasColumn(name); }, options);
     queries.points = queries.table->points();
     return;
@@ -116,12 +124,6 @@ void writeTable(
   vtkDataSet* answer = probed.data;
   const char separator = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
   const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
-  if (queries.table && suffixOf(options.queries) != suffixOf(file.name()))
-  {
-    throw Failure(REFUSED, file.name(),
-      "the columns of the queries are kept as they are; give it their suffix " +
-        suffixOf(options.queries));
-  }
   std::ofstream stream(file.temporaryName(), std::ios::binary);
   stream << (queries.table ? std::string(queries.table->header())
                            : std::string("x") + separator + "y" + separator + "z");
@@ -158,10 +160,6 @@ void writeTable(
   if (!stream)
   {
     file.refuseWriting();
-  }
-  if (queries.table)
-  {
-    queries.table->checkRows();
   }
 }
 

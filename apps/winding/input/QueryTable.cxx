@@ -10,34 +10,24 @@
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
-#include <cstring>
-
-namespace
-{
-
-/// The name of a file whose first bytes do not say that it is something else.
-const std::string& checked(const std::string& fileName)
+QueryTable::QueryTable(const std::string& fileName, With with, Messages& messages)
+  : reader_(vtkSmartPointer<vtkPointTableReader>::New())
 {
   checkContentFits(fileName);
-  return fileName;
-}
-
-} // namespace
-
-QueryTable::QueryTable(const std::string& fileName, bool withColumns, Messages& messages)
-  : file_(checked(fileName))
-  , reader_(vtkSmartPointer<vtkPointTableReader>::New())
-{
+  if (with == With::rows)
+  {
+    file_.emplace(fileName);
+  }
   messages.setSubject(fileName);
   reader_->SetFileName(fileName.c_str());
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
-  reader_->SetReadAllColumns(withColumns);
-  reader_->GenerateRowPlacesOn();
+  reader_->SetReadAllColumns(with == With::columns);
+  reader_->SetGenerateRowPlaces(with == With::rows);
   runReader(reader_, fileName, messages);
-  file_.checkName();
-  vtkPointData* const arrays = reader_->GetOutput()->GetPointData();
-  places_ = vtkTypeInt64Array::SafeDownCast(arrays->GetArray("RowPlace"));
-  arrays->RemoveArray("RowPlace"); // it is no column
+  if (file_)
+  {
+    file_->checkName();
+  }
   header_ = reader_->GetHeader();
   header_.pop_back();
   if (!header_.empty() && header_.back() == '\r')
@@ -56,11 +46,13 @@ vtkPointSet* QueryTable::points() const
 
 bool QueryTable::hasColumn(const std::string& name) const
 {
-  return reader_->GetColumnNames()->LookupValue(name) >= 0;
+  return reader_->GetColumnNames()->LookupValue(name) >= 0 ||
+         reader_->GetOutput()->GetPointData()->HasArray(name.c_str()) != 0;
 }
 
 std::string_view QueryTable::row(vtkIdType point)
 {
-  return file_.read(static_cast<std::size_t>(places_->GetTypedComponent(point, 0)),
-    static_cast<std::size_t>(places_->GetTypedComponent(point, 1)));
+  vtkTypeInt64Array* const places = reader_->GetRowPlaces();
+  return file_->read(static_cast<std::size_t>(places->GetTypedComponent(point, 0)),
+    static_cast<std::size_t>(places->GetTypedComponent(point, 1)));
 }

@@ -1,48 +1,50 @@
 #pragma once
 
-#include "files/OpenFile.h"
+#include "files/CheckedFile.h"
 
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 class Messages;
 class vtkPointSet;
 class vtkPointTableReader;
-class vtkTypeInt64Array;
 
-/// A table of points that are asked about. Its rows stay in the file, from where they can be handed
-/// on as they are.
+/// A table of points that are asked about.
 class QueryTable
 {
 public:
-  /// Reads the points, and with `withColumns` all other columns as arrays of theirs. Throws Failure
-  /// for whatever is no table of points, and where it changes meanwhile.
-  QueryTable(const std::string& fileName, bool withColumns, Messages& messages);
+  /// The things that are wanted beside the points.
+  enum class With
+  {
+    rows,   ///< texts of rows, to be handed on as they are; they stay in the file
+    columns ///< arrays of all columns
+  };
+
+  /// Reads the points. Throws Failure for whatever is no table of points.
+  QueryTable(const std::string& fileName, With with, Messages& messages);
   ~QueryTable();
 
   vtkPointSet* points() const;
 
+  /// Whether the table has a column of that name, or the points an array.
   bool hasColumn(const std::string& name) const;
 
   /// The text of the first row, without the end of its last line.
   const std::string& header() const { return header_; }
 
-  /// The end of the first row, and so that of all.
+  /// The end of the first row's last line, "\n" or "\r\n".
   const char* lineEnd() const { return lineEnd_; }
 
   /// The text of the row of a point, without the end of its last line, valid until the next call.
+  /// Throws Failure where it has changed since it was read.
   std::string_view row(vtkIdType point);
 
-  /// Throws Failure where something was written into the file since it was read, so that rows may
-  /// not be those of the points.
-  void checkRows() const { file_.checkIsUnchanged(); }
-
 private:
-  OpenFile file_;
+  std::optional<CheckedFile> file_; ///< where rows are wanted
   vtkSmartPointer<vtkPointTableReader> reader_;
-  vtkSmartPointer<vtkTypeInt64Array> places_;
   std::string header_;
   const char* lineEnd_ = "\n";
 };

@@ -54,9 +54,11 @@ bool isEcho(const std::string& line)
   return line.find("returned failure for request") != std::string::npos;
 }
 
+/// A message that is undecorated, with the name of the file before it unless it begins with it.
 std::string about(const std::string& file, const std::string& message)
 {
-  return message.rfind(file, 0) == 0 || file.empty() ? message : file + ": " + message;
+  const bool isNamed = message.rfind(undecorated(file), 0) == 0;
+  return isNamed || file.empty() ? message : file + ": " + message;
 }
 
 } // namespace

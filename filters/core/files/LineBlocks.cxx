@@ -15,8 +15,8 @@ constexpr std::size_t bytesAtOnce = 1 << 12;
 /// the end of the line, which may have two bytes.
 constexpr std::size_t bytesBefore = 3;
 
-/// Whether a line that ends with the '\n' at `end` goes on in the next one. `first` is the first
-/// byte that is known.
+/// Whether a line that ends with the '\n' at `end` goes on in the next one, behind a backslash.
+/// `first` is the first byte that is known.
 bool goesOn(const char* first, const char* end)
 {
   const char* last = end - (end > first && end[-1] == '\r' ? 1 : 0);
@@ -25,7 +25,7 @@ bool goesOn(const char* first, const char* end)
 
 /// The place of the first line that begins at or behind `from`, which is greater than 0, and does
 /// not go on the one before; the size of the file if there is none.
-std::size_t nextLine(const InputFile& file, std::size_t from)
+std::size_t nextLine(const InputFile& file, std::size_t from, LineBlocks::Backslash backslash)
 {
   PlainArray<char> bytes(bytesAtOnce);
   std::size_t first = from - std::min(from, bytesBefore);
@@ -39,7 +39,7 @@ std::size_t nextLine(const InputFile& file, std::size_t from)
     while (at < end && (at = static_cast<const char*>(
                           std::memchr(at, '\n', static_cast<std::size_t>(end - at)))))
     {
-      if (!goesOn(bytes.data(), at))
+      if (backslash == LineBlocks::Backslash::isLetter || !goesOn(bytes.data(), at))
       {
         return first + static_cast<std::size_t>(at - bytes.data()) + 1;
       }
@@ -53,14 +53,15 @@ std::size_t nextLine(const InputFile& file, std::size_t from)
 
 } // namespace
 
-LineBlocks::LineBlocks(const InputFile& file, std::size_t start, std::size_t bytesPerBlock)
+LineBlocks::LineBlocks(
+  const InputFile& file, std::size_t start, std::size_t bytesPerBlock, Backslash backslash)
   : file_(&file)
   , starts_{start}
 {
   while (starts_.back() < file.size())
   {
     const std::size_t from = starts_.back() + bytesPerBlock;
-    starts_.push_back(from < file.size() ? nextLine(file, from) : file.size());
+    starts_.push_back(from < file.size() ? nextLine(file, from, backslash) : file.size());
   }
 }
 

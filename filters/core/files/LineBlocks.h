@@ -37,17 +37,23 @@ private:
 
 /**
  * Divides a text file, from some place on, into blocks of whole lines of about `bytesPerBlock`
- * bytes, or of one line where lines are longer. The blocks depend on the file only. A line that
- * ends with a backslash stays together with the line behind it.
+ * bytes, or of one line where lines are longer. The blocks depend on the file only.
  */
 class LineBlocks
 {
 public:
   static constexpr std::size_t usualBytes = 1 << 18;
 
+  /// Whether a line that ends with a backslash stays together with the line behind it.
+  enum class Backslash
+  {
+    joinsLines,
+    isLetter
+  };
+
   /// Lines begin at `start`. Throws FileRefusal where the file cannot be read.
-  explicit LineBlocks(
-    const InputFile& file, std::size_t start = 0, std::size_t bytesPerBlock = usualBytes);
+  explicit LineBlocks(const InputFile& file, std::size_t start = 0,
+    std::size_t bytesPerBlock = usualBytes, Backslash backslash = Backslash::isLetter);
 
   /// The blocks begin at these places, in their order, but for the last, which is the end of the
   /// last block.

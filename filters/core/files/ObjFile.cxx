@@ -149,7 +149,7 @@ class ObjParser
 public:
   ObjParser(const InputFile& file, Executor& executor)
     : file_(file)
-    , blocks_(file)
+    , blocks_(file, 0, LineBlocks::usualBytes, LineBlocks::Backslash::joinsLines)
     , starts_(blocks_.count() + 1)
     , executor_(executor)
   {

@@ -11,24 +11,6 @@ namespace winding
 namespace
 {
 
-bool isSpace(char letter)
-{
-  return letter == ' ' || letter == '\t' || letter == '\r';
-}
-
-std::string_view withoutSpaces(std::string_view field)
-{
-  while (!field.empty() && isSpace(field.front()))
-  {
-    field.remove_prefix(1);
-  }
-  while (!field.empty() && isSpace(field.back()))
-  {
-    field.remove_suffix(1);
-  }
-  return field;
-}
-
 bool isQuoted(std::string_view field)
 {
   return field.size() >= 2 && field.front() == '"' && field.back() == '"';
@@ -52,7 +34,7 @@ bool RowScanner::nextRow()
     {
       at_ = at + 1;
     }
-    else if (!isSpace(*at))
+    else if (!isBlank(*at))
     {
       row_ = at_;
       state_ = RowState::hasMore;
@@ -69,7 +51,7 @@ bool RowScanner::nextField(std::string_view& field)
     return false;
   }
   const char* const first = at_;
-  const char* at = this->skipSpaces(first);
+  const char* at = this->skipBlanks(first);
   if (at < end_ && *at == '"')
   {
     this->passQuoted(at);
@@ -96,10 +78,10 @@ bool RowScanner::nextNumber(double& value)
   {
     return false;
   }
-  const auto result = std::from_chars(this->skipSpaces(at_), end_, value);
+  const auto result = std::from_chars(this->skipBlanks(at_), end_, value);
   if (result.ec == std::errc())
   {
-    const char* const behind = this->skipSpaces(result.ptr);
+    const char* const behind = this->skipBlanks(result.ptr);
     if (behind < end_ && (*behind == separator_ || *behind == '\n'))
     {
       this->endField(behind);
@@ -108,7 +90,7 @@ bool RowScanner::nextNumber(double& value)
   }
   const RowScanner before = *this;
   std::string_view field;
-  if (this->nextField(field) && parseNumber(trimmed(field), value))
+  if (this->nextField(field) && parseNumber(contentOf(field), value))
   {
     return true;
   }
@@ -139,10 +121,10 @@ std::string_view RowScanner::row() const
   return {row_, static_cast<std::size_t>(last - row_)};
 }
 
-/// The first place from `at` on that is no space within a field.
-const char* RowScanner::skipSpaces(const char* at) const
+/// The first place from `at` on that is not blank, or a separator.
+const char* RowScanner::skipBlanks(const char* at) const
 {
-  while (at < end_ && isSpace(*at) && *at != separator_)
+  while (at < end_ && isBlank(*at) && *at != separator_)
   {
     ++at;
   }
@@ -168,7 +150,7 @@ void RowScanner::passQuoted(const char* mark)
   {
     close = nextMark(close + 2);
   }
-  const char* const behind = close ? this->skipSpaces(close + 1) : end_;
+  const char* const behind = close ? this->skipBlanks(close + 1) : end_;
   if (behind < end_ && *behind != separator_ && *behind != '\n')
   {
     state_ = RowState::broken;
@@ -177,16 +159,29 @@ void RowScanner::passQuoted(const char* mark)
   this->endField(behind);
 }
 
-std::string_view trimmed(std::string_view field)
+std::string_view withoutBlanks(std::string_view field)
 {
-  field = withoutSpaces(field);
+  while (!field.empty() && isBlank(field.front()))
+  {
+    field.remove_prefix(1);
+  }
+  while (!field.empty() && isBlank(field.back()))
+  {
+    field.remove_suffix(1);
+  }
+  return field;
+}
+
+std::string_view contentOf(std::string_view field)
+{
+  field = withoutBlanks(field);
   return isQuoted(field) ? field.substr(1, field.size() - 2) : field;
 }
 
 std::string unquoted(std::string_view field)
 {
-  const std::string_view inner = trimmed(field);
-  const bool marksAreDoubled = isQuoted(withoutSpaces(field));
+  const std::string_view inner = contentOf(field);
+  const bool marksAreDoubled = isQuoted(withoutBlanks(field));
   std::string text;
   for (std::size_t i = 0; i < inner.size(); ++i)
   {

@@ -58,7 +58,7 @@ public:
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
 private:
-  const char* skipSpaces(const char* at) const;
+  const char* skipBlanks(const char* at) const;
   void endField(const char* at);
   void passQuoted(const char* mark);
 
@@ -69,8 +69,11 @@ private:
   RowState state_ = RowState::ended;
 };
 
+/// A field, or row, without blanks around it.
+std::string_view withoutBlanks(std::string_view field);
+
 /// A field without spaces and quotation marks around it. Two marks within are still two.
-std::string_view trimmed(std::string_view field);
+std::string_view contentOf(std::string_view field);
 
 /// The text that a field stands for.
 std::string unquoted(std::string_view field);

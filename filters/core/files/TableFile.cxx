@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cctype>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace winding
@@ -69,31 +70,32 @@ public:
   {
   }
 
-  /// Has columns read as the components of one array, if there are any.
-  void readInto(PlainArray<double>& numbers, const std::vector<std::size_t>& columns)
+  /// Has columns read as the components of one array. Returns whether there are any.
+  bool readInto(PlainArray<double>& numbers, const std::vector<std::size_t>& columns)
   {
     numbers = PlainArray<double>(rows_.count() * columns.size());
     for (std::size_t i = 0; i < columns.size(); ++i)
     {
       targets_[columns[i]] = {numbers.begin() + (numbers.empty() ? 0 : i), columns.size()};
     }
+    return !columns.empty();
   }
 
-  /// Has all columns read that are not read yet.
-  void readOthers()
+  /// Has all columns read that are not read yet. `taken` are the names of other arrays.
+  void readOthers(std::set<std::string> taken)
   {
+    std::vector<std::size_t> others;
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
       if (targets_[i].step == 0)
       {
-        const std::size_t place = table_.columns.size();
         TableColumn& column = table_.columns.emplace_back();
-        const std::string& name = table_.names[i];
-        column.name = name.empty() ? "Column " + std::to_string(i + 1) : name;
         column.numbers = PlainArray<double>(rows_.count());
-        targets_[i] = {column.numbers.data(), 1, true, place};
+        targets_[i] = {column.numbers.data(), 1, true, others.size()};
+        others.push_back(i);
       }
     }
+    this->nameOthers(others, taken);
   }
 
   void readPlaces() { table_.rowPlaces = PlainArray<std::int64_t>(2 * rows_.count()); }
@@ -104,6 +106,7 @@ public:
     DividedShare share(executor);
     share.set(0, texts ? 0.7 : 1);
     rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
+    rows_.checkEnd();
     bool hasTexts = false;
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
@@ -124,6 +127,36 @@ public:
   }
 
 private:
+  /// Gives the other columns, which have these places in the header, names of their own.
+  void nameOthers(const std::vector<std::size_t>& places, std::set<std::string>& taken)
+  {
+    const auto nameAt = [this](std::size_t place)
+    {
+      return std::string(table_.names[place].c_str()); // names of arrays end at a zero byte
+    };
+    for (std::size_t other = 0; other < places.size(); ++other)
+    {
+      const std::string name = nameAt(places[other]);
+      if (!name.empty() && taken.insert(name).second)
+      {
+        table_.columns[other].name = name;
+      }
+    }
+    for (std::size_t other = 0; other < places.size(); ++other)
+    {
+      std::string& name = table_.columns[other].name;
+      if (name.empty())
+      {
+        name = nameAt(places[other]);
+        name = name.empty() ? "Column" : name;
+        do
+        {
+          name += ' ' + std::to_string(places[other] + 1);
+        } while (!taken.insert(name).second);
+      }
+    }
+  }
+
   void readNumbers(TableRows::Part& part)
   {
     while (part.nextRow())
@@ -166,7 +199,7 @@ private:
     part.fields().nextField(field);
     if (!target.mayBeText)
     {
-      part.refuse(shown(trimmed(field)) + " in column " + table_.names[index] + " is no number");
+      part.refuse(shown(contentOf(field)) + " in column " + table_.names[index] + " is no number");
     }
     isText_[index] = true;
   }
@@ -199,8 +232,9 @@ private:
   {
     if (const std::size_t fields = part.countFields(); fields != targets_.size())
     {
-      part.refuse("has " + std::to_string(fields) + " fields, but the header names " +
-                  std::to_string(targets_.size()) + "; it is truncated or damaged");
+      part.refuse("has " + std::to_string(fields) + (fields == 1 ? " field" : " fields") +
+                  ", but the header names " + std::to_string(targets_.size()) +
+                  "; it is truncated or damaged");
     }
   }
 
@@ -210,6 +244,15 @@ private:
   std::vector<Target> targets_;           ///< one for each column
   std::vector<std::atomic<bool>> isText_; ///< of each column, whether a field was no number
 };
+
+/// The words for a table without the columns x, y and z.
+std::string withoutPositions(const PointTable& table, const TableOptions& options)
+{
+  const std::string_view header = std::string_view(table.header).substr(0, table.header.find('\n'));
+  const std::string found = header.empty() ? "" : ", but " + shown(withoutBlanks(header));
+  return "has no columns x, y and z" + found + "; name them in the first line, separated by " +
+         (options.separator == '\t' ? "tabs" : "commas");
+}
 
 } // namespace
 
@@ -222,23 +265,28 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   const auto positions = columnsOf({"x", "y", "z"}, table.names);
   if (positions.empty())
   {
-    file.refuse(
-      std::string("has no columns x, y and z; name them in the first line, separated by ") +
-      (options.separator == '\t' ? "tabs" : "commas"));
+    file.refuse(withoutPositions(table, options));
   }
   DividedShare share(executor);
   share.set(0, 0.2); // finding the rows takes a fifth of the time
   const TableRows rows(file, options.separator, header.end, options.bytesPerBlock, executor);
   FieldsParser parser(file, rows, table);
   parser.readInto(table.points.points.doubles, positions);
+  std::set<std::string> taken;
   if (options.normalsAndAreas)
   {
-    parser.readInto(table.points.normals.doubles, columnsOf({"nx", "ny", "nz"}, table.names));
-    parser.readInto(table.points.areas, columnsOf({"area"}, table.names));
+    if (parser.readInto(table.points.normals.doubles, columnsOf({"nx", "ny", "nz"}, table.names)))
+    {
+      taken.insert("Normals");
+    }
+    if (parser.readInto(table.points.areas, columnsOf({"area"}, table.names)))
+    {
+      taken.insert("Area");
+    }
   }
   if (options.texts)
   {
-    parser.readOthers();
+    parser.readOthers(taken);
   }
   if (options.rowPlaces)
   {

@@ -67,8 +67,9 @@ struct PointTable
  * quotation marks, as RFC 4180 has it, blank lines are passed over, and so is a byte order mark.
  * All points are in one vertex cell.
  *
- * A column without a name that is read because all are wanted is called Column and its number, from
- * 1 on.
+ * Columns without a meaning have names of their own: one without a name is called Column and its
+ * number, from 1 on, and one whose name another array has, "Normals" and "Area" included, gets its
+ * number behind it.
  *
  * Throws FileRefusal for a table without x, y and z, for rows with more or fewer fields than the
  * header, for fields that are no numbers in columns that have to be, and for quotation marks that

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <utility>
 
 namespace winding
@@ -36,38 +35,29 @@ TextBlock textFrom(const InputFile& file, std::size_t first, std::size_t bytes)
   return {std::move(text), first};
 }
 
-/**
- * Calls visit(rows, behind) for whole rows from the place `start` on, one or more as far as so many
- * bytes hold them, until it returns false: `behind` is the place behind the row. Returns the place
- * behind the last one. Throws FileRefusal for quotation marks that are not as they should be.
- */
+/// A stretch of whole rows.
+struct Stretch
+{
+  std::size_t end = 0;   ///< the place behind it, blank lines included
+  bool isBroken = false; ///< whether a quotation mark in the row there is not as it should be
+};
+
+/// Calls visit(rows) at the end of each whole row among so many bytes from `start` on, until
+/// it returns false.
 template <class Visit>
-std::size_t visitWholeRows(
+Stretch visitWholeRows(
   const InputFile& file, std::size_t start, char separator, std::size_t bytes, const Visit& visit)
 {
-  for (;; bytes *= 2)
+  const TextBlock text = textFrom(file, start, bytes);
+  RowScanner rows(text.text(), separator);
+  while (rows.nextRow() && rows.passRow() && visit(rows))
   {
-    const TextBlock text = textFrom(file, start, bytes);
-    const bool isLast = bytes >= file.size() - start;
-    RowScanner rows(text.text(), separator);
-    std::size_t behind = start;
-    while (rows.nextRow() && rows.passRow())
-    {
-      behind = std::min(text.offsetOf(rows.rest().data()), file.size());
-      if (!visit(rows))
-      {
-        return behind;
-      }
-    }
-    if (rows.state() == RowState::broken || (isLast && rows.state() == RowState::cut))
-    {
-      refuseQuotation(file, text.offsetOf(rows.rowStart()));
-    }
-    if (isLast || behind > start)
-    {
-      return isLast ? file.size() : behind;
-    }
   }
+  const RowState state = rows.state();
+  const char* const end = state == RowState::ended ? rows.rest().data() : rows.rowStart();
+  const bool isLast = bytes >= file.size() - start;
+  return {std::min(text.offsetOf(end), file.size()),
+    state == RowState::broken || (isLast && state == RowState::cut)};
 }
 
 } // namespace
@@ -78,6 +68,7 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
   file.read(0, first, std::min(sizeof first, file.size()));
   const bool hasMark = std::string_view(first, sizeof first) == byteOrderMark;
   TableHeader header;
+  header.end = hasMark ? byteOrderMark.size() : 0;
   const auto take = [&header, separator](const RowScanner& row)
   {
     header.text.assign(row.rowStart(), row.rest().data());
@@ -89,8 +80,16 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
     }
     return false;
   };
-  header.end =
-    visitWholeRows(file, hasMark ? byteOrderMark.size() : 0, separator, bytesAtOnce, take);
+  for (std::size_t bytes = bytesAtOnce; header.names.empty() && header.end < file.size();)
+  {
+    const Stretch stretch = visitWholeRows(file, header.end, separator, bytes, take);
+    if (stretch.isBroken)
+    {
+      refuseQuotation(file, stretch.end);
+    }
+    bytes *= stretch.end == header.end ? 2 : 1;
+    header.end = stretch.end;
+  }
   return header;
 }
 
@@ -100,8 +99,11 @@ TableRows::TableRows(const InputFile& file, char separator, std::size_t start,
   , separator_(separator)
   , blocks_(file, start, bytesPerBlock)
 {
+  DividedShare share(executor);
+  share.set(0, 0.5);
   if (!this->countPlainRows(executor))
   {
+    share.set(0.5, 1);
     this->findQuotedRows(start, bytesPerBlock, executor);
   }
   for (std::size_t block = 0; block + 1 < starts_.size(); ++block)
@@ -139,7 +141,8 @@ bool TableRows::countPlainRows(Executor& executor)
   return isPlain;
 }
 
-/// Makes blocks of whole rows in the order of the file.
+/// Makes blocks of whole rows in the order of the file, up to the first quotation mark that is not
+/// as it should be.
 void TableRows::findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Executor& executor)
 {
   starts_.assign(1, 0);
@@ -149,25 +152,47 @@ void TableRows::findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Exe
   {
     return static_cast<double>(place) / static_cast<double>(file_.size());
   };
-  while (places.back() < file_.size())
+  std::size_t bytes = bytesPerBlock;
+  while (!brokenRow_ && places.back() < file_.size())
   {
     const std::size_t from = places.back();
-    share.set(shareOf(from), shareOf(std::min(from + bytesPerBlock, file_.size())));
-    starts_.push_back(0);
+    std::size_t count = 0;
+    Stretch stretch;
+    share.set(shareOf(from), shareOf(std::min(from + bytes, file_.size())));
     runOrderedBlocks(
       1,
       [&](std::size_t)
       {
-        places.push_back(visitWholeRows(file_, from, separator_, bytesPerBlock,
-          [this](const RowScanner&)
+        stretch = visitWholeRows(file_, from, separator_, bytes,
+          [&count](const RowScanner&)
           {
-            ++starts_.back();
+            ++count;
             return true;
-          }));
+          });
       },
       executor);
+    if (stretch.isBroken)
+    {
+      brokenRow_ = stretch.end;
+    }
+    if (stretch.end == from)
+    {
+      bytes *= 2;
+      continue;
+    }
+    bytes = bytesPerBlock;
+    places.push_back(stretch.end);
+    starts_.push_back(count);
   }
   blocks_ = LineBlocks(file_, std::move(places));
+}
+
+void TableRows::checkEnd() const
+{
+  if (brokenRow_)
+  {
+    refuseQuotation(file_, *brokenRow_);
+  }
 }
 
 void TableRows::visit(const std::function<void(Part& part)>& work, Executor& executor) const

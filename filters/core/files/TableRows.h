@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,16 @@ class TableRows
 {
 public:
   /// Finds the rows from the place `start` on, and reads the whole file for it. The file must live
-  /// as long as this object. Throws FileRefusal where it cannot be read and for quotation marks
-  /// that are not as they should be, and Interrupted.
+  /// as long as this object. They end before a row with a quotation mark that is not as it should
+  /// be. Throws FileRefusal where the file cannot be read, and Interrupted.
   TableRows(const InputFile& file, char separator, std::size_t start, std::size_t bytesPerBlock,
     Executor& executor);
 
   std::size_t count() const { return starts_.back(); }
+
+  /// Throws FileRefusal where the rows ended before the file did. What is wrong with rows before
+  /// that one is to be told first.
+  void checkEnd() const;
 
   /// The rows of a block.
   class Part
@@ -89,6 +94,7 @@ private:
   char separator_;
   LineBlocks blocks_;
   std::vector<std::size_t> starts_; ///< the number of the first row of each block; last, of all
+  std::optional<std::size_t> brokenRow_; ///< the place of the row before which the rows ended
 };
 
 } // namespace winding

@@ -12,7 +12,7 @@ using namespace winding;
 namespace
 {
 
-/// Lines of random lengths, some of which go on behind a backslash.
+/// Lines of random lengths, some of which end with a backslash.
 std::string randomText(std::mt19937& random)
 {
   std::string text;
@@ -26,7 +26,7 @@ std::string randomText(std::mt19937& random)
   return text + (random() % 2 == 0 || text.empty() ? "end" : "");
 }
 
-bool mayBegin(const std::string& text, std::size_t at)
+bool mayBegin(const std::string& text, std::size_t at, LineBlocks::Backslash backslash)
 {
   const std::string before = text.substr(0, at);
   const auto endsWith = [&before](const std::string& end)
@@ -34,7 +34,8 @@ bool mayBegin(const std::string& text, std::size_t at)
     return before.size() >= end.size() &&
            before.compare(before.size() - end.size(), end.size(), end) == 0;
   };
-  return endsWith("\n") && !endsWith("\\\n") && !endsWith("\\\r\n");
+  const bool isJoined = endsWith("\\\n") || endsWith("\\\r\n");
+  return endsWith("\n") && (backslash == LineBlocks::Backslash::isLetter || !isJoined);
 }
 
 TEST(LineBlocks, AreTheFileInWholeLines)
@@ -46,13 +47,15 @@ TEST(LineBlocks, AreTheFileInWholeLines)
     const TemporaryFile file(text);
     const InputFile input(file.name());
     const std::size_t bytes = 1 + random() % 40;
-    const LineBlocks blocks(input, 0, bytes);
+    const auto backslash =
+      round % 2 == 0 ? LineBlocks::Backslash::joinsLines : LineBlocks::Backslash::isLetter;
+    const LineBlocks blocks(input, 0, bytes, backslash);
     std::string joined;
     for (std::size_t block = 0; block < blocks.count(); ++block)
     {
       const TextBlock part = blocks.read(block);
       ASSERT_EQ(part.offsetOf(part.text().data()), joined.size());
-      ASSERT_TRUE(joined.empty() || mayBegin(text, joined.size())) << text;
+      ASSERT_TRUE(joined.empty() || mayBegin(text, joined.size(), backslash)) << text;
       ASSERT_EQ(part.text().back(), '\n');
       joined += part.text();
     }
@@ -69,6 +72,19 @@ TEST(LineBlocks, LongLinesAreBlocksOfTheirOwn)
   ASSERT_EQ(blocks.count(), 2u);
   EXPECT_EQ(blocks.read(0).text().size(), 100001u);
   EXPECT_EQ(blocks.read(1).text(), "yyy\nz\n");
+}
+
+TEST(LineBlocks, BackslashesDoNotMakeThemLonger)
+{
+  std::string text;
+  for (int line = 0; line < 100; ++line)
+  {
+    text += "1,2,3,C:\\folder\\\n";
+  }
+  const TemporaryFile file(text);
+  const InputFile input(file.name());
+  EXPECT_EQ(LineBlocks(input, 0, 100).count(), 17u) << "six lines of 17 bytes each";
+  EXPECT_EQ(LineBlocks(input, 0, 100, LineBlocks::Backslash::joinsLines).count(), 1u);
 }
 
 TEST(LineBlocks, BeginWhereTheyAreTold)

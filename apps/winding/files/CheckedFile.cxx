@@ -1,0 +1,125 @@
+#include "files/CheckedFile.h"
+
+#include "program/Failure.h"
+#include "program/Interrupt.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <functional>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace
+{
+
+constexpr std::size_t bytesPerBlock = 1 << 18;
+
+bool isSameTime(const struct timespec& a, const struct timespec& b)
+{
+  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+}
+
+} // namespace
+
+CheckedFile::CheckedFile(const std::string& name)
+  : name_(name)
+  , descriptor_(open(name.c_str(), O_RDONLY | O_CLOEXEC))
+  , opened_()
+{
+  if (descriptor_ < 0 || fstat(descriptor_, &opened_) != 0)
+  {
+    const std::string reason = std::strerror(errno);
+    if (descriptor_ >= 0)
+    {
+      close(descriptor_);
+    }
+    throw Failure(REFUSED, name_, "cannot be opened: " + reason + "; check its permissions");
+  }
+  try
+  {
+    size_ = static_cast<std::size_t>(opened_.st_size);
+    checksums_.resize((size_ + bytesPerBlock - 1) / bytesPerBlock);
+    bytes_.resize(bytesPerBlock);
+    for (std::size_t block = 0; block < checksums_.size(); ++block)
+    {
+      interrupt::check();
+      checksums_[block] = this->takeBlock(block, bytes_.data());
+    }
+    bytes_.clear();
+  }
+  catch (...)
+  {
+    close(descriptor_);
+    throw;
+  }
+}
+
+CheckedFile::~CheckedFile()
+{
+  close(descriptor_);
+}
+
+void CheckedFile::checkName() const
+{
+  struct stat now = {};
+  if (stat(name_.c_str(), &now) != 0 || now.st_dev != opened_.st_dev ||
+      now.st_ino != opened_.st_ino || now.st_size != opened_.st_size ||
+      !isSameTime(now.st_mtim, opened_.st_mtim) || !isSameTime(now.st_ctim, opened_.st_ctim))
+  {
+    this->refuseChanged();
+  }
+}
+
+std::string_view CheckedFile::read(std::size_t offset, std::size_t count)
+{
+  if (offset < first_ || offset + count > first_ + bytes_.size())
+  {
+    const std::size_t firstBlock = offset / bytesPerBlock;
+    const std::size_t endBlock = (offset + count + bytesPerBlock - 1) / bytesPerBlock;
+    first_ = firstBlock * bytesPerBlock;
+    bytes_.resize((endBlock - firstBlock) * bytesPerBlock);
+    for (std::size_t block = firstBlock; block < endBlock; ++block)
+    {
+      char* const to = bytes_.data() + (block * bytesPerBlock - first_);
+      if (this->takeBlock(block, to) != checksums_[block])
+      {
+        this->refuseChanged();
+      }
+    }
+  }
+  return {bytes_.data() + (offset - first_), count};
+}
+
+/// Reads a block, and gives its checksum.
+std::uint64_t CheckedFile::takeBlock(std::size_t block, char* bytes) const
+{
+  const std::size_t offset = block * bytesPerBlock;
+  const std::size_t count = std::min(bytesPerBlock, size_ - offset);
+  std::size_t size = 0;
+  while (size < count)
+  {
+    const ssize_t taken =
+      pread(descriptor_, bytes + size, count - size, static_cast<off_t>(offset + size));
+    if (taken < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (taken < 0)
+    {
+      throw Failure(REFUSED, name_, std::string("cannot be read: ") + std::strerror(errno));
+    }
+    if (taken == 0)
+    {
+      this->refuseChanged();
+    }
+    size += static_cast<std::size_t>(taken);
+  }
+  return std::hash<std::string_view>()({bytes, count});
+}
+
+void CheckedFile::refuseChanged() const
+{
+  throw Failure(REFUSED, name_, "has changed since it was read; start again");
+}
