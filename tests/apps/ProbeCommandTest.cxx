@@ -170,17 +170,28 @@ TEST_F(ProbeCommand, NoTableGetsTwoColumnsOfOneName)
   }
 }
 
-TEST_F(ProbeCommand, SeventeenDigitsBringBackEveryBit)
+/// Numbers in tables have all the bits of those in binary files, and no digit more than that needs.
+TEST_F(ProbeCommand, DigitsBringBackEveryBit)
 {
-  const std::string queries = folder.write("q.csv", "x,y,z\n0.9999,0.01,0.02\n");
-  const std::string half = folder.write("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  in = half;
+  const std::string queries = folder.write("q.csv", "x,y,z\n0.9999,0.01,0.02\n0.1,0.2,3\n");
+  in = folder.write("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_EQ(probe(queries, "out.csv").status, 0);
-  const auto fields = split(split(contentsOf(folder.path("out.csv")), '\n')[1], ',');
+  ASSERT_EQ(probe(queries, "out.vtp").status, 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("out.vtp").c_str());
+  reader->Update();
+  vtkDataArray* const values = reader->GetOutput()->GetPointData()->GetArray("WindingNumber");
+  for (int row = 0; row < 2; ++row)
+  {
+    const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
+    const std::string field = split(lines[static_cast<std::size_t>(row + 1)], ',')[3];
+    EXPECT_EQ(std::stod(field), values->GetTuple1(row)) << field;
+  }
   char text[40];
-  std::snprintf(text, sizeof text, "%.17g", std::stod(fields[3]));
-  EXPECT_EQ(fields[3], text);
-  EXPECT_GE(fields[3].size(), 17u);
+  std::snprintf(text, sizeof text, "%.15g", values->GetTuple1(1));
+  EXPECT_NE(std::stod(text), values->GetTuple1(1)) << "the second number needs more digits";
+  ASSERT_EQ(probe(folder.write("p.xyz", "0.1 0.2 3\n"), "p.csv").status, 0);
+  EXPECT_NE(contentsOf(folder.path("p.csv")).find("\n0.1,0.2,3,"), std::string::npos);
 }
 
 TEST_F(ProbeCommand, PointsThatAreNotFinite)

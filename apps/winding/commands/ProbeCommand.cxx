@@ -1,13 +1,11 @@
+#include "commands/AnswerTable.h"
 #include "commands/Commands.h"
-#include "commands/DealtProbe.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
 #include "commands/OpenOnFirstRank.h"
 #include "commands/ReadOnFirstRank.h"
 #include "commands/ReportParts.h"
-#include "files/ExactNumber.h"
 #include "files/Suffix.h"
-#include "input/QueryTable.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -18,16 +16,12 @@
 #include "program/Stopwatch.h"
 #include "program/Threads.h"
 
-#include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberProbe.h"
 
-#include <fstream>
 #include <functional>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +33,6 @@ struct Figures
 {
   double read, prepare, evaluate, total;
   std::vector<double> peakMemories;
-};
-
-/// The points asked about, and the table that they come from, if they come from one.
-struct Queries
-{
-  std::optional<QueryTable> table;
-  vtkSmartPointer<vtkPointSet> points;
 };
 
 /// The names of the arrays that a probe adds, which are columns in a table.
@@ -96,71 +83,6 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
       [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
   queries.points = readInput(options.queries, messages);
-}
-
-/// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.
-std::string asField(const std::string& name, char separator)
-{
-  const bool isPlain = name.find(separator) == std::string::npos &&
-                       name.find('"') == std::string::npos && name.front() != ' ' &&
-                       name.back() != ' ';
-  if (isPlain)
-  {
-    return name;
-  }
-  std::string field = "\"";
-  for (const char c : name)
-  {
-    field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return field + "\"";
-}
-
-/// Writes the rows that came in unchanged, or the coordinates of points that came in otherwise,
-/// with a column more for each result: all of them, or with --extract those that are inside.
-void writeTable(
-  Queries& queries, const ProbeAnswer& probed, const Options& options, OutputFile& file)
-{
-  vtkDataSet* answer = probed.data;
-  const char separator = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
-  const char* lineEnd = queries.table ? queries.table->lineEnd() : "\n";
-  std::ofstream stream(file.temporaryName(), std::ios::binary);
-  stream << (queries.table ? std::string(queries.table->header())
-                           : std::string("x") + separator + "y" + separator + "z");
-  std::vector<vtkDataArray*> results;
-  for (const std::string& name : resultNames(options))
-  {
-    results.push_back(answer->GetPointData()->GetArray(name.c_str()));
-    stream << separator << asField(name, separator);
-  }
-  stream << lineEnd;
-  for (vtkIdType i = 0; i < answer->GetNumberOfPoints(); ++i)
-  {
-    if (options.extract && !probed.inside[static_cast<std::size_t>(i)])
-    {
-      continue;
-    }
-    if (queries.table)
-    {
-      stream << queries.table->row(i);
-    }
-    else
-    {
-      double point[3];
-      answer->GetPoint(i, point);
-      stream << exact(point[0]) << separator << exact(point[1]) << separator << exact(point[2]);
-    }
-    for (vtkDataArray* result : results)
-    {
-      stream << separator << exact(result->GetTuple1(i));
-    }
-    stream << lineEnd;
-  }
-  stream.close();
-  if (!stream)
-  {
-    file.refuseWriting();
-  }
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,
@@ -221,7 +143,7 @@ void runProbe(const Options& options, Messages& messages)
     {
       if (isTable(options.output))
       {
-        writeTable(queries, probed, options, *output);
+        writeTable({queries, probed, resultNames(options), options.extract}, *output);
       }
       else
       {

@@ -2,8 +2,15 @@
 
 #include <charconv>
 
+void appendExact(std::string& text, double value)
+{
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
 std::string exact(double value)
 {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr};
+  std::string text;
+  appendExact(text, value);
+  return text;
 }

@@ -2,5 +2,8 @@
 
 #include <string>
 
-/// A number with 17 significant digits, with which every double comes back with the same bits.
+/// The shortest number with which a double comes back with the same bits.
 std::string exact(double value);
+
+/// Appends exact(value) to a text.
+void appendExact(std::string& text, double value);

@@ -1,5 +1,6 @@
 #include "output/PiecesFile.h"
 
+#include "files/ExactNumber.h"
 #include "output/Folder.h"
 #include "output/OutputFile.h"
 #include "output/TemporaryFile.h"
@@ -18,7 +19,6 @@
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 namespace
 {
@@ -40,13 +40,9 @@ std::string textOf(const PiecesFile::Extent& extent)
   return textOf(numbers);
 }
 
-/// Three numbers with 17 significant digits, with which every double comes back with the same bits.
 std::string textOf(const double (&numbers)[3])
 {
-  std::ostringstream text;
-  text.precision(17);
-  text << numbers[0] << " " << numbers[1] << " " << numbers[2];
-  return text.str();
+  return exact(numbers[0]) + ' ' + exact(numbers[1]) + ' ' + exact(numbers[2]);
 }
 
 const char* typeInXml(vtkDataArray* array)

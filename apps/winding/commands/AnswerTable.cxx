@@ -1,0 +1,106 @@
+#include "commands/AnswerTable.h"
+
+#include "files/ExactNumber.h"
+#include "files/Suffix.h"
+#include "output/OutputFile.h"
+#include "program/Interrupt.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <fstream>
+
+namespace
+{
+
+constexpr std::size_t bytesAtOnce = 1 << 18;
+
+/// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.
+std::string asField(const std::string& name, char separator)
+{
+  const bool isPlain = name.find(separator) == std::string::npos &&
+                       name.find('"') == std::string::npos && name.front() != ' ' &&
+                       name.back() != ' ';
+  if (isPlain)
+  {
+    return name;
+  }
+  std::string field = "\"";
+  for (const char c : name)
+  {
+    field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return field + "\"";
+}
+
+void appendPoint(std::string& text, const double point[3], char separator)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (axis > 0)
+    {
+      text += separator;
+    }
+    appendExact(text, point[axis]);
+  }
+}
+
+} // namespace
+
+void writeTable(const AnswerTable& table, OutputFile& file)
+{
+  std::optional<QueryTable>& queries = table.queries.table;
+  vtkDataSet* const data = table.answer.data;
+  const char separator = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
+  const char* const lineEnd = queries ? queries->lineEnd() : "\n";
+  std::string text =
+    queries ? queries->header() : std::string("x") + separator + "y" + separator + "z";
+  std::vector<vtkDataArray*> results;
+  for (const std::string& name : table.results)
+  {
+    results.push_back(data->GetPointData()->GetArray(name.c_str()));
+    text += separator + asField(name, separator);
+  }
+  text += lineEnd;
+  std::ofstream stream(file.temporaryName(), std::ios::binary);
+  const auto write = [&]
+  {
+    interrupt::check();
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    text.clear();
+  };
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    if (table.isExtracted && !table.answer.inside[static_cast<std::size_t>(i)])
+    {
+      continue;
+    }
+    if (queries)
+    {
+      text += queries->row(i);
+    }
+    else
+    {
+      double point[3];
+      data->GetPoint(i, point);
+      appendPoint(text, point, separator);
+    }
+    for (vtkDataArray* result : results)
+    {
+      text += separator;
+      appendExact(text, result->GetTuple1(i));
+    }
+    text += lineEnd;
+    if (text.size() >= bytesAtOnce)
+    {
+      write();
+    }
+  }
+  write();
+  stream.close();
+  if (!stream)
+  {
+    file.refuseWriting();
+  }
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "commands/DealtProbe.h"
+#include "input/QueryTable.h"
+
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class OutputFile;
+class vtkPointSet;
+
+/// The points asked about, and the table that they come from, if they come from one.
+struct Queries
+{
+  std::optional<QueryTable> table;
+  vtkSmartPointer<vtkPointSet> points;
+};
+
+/// The rows of an answer, which are those of the queries as they came in, or the coordinates of
+/// points that came in otherwise, with a column more for each result.
+struct AnswerTable
+{
+  Queries& queries;
+  const ProbeAnswer& answer;
+  std::vector<std::string> results; ///< the names of their arrays
+  bool isExtracted;                 ///< whether the answer has only what is inside
+};
+
+/// Writes a table, with commas or tabs by the suffix of the file; commit() is left to the caller.
+/// Throws Failure when the file cannot be written whole, the rows of the queries have changed since
+/// they were read, or the program is interrupted.
+void writeTable(const AnswerTable& table, OutputFile& file);
