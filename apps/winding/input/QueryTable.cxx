@@ -46,7 +46,7 @@ vtkPointSet* QueryTable::points() const
 
 bool QueryTable::hasColumn(const std::string& name) const
 {
-  return reader_->GetColumnNames()->LookupValue(name) >= 0 ||
+  return reader_->GetColumnNames()->LookupValue(name.c_str()) >= 0 ||
          reader_->GetOutput()->GetPointData()->HasArray(name.c_str()) != 0;
 }
 

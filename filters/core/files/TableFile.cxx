@@ -1,13 +1,11 @@
 #include "files/TableFile.h"
 
 #include "base/DividedShare.h"
+#include "files/ColumnNames.h"
 #include "files/TableRows.h"
 #include "files/Words.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cctype>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -16,36 +14,6 @@ namespace winding
 
 namespace
 {
-
-/// The meaning of a column: its name in small letters, and x, y and so on for ParaView's names.
-std::string meaningOf(const std::string& name)
-{
-  std::string small(name);
-  std::transform(small.begin(), small.end(), small.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
-    {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
-  const auto other = others.find(small);
-  return other == others.end() ? small : other->second;
-}
-
-/// The columns that have these meanings; none where one of them is missing.
-std::vector<std::size_t> columnsOf(
-  const std::vector<std::string>& meanings, const std::vector<std::string>& names)
-{
-  std::vector<std::size_t> columns;
-  for (const std::string& meaning : meanings)
-  {
-    const auto found = std::find_if(names.begin(), names.end(),
-      [&meaning](const std::string& name) { return meaningOf(name) == meaning; });
-    if (found == names.end())
-    {
-      return {};
-    }
-    columns.push_back(static_cast<std::size_t>(found - names.begin()));
-  }
-  return columns;
-}
 
 /// Where the fields of a column go as numbers: the one of the first row, and every so many places
 /// behind it that of the next one.
@@ -82,7 +50,7 @@ public:
   }
 
   /// Has all columns read that are not read yet. `taken` are the names of other arrays.
-  void readOthers(std::set<std::string> taken)
+  void readOthers(const std::set<std::string>& taken)
   {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < targets_.size(); ++i)
@@ -95,7 +63,11 @@ public:
         others.push_back(i);
       }
     }
-    this->nameOthers(others, taken);
+    const std::vector<std::string> names = namesOfArrays(others, table_.names, taken);
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      table_.columns[i].name = names[i];
+    }
   }
 
   void readPlaces() { table_.rowPlaces = PlainArray<std::int64_t>(2 * rows_.count()); }
@@ -127,36 +99,6 @@ public:
   }
 
 private:
-  /// Gives the other columns, which have these places in the header, names of their own.
-  void nameOthers(const std::vector<std::size_t>& places, std::set<std::string>& taken)
-  {
-    const auto nameAt = [this](std::size_t place)
-    {
-      return std::string(table_.names[place].c_str()); // names of arrays end at a zero byte
-    };
-    for (std::size_t other = 0; other < places.size(); ++other)
-    {
-      const std::string name = nameAt(places[other]);
-      if (!name.empty() && taken.insert(name).second)
-      {
-        table_.columns[other].name = name;
-      }
-    }
-    for (std::size_t other = 0; other < places.size(); ++other)
-    {
-      std::string& name = table_.columns[other].name;
-      if (name.empty())
-      {
-        name = nameAt(places[other]);
-        name = name.empty() ? "Column" : name;
-        do
-        {
-          name += ' ' + std::to_string(places[other] + 1);
-        } while (!taken.insert(name).second);
-      }
-    }
-  }
-
   void readNumbers(TableRows::Part& part)
   {
     while (part.nextRow())

@@ -61,15 +61,11 @@ struct PointTable
 
 /**
  * Reads points from a table with a header row (.csv, .tsv): one point for each row, from the
- * columns x, y and z, normals from nx, ny and nz, areas from area, where there are such. Names may
- * have small letters or large ones, or be ParaView's for components of points and normals
- * ("Points:0", "Normals:2"); of several columns with one meaning the first counts. Fields may be in
- * quotation marks, as RFC 4180 has it, blank lines are passed over, and so is a byte order mark.
- * All points are in one vertex cell.
- *
- * Columns without a meaning have names of their own: one without a name is called Column and its
- * number, from 1 on, and one whose name another array has, "Normals" and "Area" included, gets its
- * number behind it.
+ * columns x, y and z, normals from nx, ny and nz, areas from area, where there are such.
+ * columnsOf() says which names mean these, and namesOfArrays() gives the other columns theirs;
+ * those of normals and areas, "Normals" and "Area", are taken. Fields may be in quotation marks, as
+ * RFC 4180 has it, blank lines are passed over, and so is a byte order mark. All points are in one
+ * vertex cell.
  *
  * Throws FileRefusal for a table without x, y and z, for rows with more or fewer fields than the
  * header, for fields that are no numbers in columns that have to be, and for quotation marks that
