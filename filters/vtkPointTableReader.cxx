@@ -13,6 +13,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <map>
+#include <utility>
 
 vtkStandardNewMacro(vtkPointTableReader);
 
@@ -42,9 +43,9 @@ private:
   std::map<std::size_t, vtkSmartPointer<vtkStringArray>> arrays_;
 };
 
-vtkSmartPointer<vtkTypeInt64Array> rowPlaces(winding::PointTable& table)
+vtkSmartPointer<vtkTypeInt64Array> handedPlaces(winding::PlainArray<std::int64_t> rowPlaces)
 {
-  auto places = winding::handedArray<vtkTypeInt64Array>(table.rowPlaces, 2);
+  auto places = winding::handedArray<vtkTypeInt64Array>(rowPlaces, 2);
   places->SetComponentName(0, "Offset");
   places->SetComponentName(1, "Size");
   return places;
@@ -71,7 +72,7 @@ void handOver(winding::PointTable& table, StringArrays& texts, vtkPolyData* outp
 vtkPointTableReader::vtkPointTableReader()
 {
   this->SetNumberOfInputPorts(0);
-  this->RowPlaces = vtkSmartPointer<vtkTypeInt64Array>::New();
+  this->RowPlaces = handedPlaces({});
 }
 
 vtkPointTableReader::~vtkPointTableReader()
@@ -84,7 +85,7 @@ int vtkPointTableReader::RequestData(
 {
   this->Header.clear();
   this->ColumnNames->Initialize();
-  this->RowPlaces = vtkSmartPointer<vtkTypeInt64Array>::New();
+  this->RowPlaces = handedPlaces({});
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
   const auto parse = [this, output](const winding::InputFile& file, winding::Executor& executor)
   {
@@ -97,7 +98,7 @@ int vtkPointTableReader::RequestData(
     options.rowPlaces = this->GenerateRowPlaces;
     winding::PointTable table = winding::readPointTable(file, options, executor);
     handOver(table, texts, output);
-    this->RowPlaces = rowPlaces(table);
+    this->RowPlaces = handedPlaces(std::move(table.rowPlaces));
     for (const std::string& name : table.names)
     {
       this->ColumnNames->InsertNextValue(name);

@@ -14,15 +14,17 @@
  *   where all fields are numbers, vtkStringArray otherwise. A column without a name becomes Column
  *   and its number, from 1 on; where another array has the name, the number stands behind it.
  *
- * The names of positions, normals and areas may have small letters or large ones, or be those that
- * ParaView gives to components when it saves data as a table ("Points:0", "Normals:2"). Of several
- * columns with one meaning the first counts, and those behind it are like all others.
+ * These names may have small letters or large ones. Positions and normals may also have the names
+ * that ParaView gives to components when it saves data as a table, "Points:0" to "Points:2" and
+ * "Normals:0" to "Normals:2"; where a table has both, ParaView's count. Of several columns with one
+ * such name the first counts, and those behind it are like all others.
  *
  * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
  * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
  * order mark is passed over. Rows are read by all threads, and the result is the same for any
  * number of threads. Of the text there are only parts in memory at a time, a quarter of a megabyte
- * for each thread, or a row where one is longer.
+ * for each thread, or a row where one is longer; a quotation mark that is not closed makes the rest
+ * of the file one row, which is then refused.
  *
  * Errors, each one line through vtkErrorMacro with the name and the line of the file, with the
  * error code set and the output empty: files that cannot be read, are empty, have no columns x, y
@@ -67,7 +69,9 @@ public:
   ///@}
 
   ///@{
-  /// Whether columns other than those of positions, normals and areas are read, too. Default: on.
+  /// Whether columns other than those of positions, normals and areas are read, too. VTK looks
+  /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
+  /// on.
   vtkSetMacro(ReadAllColumns, bool);
   vtkGetMacro(ReadAllColumns, bool);
   vtkBooleanMacro(ReadAllColumns, bool);

@@ -119,7 +119,8 @@ TEST_F(LargeTables, OfWrongRowsAloneAreRefusedForTheFirst)
   }
   const Outcome run = this->probe(text, "out.csv", "2");
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(run.saysInOneLine({"has no columns x, y and z", "separated by commas"})) << run;
+  EXPECT_TRUE(run.saysInOneLine({"has no columns x, y and z", "semicolons", "put commas there"}))
+    << run;
   const Outcome fields = this->probe("x,y,z\n" + text.substr(6), "out.csv", "2");
   EXPECT_EQ(fields.status, 2);
   EXPECT_TRUE(fields.saysInOneLine({"line 2: has 4 fields, but the header names 3"})) << fields;

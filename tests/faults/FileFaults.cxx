@@ -5,8 +5,9 @@
  *
  * - FAULT_FILE: a part of the file's name; other files are left alone.
  * - FAULT_OPENING=n: at which opening of such a file, from 1 on.
- * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, append to it,
- *   alter its last byte but one with its time as before, pause for a second, or hang for a minute.
+ * - FAULT_ACTION: unlink or truncate the file (to half its size) before it is opened, touch it,
+ *   append to it, alter its last byte but one with its time as before, replace it by FAULT_OTHER,
+ *   pause for a second, or hang for a minute.
  * - FAULT_VICTIM: the file to which this happens in its place, if this is set.
  */
 #include <atomic>
@@ -70,6 +71,14 @@ void disturb(const char* path)
   else if (std::strcmp(action, "truncate") == 0 && stat(path, &status) == 0)
   {
     static_cast<void>(!truncate(path, status.st_size / 2));
+  }
+  else if (std::strcmp(action, "touch") == 0)
+  {
+    utimensat(AT_FDCWD, path, nullptr, 0);
+  }
+  else if (std::strcmp(action, "replace") == 0)
+  {
+    static_cast<void>(std::rename(std::getenv("FAULT_OTHER"), path));
   }
   else if (std::strcmp(action, "append") == 0)
   {

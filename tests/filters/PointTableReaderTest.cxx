@@ -118,7 +118,7 @@ TEST(PointTableReader, Refusals)
 {
   expectRefusal<Table>("", "is empty", end, ".csv");
   expectRefusal<Table>("x;y;z\n1;2;3\n", "has no columns x, y and z", format, ".csv");
-  expectRefusal<Table>("x,y,z\n1,2,3\n", "separated by tabs", format, ".tsv");
+  expectRefusal<Table>("x,y,z\n1,2,3\n", "give it the suffix .csv", format, ".tsv");
   expectRefusal<Table>("x,y,z\n1,2,3\n1,2\n", "line 3: has 2 fields", format, ".csv");
   expectRefusal<Table>("x,y,z\n1,2,three\n", "line 2: \"three\" in column z", format, ".csv");
   expectRefusal<Table>("x,y,z,nx,ny,nz\n1,2,3,4,5,\n", "column nz is no number", format, ".csv");

@@ -69,6 +69,10 @@ void writeTable(const AnswerTable& table, OutputFile& file)
     interrupt::check();
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     text.clear();
+    if (!stream)
+    {
+      file.refuseWriting();
+    }
   };
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {

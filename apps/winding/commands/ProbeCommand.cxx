@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkWindingNumberProbe.h"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <string>

@@ -65,38 +65,64 @@ void CheckedFile::checkName() const
 {
   struct stat now = {};
   if (stat(name_.c_str(), &now) != 0 || now.st_dev != opened_.st_dev ||
-      now.st_ino != opened_.st_ino || now.st_size != opened_.st_size ||
-      !isSameTime(now.st_mtim, opened_.st_mtim) || !isSameTime(now.st_ctim, opened_.st_ctim))
+      now.st_ino != opened_.st_ino || now.st_size != opened_.st_size)
   {
     this->refuseChanged();
+  }
+  if (isSameTime(now.st_mtim, opened_.st_mtim) && isSameTime(now.st_ctim, opened_.st_ctim))
+  {
+    return;
+  }
+  std::vector<char> bytes(bytesPerBlock); // times change with a mere touch, too
+  for (std::size_t block = 0; block < checksums_.size(); ++block)
+  {
+    this->checkBlock(block, bytes.data());
   }
 }
 
 std::string_view CheckedFile::read(std::size_t offset, std::size_t count)
 {
+  if (offset > size_ || count > size_ - offset)
+  {
+    this->refuseChanged();
+  }
   if (offset < first_ || offset + count > first_ + bytes_.size())
   {
-    const std::size_t firstBlock = offset / bytesPerBlock;
-    const std::size_t endBlock = (offset + count + bytesPerBlock - 1) / bytesPerBlock;
-    first_ = firstBlock * bytesPerBlock;
-    bytes_.resize((endBlock - firstBlock) * bytesPerBlock);
-    for (std::size_t block = firstBlock; block < endBlock; ++block)
+    // Blocks that are there and go on are kept: most ends of blocks lie in a part that is wanted.
+    const std::size_t first = offset - offset % bytesPerBlock;
+    const bool goesOn = first_ <= first && first < first_ + bytes_.size();
+    bytes_.erase(bytes_.begin(),
+      goesOn ? bytes_.begin() + static_cast<std::ptrdiff_t>(first - first_) : bytes_.end());
+    first_ = first;
+    while (first_ + bytes_.size() < offset + count)
     {
-      char* const to = bytes_.data() + (block * bytesPerBlock - first_);
-      if (this->takeBlock(block, to) != checksums_[block])
-      {
-        this->refuseChanged();
-      }
+      const std::size_t size = bytes_.size(), block = (first_ + size) / bytesPerBlock;
+      bytes_.resize(size + this->sizeOf(block));
+      this->checkBlock(block, bytes_.data() + size);
     }
   }
   return {bytes_.data() + (offset - first_), count};
 }
 
+std::size_t CheckedFile::sizeOf(std::size_t block) const
+{
+  return std::min(bytesPerBlock, size_ - block * bytesPerBlock);
+}
+
+/// Reads a block again. Throws Failure where it is not what it was.
+void CheckedFile::checkBlock(std::size_t block, char* bytes) const
+{
+  interrupt::check();
+  if (this->takeBlock(block, bytes) != checksums_[block])
+  {
+    this->refuseChanged();
+  }
+}
+
 /// Reads a block, and gives its checksum.
 std::uint64_t CheckedFile::takeBlock(std::size_t block, char* bytes) const
 {
-  const std::size_t offset = block * bytesPerBlock;
-  const std::size_t count = std::min(bytesPerBlock, size_ - offset);
+  const std::size_t offset = block * bytesPerBlock, count = this->sizeOf(block);
   std::size_t size = 0;
   while (size < count)
   {

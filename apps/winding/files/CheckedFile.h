@@ -10,8 +10,8 @@
 
 /**
  * A file that others read by its name, and parts of which are read again later. It stays open, so
- * it may be removed or replaced meanwhile, touched or written to at its end. Parts that are read
- * again are what they were when the file was opened: checksums tell.
+ * it may be removed or replaced when they have read it, touched or written to at its end. Parts
+ * that are read again are what they were when the file was opened: checksums tell.
  */
 class CheckedFile
 {
@@ -22,8 +22,8 @@ public:
   CheckedFile(const CheckedFile&) = delete;
   void operator=(const CheckedFile&) = delete;
 
-  /// Throws Failure where the name leads to another file by now, or this one was written to: then
-  /// what others have read may be something else.
+  /// Throws Failure where the name leads to another file by now, or this one holds something else:
+  /// then what others have read may be something else, too.
   void checkName() const;
 
   /// So many bytes from the place `offset` on, valid until the next call. Parts that follow each
@@ -32,6 +32,8 @@ public:
 
 private:
   std::uint64_t takeBlock(std::size_t block, char* bytes) const;
+  void checkBlock(std::size_t block, char* bytes) const;
+  std::size_t sizeOf(std::size_t block) const;
   [[noreturn]] void refuseChanged() const;
 
   std::string name_;

@@ -1,7 +1,6 @@
 #include "files/TextScanning.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 std::string_view takeLine(std::string_view text, std::size_t& start)
@@ -44,7 +43,9 @@ bool parseInteger(std::string_view word, long long& value)
 std::string inSmallLetters(std::string_view text)
 {
   std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  for (char& c : small)
+  {
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
   return small;
 }

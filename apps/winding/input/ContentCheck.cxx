@@ -72,7 +72,7 @@ const char* compressedKind(std::string_view head)
   {
     return "zip";
   }
-  if (startsWith(head, "BZh"))
+  if (startsWith(head, "BZh") && head.substr(std::min<std::size_t>(4, head.size()), 6) == "1AY&SY")
   {
     return "bzip2";
   }

@@ -14,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

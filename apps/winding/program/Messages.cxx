@@ -54,10 +54,10 @@ bool isEcho(const std::string& line)
   return line.find("returned failure for request") != std::string::npos;
 }
 
-/// A message that is undecorated, with the name of the file before it unless it begins with it.
+/// A message that is undecorated, with the name of the file before it unless it stands there.
 std::string about(const std::string& file, const std::string& message)
 {
-  const bool isNamed = message.rfind(undecorated(file), 0) == 0;
+  const bool isNamed = message.rfind(undecorated(file) + ':', 0) == 0;
   return isNamed || file.empty() ? message : file + ": " + message;
 }
 

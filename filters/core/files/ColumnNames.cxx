@@ -1,8 +1,6 @@
 #include "files/ColumnNames.h"
 
 #include <algorithm>
-#include <cctype>
-#include <map>
 
 namespace winding
 {
@@ -10,28 +8,25 @@ namespace winding
 namespace
 {
 
-/// The meaning of a column: its name in small letters, and x, y and so on for ParaView's names.
-std::string meaningOf(const std::string& name)
+/// A text with small letters for capital ones, of those that ASCII has.
+std::string inSmallLetters(std::string text)
 {
-  std::string small(name);
-  std::transform(small.begin(), small.end(), small.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  static const std::map<std::string, std::string> others = {{"points:0", "x"}, {"points:1", "y"},
-    {"points:2", "z"}, {"normals:0", "nx"}, {"normals:1", "ny"}, {"normals:2", "nz"}};
-  const auto other = others.find(small);
-  return other == others.end() ? small : other->second;
+  for (char& c : text)
+  {
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return text;
 }
 
-} // namespace
-
-std::vector<std::size_t> columnsOf(
-  const std::vector<std::string>& meanings, const std::vector<std::string>& names)
+/// The first columns of these names, in small letters or large ones; none where one is missing.
+std::vector<std::size_t> columnsNamed(
+  const std::vector<std::string>& wanted, const std::vector<std::string>& names)
 {
   std::vector<std::size_t> columns;
-  for (const std::string& meaning : meanings)
+  for (const std::string& name : wanted)
   {
     const auto found = std::find_if(names.begin(), names.end(),
-      [&meaning](const std::string& name) { return meaningOf(name) == meaning; });
+      [&name](const std::string& other) { return inSmallLetters(other) == name; });
     if (found == names.end())
     {
       return {};
@@ -39,6 +34,26 @@ std::vector<std::size_t> columnsOf(
     columns.push_back(static_cast<std::size_t>(found - names.begin()));
   }
   return columns;
+}
+
+} // namespace
+
+std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names)
+{
+  // The names by ParaView and by others; a table may have both.
+  std::vector<std::string> saved, usual = {"area"};
+  if (meaning == ColumnMeaning::positions)
+  {
+    saved = {"points:0", "points:1", "points:2"};
+    usual = {"x", "y", "z"};
+  }
+  else if (meaning == ColumnMeaning::normals)
+  {
+    saved = {"normals:0", "normals:1", "normals:2"};
+    usual = {"nx", "ny", "nz"};
+  }
+  const std::vector<std::size_t> columns = columnsNamed(saved, names);
+  return columns.empty() ? columnsNamed(usual, names) : columns;
 }
 
 std::vector<std::string> namesOfArrays(const std::vector<std::size_t>& columns,

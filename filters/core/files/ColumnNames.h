@@ -12,11 +12,18 @@
 namespace winding
 {
 
-/// The columns that have these meanings, of x, y, z, nx, ny, nz and area; none where one of them is
-/// missing. Names may have small letters or large ones, or be ParaView's for components of points
-/// and normals ("Points:0", "Normals:2"). Of several columns with one meaning the first counts.
-std::vector<std::size_t> columnsOf(
-  const std::vector<std::string>& meanings, const std::vector<std::string>& names);
+/// The things of points that columns may be.
+enum class ColumnMeaning
+{
+  positions, ///< x, y and z, or Points:0, Points:1 and Points:2
+  normals,   ///< nx, ny and nz, or Normals:0, Normals:1 and Normals:2
+  areas      ///< area
+};
+
+/// The columns that are these, one for each component; none where one of them is missing. Names may
+/// have small letters or large ones. Those with colons are the ones that ParaView gives to
+/// components; where a table has both, they count. Of several columns with one name the first does.
+std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names);
 
 /// Names for the arrays of these columns, all different, and none of them taken: those of the
 /// columns where that is possible. A column without a name is called Column and its number, from 1

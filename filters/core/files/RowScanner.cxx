@@ -11,6 +11,19 @@ namespace winding
 namespace
 {
 
+std::string_view withoutBlanks(std::string_view field)
+{
+  while (!field.empty() && isBlank(field.front()))
+  {
+    field.remove_prefix(1);
+  }
+  while (!field.empty() && isBlank(field.back()))
+  {
+    field.remove_suffix(1);
+  }
+  return field;
+}
+
 bool isQuoted(std::string_view field)
 {
   return field.size() >= 2 && field.front() == '"' && field.back() == '"';
@@ -34,7 +47,7 @@ bool RowScanner::nextRow()
     {
       at_ = at + 1;
     }
-    else if (!isBlank(*at))
+    else if (!isBlank(*at) || *at == separator_)
     {
       row_ = at_;
       state_ = RowState::hasMore;
@@ -157,19 +170,6 @@ void RowScanner::passQuoted(const char* mark)
     return;
   }
   this->endField(behind);
-}
-
-std::string_view withoutBlanks(std::string_view field)
-{
-  while (!field.empty() && isBlank(field.front()))
-  {
-    field.remove_prefix(1);
-  }
-  while (!field.empty() && isBlank(field.back()))
-  {
-    field.remove_suffix(1);
-  }
-  return field;
 }
 
 std::string_view contentOf(std::string_view field)

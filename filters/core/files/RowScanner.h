@@ -27,8 +27,8 @@ public:
   /// The text must live as long as the scanner.
   RowScanner(std::string_view text, char separator);
 
-  /// Goes to the next row that has anything on it beside spaces; false if there is none. The row
-  /// before must have ended.
+  /// Goes to the next row that has anything on it beside spaces, be it a separator; false if there
+  /// is none. The row before must have ended.
   bool nextRow();
 
   /// Takes the next field of the row, with spaces and quotation marks. False where there is none,
@@ -68,9 +68,6 @@ private:
   char separator_;
   RowState state_ = RowState::ended;
 };
-
-/// A field, or row, without blanks around it.
-std::string_view withoutBlanks(std::string_view field);
 
 /// A field without spaces and quotation marks around it. Two marks within are still two.
 std::string_view contentOf(std::string_view field);

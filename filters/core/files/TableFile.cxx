@@ -187,13 +187,25 @@ private:
   std::vector<std::atomic<bool>> isText_; ///< of each column, whether a field was no number
 };
 
-/// The words for a table without the columns x, y and z.
-std::string withoutPositions(const PointTable& table, const TableOptions& options)
+/// The words for a table without positions.
+std::string withoutPositions(const PointTable& table, char separator)
 {
-  const std::string_view header = std::string_view(table.header).substr(0, table.header.find('\n'));
-  const std::string found = header.empty() ? "" : ", but " + shown(withoutBlanks(header));
-  return "has no columns x, y and z" + found + "; name them in the first line, separated by " +
-         (options.separator == '\t' ? "tabs" : "commas");
+  const std::string none = "has no columns x, y and z";
+  const auto has = [&table](char letter)
+  {
+    return table.names.size() == 1 && table.names[0].find(letter) != std::string::npos;
+  };
+  if (separator == ',' && has('\t'))
+  {
+    return none + ", since tabs separate its fields; give it the suffix .tsv";
+  }
+  if (separator == '\t' && has(','))
+  {
+    return none + ", since commas separate its fields; give it the suffix .csv";
+  }
+  const std::string wanted = separator == '\t' ? "tabs" : "commas";
+  return none + (has(';') ? ", since semicolons separate its fields; put " + wanted + " there"
+                          : "; name them in the first line, separated by " + wanted);
 }
 
 } // namespace
@@ -204,10 +216,10 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   PointTable table;
   table.header = std::move(header.text);
   table.names = std::move(header.names);
-  const auto positions = columnsOf({"x", "y", "z"}, table.names);
+  const auto positions = columnsOf(ColumnMeaning::positions, table.names);
   if (positions.empty())
   {
-    file.refuse(withoutPositions(table, options));
+    file.refuse(withoutPositions(table, options.separator));
   }
   DividedShare share(executor);
   share.set(0, 0.2); // finding the rows takes a fifth of the time
@@ -217,11 +229,12 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   std::set<std::string> taken;
   if (options.normalsAndAreas)
   {
-    if (parser.readInto(table.points.normals.doubles, columnsOf({"nx", "ny", "nz"}, table.names)))
+    if (parser.readInto(
+          table.points.normals.doubles, columnsOf(ColumnMeaning::normals, table.names)))
     {
       taken.insert("Normals");
     }
-    if (parser.readInto(table.points.areas, columnsOf({"area"}, table.names)))
+    if (parser.readInto(table.points.areas, columnsOf(ColumnMeaning::areas, table.names)))
     {
       taken.insert("Area");
     }
