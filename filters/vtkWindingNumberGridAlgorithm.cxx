@@ -173,7 +173,7 @@ void vtkWindingNumberGridAlgorithm::Verify(
   const winding::Field& field, const int* samples, vtkDataArray* values)
 {
   this->Verify(field, samples,
-    [values](std::size_t n) { return values->GetTuple1(static_cast<vtkIdType>(n)); });
+    [values](std::size_t n) { return values->GetComponent(static_cast<vtkIdType>(n), 0); });
 }
 
 void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field, const int* samples,

@@ -291,7 +291,7 @@ void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
 {
   const winding::SideCounts counts = winding::countSides(
     static_cast<std::size_t>(values->GetNumberOfTuples()), this->WindingThreshold,
-    [values](std::size_t i) { return values->GetTuple1(static_cast<vtkIdType>(i)); });
+    [values](std::size_t i) { return values->GetComponent(static_cast<vtkIdType>(i), 0); });
   if (counts.negative > 0)
   {
     vtkWarningMacro(<< winding::insideOutAdvice(

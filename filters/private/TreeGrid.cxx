@@ -144,7 +144,7 @@ double TreeGrid::valueAt(const Eigen::Vector3i& voxel) const
     vertex = tree->GetElderChildIndex(static_cast<unsigned int>(vertex)) + half[0] +
              2 * (half[1] + 2 * half[2]);
   }
-  return results_.values()->GetTuple1(tree->GetGlobalIndexFromLocal(vertex));
+  return results_.values()->GetComponent(tree->GetGlobalIndexFromLocal(vertex), 0);
 }
 
 } // namespace winding

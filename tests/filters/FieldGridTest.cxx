@@ -254,6 +254,24 @@ TEST_F(FieldGrid, VerificationCountsSamplesOnTheSurfaceApart)
   }
 }
 
+/// All threads look at the same values, which are 0 or 1 here. When they shared a place to look at
+/// them, one run in ten to fifty took the value of another sample for its own.
+TEST_F(FieldGrid, VerificationIsTheSameAsOftenAsItIsMade)
+{
+  field->SetUseInputBounds(false);
+  const double bounds[6] = {-0.8125, 0.8125, -0.8125, 0.8125, -0.8125, 0.8125};
+  field->SetSamplingBounds(bounds);
+  field->SetSamplingDimensions(13, 13, 13);
+  field->SetVerifySamples(500);
+  for (int run = 0; run < 200; ++run)
+  {
+    field->Modified();
+    field->Update();
+    ASSERT_LT(field->GetMaxError(), 1e-6) << "run " << run;
+    ASSERT_LT(field->GetNearMaxError(), 1e-6) << "run " << run;
+  }
+}
+
 TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)
 {
   field->SetResolution(0);
