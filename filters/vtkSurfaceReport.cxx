@@ -208,7 +208,7 @@ vtkFieldData* vtkSurfaceReport::GetReport()
 double vtkSurfaceReport::GetNumber(const char* name)
 {
   vtkDataArray* array = this->Report->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0;
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
 }
 
 vtkIdType vtkSurfaceReport::GetCount(const char* name)

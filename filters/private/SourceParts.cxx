@@ -176,8 +176,9 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const
   {
     if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
     {
-      clean->GetPointData()->CopyData(
-        leaf->GetPointData(), i, points->InsertNextPoint(leaf->GetPoint(i)));
+      double position[3];
+      leaf->GetPoint(i, position);
+      clean->GetPointData()->CopyData(leaf->GetPointData(), i, points->InsertNextPoint(position));
     }
   }
   clean->SetPoints(points);

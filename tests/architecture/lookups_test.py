@@ -1,0 +1,31 @@
+"""The module looks values up by ways that threads may share.
+
+Usage: lookups_test.py <root of the repository>. vtkDataArray's GetTuple1(i) to GetTuple9(i) and
+GetTuple(i), and GetPoint(i) of points and data sets, give values by way of a place that belongs to
+the array: of two threads that use them at once, one may get the value of the other. No sanitizer
+sees it, since VTK is not compiled with it. GetComponent(), and GetTuple() and GetPoint() into an
+array of the caller's, do the same without such a place. Prints one line for each use, and fails if
+there is any.
+"""
+
+import pathlib
+import re
+import sys
+
+ARGUMENT = r"[^,()]*(\([^()]*\))?[^,()]*"
+SHARED = re.compile(rf"(GetTuple[1-9]\(|Get(Tuple|Point)\({ARGUMENT}\))")
+
+
+def main(root):
+    sources = sorted((root / "filters").glob("*.cxx")) + sorted((root / "filters/private").iterdir())
+    faults = [f"{path.relative_to(root)}:{number}: {line.strip()}" for path in sources
+              for number, line in enumerate(path.read_text().splitlines(), 1) if SHARED.search(line)]
+    assert sources and SHARED.search("values->GetTuple1(i)") and SHARED.search("a->GetPoint(id(i))")
+    assert not SHARED.search("data->GetPoint(i, position)")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))
