@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
-#include "vtksys/SystemTools.hxx"
 
 #include <map>
 #include <utility>
@@ -90,8 +89,7 @@ int vtkPointTableReader::RequestData(
   const auto parse = [this, output](const winding::InputFile& file, winding::Executor& executor)
   {
     winding::TableOptions options;
-    const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(file.name());
-    options.separator = vtksys::SystemTools::LowerCase(suffix) == ".tsv" ? '\t' : ',';
+    options.separator = winding::suffixOf(file) == ".tsv" ? '\t' : ',';
     options.normalsAndAreas = this->ReadNormalsAndAreas;
     StringArrays texts;
     options.texts = this->ReadAllColumns ? &texts : nullptr;

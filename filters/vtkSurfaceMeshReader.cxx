@@ -7,7 +7,6 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtksys/SystemTools.hxx"
 
 vtkStandardNewMacro(vtkSurfaceMeshReader);
 
@@ -17,8 +16,7 @@ namespace
 /// Reads the format that the suffix of the file's name says.
 winding::MeshArrays readBySuffix(const winding::InputFile& file, winding::Executor& executor)
 {
-  const std::string suffix =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
+  const std::string suffix = winding::suffixOf(file);
   if (suffix == ".obj")
   {
     return winding::readObj(file, executor);

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtksys/SystemTools.hxx"
 
 namespace winding
 {
@@ -95,6 +96,11 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
     areas->SetName("Area");
     output->GetPointData()->AddArray(areas);
   }
+}
+
+std::string suffixOf(const InputFile& file)
+{
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
 }
 
 int readFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,

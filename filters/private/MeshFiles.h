@@ -4,6 +4,7 @@
 #include "files/MeshArrays.h"
 
 #include <functional>
+#include <string>
 
 class vtkAlgorithm;
 class vtkPolyData;
@@ -16,6 +17,9 @@ class Executor;
 /// Hands the arrays of a mesh over to VTK's data: points, cells, and the arrays of points
 /// "Normals", "RGB" or "RGBA", "TCoords" and "Area", as far as the mesh has them.
 void handOver(MeshArrays& mesh, vtkPolyData* output);
+
+/// The suffix of a file's name, from its last dot on, in small letters. May be empty.
+std::string suffixOf(const InputFile& file);
 
 /// Reads a file into the output of a reader.
 using FileParser = std::function<void(const InputFile& file, Executor& executor)>;

@@ -34,25 +34,13 @@ std::string asField(const std::string& name, char separator)
   return field + "\"";
 }
 
-void appendPoint(std::string& text, const double point[3], char separator)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (axis > 0)
-    {
-      text += separator;
-    }
-    appendExact(text, point[axis]);
-  }
-}
-
 } // namespace
 
 void writeTable(const AnswerTable& table, OutputFile& file)
 {
   std::optional<QueryTable>& queries = table.queries.table;
   vtkDataSet* const data = table.answer.data;
-  const char separator = suffixOf(file.name()) == ".tsv" ? '\t' : ',';
+  const char separator = separatorOf(file.name());
   const char* const lineEnd = queries ? queries->lineEnd() : "\n";
   std::string text =
     queries ? queries->header() : std::string("x") + separator + "y" + separator + "z";
@@ -88,7 +76,7 @@ void writeTable(const AnswerTable& table, OutputFile& file)
     {
       double point[3];
       data->GetPoint(i, point);
-      appendPoint(text, point, separator);
+      text += exact(point, separator);
     }
     for (vtkDataArray* result : results)
     {

@@ -23,42 +23,37 @@ bool isSameTime(const struct timespec& a, const struct timespec& b)
 
 } // namespace
 
-CheckedFile::CheckedFile(const std::string& name)
+CheckedFile::CheckedFile(const std::string& name, int descriptor)
   : name_(name)
-  , descriptor_(open(name.c_str(), O_RDONLY | O_CLOEXEC))
+  , descriptor_(descriptor)
   , opened_()
+{
+}
+
+CheckedFile::CheckedFile(const std::string& name)
+  : CheckedFile(name, open(name.c_str(), O_RDONLY | O_CLOEXEC))
 {
   if (descriptor_ < 0 || fstat(descriptor_, &opened_) != 0)
   {
-    const std::string reason = std::strerror(errno);
-    if (descriptor_ >= 0)
-    {
-      close(descriptor_);
-    }
-    throw Failure(REFUSED, name_, "cannot be opened: " + reason + "; check its permissions");
+    throw Failure(REFUSED, name_,
+      std::string("cannot be opened: ") + std::strerror(errno) + "; check its permissions");
   }
-  try
+  size_ = static_cast<std::size_t>(opened_.st_size);
+  checksums_.resize((size_ + bytesPerBlock - 1) / bytesPerBlock);
+  std::vector<char> bytes(bytesPerBlock);
+  for (std::size_t block = 0; block < checksums_.size(); ++block)
   {
-    size_ = static_cast<std::size_t>(opened_.st_size);
-    checksums_.resize((size_ + bytesPerBlock - 1) / bytesPerBlock);
-    bytes_.resize(bytesPerBlock);
-    for (std::size_t block = 0; block < checksums_.size(); ++block)
-    {
-      interrupt::check();
-      checksums_[block] = this->takeBlock(block, bytes_.data());
-    }
-    bytes_.clear();
-  }
-  catch (...)
-  {
-    close(descriptor_);
-    throw;
+    interrupt::check();
+    checksums_[block] = this->takeBlock(block, bytes.data());
   }
 }
 
 CheckedFile::~CheckedFile()
 {
-  close(descriptor_);
+  if (descriptor_ >= 0)
+  {
+    close(descriptor_);
+  }
 }
 
 void CheckedFile::checkName() const

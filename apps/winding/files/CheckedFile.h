@@ -31,6 +31,9 @@ public:
   std::string_view read(std::size_t offset, std::size_t count);
 
 private:
+  /// Owns the descriptor, so that it is closed whatever the other constructor throws.
+  CheckedFile(const std::string& name, int descriptor);
+
   std::uint64_t takeBlock(std::size_t block, char* bytes) const;
   void checkBlock(std::size_t block, char* bytes) const;
   std::size_t sizeOf(std::size_t block) const;

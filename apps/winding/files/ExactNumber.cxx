@@ -14,3 +14,8 @@ std::string exact(double value)
   appendExact(text, value);
   return text;
 }
+
+std::string exact(const double vector[3], char separator)
+{
+  return exact(vector[0]) + separator + exact(vector[1]) + separator + exact(vector[2]);
+}

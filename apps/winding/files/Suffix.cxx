@@ -14,3 +14,8 @@ bool isTable(const std::string& fileName)
   const std::string suffix = suffixOf(fileName);
   return suffix == ".csv" || suffix == ".tsv";
 }
+
+char separatorOf(const std::string& fileName)
+{
+  return suffixOf(fileName) == ".tsv" ? '\t' : ',';
+}

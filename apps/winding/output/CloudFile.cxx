@@ -35,12 +35,6 @@ template <class Write> void forEachTuple(vtkDataArray* array, const Write& write
   }
 }
 
-/// Three numbers with a separator between them.
-std::string inRow(const double vector[3], char separator)
-{
-  return exact(vector[0]) + separator + exact(vector[1]) + separator + exact(vector[2]);
-}
-
 /// Positions and normals, line by line.
 void writeLines(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& stream)
 {
@@ -49,7 +43,7 @@ void writeLines(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& s
     {
       double normal[3];
       normals->GetTuple(point, normal);
-      stream << inRow(position, ' ') << ' ' << inRow(normal, ' ') << '\n';
+      stream << exact(position, ' ') << ' ' << exact(normal, ' ') << '\n';
     });
 }
 
@@ -60,7 +54,7 @@ void writeParts(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& s
   for (vtkDataArray* part : {positions, normals})
   {
     forEachTuple(
-      part, [&stream](vtkIdType, const double vector[3]) { stream << inRow(vector, ' ') << '\n'; });
+      part, [&stream](vtkIdType, const double vector[3]) { stream << exact(vector, ' ') << '\n'; });
   }
 }
 
@@ -82,7 +76,7 @@ void writeTable(vtkDataArray* positions, vtkDataArray* normals, vtkDataArray* ar
     {
       double normal[3];
       normals->GetTuple(point, normal);
-      stream << inRow(position, separator) << separator << inRow(normal, separator);
+      stream << exact(position, separator) << separator << exact(normal, separator);
       if (areas)
       {
         stream << separator << exact(areas->GetTuple1(point));
@@ -175,7 +169,7 @@ void writeCloud(vtkPolyData* cloud, OutputFile& file, Messages& messages)
   else
   {
     writeTable(positions, normals, cloud->GetPointData()->GetArray("Area"),
-      suffix == ".tsv" ? '\t' : ',', stream);
+      separatorOf(file.name()), stream);
   }
   stream.close();
   if (!stream)

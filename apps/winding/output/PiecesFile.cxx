@@ -41,11 +41,6 @@ std::string textOf(const PiecesFile::Extent& extent)
   return textOf(numbers);
 }
 
-std::string textOf(const double (&numbers)[3])
-{
-  return exact(numbers[0]) + ' ' + exact(numbers[1]) + ' ' + exact(numbers[2]);
-}
-
 const char* typeInXml(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -213,8 +208,8 @@ std::string PiecesFile::index(
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PImageData\" version=\"1.0\" "
                      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <PImageData "
                      "WholeExtent=\"" +
-                     textOf(whole) + "\" GhostLevel=\"0\" Origin=\"" + textOf(origin) +
-                     "\" Spacing=\"" + textOf(spacing) + "\">\n";
+                     textOf(whole) + "\" GhostLevel=\"0\" Origin=\"" + exact(origin, ' ') +
+                     "\" Spacing=\"" + exact(spacing, ' ') + "\">\n";
   text += describe(image->GetPointData(), "PPointData");
   text += describe(image->GetCellData(), "PCellData");
   for (std::size_t n = 0; n < pieces.size(); ++n)
