@@ -4,7 +4,7 @@ import importlib
 
 from ._built import VTK_MINOR
 
-# The modules of VTK that the compiled one depends on, as filters/vtk.module names them. Their
+# The modules of VTK that the compiled one depends on, as filters/vtk/vtk.module names them. Their
 # libraries have to be loaded before it where the system does not look beside VTK's wrappers.
 DEPENDENCIES = (
     "vtkCommonCore",

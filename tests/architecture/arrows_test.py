@@ -1,5 +1,5 @@
-"""Includes respect what docs/architecture.md states: the floors of filters/core and of apps/winding,
-and who may know whom in filters.
+"""Includes respect what docs/architecture.md states: the floors of filters/core, of the helpers in
+filters/vtk/private and of apps/winding, and who may know whom in filters.
 
 Usage: arrows_test.py <root of the repository>. Prints a table of all arrows between rooms, then one
 line for each fault, and fails if there is any.
@@ -15,9 +15,10 @@ FLOOR_ROW = re.compile(r"^\| (\d+) \| `(\w+)` \|", re.MULTILINE)
 VTK_HEADER = re.compile(r"vtk\w*\.h")
 
 CORE = "filters/core"
+PARSERS = "filters/files"
 PROGRAM = "apps/winding"
-CLASSES = "filters"
-HELPERS = "filters/private"
+CLASSES = "filters/vtk"
+HELPERS = "filters/vtk/private"
 ROOM_WITH_CORE = "bench"  # the only room of the program that may include the core
 
 
@@ -117,6 +118,25 @@ def check_core(core):
     return core.check()
 
 
+def check_parsers(root, core):
+    """Parsers know the core and each other, and no VTK; the core knows no parser."""
+    faults, needs, names = [], {}, set()
+    for path in sorted((root / PARSERS).iterdir()):
+        if path.suffix not in (".h", ".cxx"):
+            continue
+        names.add(f"files/{path.name}")
+        for bracket, included in includes_of(path):
+            if VTK_HEADER.match(included):
+                faults.append(f"{PARSERS}: {path.name} includes {included}: parsers know no VTK")
+            elif (root / "filters" / included).is_file():
+                if pathlib.PurePath(included).stem != path.stem:
+                    needs.setdefault(f"files/{path.stem}", set()).add(included[: -len(".h")])
+            elif bracket == '"' and not core.has(included):
+                faults.append(f'{PARSERS}: {path.name} includes "{included}", which is not for parsers')
+    faults += [f"{PARSERS}: {circle}: these need each other" for circle in circles(needs)]
+    return faults if names else [f"{PARSERS}: there are no sources"]
+
+
 def check_program(program, core):
     """The program knows itself, VTK and the public headers of the filters; bench knows the core."""
     filters = core.folder.parent
@@ -134,30 +154,19 @@ def check_program(program, core):
     return program.check()
 
 
-def check_helpers(root, core):
-    """Helpers know the core, VTK and each other; headers of classes know no helper and no core."""
-    classes, faults, needs = root / CLASSES, [], {}
-
-    def is_helper(included):
-        return (classes / included).is_file() and included.startswith("private/")
-
-    helpers = [path for path in sorted((root / HELPERS).iterdir()) if path.suffix in (".h", ".cxx")]
-    if not helpers:
-        faults.append(f"{HELPERS}: there are no sources")
-    for path in helpers:
-        unit = f"private/{path.stem}"
+def check_helpers(root, helpers, core):
+    """Helpers know the core, VTK and lower floors; headers of classes know no helper and no core."""
+    classes = root / CLASSES
+    for path, room in helpers.files:
         for bracket, included in includes_of(path):
-            if is_helper(included):
-                needed = str(pathlib.PurePath(included).with_suffix(""))
-                if needed != unit:
-                    needs.setdefault(unit, set()).add(needed)
+            if included.startswith("private/"):
+                helpers.add_arrow(path, room, included[len("private/") :])
             elif (classes / included).is_file():
-                faults.append(f"{HELPERS}: {path.name} includes the public class header {included}")
-    for circle in circles(needs):
-        faults.append(f"{HELPERS}: {circle}: these need each other")
+                helpers.fault(f"{path.name} includes the public class header {included}")
+    faults = helpers.check()
     for path in sorted(classes.glob("*.h")):
         for bracket, included in includes_of(path):
-            if is_helper(included) or core.has(included):
+            if included.startswith(("private/", "files/")) or core.has(included):
                 faults.append(f"{CLASSES}: {path.name} is public and includes {included}, which is not")
     return faults
 
@@ -165,8 +174,10 @@ def check_helpers(root, core):
 def main(root):
     floors = floors_of_rooms(root / "docs" / "architecture.md")
     core = Rooms(root, CORE, floors.get(CORE, {}))
+    helpers = Rooms(root, HELPERS, floors.get(HELPERS, {}))
     program = Rooms(root, PROGRAM, floors.get(PROGRAM, {}), at_the_top=("main.cxx",))
-    faults = check_core(core) + check_helpers(root, core) + check_program(program, core)
+    faults = check_core(core) + check_parsers(root, core) + check_helpers(root, helpers, core)
+    faults += check_program(program, core)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

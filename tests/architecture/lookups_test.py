@@ -17,7 +17,7 @@ SHARED = re.compile(rf"(GetTuple[1-9]\(|Get(Tuple|Point)\({ARGUMENT}\))")
 
 
 def main(root):
-    sources = sorted((root / "filters").glob("*.cxx")) + sorted((root / "filters/private").iterdir())
+    sources = sorted(path for path in (root / "filters/vtk").rglob("*") if path.suffix in (".h", ".cxx"))
     faults = [f"{path.relative_to(root)}:{number}: {line.strip()}" for path in sources
               for number, line in enumerate(path.read_text().splitlines(), 1) if SHARED.search(line)]
     assert sources and SHARED.search("values->GetTuple1(i)") and SHARED.search("a->GetPoint(id(i))")

@@ -3,7 +3,7 @@
 // summary, and returns 1 if any case failed. By default there are 10000 cases of 12 triangles
 // without a tolerance. With one, caps of more than a few triangles come from the far field.
 
-#include "core/support/LatticeChain.h"
+#include "support/LatticeChain.h"
 
 #include <cstdio>
 #include <cstdlib>

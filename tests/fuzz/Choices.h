@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <cstddef>
 #include <cstdint>

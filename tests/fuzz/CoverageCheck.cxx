@@ -3,10 +3,10 @@
 #include "RandomSources.h"
 
 #include "base/Refusal.h"
-#include "core/support/NaiveDistance.h"
-#include "level/CoverageFractions.h"
-#include "level/TouchedVoxels.h"
-#include "level/VoxelOverlap.h"
+#include "support/NaiveDistance.h"
+#include "voxels/CoverageFractions.h"
+#include "voxels/TouchedVoxels.h"
+#include "voxels/VoxelOverlap.h"
 
 #include <algorithm>
 #include <cmath>

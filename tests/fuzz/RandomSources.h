@@ -2,7 +2,7 @@
 
 #include "Choices.h"
 #include "base/InsideRule.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "field/Field.h"
 #include "source/Grid.h"
 

@@ -2,10 +2,10 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
-#include "core/support/Manifold.h"
+#include "support/Manifold.h"
 #include "level/DualMesh.h"
 #include "level/LevelRoots.h"
-#include "level/SelfIntersections.h"
+#include "report/SelfIntersections.h"
 #include "level/SharpVertices.h"
 
 #include <algorithm>

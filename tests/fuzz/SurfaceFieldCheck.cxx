@@ -4,8 +4,8 @@
 
 #include "base/Pi.h"
 #include "base/Refusal.h"
-#include "core/support/NaiveDistance.h"
-#include "core/support/Shuffled.h"
+#include "support/NaiveDistance.h"
+#include "support/Shuffled.h"
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
 

@@ -3,7 +3,7 @@
 #include "FuzzedFile.h"
 
 #include "base/Executor.h"
-#include "core/support/KeptTexts.h"
+#include "support/KeptTexts.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
-#include "core/support/ExtentsOfField.h"
-#include "core/support/VoxelLeaves.h"
+#include "support/ExtentsOfField.h"
+#include "support/VoxelLeaves.h"
 #include "level/VoxelTrees.h"
 
 #include <cmath>

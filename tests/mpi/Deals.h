@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 
 #include "vtkSmartPointer.h"
 

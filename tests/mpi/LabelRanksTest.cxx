@@ -1,5 +1,5 @@
-#include "filters/ErrorLog.h"
-#include "filters/LabelScenes.h"
+#include "vtk/ErrorLog.h"
+#include "vtk/LabelScenes.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

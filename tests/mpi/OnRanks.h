@@ -1,6 +1,6 @@
 #pragma once
 
-#include "filters/ErrorLog.h"
+#include "vtk/ErrorLog.h"
 #include "mpi/Deals.h"
 
 #include "vtkAlgorithm.h"

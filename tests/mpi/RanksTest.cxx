@@ -1,9 +1,9 @@
-#include "private/Ranks.h"
+#include "private/pipeline/Ranks.h"
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "private/FreeMemory.h"
-#include "private/HostShare.h"
+#include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/HostShare.h"
 
 #include "vtkMultiProcessController.h"
 

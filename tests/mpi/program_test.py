@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "docs"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 import inputs  # noqa: E402
 
 LONGEST_END = 20  # seconds until all ranks have ended after one was killed; 2.3 to 4.1 measured

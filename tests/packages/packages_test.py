@@ -12,7 +12,7 @@ import sys
 import unittest
 
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCES / "tests" / "docs"))
+sys.path.insert(0, str(SOURCES / "tests" / "support"))
 
 import inputs  # noqa: E402
 

@@ -23,7 +23,7 @@ from vtkwinding.vtkFiltersWinding import (
     vtkWindingNumberSurface,
 )
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "docs"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 import inputs  # noqa: E402
 

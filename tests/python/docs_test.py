@@ -9,7 +9,7 @@ import unittest
 import warnings
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "docs"))
+sys.path.insert(0, str(ROOT / "tests" / "support"))
 
 import inputs  # noqa: E402
 from pages import Page  # noqa: E402

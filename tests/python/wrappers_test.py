@@ -20,7 +20,7 @@ from vtkwinding import vtkFiltersWinding
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLASSES = re.findall(r"^  (vtk\w+)", re.search(
-    r"set\(classes\n(.*?)\)", (ROOT / "filters" / "CMakeLists.txt").read_text(), re.DOTALL)[1],
+    r"set\(classes\n(.*?)\)", (ROOT / "filters" / "vtk" / "CMakeLists.txt").read_text(), re.DOTALL)[1],
     re.MULTILINE)
 ABSTRACT = {
     "vtkWindingNumberAlgorithm",
@@ -67,7 +67,7 @@ class PackageTest(unittest.TestCase):
         self.assertEqual(vtkwinding.__version__, version[1])
 
     def test_loads_the_modules_that_the_library_depends_on(self):
-        named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk.module").read_text())
+        named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk" / "vtk.module").read_text())
         self.assertEqual(["vtk" + name for name in named if name != "vtksys"],
                          list(vtkwinding._vtk.DEPENDENCIES))
 
@@ -88,7 +88,7 @@ class ClassesTest(unittest.TestCase):
 
     def test_docstrings_are_those_of_the_headers(self):
         for name in CLASSES:
-            header = (ROOT / "filters" / (name + ".h")).read_text()
+            header = (ROOT / "filters" / "vtk" / (name + ".h")).read_text()
             brief = re.search(r"@brief\s+(.*?)\n \*\n", header, re.DOTALL)[1]
             words = re.sub(r"[\s*]+", " ", brief)
             text = re.sub(r"\s+", " ", getattr(vtkFiltersWinding, name).__doc__)

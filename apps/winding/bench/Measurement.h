@@ -2,7 +2,7 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
-#include "level/Verify.h"
+#include "report/Verify.h"
 #include "source/Grid.h"
 
 #include <functional>

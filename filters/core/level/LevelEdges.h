@@ -2,7 +2,7 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
-#include "level/InsideOut.h"
+#include "field/InsideOut.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
-#include "level/InsideOut.h"
+#include "field/InsideOut.h"
 #include "rays/RowCrossings.h"
 
 #include <functional>

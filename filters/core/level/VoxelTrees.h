@@ -3,7 +3,7 @@
 #include "base/Executor.h"
 #include "field/Field.h"
 #include "level/Bricks.h"
-#include "level/InsideOut.h"
+#include "field/InsideOut.h"
 #include "level/VoxelTree.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 #include "base/BucketSort.h"
 
 #include "base/Executor.h"
-#include "core/support/Samples.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "base/FieldOutput.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

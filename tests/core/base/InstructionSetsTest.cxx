@@ -1,5 +1,5 @@
 #include "base/Views.h"
-#include "core/support/FarFields.h"
+#include "support/FarFields.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"

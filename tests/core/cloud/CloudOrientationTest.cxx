@@ -1,8 +1,8 @@
 #include "cloud/CloudOrientation.h"
 
 #include "cloud/PointAreas.h"
-#include "core/support/Samples.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/ShuffledThreads.h"
 #include "source/PointCloud.h"
 
 #include <gtest/gtest.h>

@@ -6,9 +6,9 @@
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalTrials.h"
 #include "cloud/PatchSigns.h"
-#include "core/support/Samples.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

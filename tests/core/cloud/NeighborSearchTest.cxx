@@ -1,6 +1,6 @@
 #include "cloud/NeighborSearch.h"
 
-#include "core/support/ShuffledThreads.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

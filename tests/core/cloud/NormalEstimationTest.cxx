@@ -2,9 +2,9 @@
 
 #include "cloud/NeighborGraph.h"
 
-#include "core/support/Samples.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "cloud/OrientedSites.h"
 
-#include "core/support/ShuffledThreads.h"
+#include "support/ShuffledThreads.h"
 #include "source/CompareCoordinates.h"
 #include "source/PointCloud.h"
 

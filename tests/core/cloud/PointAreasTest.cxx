@@ -1,8 +1,8 @@
 #include "cloud/PointAreas.h"
 #include "base/Pi.h"
 
-#include "core/support/Samples.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/ShuffledThreads.h"
 
 #include "cloud/NormalEstimation.h"
 #include "cloud/VoronoiCell.h"

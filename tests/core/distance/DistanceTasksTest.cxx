@@ -3,8 +3,8 @@
 #include "distance/NearestKernels.h"
 #include "distance/SampleDistances.h"
 
-#include "core/support/FieldDistances.h"
-#include "core/support/Interruption.h"
+#include "support/FieldDistances.h"
+#include "support/Interruption.h"
 
 #include <gtest/gtest.h>
 

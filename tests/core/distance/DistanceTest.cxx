@@ -3,9 +3,9 @@
 #include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "core/support/FieldDistances.h"
-#include "core/support/NaiveDistance.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/FieldDistances.h"
+#include "support/NaiveDistance.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "distance/NearestKernels.h"
 
 #include "base/Executor.h"
-#include "core/support/Samples.h"
-#include "core/support/Shapes.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "distance/NearestKernels.h"
 
-#include "core/support/NaiveDistance.h"
+#include "support/NaiveDistance.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

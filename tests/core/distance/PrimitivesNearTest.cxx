@@ -1,7 +1,7 @@
 #include "distance/PrimitivesNear.h"
 
-#include "core/support/NaiveDistance.h"
-#include "core/support/Samples.h"
+#include "support/NaiveDistance.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

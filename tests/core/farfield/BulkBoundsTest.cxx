@@ -3,7 +3,7 @@
 #include "base/Bounds.h"
 #include "base/FieldOutput.h"
 #include "cloud/PointAreas.h"
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "farfield/FarField.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"

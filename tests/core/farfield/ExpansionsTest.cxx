@@ -1,7 +1,7 @@
 #include "farfield/Expansions.h"
 #include "base/Pi.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "sums/SolidAngle.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "base/Views.h"
-#include "core/support/FarFields.h"
-#include "core/support/Interruption.h"
+#include "support/FarFields.h"
+#include "support/Interruption.h"
 
 #include <limits>
 #include <sstream>

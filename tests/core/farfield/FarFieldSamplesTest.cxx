@@ -1,6 +1,6 @@
 #include "base/Pi.h"
-#include "core/support/FarFields.h"
-#include "core/support/Interruption.h"
+#include "support/FarFields.h"
+#include "support/Interruption.h"
 #include "farfield/TriangleFarField.h"
 
 #include "base/FlushToZero.h"

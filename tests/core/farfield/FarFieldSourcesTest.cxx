@@ -1,6 +1,6 @@
 #include "farfield/FarFieldSources.h"
-#include "core/support/FarFields.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/FarFields.h"
+#include "support/ShuffledThreads.h"
 #include "source/SourceTree.h"
 #include "source/Surface.h"
 

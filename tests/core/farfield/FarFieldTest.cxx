@@ -1,6 +1,6 @@
 #include "base/Bounds.h"
 #include "base/Pi.h"
-#include "core/support/FarFields.h"
+#include "support/FarFields.h"
 
 #include <sstream>
 

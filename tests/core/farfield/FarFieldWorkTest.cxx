@@ -1,7 +1,7 @@
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "core/support/FarFields.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/FarFields.h"
+#include "support/ShuffledThreads.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "base/Pi.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "farfield/Expansions.h"
 #include "farfield/FarFieldTree.h"
 #include "sums/ReferenceSum.h"

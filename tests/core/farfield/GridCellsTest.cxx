@@ -1,6 +1,6 @@
 #include "farfield/GridCells.h"
 
-#include "core/support/RowValues.h"
+#include "support/RowValues.h"
 
 #include <cmath>
 #include <set>

@@ -1,6 +1,6 @@
 #include "farfield/MultipoleKernels.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "farfield/Expansions.h"
 
 #include <gtest/gtest.h>

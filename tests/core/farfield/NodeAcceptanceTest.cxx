@@ -1,7 +1,7 @@
 #include "farfield/NodeAcceptance.h"
 #include "base/Pi.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "farfield/Expansions.h"
 #include "farfield/MultipoleKernels.h"
 #include "sums/SolidAngle.h"

@@ -1,7 +1,7 @@
 #include "farfield/PointCells.h"
 
 #include "base/Views.h"
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

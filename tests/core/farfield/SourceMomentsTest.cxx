@@ -1,7 +1,7 @@
 #include "farfield/SourceMoments.h"
 #include "base/Pi.h"
 
-#include "core/support/FarFields.h"
+#include "support/FarFields.h"
 #include "farfield/Expansions.h"
 #include "source/Surface.h"
 

@@ -1,7 +1,7 @@
 #include "farfield/SplitTriangles.h"
 
 #include "base/Bounds.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/SolidAngle.h"
 

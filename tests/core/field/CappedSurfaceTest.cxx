@@ -1,7 +1,7 @@
 #include "field/CappedSurface.h"
 
 #include "base/Bounds.h"
-#include "core/support/RowValues.h"
+#include "support/RowValues.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"

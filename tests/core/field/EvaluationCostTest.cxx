@@ -1,6 +1,6 @@
 #include "base/Views.h"
 #include "cloud/CloudCost.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "distance/DistanceCost.h"
 #include "farfield/FarFieldCost.h"
 #include "field/Field.h"

@@ -4,7 +4,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "sums/ReferenceSum.h"
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
-#include "core/support/Interruption.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "sums/ReferenceSum.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
-#include "core/support/RowValues.h"
-#include "core/support/Shapes.h"
+#include "support/RowValues.h"
+#include "support/Shapes.h"
 #include "field/Field.h"
 #include "source/Grid.h"
 

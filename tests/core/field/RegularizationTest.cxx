@@ -1,7 +1,7 @@
 #include "base/Pi.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
-#include "core/support/FarFields.h"
+#include "support/FarFields.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"

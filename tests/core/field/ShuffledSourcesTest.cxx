@@ -1,9 +1,9 @@
 #include "field/Field.h"
 
-#include "core/support/HostileSoups.h"
-#include "core/support/LatticeChain.h"
-#include "core/support/Shuffled.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/HostileSoups.h"
+#include "support/LatticeChain.h"
+#include "support/Shuffled.h"
+#include "support/ShuffledThreads.h"
 #include "source/MeshVertices.h"
 
 #include <gtest/gtest.h>

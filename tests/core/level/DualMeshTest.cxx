@@ -1,8 +1,8 @@
 #include "level/DualMesh.h"
 
-#include "core/support/BitField.h"
-#include "core/support/Manifold.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/BitField.h"
+#include "support/Manifold.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "level/FeatureVertex.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "level/LevelCost.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "level/LevelEdges.h"
 
 #include <gtest/gtest.h>

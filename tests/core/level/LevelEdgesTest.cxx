@@ -1,9 +1,9 @@
 #include "level/LevelEdges.h"
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "core/support/Interruption.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "core/support/LatticeChain.h"
-#include "core/support/RowValues.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/LatticeChain.h"
+#include "support/RowValues.h"
+#include "support/ShuffledThreads.h"
 #include "source/Surface.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "level/VoxelTreesCost.h"
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "level/VoxelTrees.h"
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "core/support/ExtentsOfField.h"
-#include "core/support/Interruption.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
-#include "core/support/VoxelLeaves.h"
+#include "support/ExtentsOfField.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
+#include "support/VoxelLeaves.h"
 #include "level/RunsOfLayers.h"
 
 #include <gtest/gtest.h>

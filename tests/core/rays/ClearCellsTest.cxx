@@ -1,9 +1,9 @@
 #include "rays/ClearCells.h"
 
 #include "base/Bounds.h"
-#include "core/support/Samples.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "rays/RayCounter.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"

@@ -1,7 +1,7 @@
 #include "rays/RayParity.h"
 
-#include "core/support/LatticeSolids.h"
-#include "core/support/Shapes.h"
+#include "support/LatticeSolids.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 

@@ -1,7 +1,7 @@
 #include "rays/RowCrossings.h"
 
 #include "base/Bounds.h"
-#include "core/support/RowValues.h"
+#include "support/RowValues.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 

@@ -1,6 +1,6 @@
 #include "rays/RowTriangle.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "rays/Predicates.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "report/Advice.h"
 
 #include "base/Bounds.h"
-#include "core/support/Samples.h"
-#include "core/support/Shapes.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 

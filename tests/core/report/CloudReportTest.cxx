@@ -2,8 +2,8 @@
 
 #include "base/Refusal.h"
 #include "base/Views.h"
-#include "core/support/Samples.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Samples.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "report/SurfaceReport.h"
 #include "base/Pi.h"
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 

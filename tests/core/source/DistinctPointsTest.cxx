@@ -1,6 +1,6 @@
 #include "source/DistinctPoints.h"
 
-#include "core/support/ShuffledThreads.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "source/DistinctTriangles.h"
 
-#include "core/support/HostileSoups.h"
-#include "core/support/Shapes.h"
+#include "support/HostileSoups.h"
+#include "support/Shapes.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "source/MeshVertices.h"
 
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

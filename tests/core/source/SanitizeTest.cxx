@@ -5,8 +5,8 @@
 #include "source/Surface.h"
 
 #include "base/Refusal.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

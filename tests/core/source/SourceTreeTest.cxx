@@ -1,6 +1,6 @@
 #include "source/SourceTree.h"
 
-#include "core/support/ShuffledThreads.h"
+#include "support/ShuffledThreads.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "source/SourceVolume.h"
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

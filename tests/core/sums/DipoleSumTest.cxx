@@ -1,7 +1,7 @@
 #include "base/Pi.h"
 #include "sums/DirectSum.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"
 

@@ -1,7 +1,7 @@
 #include "sums/DirectSum.h"
 
-#include "core/support/ReadObj.h"
-#include "core/support/Shapes.h"
+#include "support/ReadObj.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
 

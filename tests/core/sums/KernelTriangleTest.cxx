@@ -1,4 +1,4 @@
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "sums/DirectSumKernels.h"
 
 #include <gtest/gtest.h>

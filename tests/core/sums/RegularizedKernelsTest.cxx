@@ -1,7 +1,7 @@
 #include "sums/RegularizedKernels.h"
 
 #include "base/FlushToZero.h"
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 #include "sums/SolidAngle.h"
 
 #include <gtest/gtest.h>

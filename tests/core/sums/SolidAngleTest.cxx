@@ -1,7 +1,7 @@
 #include "sums/SolidAngle.h"
 #include "base/Pi.h"
 
-#include "core/support/Samples.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "sums/DirectSum.h"
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
 

@@ -1,7 +1,7 @@
 #include "surface/BoundaryGradient.h"
 #include "base/Pi.h"
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
 

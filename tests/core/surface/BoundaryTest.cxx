@@ -1,8 +1,8 @@
 #include "surface/BoundaryLoops.h"
 
-#include "core/support/LatticeChain.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/LatticeChain.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "source/CompareCoordinates.h"
 #include "source/Surface.h"
 

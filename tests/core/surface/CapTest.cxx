@@ -1,7 +1,7 @@
 #include "surface/Cap.h"
 
-#include "core/support/LatticeChain.h"
-#include "core/support/Shapes.h"
+#include "support/LatticeChain.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 
 #include <gtest/gtest.h>

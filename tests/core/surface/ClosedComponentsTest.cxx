@@ -1,8 +1,8 @@
 #include "surface/ClosedComponents.h"
 
 #include "base/Bounds.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "rays/CrossingTree.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"

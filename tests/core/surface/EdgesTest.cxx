@@ -1,6 +1,6 @@
 #include "surface/Edges.h"
 
-#include "core/support/Shapes.h"
+#include "support/Shapes.h"
 #include "source/Surface.h"
 
 #include <gtest/gtest.h>

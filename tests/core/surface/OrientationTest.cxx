@@ -1,8 +1,8 @@
 #include "surface/Orientation.h"
 
-#include "core/support/EdgesOf.h"
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/EdgesOf.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "report/SurfaceReport.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"

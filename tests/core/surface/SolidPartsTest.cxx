@@ -1,7 +1,7 @@
 #include "surface/SolidParts.h"
 
-#include "core/support/Shapes.h"
-#include "core/support/ShuffledThreads.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

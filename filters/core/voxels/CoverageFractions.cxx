@@ -1,0 +1,269 @@
+#include "voxels/CoverageFractions.h"
+
+#include "base/Refusal.h"
+#include "rays/RowCrossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The largest memory for the samples of a part, unless one row of voxels takes more.
+constexpr std::size_t mostBytes = std::size_t{64} << 20;
+
+int parts(int count, int perPart)
+{
+  return (count + perPart - 1) / perPart;
+}
+
+/// Counts the samples that are inside each voxel of some rows, run by run.
+class SampleCounts
+{
+public:
+  SampleCounts(int voxelsPerRow, int rows, int samplesPerAxis)
+    : stride_(static_cast<std::size_t>(voxelsPerRow) + 1)
+    , perAxis_(samplesPerAxis)
+    , own_(stride_ * static_cast<std::size_t>(rows), 0)
+    , steps_(own_.size(), 0)
+  {
+  }
+
+  /// Adds samples begin … end − 1 of a row, which are inside. They are numbered from the row's
+  /// first.
+  void add(int row, int begin, int end)
+  {
+    int* const own = &own_[static_cast<std::size_t>(row) * stride_];
+    int* const steps = &steps_[static_cast<std::size_t>(row) * stride_];
+    const int first = begin / perAxis_, last = end / perAxis_;
+    // The run counts as whole voxels from `first` up to `last`, this one excluded; `own` corrects
+    // both ends.
+    steps[first] += perAxis_;
+    steps[last] -= perAxis_;
+    own[first] -= begin - first * perAxis_;
+    own[last] += end - last * perAxis_;
+  }
+
+  /// Calls use(voxel, count) along a row.
+  template <class Use> void forEach(int row, const Use& use) const
+  {
+    const std::size_t start = static_cast<std::size_t>(row) * stride_;
+    int whole = 0;
+    for (std::size_t i = 0; i + 1 < stride_; ++i)
+    {
+      whole += steps_[start + i];
+      use(i, whole + own_[start + i]);
+    }
+  }
+
+private:
+  std::size_t stride_; ///< voxels of a row, and one more at which runs may end
+  int perAxis_;
+  std::vector<int> own_;   ///< correction of each voxel's count where runs begin or end in it
+  std::vector<int> steps_; ///< change of the count of whole voxels at each voxel
+};
+
+} // namespace
+
+CoverageFractions::CoverageFractions(const Field& field, const Grid& grid, const Extent& extent,
+  int samplesPerAxis, InsideRule rule, double threshold, float* fractions)
+  : field_(field)
+  , extent_(extent)
+  , perAxis_(samplesPerAxis)
+  , rule_(rule)
+  , threshold_(threshold)
+  , fractions_(fractions)
+{
+  if (grid.dimensions.maxCoeff() > std::numeric_limits<int>::max() / perAxis_)
+  {
+    throw Refusal("choose larger voxels: a side of " + std::to_string(grid.dimensions.maxCoeff()) +
+                  " voxels has too many " + "samples to tell how much of each is inside");
+  }
+  samples_.dimensions = perAxis_ * grid.dimensions;
+  samples_.spacing = grid.spacing / perAxis_;
+  samples_.firstSample = grid.firstSample - 0.5 * (grid.spacing - samples_.spacing);
+  if (sampleCount(extent) == 0)
+  {
+    partsAlongZ_ = 0;
+    return;
+  }
+  rowsPerPart_ = extent[3] - extent[2] + 1;
+  layersPerPart_ = extent[5] - extent[4] + 1;
+  if (field.integerRows())
+  {
+    return;
+  }
+  const double bytesPerRow = static_cast<double>(perAxis_) * perAxis_ * perAxis_ *
+                             (static_cast<double>(extent[1]) - extent[0] + 1);
+  const auto atMost = [](double count, int limit)
+  {
+    return static_cast<int>(std::clamp<double>(count, 1, limit));
+  };
+  layersPerPart_ =
+    atMost(static_cast<double>(mostBytes) / (bytesPerRow * rowsPerPart_), layersPerPart_);
+  rowsPerPart_ =
+    atMost(static_cast<double>(mostBytes) / (bytesPerRow * layersPerPart_), rowsPerPart_);
+  partsAlongY_ = winding::parts(extent[3] - extent[2] + 1, rowsPerPart_);
+  partsAlongZ_ = winding::parts(extent[5] - extent[4] + 1, layersPerPart_);
+}
+
+Extent CoverageFractions::extentOf(int part) const
+{
+  const int j = extent_[2] + part % partsAlongY_ * rowsPerPart_;
+  const int k = extent_[4] + part / partsAlongY_ * layersPerPart_;
+  return {extent_[0], extent_[1], j, std::min(j + rowsPerPart_ - 1, extent_[3]), k,
+    std::min(k + layersPerPart_ - 1, extent_[5])};
+}
+
+Extent CoverageFractions::samplesOf(const Extent& voxels) const
+{
+  Extent samples;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    samples[2 * axis] = voxels[2 * axis] * perAxis_;
+    samples[2 * axis + 1] = (voxels[2 * axis + 1] + 1) * perAxis_ - 1;
+  }
+  return samples;
+}
+
+EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis)
+{
+  const std::size_t samples =
+    voxels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis * samplesPerAxis);
+  if (field.integerRows())
+  {
+    // The finer grid has so many rows, each with its crossings and runs, but nothing is written at
+    // its samples.
+    constexpr double secondsPerRow = 100e-9;
+    const double rows =
+      samplesPerAxis * samplesPerAxis * std::pow(static_cast<double>(voxels), 2.0 / 3);
+    EvaluationCost cost = field.expectedCostOfValues(voxels);
+    cost.seconds += secondsPerRow * rows;
+    cost.bytes = 0; // no memory is taken beyond what the field took before
+    return cost;
+  }
+  EvaluationCost cost = field.expectedCostOfValues(samples);
+  cost.bytes = std::min(samples, mostBytes);
+  return cost;
+}
+
+float CoverageFractions::share(int samples) const
+{
+  return static_cast<float>(samples) / static_cast<float>(perAxis_ * perAxis_ * perAxis_);
+}
+
+void CoverageFractions::evaluate(int part, Executor& executor) const
+{
+  if (const RowCrossings* rows = field_.integerRows())
+  {
+    this->addUpRows(*rows, executor);
+    return;
+  }
+  this->addUpSamples(this->extentOf(part), executor);
+}
+
+void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) const
+{
+  const Extent samples = this->samplesOf(extent_);
+  const int width = extent_[1] - extent_[0] + 1, height = extent_[3] - extent_[2] + 1;
+  // Some rows of voxels make a band, which is enough work to be worth a block.
+  constexpr std::int64_t samplesPerBlock = 1 << 19;
+  const std::int64_t samplesPerVoxel = perAxis_ * perAxis_ * perAxis_;
+  const int rowsPerBand = static_cast<int>(
+    std::clamp<std::int64_t>(samplesPerBlock / (width * samplesPerVoxel), 1, height));
+  const RowBands bands = {samples[2], rowsPerBand * perAxis_};
+  const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
+    rows.on(samples_, samples, bands, executor);
+  const auto bandCount = bands.countIn(samples);
+  const auto layers = static_cast<std::size_t>(extent_[5] - extent_[4] + 1);
+  const bool isComplete = executor.run(layers * bandCount,
+    [&](std::size_t block)
+    {
+      const int k = extent_[4] + static_cast<int>(block / bandCount);
+      const std::size_t band = block % bandCount;
+      const int firstSampleRow = bands.firstRowOf(band);
+      const int firstRow = firstSampleRow / perAxis_;
+      const int rowCount = std::min(rowsPerBand, extent_[3] - firstRow + 1);
+      SampleCounts counts(width, rowCount, perAxis_);
+      const auto add = [&](int j, int, const std::vector<RowRun>& runs)
+      {
+        for (const RowRun& run : runs)
+        {
+          if (isInside(run.value, rule_, threshold_))
+          {
+            counts.add(
+              (j - firstSampleRow) / perAxis_, run.begin - samples[0], run.end - samples[0]);
+          }
+        }
+      };
+      for (int layer = 0; layer < perAxis_; ++layer)
+      {
+        onGrid->evaluate(k * perAxis_ + layer, band, add);
+      }
+      for (int row = 0; row < rowCount; ++row)
+      {
+        float* const fractions = fractions_ + sampleNumber(extent_, extent_[0], firstRow + row, k);
+        counts.forEach(row, [&](std::size_t i, int count) { fractions[i] = this->share(count); });
+      }
+    });
+  if (!isComplete)
+  {
+    throw Interrupted();
+  }
+}
+
+void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) const
+{
+  const Extent samples = this->samplesOf(voxels);
+  std::vector<unsigned char> inside(sampleCount(samples));
+  FieldOutput output;
+  output.inside = inside.data();
+  output.rule = rule_;
+  output.threshold = threshold_;
+  if (!field_.evaluate(samples_, samples, output, executor))
+  {
+    throw Interrupted();
+  }
+  const auto width = static_cast<std::size_t>(samples[1] - samples[0] + 1);
+  runBlocks(
+    static_cast<std::size_t>(voxels[5] - voxels[4] + 1), 1,
+    [&](std::size_t layer, std::size_t, std::size_t)
+    {
+      const int k = voxels[4] + static_cast<int>(layer);
+      std::vector<unsigned char> columns(width);
+      for (int j = voxels[2]; j <= voxels[3]; ++j)
+      {
+        std::fill(columns.begin(), columns.end(), static_cast<unsigned char>(0));
+        for (int row = 0; row < perAxis_ * perAxis_; ++row)
+        {
+          const int sampleJ = j * perAxis_ + row % perAxis_;
+          const int sampleK = k * perAxis_ + row / perAxis_;
+          const unsigned char* const from =
+            &inside[sampleNumber(samples, samples[0], sampleJ, sampleK)];
+          for (std::size_t i = 0; i < width; ++i)
+          {
+            columns[i] = static_cast<unsigned char>(columns[i] + from[i]);
+          }
+        }
+        float* const fractions = fractions_ + sampleNumber(extent_, voxels[0], j, k);
+        const unsigned char* column = columns.data();
+        for (int i = voxels[0]; i <= voxels[1]; ++i)
+        {
+          int count = 0;
+          for (int n = 0; n < perAxis_; ++n)
+          {
+            count += *column++;
+          }
+          fractions[i - voxels[0]] = this->share(count);
+        }
+      }
+    },
+    executor);
+}
+
+} // namespace winding

@@ -1,0 +1,71 @@
+#include "voxels/VoxelEvaluation.h"
+
+#include "base/DividedShare.h"
+#include "voxels/CoverageFractions.h"
+#include "voxels/VoxelOverlap.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+EvaluationCost VoxelEvaluation::additionalCost(const Field& field, std::size_t voxels) const
+{
+  switch (coverage)
+  {
+  case Coverage::any:
+    return costOfOverlap(field, voxels);
+  case Coverage::fraction:
+    return costOfFractions(field, voxels, samplesPerAxis);
+  default:
+    return {};
+  }
+}
+
+void VoxelEvaluation::run(
+  const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
+{
+  DividedShare share(executor);
+  FieldOutput atCenters = output;
+  atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
+  const bool hasCenters =
+    atCenters.values || atCenters.doubleValues || atCenters.inside || atCenters.hasDistances();
+  // About what comes after it takes as long, or very much longer.
+  const double end = !hasCenters                    ? 0
+                     : coverage == Coverage::center ? 1
+                     : coverage == Coverage::any    ? 0.5
+                                                    : 0.1;
+  share.set(0, end);
+  if (hasCenters && !field.evaluate(grid, extent, atCenters, executor))
+  {
+    throw Interrupted();
+  }
+  if (coverage == Coverage::any)
+  {
+    share.set(end, 1);
+    addOverlap(field, grid, extent, output.rule, output.threshold, output.inside, executor);
+  }
+  if (coverage == Coverage::fraction)
+  {
+    share.set(end, 1);
+    this->evaluateFractions(field, grid, extent, executor);
+  }
+}
+
+void VoxelEvaluation::evaluateFractions(
+  const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
+{
+  DividedShare share(executor);
+  const CoverageFractions sampling(
+    field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions);
+  const double parts = sampling.parts();
+  for (int part = 0; part < sampling.parts(); ++part)
+  {
+    share.set(part / parts, (part + 1) / parts);
+    sampling.evaluate(part, executor);
+  }
+  std::transform(fractions, fractions + sampleCount(extent), output.inside,
+    [](float fraction) { return static_cast<unsigned char>(fraction >= 0.5F); });
+}
+
+} // namespace winding

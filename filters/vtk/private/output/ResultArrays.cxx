@@ -1,0 +1,152 @@
+#include "private/output/ResultArrays.h"
+
+#include "base/LargePages.h"
+#include "private/pipeline/FreeMemory.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr const char* coverageName = "Coverage";
+constexpr const char* distanceName = "SignedDistance";
+
+void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
+{
+  if (auto* ofFloats = vtkFloatArray::SafeDownCast(array))
+  {
+    floats = ofFloats->GetPointer(0);
+  }
+  else if (auto* ofDoubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    doubles = ofDoubles->GetPointer(0);
+  }
+}
+
+/// Arrays, those that there are, and their names.
+using Names = std::vector<std::pair<bool, std::string>>;
+
+void checkNames(const Names& names)
+{
+  std::set<std::string> taken;
+  for (const auto& [exists, name] : names)
+  {
+    if (exists && !taken.insert(name).second)
+    {
+      throw Refusal("rename one of two arrays of the result: both have the name '" + name + "'");
+    }
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name, vtkIdType samples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(samples);
+  adviseLargePages(array->GetVoidPointer(0),
+    static_cast<std::size_t>(samples) * static_cast<std::size_t>(array->GetDataTypeSize()));
+  return array;
+}
+
+vtkIdType bytesPerSample(const ResultOptions& options)
+{
+  const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
+  // Signs have to be kept somewhere until distances are there.
+  const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
+  return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
+         (hasSides ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+}
+
+ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
+{
+  if (!options.withValues && !options.withInside && !options.withDistances)
+  {
+    throw Refusal(
+      "turn on one of Generate Winding Number, Generate Inside and Generate Signed Distance: "
+      "nothing is to be generated");
+  }
+  const std::string name = options.name.empty() ? "WindingNumber" : options.name;
+  checkNames({{options.withValues, name}, {options.withInside, options.insideName},
+    {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
+  refuseBeyondFreeMemory(
+    static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
+    "the result of " + std::to_string(samples) + " samples", options.remedy);
+  if (options.withValues)
+  {
+    values_ = makeResultArray(options.scalarType, name, samples);
+  }
+  if (options.withInside)
+  {
+    inside_ = vtkUnsignedCharArray::SafeDownCast(
+      makeResultArray(VTK_UNSIGNED_CHAR, options.insideName, samples));
+  }
+  if (options.withCoverage)
+  {
+    coverage_ = vtkFloatArray::SafeDownCast(makeResultArray(VTK_FLOAT, coverageName, samples));
+  }
+  if (options.withDistances)
+  {
+    distances_ = makeResultArray(options.scalarType, distanceName, samples);
+  }
+}
+
+FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
+{
+  FieldOutput output;
+  pointInto(values_, output.values, output.doubleValues);
+  pointInto(distances_, output.distances, output.doubleDistances);
+  output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
+  output.rule = rule;
+  output.threshold = threshold;
+  return output;
+}
+
+bool ResultArrays::hasNothingInside() const
+{
+  if (!inside_)
+  {
+    return false;
+  }
+  const unsigned char* first = inside_->GetPointer(0);
+  const unsigned char* last = first + inside_->GetNumberOfValues();
+  return std::find(first, last, 1) == last;
+}
+
+SideCounts ResultArrays::countSides(double threshold) const
+{
+  const FieldOutput pointers = this->output(InsideRule::signedThreshold, threshold);
+  const vtkIdType count = values_ ? values_->GetNumberOfValues() : 0;
+  const auto valueAt = [&pointers](std::size_t i)
+  {
+    return pointers.values ? static_cast<double>(pointers.values[i]) : pointers.doubleValues[i];
+  };
+  return winding::countSides(static_cast<std::size_t>(count), threshold, valueAt);
+}
+
+void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
+{
+  // SetScalars() would throw the array out that was active until now.
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(coverage_), distances_.Get(),
+         static_cast<vtkDataArray*>(inside_), values_.Get()})
+  {
+    if (array)
+    {
+      attributes->AddArray(array);
+      attributes->SetActiveScalars(array->GetName());
+    }
+  }
+}
+
+} // namespace winding

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "field/Field.h"
+#include "field/InsideOut.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+
+class vtkDataSetAttributes;
+
+namespace winding
+{
+
+struct ResultOptions
+{
+  bool withValues = true;     ///< an array of w
+  bool withInside = false;    ///< an array of 1 inside and 0 outside
+  bool withDistances = false; ///< the array "SignedDistance"
+  bool withCoverage = false;  ///< the array "Coverage", of floats
+  int scalarType = VTK_FLOAT; ///< type of w and of distances: VTK_FLOAT or VTK_DOUBLE
+  std::string name;           ///< name of the array of w; empty for "WindingNumber"
+  std::string insideName = "Inside";
+  const char* remedy = "choose larger voxels or write it in pieces"; ///< where memory is short
+};
+
+/// The memory for each sample: that of the arrays, and that of the evaluation meanwhile.
+vtkIdType bytesPerSample(const ResultOptions& options);
+
+/// An array of one number for each sample, which are not set, in large pages of memory where the
+/// system has them: touching fresh memory in small pages for the first time takes several times as
+/// long as filling it.
+vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name, vtkIdType samples);
+
+/// The arrays that a filter adds to its output.
+class ResultArrays
+{
+public:
+  /// Throws Refusal for options that make no array or two of one name, and OutOfMemory, with the
+  /// numbers, for too many samples.
+  ResultArrays(vtkIdType samples, const ResultOptions& options);
+
+  /// Pointers into the arrays.
+  FieldOutput output(InsideRule rule, double threshold) const;
+
+  /// The array of w; null if there is none.
+  vtkDataArray* values() const { return values_; }
+
+  ///@{
+  /// The array of this name; null if it was not asked for.
+  vtkUnsignedCharArray* inside() const { return inside_; }
+  vtkFloatArray* coverage() const { return coverage_; }
+  ///@}
+
+  /// Whether there is an array of what is inside, and it has no 1.
+  bool hasNothingInside() const;
+
+  /// The sides of about 100 000 values of the array of w; of none if there is no such array.
+  SideCounts countSides(double threshold) const;
+
+  /// Adds the arrays; the first of them becomes the active scalars.
+  void addTo(vtkDataSetAttributes* attributes) const;
+
+private:
+  vtkSmartPointer<vtkDataArray> values_;
+  vtkSmartPointer<vtkUnsignedCharArray> inside_;
+  vtkSmartPointer<vtkFloatArray> coverage_;
+  vtkSmartPointer<vtkDataArray> distances_;
+};
+
+} // namespace winding

@@ -1,0 +1,179 @@
+#include "private/output/SourceReport.h"
+
+#include "base/Bounds.h"
+#include "field/Field.h"
+#include "report/FractionalShare.h"
+#include "private/output/FaultBlocks.h"
+#include "private/source/InputViews.h"
+#include "private/source/PolygonOrientation.h"
+#include "report/Advice.h"
+#include "source/Surface.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <memory>
+#include <optional>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Appends arrays.
+class Writer
+{
+public:
+  explicit Writer(vtkFieldData* report)
+    : report_(report)
+  {
+  }
+
+  void text(const char* name, const std::string& value) { this->add<vtkStringArray>(name, value); }
+  void flag(const char* name, bool value) { this->add<vtkUnsignedCharArray>(name, value); }
+  /// No value leaves the array without one.
+  void measure(const char* name, std::optional<double> value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    if (value)
+    {
+      array->InsertNextValue(*value);
+    }
+    report_->AddArray(array);
+  }
+  template <class Integer> void count(const char* name, Integer value)
+  {
+    this->add<vtkIdTypeArray>(name, static_cast<vtkIdType>(value));
+  }
+
+  void box(const char* name, const Bounds& bounds)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(6);
+    if (!bounds.isEmpty())
+    {
+      const Eigen::Vector3d low = bounds.min(), high = bounds.max();
+      array->InsertNextTuple6(low[0], low[1], low[2], high[0], high[1], high[2]);
+    }
+    report_->AddArray(array);
+  }
+
+private:
+  template <class Array, class Value> void add(const char* name, const Value& value)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    report_->AddArray(array);
+  }
+
+  vtkFieldData* report_;
+};
+
+vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
+  const OrientedPolygons* fix, Writer& writer, Executor& executor)
+{
+  const std::shared_ptr<const Field> field =
+    Field::build(source.triangles(), FieldOptions(), executor);
+  if (!field)
+  {
+    throw Interrupted();
+  }
+  const Surface& surface = *field->surface();
+  const SurfaceEdges edgeLists = edgesOf(surface, executor);
+  const SurfaceReport report = reportOn(surface, edgeLists, executor);
+  const VertexCounts vertices = countVertices(source.points(), surface, executor);
+  const EdgeCounts& edges = report.edges;
+  writer.text("kind", "surface");
+  writer.count("triangles", surface.inputTriangles);
+  writer.count("vertices", vertices.points);
+  writer.count("vertices_merged", vertices.different);
+  writer.flag("closed", edges.isClosed() && !surface.triangles.empty());
+  writer.count("boundary_edges", edges.boundary);
+  writer.count("boundary_loops", edges.boundaryLoops);
+  writer.count("nonmanifold_edges", edges.nonManifold);
+  writer.count("inconsistent_edges", edges.inconsistent);
+  writer.count("net_boundary_edges", edges.netBoundary);
+  writer.count("components_vertex", report.vertexComponents);
+  writer.count("components_edge", edges.components);
+  writer.count("closed_components", report.orientation.closed);
+  writer.count("inverted_components", report.orientation.inverted);
+  writer.count("nested_solids", report.orientation.nestedSolids);
+  writer.count("one_sided_components", report.orientation.oneSided);
+  writer.count("duplicate_faces", report.duplicateTriangles);
+  writer.count("degenerate", surface.collapsedTriangles);
+  writer.count("zero_area", report.zeroAreaTriangles);
+  writer.count("unreferenced_vertices", vertices.unreferenced);
+  writer.count("euler", report.eulerCharacteristic);
+  writer.measure("volume", report.volume);
+  writer.measure("area", report.area);
+  writer.measure("fractional_share", fractionalShare(*field, executor));
+  if (fix)
+  {
+    writer.count("flipped_triangles", fix->triangles);
+    writer.count("flipped_components", fix->components);
+  }
+  writer.box("bbox", surface.bounds);
+  writer.count("non_finite", surface.nonFiniteTriangles);
+  writer.count("invalid_ids", surface.invalidIdTriangles);
+  writer.text("advice", adviceOn(surface, report));
+  return faultBlocks(surface, edgeLists, shape, executor);
+}
+
+void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
+{
+  const CloudReport report = reportOn(source.orientedPoints(), executor);
+  writer.text("kind", "points");
+  writer.count("points", report.points);
+  writer.count("duplicates", report.duplicates);
+  writer.flag("normals", report.hasNormals);
+  writer.count("zero_normals", report.zeroNormals);
+  writer.count("non_unit_normals", report.nonUnitNormals);
+  writer.count("non_finite", report.nonFinite);
+  writer.measure("spacing_min", report.spacing.smallest);
+  writer.measure("spacing_median", report.spacing.median);
+  writer.measure("spacing_mean", report.spacing.mean);
+  writer.measure("spacing_max", report.spacing.largest);
+  writer.measure("opposite_neighbors", report.oppositeNeighbors);
+  const auto orientation = [&report](double CloudOrientation::*measure)
+  {
+    return report.orientation ? std::optional<double>((*report.orientation).*measure)
+                              : std::nullopt;
+  };
+  writer.measure("w_behind", orientation(&CloudOrientation::behind));
+  writer.measure("w_before", orientation(&CloudOrientation::before));
+  writer.measure("outward_share", orientation(&CloudOrientation::outward));
+  writer.measure("inward_share", orientation(&CloudOrientation::inward));
+  writer.box("bbox", report.bounds);
+  writer.text("advice", adviceOn(report));
+}
+
+} // namespace
+
+SourceReport reportOn(
+  InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor)
+{
+  SourceReport report;
+  report.arrays = vtkSmartPointer<vtkFieldData>::New();
+  Writer writer(report.arrays);
+  if (source.isSurface())
+  {
+    report.faults = reportOnSurface(source, shape, fix, writer, executor);
+  }
+  else
+  {
+    reportOnCloud(source, writer, executor);
+    report.faults = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  }
+  return report;
+}
+
+} // namespace winding

@@ -1,0 +1,82 @@
+#include "private/output/SurfaceFidelity.h"
+
+#include "report/Fidelity.h"
+#include "private/pipeline/FreeMemory.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+TriangleList trianglesOf(vtkPolyData* surface)
+{
+  TriangleList triangles;
+  auto polygons = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    polygons->GetCurrentCell(count, ids);
+    for (vtkIdType n = 2; n < count; ++n)
+    {
+      triangles.push_back({static_cast<std::int32_t>(ids[0]), static_cast<std::int32_t>(ids[n - 1]),
+        static_cast<std::int32_t>(ids[n])});
+    }
+  }
+  return triangles;
+}
+
+} // namespace
+
+void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::size_t samples)
+{
+  refuseBeyondFreeMemory(bytesForComparison(field, triangles, static_cast<double>(samples)),
+    "the comparison of the surface with its source",
+    "draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels");
+}
+
+void addFidelity(
+  const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor)
+{
+  // A polygon of n corners is cut into n - 2 triangles.
+  const vtkIdType triangles =
+    surface->GetPolys()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfPolys();
+  refuseFidelityBeyondFreeMemory(field, static_cast<double>(triangles), samples);
+  std::vector<Eigen::Vector3d> vertices(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  for (std::size_t n = 0; n < vertices.size(); ++n)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(n), vertices[n].data());
+  }
+  constexpr unsigned seed = 1;
+  const Fidelity fidelity =
+    compareWithSource(field, vertices, trianglesOf(surface), voxel, samples, seed, executor);
+  const auto add = [surface](const char* name, double value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    surface->GetFieldData()->AddArray(array);
+  };
+  add("LargestDistanceFromInput", fidelity.largestFromSource);
+  add("MeanDistanceFromInput", fidelity.meanFromSource);
+  add("LargestDistanceToInput", fidelity.largestToSource);
+  add("MeanDistanceToInput", fidelity.meanToSource);
+  add("InputVolume", fidelity.sourceVolume);
+  add("Volume", fidelity.volume);
+  add("InputComponents", static_cast<double>(fidelity.components));
+  add("LostComponents", static_cast<double>(fidelity.lostComponents));
+  add("SelfIntersections", static_cast<double>(fidelity.selfIntersections));
+}
+
+} // namespace winding

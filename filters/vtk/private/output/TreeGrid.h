@@ -1,0 +1,57 @@
+#pragma once
+
+#include "level/Bricks.h"
+#include "level/VoxelTree.h"
+#include "private/output/ResultArrays.h"
+
+#include "vtkBitArray.h"
+#include "vtkSmartPointer.h"
+
+class vtkHyperTreeGrid;
+
+namespace winding
+{
+
+/**
+ * A vtkHyperTreeGrid made of the trees of a grid's bricks, one after the other. Each tree is in
+ * breadth-first order and has the numbers behind those of the tree before it, so that the order of
+ * all vertices is that of VTK's files.
+ */
+class TreeGrid
+{
+public:
+  /// Lays out a hyper tree grid that has no trees yet. `masksOutside` says whether what is not
+  /// inside is masked, as is what lies beyond the grid. Pointers are kept.
+  TreeGrid(const Grid& grid, const Bricks& bricks, const ResultOptions& options, bool masksOutside,
+    vtkHyperTreeGrid* output);
+
+  /// Adds the tree of the next brick.
+  void add(const VoxelTree& tree);
+
+  /// Adds mask and arrays, once all trees are there.
+  void finish();
+
+  /// The winding number of the leaf that holds a voxel.
+  double valueAt(const Eigen::Vector3i& voxel) const;
+
+  /// The number of vertices of all trees.
+  vtkIdType size() const { return size_; }
+
+  /// The number of leaves that are not masked.
+  vtkIdType leaves() const { return leaves_; }
+
+private:
+  void addMask(const VoxelTree& tree);
+
+  Bricks bricks_;
+  bool masksOutside_;
+  bool hasMask_ = false;
+  vtkHyperTreeGrid* output_;
+  ResultArrays results_;
+  vtkSmartPointer<vtkBitArray> mask_;
+  vtkIdType trees_ = 0;
+  vtkIdType size_ = 0;
+  vtkIdType leaves_ = 0;
+};
+
+} // namespace winding

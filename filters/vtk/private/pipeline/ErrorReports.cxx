@@ -1,0 +1,49 @@
+#include "private/pipeline/ErrorReports.h"
+
+#include "base/Executor.h"
+#include "private/pipeline/FreeMemory.h"
+
+#include "vtkObject.h"
+
+#include <new>
+
+namespace winding
+{
+
+Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
+  const std::function<void()>& work, const std::function<bool()>& isNew)
+{
+  const auto report = [object, &isNew](const std::string& text)
+  {
+    if (!isNew || isNew())
+    {
+      vtkErrorWithObjectMacro(object, << text);
+    }
+  };
+  try
+  {
+    work();
+    return Outcome::done;
+  }
+  catch (const Interrupted&)
+  {
+    return Outcome::interrupted;
+  }
+  catch (const OutOfMemory& refusal)
+  {
+    report(refusal.what());
+    return Outcome::outOfMemory;
+  }
+  catch (const Refusal& refusal)
+  {
+    report(refusal.what());
+    return Outcome::refused;
+  }
+  catch (const std::bad_alloc&)
+  {
+    report(withoutMemory);
+    return Outcome::outOfMemory;
+  }
+}
+
+} // namespace winding

@@ -1,0 +1,25 @@
+#include "private/pipeline/HostShare.h"
+
+#include <atomic>
+
+namespace winding
+{
+
+namespace
+{
+
+std::atomic<int> ranks{1};
+
+} // namespace
+
+int ranksOnHost()
+{
+  return ranks;
+}
+
+void setRanksOnHost(int number)
+{
+  ranks = number;
+}
+
+} // namespace winding

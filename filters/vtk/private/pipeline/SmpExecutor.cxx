@@ -1,0 +1,166 @@
+#include "private/pipeline/SmpExecutor.h"
+
+#include "private/pipeline/HostShare.h"
+#include "private/pipeline/VtkVersions.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The active backend, or STDThread where Sequential is active though nobody asked for it. Where
+/// the environment asks for Sequential, that holds: two threads that choose a backend for their
+/// filters at a time may leave VTK with that of one of them.
+std::string backendToUse()
+{
+  std::string active = vtkSMPTools::GetBackend();
+  const bool isSequential = active == "Sequential";
+#if VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL && VTK_SMP_ENABLE_STDTHREAD
+  const char* asked = std::getenv("VTK_SMP_BACKEND_IN_USE");
+  if (asked && std::strcmp(asked, "Sequential") == 0)
+  {
+    return asked;
+  }
+  return isSequential ? "STDThread" : active;
+#else
+  (void)isSequential;
+  return active;
+#endif
+}
+
+constexpr double secondsPerBatch = 0.1;
+
+int cores()
+{
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// The threads that vtkSMPTools takes where nothing else is said.
+int availableThreads()
+{
+  return backendToUse() == vtkSMPTools::GetBackend()
+           ? std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())
+           : cores();
+}
+
+} // namespace
+
+SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
+  : filter_(filter)
+  , threads_(threads == 0 && ranksOnHost() > 1
+               ? std::clamp(cores() / ranksOnHost(), 1, availableThreads())
+               : std::min(threads, cores()))
+{
+}
+
+int SmpExecutor::threads() const
+{
+  return threads_ > 0 ? threads_ : availableThreads();
+}
+
+void SmpExecutor::runBatch(
+  std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const
+{
+  // Some pieces per thread even out the load; one block each would drown small blocks in overhead.
+  const std::size_t grain = std::max<std::size_t>(1, (last - first) / 64);
+  vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
+    static_cast<vtkIdType>(grain),
+    [&work](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        work(static_cast<std::size_t>(block));
+      }
+    });
+}
+
+bool SmpExecutor::runBatches(
+  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const
+{
+  using Clock = std::chrono::steady_clock;
+  std::size_t batch =
+    static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+  for (std::size_t done = 0; done < count;)
+  {
+    if (filter_ && isAborted(filter_))
+    {
+      return false;
+    }
+    const std::size_t last = std::min(count, done + batch);
+    const Clock::time_point start = Clock::now();
+    this->runBatch(done, last, work);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    done = last;
+    const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
+    batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
+    if (filter_)
+    {
+      this->tellProgress(static_cast<double>(done) / static_cast<double>(count), showsProgress);
+    }
+  }
+  return true;
+}
+
+void SmpExecutor::tellProgress(double done, bool showsProgress) const
+{
+  if (showsProgress)
+  {
+    filter_->UpdateProgress(firstShare_ + (lastShare_ - firstShare_) * done);
+    return;
+  }
+  // UpdateProgress() would shift and scale once more what the filter has shifted and scaled.
+  double progress = filter_->GetProgress();
+  filter_->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+}
+
+bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  bool complete = false;
+  this->runOnBackend([&]() { complete = this->runBatches(count, work, true); });
+  return complete;
+}
+
+bool SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  bool complete = false;
+  this->runOnBackend([&]() { complete = this->runBatches(count, work, false); });
+  return complete;
+}
+
+void SmpExecutor::setShare(double first, double last)
+{
+  firstShare_ = first;
+  lastShare_ = last;
+}
+
+void SmpExecutor::runOnBackend(const std::function<void()>& work)
+{
+  hasRun_ = true;
+  const std::string backend = backendToUse();
+  if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
+  {
+    work();
+    return;
+  }
+  const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), work);
+  // The limit of a scope outlives the scope with TBB (VTK 9.1).
+  if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
+  {
+    vtkSMPTools::Initialize(before);
+  }
+}
+
+} // namespace winding

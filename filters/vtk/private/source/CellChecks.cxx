@@ -1,0 +1,255 @@
+#include "private/source/CellChecks.h"
+
+#include "base/Refusal.h"
+#include "private/source/CellTypes.h"
+#include "private/pipeline/VtkVersions.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& name, const std::string& fault)
+{
+  throw Refusal("mend the data set: " + name + " " + fault);
+}
+
+[[noreturn]] void refuseCell(const std::string& name, vtkIdType cell, const std::string& fault)
+{
+  refuse("cell " + std::to_string(cell) + " of " + name, fault);
+}
+
+void checkLengths(
+  vtkDataSetAttributes* arrays, vtkIdType count, const std::string& of, const std::string& name)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < count)
+    {
+      refuse(name, "has an array '" + std::string(array->GetName() ? array->GetName() : "") +
+                     "' with " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+                     std::to_string(count) + " " + of);
+    }
+  }
+}
+
+void checkOffsets(vtkCellArray* cells, const std::string& name)
+{
+  if (cells && !cells->IsValid())
+  {
+    refuse(name, "has cells whose offsets lead out of their list of ids");
+  }
+}
+
+void checkDimensions(vtkStructuredGrid* grid, const std::string& name)
+{
+  int extent[6];
+  grid->GetExtent(extent);
+  const vtkIdType points = grid->GetNumberOfPoints();
+  double nodes = 1; // cannot overflow, as integers could
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    nodes *= std::max(0.0, 1.0 + extent[2 * axis + 1] - extent[2 * axis]);
+  }
+  if (nodes > static_cast<double>(points))
+  {
+    refuse(
+      name, "is a structured grid with more nodes than its " + std::to_string(points) + " points");
+  }
+}
+
+void checkTypes(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkDataArray* types = cellTypesOf(grid);
+  const vtkIdType cells = grid->GetNumberOfCells();
+  if (cells > 0 && (!types || types->GetNumberOfTuples() < cells))
+  {
+    refuse(name, "has " + std::to_string(cells) + " cells but types for " +
+                   std::to_string(types ? types->GetNumberOfTuples() : 0));
+  }
+}
+
+void checkIds(const vtkIdType* first, const vtkIdType* last, vtkIdType cell, vtkIdType points,
+  const std::string& name)
+{
+  const vtkIdType* const bad =
+    std::find_if(first, last, [points](vtkIdType id) { return id < 0 || id >= points; });
+  if (bad != last)
+  {
+    refuseCell(
+      name, cell, "refers to point " + std::to_string(*bad) + " of " + std::to_string(points));
+  }
+}
+
+/// vtkPolyData gives no cell at all where one of them has too few points for its kind, which
+/// matters only where cells are used.
+void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const std::string& name)
+{
+  const std::pair<vtkCellArray*, vtkIdType> kinds[] = {{polyData->GetVerts(), 1},
+    {polyData->GetLines(), 2}, {polyData->GetPolys(), 3}, {polyData->GetStrips(), 3}};
+  vtkIdType cell = 0; // counted through all kinds, as vtkPolyData does
+  for (const auto& [cells, fewest] : kinds)
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      cells->GetCellAtId(i, size, ids);
+      if (areUsed && size < fewest)
+      {
+        refuseCell(name, cell,
+          "has " + std::to_string(size) + " points and needs " + std::to_string(fewest));
+      }
+      checkIds(ids, ids + size, cell, polyData->GetNumberOfPoints(), name);
+    }
+  }
+}
+
+/// Checks that the faces of a polyhedron have no other points than it has itself.
+void checkFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
+{
+  std::vector<vtkIdType> own(ids->begin(), ids->end());
+  std::sort(own.begin(), own.end());
+  vtkNew<vtkIdList> stream; // of the number of faces, then of each face its size and its ids
+  grid->GetFaceStream(cell, stream);
+  vtkIdType at = 1;
+  while (at < stream->GetNumberOfIds())
+  {
+    const vtkIdType end = at + 1 + stream->GetId(at);
+    for (++at; at < end; ++at)
+    {
+      if (!std::binary_search(own.begin(), own.end(), stream->GetId(at)))
+      {
+        refuseCell(name, cell,
+          "is a polyhedron with a face at point " + std::to_string(stream->GetId(at)) +
+            ", which is none of its points");
+      }
+    }
+  }
+}
+
+/// The degrees of a Lagrange or Bézier cell along its axes; null where the grid has none.
+const double* degreesOf(vtkUnstructuredGrid* grid, vtkIdType cell, double* degrees)
+{
+  vtkDataArray* all = grid->GetCellData()->GetHigherOrderDegrees();
+  if (!all || all->GetNumberOfComponents() != 3)
+  {
+    return nullptr;
+  }
+  all->GetTuple(cell, degrees);
+  return degrees;
+}
+
+void checkGridCell(
+  vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
+{
+  const int type = grid->GetCellType(cell);
+  if (dimensionOf(type) < 0)
+  {
+    refuseCell(name, cell, "has type " + std::to_string(type) + ", which VTK does not know");
+  }
+  if (!hasFacesOfItsType(grid, cell))
+  {
+    refuseCell(name, cell, "has faces that are not there, or none where it needs some");
+  }
+  double degrees[3];
+  if (type == VTK_POLYHEDRON)
+  {
+    checkFaces(grid, cell, ids, name);
+  }
+  else if (!canHavePoints(type, ids->GetNumberOfIds(), degreesOf(grid, cell, degrees)))
+  {
+    refuseCell(name, cell,
+      "has " + std::to_string(ids->GetNumberOfIds()) + " points, which a cell of type " +
+        std::to_string(type) + " cannot have");
+  }
+}
+
+} // namespace
+
+void checkStructure(vtkDataSet* data, const std::string& name)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells :
+      {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
+    {
+      checkOffsets(cells, name);
+    }
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells : {grid->GetCells(), faceListsOf(grid)[0], faceListsOf(grid)[1]})
+    {
+      checkOffsets(cells, name);
+    }
+    checkTypes(grid, name);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    checkDimensions(structured, name);
+  }
+}
+
+namespace
+{
+
+void checkCells(vtkDataSet* data, bool areUsed, const std::string& name)
+{
+  checkStructure(data, name);
+  if (!vtkPointSet::SafeDownCast(data))
+  {
+    return; // images and the like compute their cells
+  }
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    checkPolyDataCells(polyData, areUsed, name);
+    return;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, ids);
+    checkIds(ids->begin(), ids->end(), cell, data->GetNumberOfPoints(), name);
+    if (grid)
+    {
+      checkGridCell(grid, cell, ids, name);
+    }
+  }
+}
+
+} // namespace
+
+void checkCells(vtkDataSet* data, const std::string& name)
+{
+  checkCells(data, true, name);
+}
+
+void checkUnusedCells(vtkDataSet* data, const std::string& name)
+{
+  checkCells(data, false, name);
+}
+
+void checkArrays(vtkDataSet* data, const std::string& name)
+{
+  checkLengths(data->GetPointData(), data->GetNumberOfPoints(), "points", name);
+  checkLengths(data->GetCellData(), data->GetNumberOfCells(), "cells", name);
+}
+
+} // namespace winding

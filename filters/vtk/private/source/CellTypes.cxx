@@ -1,0 +1,117 @@
+#include "private/source/CellTypes.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace winding
+{
+
+namespace
+{
+
+struct Kind
+{
+  int dimension = -1;
+  vtkIdType points = 0; ///< the fewest points of a cell; 0 where it varies
+};
+
+using Kinds = std::array<Kind, 256>;
+
+Kinds makeKinds()
+{
+  Kinds kinds;
+  for (std::size_t type = 0; type < kinds.size(); ++type)
+  {
+    const auto cell =
+      vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(static_cast<int>(type)));
+    if (cell)
+    {
+      kinds[type] = {cell->GetCellDimension(), cell->GetNumberOfPoints()};
+    }
+  }
+  return kinds;
+}
+
+const Kind& kindOf(int cellType)
+{
+  static const Kinds kinds = makeKinds();
+  static const Kind unknown;
+  return cellType >= 0 && cellType < static_cast<int>(kinds.size())
+           ? kinds[static_cast<std::size_t>(cellType)]
+           : unknown;
+}
+
+/// The points of a cell of given degrees along its axes; 0 for types of one number of points.
+double pointsOfDegrees(int cellType, double a, double b, double c)
+{
+  switch (cellType)
+  {
+  case VTK_LAGRANGE_CURVE:
+  case VTK_BEZIER_CURVE:
+    return a + 1;
+  case VTK_LAGRANGE_TRIANGLE:
+  case VTK_BEZIER_TRIANGLE:
+    return (a + 1) * (a + 2) / 2;
+  case VTK_LAGRANGE_QUADRILATERAL:
+  case VTK_BEZIER_QUADRILATERAL:
+    return (a + 1) * (b + 1);
+  case VTK_LAGRANGE_TETRAHEDRON:
+  case VTK_BEZIER_TETRAHEDRON:
+    return (a + 1) * (a + 2) * (a + 3) / 6;
+  case VTK_LAGRANGE_HEXAHEDRON:
+  case VTK_BEZIER_HEXAHEDRON:
+    return (a + 1) * (b + 1) * (c + 1);
+  case VTK_LAGRANGE_WEDGE:
+  case VTK_BEZIER_WEDGE:
+    return (a + 1) * (a + 2) / 2 * (c + 1);
+  default:
+    return 0;
+  }
+}
+
+/// VTK's triangles, tetrahedra and wedges of degree 2 may have a point more in each middle.
+bool isSerendipity(int cellType, vtkIdType points)
+{
+  const bool isTriangle = cellType == VTK_LAGRANGE_TRIANGLE || cellType == VTK_BEZIER_TRIANGLE;
+  const bool isTetra = cellType == VTK_LAGRANGE_TETRAHEDRON || cellType == VTK_BEZIER_TETRAHEDRON;
+  const bool isWedge = cellType == VTK_LAGRANGE_WEDGE || cellType == VTK_BEZIER_WEDGE;
+  return (isTriangle && points == 7) || (isTetra && points == 15) || (isWedge && points == 21);
+}
+
+} // namespace
+
+int dimensionOf(int cellType)
+{
+  return kindOf(cellType).dimension;
+}
+
+bool canHavePoints(int cellType, vtkIdType points, const double* degrees)
+{
+  if (pointsOfDegrees(cellType, 1, 1, 1) == 0)
+  {
+    return points >= kindOf(cellType).points;
+  }
+  if (isSerendipity(cellType, points))
+  {
+    return true;
+  }
+  const auto wanted = static_cast<double>(points);
+  if (degrees)
+  {
+    return std::all_of(degrees, degrees + 3, [](double degree) { return degree >= 1; }) &&
+           pointsOfDegrees(cellType, degrees[0], degrees[1], degrees[2]) == wanted;
+  }
+  double degree = 1;
+  while (pointsOfDegrees(cellType, degree, degree, degree) < wanted)
+  {
+    ++degree;
+  }
+  return pointsOfDegrees(cellType, degree, degree, degree) == wanted;
+}
+
+} // namespace winding

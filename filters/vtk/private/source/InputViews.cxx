@@ -1,0 +1,405 @@
+#include "private/source/InputViews.h"
+
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "private/source/CellChecks.h"
+#include "private/source/ContentHash.h"
+#include "private/source/FlatTriangles.h"
+#include "private/source/PointArrays.h"
+#include "private/source/SourceParts.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace winding
+{
+
+InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor)
+  : options_(options)
+  , executor_(executor)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (composite)
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      this->addLeaf(iterator->GetCurrentDataObject(),
+        "block " + std::to_string(iterator->GetCurrentFlatIndex()));
+    }
+  }
+  else if (source)
+  {
+    this->addLeaf(source, "the source");
+  }
+}
+
+InputViews::~InputViews() = default;
+
+void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
+{
+  auto* points = vtkPointSet::SafeDownCast(leaf);
+  if (!points)
+  {
+    throw Refusal("extract a surface first, for instance by Contour: " + name + " is a " +
+                  std::string(leaf->GetClassName()) +
+                  ", and a source is a surface or points (vtkPointSet)");
+  }
+  if (points->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (vtkPolyData::SafeDownCast(points))
+  {
+    checkStructure(points, name); // polygons with bad ids are left out and counted (Sanitize.h)
+  }
+  else
+  {
+    checkCells(points, name);
+    checkArrays(points, name);
+  }
+  const bool isMesh = hasFaces(points);
+  const bool isSurface = isMesh && !options_.asPoints;
+  const auto own = withoutGhosts(points, isMesh, name);
+  if (own->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (!leaves_.empty() && isSurface != isSurface_)
+  {
+    throw Refusal("extract the blocks of one kind: the source mixes surfaces and point clouds");
+  }
+  isSurface_ = isSurface;
+  leaves_.push_back(own);
+  identity_.emplace_back(points, points->GetMTime());
+}
+
+std::uint64_t InputViews::fingerprint() const
+{
+  ContentHash hash;
+  hash.addValue(isSurface_);
+  for (vtkPointSet* leaf : leaves_)
+  {
+    hash.addArray(leaf->GetPoints()->GetData());
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+    {
+      hash.addCells(polyData->GetPolys());
+      hash.addCells(polyData->GetStrips());
+    }
+    else
+    {
+      // Cells of volume meshes have many forms; any change of the data set counts as one of them.
+      hash.addValue(leaf->GetMTime());
+    }
+    if (!isSurface_)
+    {
+      hash.addArray(normalsOf(leaf, options_.normalsArray));
+      hash.addArray(this->areasOf(leaf));
+    }
+  }
+  return hash.value();
+}
+
+/// Whether there are points without normals, and no triangles that could tell them either.
+bool InputViews::lacksNormals() const
+{
+  return std::any_of(leaves_.begin(), leaves_.end(),
+    [this](vtkPointSet* leaf)
+    { return !hasFaces(leaf) && !normalsOf(leaf, options_.normalsArray); });
+}
+
+vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
+{
+  if (options_.areas != AreaSource::array)
+  {
+    return nullptr;
+  }
+  if (options_.areaArray.empty())
+  {
+    throw Refusal("name the array of the areas (Area Array): there is no name");
+  }
+  return pointArray(leaf, options_.areaArray, 1);
+}
+
+template <class View> View InputViews::viewOf(vtkDataArray* array)
+{
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  {
+    return View(floats->GetPointer(0), count);
+  }
+  auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array);
+  if (!doubles)
+  {
+    auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+    copy->DeepCopy(array);
+    doubles = copy;
+    copies_.emplace_back(copy);
+  }
+  return View(doubles->GetPointer(0), count);
+}
+
+VectorsView InputViews::vectorsOf(vtkDataArray* array)
+{
+  return this->viewOf<VectorsView>(array);
+}
+
+ScalarsView InputViews::scalarsOf(vtkDataArray* array)
+{
+  return this->viewOf<ScalarsView>(array);
+}
+
+TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
+{
+  // The array itself says what it is: the kinds of storage of vtkCellArray differ between versions.
+  vtkDataArray* ids = polygons->GetConnectivityArray();
+  if (polygons->IsHomogeneous() == 3 && ids->HasStandardMemoryLayout())
+  {
+    const auto count = static_cast<std::size_t>(polygons->GetNumberOfCells());
+    if (ids->GetDataTypeSize() == sizeof(std::int64_t))
+    {
+      return {static_cast<const std::int64_t*>(ids->GetVoidPointer(0)), count};
+    }
+    if (ids->GetDataTypeSize() == sizeof(std::int32_t))
+    {
+      return {static_cast<const std::int32_t*>(ids->GetVoidPointer(0)), count};
+    }
+  }
+  ids_.push_back(trianglesOfPolygons(polygons));
+  return {ids_.back().data(), ids_.back().size() / 3};
+}
+
+/// The polygons of a data set: its own, or the outer surface of volume cells.
+vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData;
+  }
+  vtkSmartPointer<vtkPolyData>& skin = skins_[leaf];
+  if (!skin)
+  {
+    skin = outerSurfaceOf(leaf);
+  }
+  return skin;
+}
+
+void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views)
+{
+  vtkPolyData* polyData = this->skinOf(leaf);
+  if (polyData->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
+  if (polyData->GetNumberOfPolys() > 0)
+  {
+    views.push_back({points, this->idsOf(polyData->GetPolys())});
+  }
+  if (polyData->GetNumberOfStrips() > 0)
+  {
+    ids_.push_back(trianglesOfStrips(polyData->GetStrips()));
+    views.push_back({points, {ids_.back().data(), ids_.back().size() / 3}});
+  }
+}
+
+std::vector<TrianglesView> InputViews::triangles()
+{
+  return isGathered_ ? gathered_.triangles() : this->ownTriangles();
+}
+
+std::vector<OrientedPointsView> InputViews::orientedPoints()
+{
+  return isGathered_ ? gathered_.orientedPoints() : this->ownOrientedPoints();
+}
+
+std::size_t InputViews::ownElements() const
+{
+  const int type = isSurface_ ? vtkDataObject::CELL : vtkDataObject::POINT;
+  return std::accumulate(leaves_.begin(), leaves_.end(), std::size_t{0},
+    [type](std::size_t sum, vtkPointSet* leaf)
+    { return sum + static_cast<std::size_t>(leaf->GetNumberOfElements(type)); });
+}
+
+void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
+{
+  if (ranks.isAlone())
+  {
+    return;
+  }
+  enum Kind : unsigned
+  {
+    surface = 1,
+    cloud = 2
+  };
+  const std::vector<Ranks::Number> kinds = ranks.exchange(
+    [&]() -> Ranks::Number
+    {
+      if (isSurface_)
+      {
+        return surface;
+      }
+      return leaves_.empty() ? 0u : +cloud;
+    });
+  const auto has = [&kinds](Kind kind)
+  {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  if (has(surface) && has(cloud))
+  {
+    throw Refusal("extract the parts of one kind: the source is a surface on some ranks and a "
+                  "point cloud on others");
+  }
+  isSurface_ = has(surface);
+  // Parts of different sizes are no copies, and looking at them takes no time.
+  areCopies_ =
+    distribution != SourceDistribution::distributed &&
+    areEqual(ranks.exchange([this]() -> Ranks::Number { return this->ownElements(); })) &&
+    areEqual(ranks.exchange([this]() -> Ranks::Number
+      { return isSurface_ ? hashOf(this->ownTriangles()) : hashOf(this->ownOrientedPoints()); }));
+  if (distribution == SourceDistribution::replicated && !areCopies_)
+  {
+    throw Refusal("choose another Source Distribution: the source is no replicated one, for the "
+                  "ranks have different data");
+  }
+}
+
+void InputViews::gather(Ranks& ranks, bool onlyOnFirst)
+{
+  if (ranks.isAlone() || areCopies_)
+  {
+    return;
+  }
+  ranks.agree([this]
+    { return isSurface_ ? !this->ownTriangles().empty() : !this->ownOrientedPoints().empty(); });
+  isGathered_ = isSurface_ ? gathered_.gather(ranks, this->ownTriangles(), onlyOnFirst)
+                           : gathered_.gather(ranks, this->ownOrientedPoints(), onlyOnFirst);
+}
+
+const std::vector<TrianglesView>& InputViews::ownTriangles()
+{
+  if (!ownTriangles_)
+  {
+    std::vector<TrianglesView> views;
+    for (vtkPointSet* leaf : leaves_)
+    {
+      this->addTriangles(leaf, views);
+    }
+    ownTriangles_ = std::move(views);
+  }
+  return *ownTriangles_;
+}
+
+const MeshVertices& InputViews::verticesOf(vtkPointSet* mesh)
+{
+  std::vector<TrianglesView> views;
+  this->addTriangles(mesh, views);
+  SerialExecutor serial;
+  const auto points = static_cast<std::size_t>(mesh->GetNumberOfPoints());
+  vertices_.push_back(
+    executor_ ? meshVertices(views, points, *executor_) : meshVertices(views, points, serial));
+  return vertices_.back();
+}
+
+const std::vector<OrientedPointsView>& InputViews::ownOrientedPoints()
+{
+  if (!ownPoints_)
+  {
+    ownPoints_ = this->findOrientedPoints();
+  }
+  return *ownPoints_;
+}
+
+std::vector<OrientedPointsView> InputViews::findOrientedPoints()
+{
+  const bool withoutNormals = this->lacksNormals();
+  if (withoutNormals && !options_.estimateNormals)
+  {
+    if (std::any_of(leaves_.begin(), leaves_.end(), hasLines))
+    {
+      throw Refusal("make a surface of the lines first, for instance by Tube or Ribbon: the input "
+                    "has only lines, and they bound nothing");
+    }
+    throw Refusal("have normals estimated (Estimate Normals; --estimate-normals), or compute "
+                  "oriented ones first, for instance by vtkPCANormalEstimation: the points have "
+                  "none, and without them nothing tells inside from outside");
+  }
+  std::vector<OrientedPointsView> views;
+  pointSets_.clear();
+  for (vtkPointSet* source : leaves_)
+  {
+    // Points inside of a volume mesh are no points of its surface.
+    const bool isMesh = hasFaces(source);
+    vtkPointSet* leaf = isMesh ? this->skinOf(source) : source;
+    if (leaf->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    if (options_.areas == AreaSource::mesh && !isMesh)
+    {
+      throw Refusal(
+        "choose Voronoi areas (Point Area Method; --areas): those from the mesh need triangles, "
+        "and these are points alone");
+    }
+    OrientedPointsView view;
+    view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
+    vtkDataArray* ownNormals = normalsOf(leaf, options_.normalsArray);
+    const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
+                                     ? &this->verticesOf(leaf)
+                                     : nullptr;
+    // The normals of a part are left out where another part has none, for all points are to be
+    // oriented together.
+    if (!withoutNormals)
+    {
+      view.normals = ownNormals ? this->vectorsOf(ownNormals) : vertices->normals();
+    }
+    if (vtkDataArray* areas = this->areasOf(leaf))
+    {
+      view.areas = this->scalarsOf(areas);
+    }
+    else if (options_.areas == AreaSource::mesh)
+    {
+      view.areas = vertices->areas();
+    }
+    views.push_back(view);
+    pointSets_.push_back(leaf);
+  }
+  return views;
+}
+
+std::vector<VectorsView> InputViews::points()
+{
+  std::vector<VectorsView> views;
+  if (isGathered_)
+  {
+    for (const TrianglesView& view : gathered_.triangles())
+    {
+      views.push_back(view.points);
+    }
+    for (const OrientedPointsView& view : gathered_.orientedPoints())
+    {
+      views.push_back(view.positions);
+    }
+    return views;
+  }
+  for (vtkPointSet* leaf : leaves_)
+  {
+    vtkPointSet* own = isSurface_ ? this->skinOf(leaf) : leaf;
+    if (own->GetNumberOfPoints() > 0)
+    {
+      views.push_back(this->vectorsOf(own->GetPoints()->GetData()));
+    }
+  }
+  return views;
+}
+
+} // namespace winding

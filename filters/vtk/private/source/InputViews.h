@@ -1,0 +1,146 @@
+#pragma once
+
+#include "base/Views.h"
+#include "private/source/SourceDistribution.h"
+#include "source/MeshVertices.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDataObject;
+class vtkPointSet;
+class vtkPolyData;
+
+namespace winding
+{
+
+class Executor;
+
+/// The places in a source that tell the areas of its points.
+enum class AreaSource
+{
+  none,
+  mesh, ///< its triangles (MeshVertices.h)
+  array
+};
+
+/// The choices that decide how a source is seen: as a mesh or as points, and with which arrays.
+struct InputOptions
+{
+  bool asPoints = false;               ///< whether a mesh is seen as the cloud of its points
+  bool estimateNormals = false;        ///< whether points may lack normals; views do not find any
+  std::string normalsArray;            ///< name; empty or None for the active normals
+  AreaSource areas = AreaSource::none; ///< for clouds only
+  std::string areaArray;               ///< name, for AreaSource::array
+
+  bool operator==(const InputOptions& other) const
+  {
+    return asPoints == other.asPoints && normalsArray == other.normalsArray &&
+           estimateNormals == other.estimateNormals && areas == other.areas &&
+           areaArray == other.areaArray;
+  }
+};
+
+/**
+ * A VTK source as the core's views. Finding out what a source is takes a look at its cells; views
+ * are made on request, over VTK's own memory wherever its layout allows that, and live as long as
+ * this object.
+ *
+ * Throws Refusal, with a line for the user, for data that is no source, and for data that
+ * contradicts itself (CellChecks.h). Only polygons with ids of points that do not exist are no
+ * reason to refuse polydata: the core leaves them out.
+ */
+class InputViews
+{
+public:
+  /// The data sets that a source is made of, and the times of their last modification.
+  using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
+
+  /// `executor`, if it is not null, runs what takes long, and lives as long as this object.
+  InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor = nullptr);
+  ~InputViews();
+
+  bool isSurface() const { return isSurface_; }
+  const Identity& identity() const { return identity_; }
+
+  /// Whether there is nothing to sum over: no points at all.
+  bool isEmpty() const { return leaves_.empty() && !isGathered_; }
+
+  bool isGathered() const { return isGathered_; }
+
+  /// The cells of a surface, or the points of a cloud, that this rank has.
+  std::size_t ownElements() const;
+
+  /// Finds out whether the source is a surface, and whether all ranks have a copy of it. Throws a
+  /// Refusal on all ranks where some have surfaces and others clouds, and where a source that is to
+  /// be replicated is not. Collective.
+  void compare(Ranks& ranks, SourceDistribution distribution);
+
+  /// Whether compare() has found that all ranks have a copy of the source.
+  bool areCopies() const { return areCopies_; }
+
+  /// Brings the parts of all ranks together, on all of them or on the first, unless compare(),
+  /// which goes before, has found copies. From then on this is about the whole source, but for what
+  /// tells of data sets. Collective.
+  void gather(Ranks& ranks, bool onlyOnFirst = false);
+
+  /// A hash of all that a field is built from. Two sources with different identities may still have
+  /// the same content: a reader, for example, gives new objects for every time step, though only
+  /// attributes change.
+  std::uint64_t fingerprint() const;
+
+  std::vector<TrianglesView> triangles();
+  std::vector<OrientedPointsView> orientedPoints();
+
+  /// The data sets whose points orientedPoints() has given, one for each view, with the point
+  /// data of the source. They are its leaves, or the outer surfaces of these, without ghosts.
+  const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
+
+  /// All points of the source, those without triangles too.
+  std::vector<VectorsView> points();
+
+private:
+  void addLeaf(vtkDataObject* leaf, const std::string& name);
+  vtkDataArray* areasOf(vtkPointSet* leaf) const;
+  VectorsView vectorsOf(vtkDataArray* array);
+  ScalarsView scalarsOf(vtkDataArray* array);
+  template <class View> View viewOf(vtkDataArray* array);
+  TriangleIdsView idsOf(vtkCellArray* polygons);
+  const std::vector<TrianglesView>& ownTriangles();
+  const std::vector<OrientedPointsView>& ownOrientedPoints();
+  std::vector<OrientedPointsView> findOrientedPoints();
+  bool lacksNormals() const;
+  const MeshVertices& verticesOf(vtkPointSet* mesh);
+  vtkPolyData* skinOf(vtkPointSet* leaf);
+  void addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& views);
+
+  InputOptions options_;
+  Executor* executor_;
+  bool isSurface_ = false;
+  std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
+  Identity identity_;
+  std::vector<vtkPointSet*> pointSets_;
+
+  std::optional<std::vector<TrianglesView>> ownTriangles_;
+  std::optional<std::vector<OrientedPointsView>> ownPoints_;
+
+  bool areCopies_ = false;
+  bool isGathered_ = false;
+  GatheredViews gathered_;
+
+  // Views point into these where VTK's own memory would not do.
+  std::vector<vtkSmartPointer<vtkDataArray>> copies_;
+  std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
+  std::vector<std::vector<std::int64_t>> ids_;
+  std::vector<MeshVertices> vertices_;
+};
+
+} // namespace winding

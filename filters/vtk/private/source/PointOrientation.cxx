@@ -1,0 +1,118 @@
+#include "private/source/PointOrientation.h"
+
+#include "base/Refusal.h"
+#include "cloud/ConsistentNormals.h"
+#include "private/source/PointArrays.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace winding
+{
+
+namespace
+{
+
+/// The normals of a leaf that has points. Negative numbers are those of floating-point types.
+vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
+{
+  vtkDataArray* const normals = normalsOf(leaf, name);
+  if (!normals)
+  {
+    throw Refusal("leave the orientation as it is (Fix Orientation; --fix-orientation), or give "
+                  "normals: the points have none, and the filters estimate them themselves "
+                  "(Estimate Normals; --estimate-normals)");
+  }
+  if (normals->GetDataType() != VTK_FLOAT && normals->GetDataType() != VTK_DOUBLE)
+  {
+    throw Refusal("give normals of type float or double, or leave the orientation as it is (Fix "
+                  "Orientation; --fix-orientation): those of type " +
+                  std::string(normals->GetDataTypeAsString()) + " cannot all be turned round");
+  }
+  return normals;
+}
+
+/// The points of all leaves whose normals have a direction.
+struct Usable
+{
+  std::vector<Eigen::Vector3d> positions, normals;
+  std::vector<std::pair<std::size_t, vtkIdType>> origins; ///< leaf and point
+};
+
+Usable usablePoints(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves, const std::string& normalsArray)
+{
+  Usable usable;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    const vtkIdType count = leaves[leaf]->GetNumberOfPoints();
+    vtkDataArray* const normals = count > 0 ? realNormalsOf(leaves[leaf], normalsArray) : nullptr;
+    for (vtkIdType point = 0; point < count; ++point)
+    {
+      Eigen::Vector3d position, normal;
+      leaves[leaf]->GetPoint(point, position.data());
+      normals->GetTuple(point, normal.data());
+      normal = normal.stableNormalized();
+      if (position.allFinite() && normal.allFinite() && normal.squaredNorm() > 0)
+      {
+        usable.positions.push_back(position);
+        usable.normals.push_back(normal);
+        usable.origins.emplace_back(leaf, point);
+      }
+    }
+  }
+  return usable;
+}
+
+/// A copy of a leaf whose normals are a copy, too.
+vtkSmartPointer<vtkPolyData> withOwnNormals(vtkPolyData* leaf, const std::string& normalsArray)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(leaf);
+  vtkDataArray* const normals = normalsOf(copy, normalsArray);
+  const auto own = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
+  own->DeepCopy(normals);
+  const bool areActive = copy->GetPointData()->GetNormals() == normals;
+  if (areActive)
+  {
+    copy->GetPointData()->SetNormals(own);
+  }
+  else
+  {
+    copy->GetPointData()->AddArray(own);
+  }
+  return copy;
+}
+
+} // namespace
+
+OrientedPointSets orientNormals(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves,
+  const std::string& normalsArray, Executor& executor)
+{
+  const Usable usable = usablePoints(leaves, normalsArray);
+  const std::vector<unsigned char> turns =
+    normalsToTurn(usable.positions, usable.normals, executor);
+  OrientedPointSets result;
+  result.leaves = leaves;
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    if (!turns[i])
+    {
+      continue;
+    }
+    const auto [leaf, point] = usable.origins[i];
+    if (result.leaves[leaf] == leaves[leaf])
+    {
+      result.leaves[leaf] = withOwnNormals(leaves[leaf], normalsArray);
+    }
+    vtkDataArray* const normals = normalsOf(result.leaves[leaf], normalsArray);
+    double normal[3];
+    normals->GetTuple(point, normal);
+    normals->SetTuple3(point, -normal[0], -normal[1], -normal[2]);
+    ++result.points;
+  }
+  return result;
+}
+
+} // namespace winding

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "private/pipeline/Ranks.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPointSet;
+
+namespace winding
+{
+
+class Executor;
+
+/// Labels are unsigned short, and 0 is none.
+constexpr int largestLabel = 65535;
+
+/// The choices that decide what the solids of an input are.
+struct SolidOptions
+{
+  std::string regionArray; ///< of the cells of a single data set; empty for its connectivity
+  int labelOffset = 0;     ///< added to a region to give its label
+  bool asPoints = false;   ///< whether meshes are taken as the clouds of their points
+};
+
+/**
+ * The solids of an input, each a source of its own, with a label from 1 to 65535 and a name.
+ *
+ * - Of a vtkMultiBlockDataSet every leaf is a solid, also within blocks of blocks, and those that
+ *   are not there count, so that labels stay the same over time; the pieces of a multi-piece are
+ *   one solid. Of a vtkPartitionedDataSetCollection every partitioned data set is one; of any other
+ *   composite every leaf. Labels are their numbers, from 1 on.
+ * - Of a single data set every region is a solid: the cells with one value of the array, whose
+ *   label is the value and the offset. Regions of polydata are of polygons and strips; those of
+ *   other data sets have their own outer surfaces.
+ * - Without an array the regions of a single data set are its solids by connectivity
+ *   (SolidParts.h), with the labels 1, 2, ….
+ *
+ * Names are those of the blocks, "Block n" where there is none, or that of the array and the
+ * region. A name that occurs again gets a number.
+ *
+ * The ranks of a parallel program have parts of all solids: as many blocks each, or any part of the
+ * cells with their regions. Parts by connectivity are those of a surface that one rank has, or all
+ * have as a whole. Throws Refusal.
+ */
+class Solids
+{
+public:
+  /// Keeps a reference to the input. Collective. Throws Interrupted.
+  Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, Executor& executor);
+
+  std::size_t size() const { return labels_.size(); }
+  unsigned short label(std::size_t solid) const { return labels_[solid]; }
+  const std::string& name(std::size_t solid) const { return names_[solid]; }
+
+  /// The number of names that had to be changed.
+  std::size_t repeatedNames() const { return repeatedNames_; }
+
+  /// The solid as a source. That of a region is made for each call.
+  vtkSmartPointer<vtkDataObject> source(std::size_t solid) const;
+
+private:
+  void addBlocks(vtkDataObject* composite, Ranks& ranks);
+  void addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& ranks);
+  void addParts(vtkPointSet* data, Ranks& ranks, Executor& executor);
+  void findParts(vtkPointSet* data, Executor& executor);
+  void makeNamesUnique();
+
+  std::vector<unsigned short> labels_;
+  std::vector<std::string> names_;
+  std::size_t repeatedNames_ = 0;
+
+  std::vector<vtkSmartPointer<vtkDataObject>> blocks_; ///< none for regions
+  vtkSmartPointer<vtkPointSet> data_;                  ///< cells that regions are of
+  std::vector<std::vector<vtkIdType>> cells_;          ///< of data_, by solid
+  mutable std::vector<vtkIdType> newIds_;              ///< −1 for each point of data_
+};
+
+} // namespace winding

@@ -1,0 +1,22 @@
+#include "private/source/SourceDistribution.h"
+
+#include "private/pipeline/PropertyChecks.h"
+#include "private/source/SourceParts.h"
+
+namespace winding
+{
+
+SourceDistribution sourceDistribution(int number)
+{
+  checkChoice(
+    "SourceDistribution", number, {"DISTRIBUTION_AUTOMATIC", "DISTRIBUTED", "REPLICATED"});
+  return static_cast<SourceDistribution>(number);
+}
+
+void askForPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution)
+{
+  const bool isWhole = distribution == SourceDistribution::replicated;
+  askForPiece(source, isWhole ? 0 : ranks.rank(), isWhole ? 1 : ranks.count());
+}
+
+} // namespace winding

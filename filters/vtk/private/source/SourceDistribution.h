@@ -1,0 +1,25 @@
+#pragma once
+
+#include "private/source/GatheredViews.h"
+
+class vtkInformation;
+
+namespace winding
+{
+
+/// The ways in which ranks may hold a source; the numbers are those of the property
+/// SourceDistribution.
+enum class SourceDistribution
+{
+  automatic,   ///< in parts, unless all ranks have the same data
+  distributed, ///< in parts, whatever they have
+  replicated   ///< as a whole, each of them
+};
+
+/// The distribution that has this number as a property. Throws Refusal.
+SourceDistribution sourceDistribution(int number);
+
+/// Asks upstream for the part of a source that a rank is to have.
+void askForPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution);
+
+} // namespace winding

@@ -1,0 +1,132 @@
+#include "private/source/SourceField.h"
+
+#include "private/source/ContentHash.h"
+#include "private/source/SourceMemory.h"
+#include "source/Sanitize.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winding
+{
+
+bool SourceField::Memory::isSame(const InputViews& views, const InputOptions& options)
+{
+  const bool sameOptions = options == options_;
+  if (sameOptions && views.identity() == identity_)
+  {
+    return true;
+  }
+  const std::uint64_t fingerprint = views.fingerprint();
+  const bool same = sameOptions && !identity_.empty() && fingerprint == fingerprint_;
+  identity_ = views.identity();
+  options_ = options;
+  fingerprint_ = fingerprint;
+  return same;
+}
+
+const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& options,
+  Executor& executor, Ranks& ranks, bool onlyOnFirst)
+{
+  std::optional<InputViews> views;
+  Memory memory = source_;
+  const bool isKept = ranks.agree(
+    [&]
+    {
+      views.emplace(source, options.input, &executor);
+      const bool isSameSource = memory.isSame(*views, options.input);
+      return field_ && isSameSource && options_ == options.field &&
+             distribution_ == options.distribution && ranks_ == ranks.count();
+    });
+  source_ = memory; // not before: where a rank refuses its part, the field is still of the last one
+  distribution_ = options.distribution;
+  ranks_ = ranks.count();
+  wasBuilt_ = !isKept;
+  if (wasBuilt_)
+  {
+    field_ = nullptr; // the old and the new one need not fit into memory together
+    views->compare(ranks, options.distribution);
+    refuseHugeSource(*views, withNormals(bytesOfField, mayFindConsistentNormals(options.field)),
+      "the field", ranks, onlyOnFirst);
+    views->gather(ranks, onlyOnFirst);
+    if (onlyOnFirst && ranks.rank() > 0)
+    {
+      field_ = Field::build(std::vector<TrianglesView>(), options.field, executor);
+    }
+    else
+    {
+      field_ = views->isSurface() || views->isEmpty()
+                 ? Field::build(views->triangles(), options.field, executor)
+                 : Field::build(views->orientedPoints(), options.field, executor);
+    }
+    options_ = options.field;
+  }
+  return field_.get();
+}
+
+const Bounds& SourceField::bounds(
+  vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks)
+{
+  std::optional<InputViews> views;
+  Memory memory = boundedSource_;
+  const bool isKept = ranks.agree(
+    [&]
+    {
+      views.emplace(source, options);
+      const bool isSameSource = memory.isSame(*views, options);
+      return isSameSource && boundedRanks_ == ranks.count();
+    });
+  if (!isKept)
+  {
+    std::vector<double> corners;
+    ranks.agree(
+      [&]
+      {
+        const Bounds own = views->isSurface() ? boundsOf(views->triangles(), executor)
+                                              : boundsOf(views->orientedPoints(), executor);
+        if (!own.isEmpty())
+        {
+          corners.insert(corners.end(), own.min().data(), own.min().data() + 3);
+          corners.insert(corners.end(), own.max().data(), own.max().data() + 3);
+        }
+        return true;
+      });
+    bounds_ = Bounds();
+    const OfRanks<double> ofAll = ranks.gathered(corners, false);
+    for (std::size_t n = 0; n < ofAll.numbers.size(); n += 3)
+    {
+      bounds_.extend(Eigen::Vector3d(ofAll.numbers.data() + n));
+    }
+  }
+  boundedSource_ = memory; // not before: a source that is refused must be refused again
+  boundedRanks_ = ranks.count();
+  return bounds_;
+}
+
+Ranks::Number hashOf(const SourceOptions& options)
+{
+  ContentHash hash;
+  hash.addValue(options.distribution);
+  hash.addValue(options.input.asPoints);
+  hash.addValue(options.input.estimateNormals);
+  hash.addValue(options.input.areas);
+  hash.addText(options.input.normalsArray);
+  hash.addText(options.input.areaArray);
+  hash.addValue(options.field.method);
+  hash.addValue(options.field.tolerance);
+  hash.addValue(options.field.normalEstimation);
+  hash.addValue(options.field.pointAreaMethod);
+  hash.addValue(options.field.pointArea);
+  hash.addValue(options.field.neighbors);
+  hash.addValue(options.field.regularization);
+  return hash.value();
+}
+
+const FieldInfo& SourceField::info() const
+{
+  static const FieldInfo none;
+  return field_ ? field_->info() : none;
+}
+
+} // namespace winding

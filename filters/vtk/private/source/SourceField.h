@@ -1,0 +1,80 @@
+#pragma once
+
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "field/Field.h"
+#include "private/source/InputViews.h"
+
+class vtkDataObject;
+
+namespace winding
+{
+
+/// Everything that a field depends on beside the source itself.
+struct SourceOptions
+{
+  InputOptions input;
+  FieldOptions field;
+  SourceDistribution distribution = SourceDistribution::automatic;
+};
+
+/// Whether normals may be estimated by more than a spanning tree, which takes more memory.
+inline bool mayFindConsistentNormals(const FieldOptions& options)
+{
+  return options.estimateNormals && options.normalEstimation != NormalEstimation::spanningTree;
+}
+
+/// A hash of options, by which ranks find out whether theirs are the same.
+Ranks::Number hashOf(const SourceOptions& options);
+
+/**
+ * The field of a filter's source, kept for as long as the source and the options that it depends on
+ * stay the same.
+ */
+class SourceField
+{
+public:
+  /// Builds the field, or keeps the last one. Null when the executor was interrupted: then there is
+  /// none to keep either, and the next call builds. Where the first rank alone needs the field, the
+  /// others get an empty one. Collective. Throws Refusal.
+  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor,
+    Ranks& ranks, bool onlyOnFirst);
+
+  /// The bounds of the usable primitives of the source, those of all ranks, found without building
+  /// a field, and kept for as long as the source stays the same. The executor must not interrupt.
+  /// Collective. Throws Refusal.
+  const Bounds& bounds(
+    vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks);
+
+  /// Information on the last field; before the first, that of an empty one.
+  const FieldInfo& info() const;
+
+  /// Whether the last prepare() had to build.
+  bool wasBuilt() const { return wasBuilt_; }
+
+private:
+  /// Remembers a source, and tells whether the next one is the same.
+  class Memory
+  {
+  public:
+    bool isSame(const InputViews& views, const InputOptions& options);
+
+  private:
+    InputViews::Identity identity_;
+    InputOptions options_; ///< choices that the fingerprint depends on
+    std::uint64_t fingerprint_ = 0;
+  };
+
+  Memory source_;
+  FieldOptions options_;
+  SourceDistribution distribution_ = SourceDistribution::automatic;
+  int ranks_ = 0;
+  std::shared_ptr<const Field> field_;
+  bool wasBuilt_ = false;
+
+  Memory boundedSource_;
+  int boundedRanks_ = 0;
+  Bounds bounds_;
+};
+
+} // namespace winding

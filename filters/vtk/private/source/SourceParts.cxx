@@ -1,0 +1,247 @@
+#include "private/source/SourceParts.h"
+
+#include "private/source/CellChecks.h"
+#include "private/source/CellTypes.h"
+#include "private/pipeline/VtkVersions.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkExtentTranslator.h"
+#include "vtkExtractCells.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Whether any of a ghost array's flags is set.
+bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
+{
+  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    if (ghosts->GetValue(i) & flags)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData;
+  }
+  if (leaf->GetNumberOfPoints() > 0 && hasFaces(leaf))
+  {
+    return outerSurfaceOf(leaf);
+  }
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(leaf->GetPoints());
+  points->GetPointData()->ShallowCopy(leaf->GetPointData());
+  points->GetFieldData()->ShallowCopy(leaf->GetFieldData());
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType point = 0; point < leaf->GetNumberOfPoints(); ++point)
+  {
+    vertices->InsertNextCell(1, &point);
+  }
+  points->SetVerts(vertices);
+  return points;
+}
+
+} // namespace
+
+bool hasFaces(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf);
+  vtkDataArray* types = grid ? cellTypesOf(grid) : nullptr;
+  const vtkIdType cells = leaf->GetNumberOfCells();
+  // Nobody has looked yet whether every cell has a type. Most meshes have a face first.
+  const vtkIdType known = !grid ? cells : types ? std::min(cells, types->GetNumberOfTuples()) : 0;
+  for (vtkIdType i = 0; i < known; ++i)
+  {
+    if (dimensionOf(leaf->GetCellType(i)) >= 2)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool hasLines(vtkPointSet* leaf)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+  {
+    return polyData->GetNumberOfLines() > 0;
+  }
+  for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+  {
+    if (dimensionOf(leaf->GetCellType(i)) == 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+SourceKind kindOf(vtkDataObject* source)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(source))
+  {
+    SourceKind kind = SourceKind::nothing;
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && kind != SourceKind::mesh;
+         iterator->GoToNextItem())
+    {
+      const SourceKind leaf = kindOf(iterator->GetCurrentDataObject());
+      kind = leaf == SourceKind::nothing ? kind : leaf;
+    }
+    return kind;
+  }
+  auto* points = vtkPointSet::SafeDownCast(source);
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    return SourceKind::nothing;
+  }
+  return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
+}
+
+vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf)
+{
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(leaf);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const std::string& name)
+{
+  constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  constexpr int ghostPoint =
+    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  const bool strip = isMesh ? hasFlags(leaf->GetCellGhostArray(), ghostCell)
+                            : hasFlags(leaf->GetPointGhostArray(), ghostPoint);
+  if (!strip)
+  {
+    return leaf;
+  }
+  checkCells(leaf, name);
+  checkArrays(leaf, name);
+  vtkNew<vtkIdList> own;
+  auto clean = vtkSmartPointer<vtkPolyData>::New();
+  if (isMesh)
+  {
+    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+    {
+      if (!(leaf->GetCellGhostArray()->GetValue(i) & ghostCell))
+      {
+        own->InsertNextId(i);
+      }
+    }
+    vtkNew<vtkExtractCells> extract;
+    extract->SetInputData(leaf);
+    extract->SetCellList(own);
+    vtkNew<vtkDataSetSurfaceFilter> skin;
+    skin->SetInputConnection(extract->GetOutputPort());
+    skin->Update();
+    clean->ShallowCopy(skin->GetOutput());
+    return clean;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  clean->GetPointData()->CopyAllocate(leaf->GetPointData());
+  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
+  {
+    if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
+    {
+      double position[3];
+      leaf->GetPoint(i, position);
+      clean->GetPointData()->CopyData(leaf->GetPointData(), i, points->InsertNextPoint(position));
+    }
+  }
+  clean->SetPoints(points);
+  return clean;
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (!composite)
+  {
+    return {leafAsPolyData(vtkPointSet::SafeDownCast(source))};
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves;
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    leaves.push_back(leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject())));
+  }
+  return leaves;
+}
+
+vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& leaf : leaves)
+  {
+    append->AddInputData(leaf);
+  }
+  if (!leaves.empty())
+  {
+    append->Update();
+  }
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const auto& leaf : leaves)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), leaf);
+  }
+  return blocks;
+}
+
+void askForPiece(vtkInformation* source, int piece, int pieces)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  // A structured source, such as a curvilinear grid, is asked for by extent instead.
+  if (source->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    int whole[6], extent[6];
+    source->Get(Pipeline::WHOLE_EXTENT(), whole);
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(
+      piece, pieces, 0, whole, extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    source->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  }
+}
+
+} // namespace winding

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "base/InsideRule.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/source/SourceField.h"
+
+#include "vtkIndent.h"
+
+#include <ostream>
+#include <string>
+
+/**
+ * @file
+ * The properties by which VTK's objects say how the field of a source is made, of which
+ * vtkWindingNumberAlgorithm.h has the list, the meaning and the ranges. Objects of any class that
+ * has them will do. Properties out of range throw Refusal (PropertyChecks.h).
+ */
+namespace winding
+{
+
+/// The ways to the areas of a cloud's points. The core knows what it has to find itself (voronoi,
+/// constant), and InputViews knows what the input has.
+enum class PointAreasFrom
+{
+  voronoi,
+  mesh,
+  constant,
+  array
+};
+
+///@{
+/// The choice that has this number as a property. vtkWindingNumberAlgorithm.cxx asserts that the
+/// numbers of its choices are these.
+Method coreMethod(int method);
+InsideRule coreInsideRule(int rule);
+PointAreasFrom pointAreasFrom(int pointAreaMethod);
+NormalEstimation coreNormalEstimation(int estimation);
+///@}
+
+/// The method by which the core finds the areas that do not come with the input.
+PointAreaMethod corePointAreaMethod(PointAreasFrom areas);
+
+/// The place in the input that the areas come from.
+AreaSource areaSource(PointAreasFrom areas);
+
+/// The text of a property that may be null.
+inline std::string textOf(const char* text)
+{
+  return text ? text : "";
+}
+
+/// Throws unless the properties about the points of clouds are in range.
+template <class Object> void checkCloudProperties(Object& object)
+{
+  checkRange("NumberOfNeighbors", object.GetNumberOfNeighbors(), 3, 1000);
+  checkRange("PointArea", object.GetPointArea(), 0);
+}
+
+/// Throws unless all properties that sourceOptions() takes are in range.
+template <class Object> void checkSourceProperties(Object& object)
+{
+  coreMethod(object.GetMethod());
+  checkRange("Tolerance", object.GetTolerance(), 0);
+  pointAreasFrom(object.GetPointAreaMethod());
+  coreNormalEstimation(object.GetNormalEstimation());
+  checkCloudProperties(object);
+  checkRange("Regularization", object.GetRegularization(), 0, mostRegularization);
+}
+
+/// The options that an object's properties are. FieldOptions tells what `scattered` is. The object
+/// is not changed, but VTK's getters are not const.
+template <class Object> SourceOptions sourceOptions(Object& object, bool scattered)
+{
+  checkSourceProperties(object);
+  const PointAreasFrom areas = pointAreasFrom(object.GetPointAreaMethod());
+  SourceOptions options;
+  options.input.asPoints = object.GetSourceAsPoints() != 0;
+  options.input.normalsArray = textOf(object.GetNormalsArray());
+  options.input.estimateNormals = object.GetEstimateNormals() != 0;
+  options.input.areas = areaSource(areas);
+  options.input.areaArray = textOf(object.GetAreaArray());
+  options.field.method = coreMethod(object.GetMethod());
+  options.field.tolerance = object.GetTolerance();
+  options.field.estimateNormals = object.GetEstimateNormals() != 0;
+  options.field.normalEstimation = coreNormalEstimation(object.GetNormalEstimation());
+  options.field.pointAreaMethod = corePointAreaMethod(areas);
+  options.field.pointArea = object.GetPointArea();
+  options.field.neighbors = object.GetNumberOfNeighbors();
+  options.field.regularization = object.GetRegularization();
+  options.field.scattered = scattered;
+  return options;
+}
+
+/// Prints the properties, for PrintSelf().
+template <class Object>
+void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
+{
+  os << indent << "Method: " << object.GetMethod() << "\n";
+  os << indent << "Tolerance: " << object.GetTolerance() << "\n";
+  os << indent << "SourceAsPoints: " << object.GetSourceAsPoints() << "\n";
+  os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
+  os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
+  os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";
+  os << indent << "NumberOfNeighbors: " << object.GetNumberOfNeighbors() << "\n";
+  os << indent << "PointAreaMethod: " << object.GetPointAreaMethod() << "\n";
+  os << indent << "PointArea: " << object.GetPointArea() << "\n";
+  os << indent << "AreaArray: " << textOf(object.GetAreaArray()) << "\n";
+  os << indent << "Regularization: " << object.GetRegularization() << "\n";
+}
+
+} // namespace winding

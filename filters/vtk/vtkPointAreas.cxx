@@ -1,0 +1,335 @@
+#include "vtkPointAreas.h"
+
+#include "base/ShownExecutor.h"
+#include "base/Views.h"
+#include "cloud/OutwardNormals.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/ErrorReports.h"
+#include "private/source/InputViews.h"
+#include "private/source/NumberedPoints.h"
+#include "private/source/PointArrays.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceField.h"
+#include "private/source/SourceMemory.h"
+#include "private/source/SourceProperties.h"
+#include "source/Sanitize.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPointAreas);
+
+namespace
+{
+
+/// Calls work(leaf, iterator) for the leaves of composite data.
+template <class Work> void forEachLeaf(vtkCompositeDataSet* composite, const Work& work)
+{
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    work(iterator->GetCurrentDataObject(), iterator);
+  }
+}
+
+/// Shares all arrays, but no data set, so that arrays can be added.
+void copyShallowly(vtkDataObject* input, vtkDataObject* output)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  auto* copy = vtkCompositeDataSet::SafeDownCast(output);
+  copy->CopyStructure(composite);
+  copy->GetFieldData()->PassData(composite->GetFieldData());
+  forEachLeaf(composite,
+    [copy](vtkDataObject* leaf, vtkCompositeDataIterator* iterator)
+    {
+      auto fresh = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
+      fresh->ShallowCopy(leaf);
+      copy->SetDataSet(iterator, fresh);
+    });
+}
+
+std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data)
+{
+  std::vector<vtkPointSet*> pointSets;
+  const auto add = [&pointSets](vtkDataObject* leaf, vtkCompositeDataIterator* = nullptr)
+  {
+    if (auto* pointSet = vtkPointSet::SafeDownCast(leaf))
+    {
+      pointSets.push_back(pointSet);
+    }
+  };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    forEachLeaf(composite, add);
+  }
+  else
+  {
+    add(data);
+  }
+  return pointSets;
+}
+
+/// The points of the first views that a cloud has.
+std::size_t usablePoints(const std::vector<winding::OrientedPointsView>& views, int count)
+{
+  std::size_t points = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const winding::OrientedPointsView& view = views[static_cast<std::size_t>(i)];
+    for (std::size_t j = 0; j < view.positions.size(); ++j)
+    {
+      points += winding::isUsable(view, j);
+    }
+  }
+  return points;
+}
+
+/// Adds one area for each point.
+void addAreas(const std::string& name, const double* areas, vtkPointSet* pointSet)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(pointSet->GetNumberOfPoints());
+  std::copy_n(areas, array->GetNumberOfTuples(), array->GetPointer(0));
+  pointSet->GetPointData()->AddArray(array);
+}
+
+/// Sets the active normals. vtkSignedDistance refuses normals that are not single.
+void setNormals(const Eigen::Vector3d* normals, vtkPointSet* pointSet)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(pointSet->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+  {
+    array->SetTuple(point, normals[point].data());
+  }
+  pointSet->GetPointData()->SetNormals(array);
+}
+
+} // namespace
+
+vtkPointAreas::vtkPointAreas()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+  this->SetResultArrayName("Area");
+}
+
+vtkPointAreas::~vtkPointAreas()
+{
+  this->SetNormalsArray(nullptr);
+  this->SetResultArrayName(nullptr);
+}
+
+void vtkPointAreas::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkPointAreas::GetController() const
+{
+  return this->Controller;
+}
+
+int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkPointAreas::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  this->TotalArea = 0;
+  this->ClearShare = 0;
+  this->NormalEstimationUsed = "";
+  const winding::Outcome outcome =
+    winding::reportErrors(this, "there is not enough memory for the areas of so many points",
+      [&]()
+      {
+        winding::Ranks ranks(this->Controller);
+        ranks.meet();
+        ranks.agree(
+          [&]
+          {
+            copyShallowly(vtkDataObject::GetData(inputs[0]), output);
+            this->AddAreas(output, ranks);
+            return true;
+          });
+      });
+  this->Status = static_cast<int>(outcome);
+  if (outcome != winding::Outcome::done)
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
+{
+  winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
+  winding::coreNormalEstimation(this->NormalEstimation);
+  winding::checkCloudProperties(*this);
+  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+  const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
+  const winding::NumberedPoints points(pointSets);
+  winding::InputOptions options;
+  options.asPoints = true;
+  options.normalsArray = winding::textOf(this->NormalsArray);
+  options.estimateNormals = this->EstimateNormals != 0;
+  options.areas =
+    this->PointAreaMethod == MESH ? winding::AreaSource::mesh : winding::AreaSource::none;
+  winding::SourceOptions properties;
+  properties.input = options;
+  properties.distribution = winding::sourceDistribution(this->SourceDistribution);
+  properties.field.estimateNormals = options.estimateNormals;
+  properties.field.neighbors = this->NumberOfNeighbors;
+  properties.field.pointArea = this->PointArea;
+  properties.field.normalEstimation = winding::coreNormalEstimation(this->NormalEstimation);
+  ranks.requireSame(
+    [&]
+    {
+      winding::ContentHash hash;
+      hash.addValue(winding::hashOf(properties));
+      hash.addValue(this->PointAreaMethod);
+      hash.addText(winding::textOf(this->ResultArrayName));
+      return hash.value();
+    });
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::InputViews input(data, options, &executor);
+  input.compare(ranks, properties.distribution);
+  winding::refuseHugeSource(input,
+    winding::withNormals(
+      winding::bytesOfAreas, winding::mayFindConsistentNormals(properties.field)),
+    "the areas", ranks);
+  const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
+  input.gather(ranks);
+  const std::vector<winding::OrientedPointsView> all =
+    input.isGathered() ? input.orientedPoints() : own;
+  winding::PointCloud cloud = winding::sanitize(all, executor);
+  const bool estimates = cloud.normals.size() < cloud.positions.size();
+  this->FindNormalsAndAreas(cloud, executor);
+  const auto getsNormals = [&](vtkPointSet* pointSet)
+  {
+    return estimates ||
+           (this->EstimateNormals != 0 && !winding::normalsOf(pointSet, options.normalsArray));
+  };
+  const bool addsNormals = std::any_of(pointSets.begin(), pointSets.end(), getsNormals);
+
+  const std::size_t before = input.isGathered() ? usablePoints(all, ranks.rank()) : 0;
+  const auto [areas, normals, lost] =
+    winding::findingsByNumber(points, input, own, cloud, before, addsNormals);
+  const std::string name = winding::textOf(this->ResultArrayName);
+  for (std::size_t i = 0; i < pointSets.size(); ++i)
+  {
+    if (getsNormals(pointSets[i]))
+    {
+      setNormals(normals.data() + points.start(i), pointSets[i]);
+    }
+    addAreas(name.empty() ? "Area" : name, areas.data() + points.start(i), pointSets[i]);
+  }
+  this->TotalArea = std::accumulate(areas.cbegin(), areas.cend(), 0.0);
+  if (cloud.dropped() > 0)
+  {
+    vtkWarningMacro(<< cloud.dropped() << " of " << cloud.inputPoints
+                    << " points are unusable and have area 0 (" << cloud.nonFinitePoints
+                    << " with NaN or infinite values, " << cloud.zeroNormalPoints
+                    << " with normals of length 0)");
+  }
+  if (lost > 0)
+  {
+    vtkWarningMacro(<< "the outer surface of curved cells has " << lost
+                    << " points that the input does not have, and their areas are left out; "
+                       "tessellate the cells first");
+  }
+  if (this->TotalArea == 0 && !areas.empty())
+  {
+    vtkWarningMacro(
+      << "set a point area (Point Area): points at one place tell none, so theirs are 0");
+  }
+}
+
+/// Areas of a mesh come in with its points.
+void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor)
+{
+  const winding::PointAreaOptions options = {this->PointAreaMethod == CONSTANT
+                                               ? winding::PointAreaMethod::constant
+                                               : winding::PointAreaMethod::voronoi,
+    this->PointArea, this->NumberOfNeighbors};
+  if (cloud.normals.size() < cloud.positions.size())
+  {
+    const winding::OutwardNormals found = winding::giveOutwardNormals(
+      cloud, winding::coreNormalEstimation(this->NormalEstimation), options, executor);
+    this->NormalEstimationUsed = winding::nameOf(found.estimation);
+    this->ClearShare = found.orientation.outward;
+    const bool hasAreas =
+      std::any_of(cloud.areas.begin(), cloud.areas.end(), [](double area) { return area > 0; });
+    if (hasAreas && !found.orientation.isClear())
+    {
+      vtkWarningMacro(<< winding::adviceOnNormals(found.orientation));
+    }
+  }
+  else if (cloud.areas.empty())
+  {
+    winding::ShownExecutor shown(executor);
+    cloud.areas = winding::pointAreas(cloud, options, shown);
+  }
+}
+
+const char* vtkPointAreas::GetNormalEstimationUsed() const
+{
+  return this->NormalEstimationUsed;
+}
+
+double vtkPointAreas::GetClearShare() const
+{
+  return this->ClearShare;
+}
+
+void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
+  os << indent << "PointArea: " << this->PointArea << "\n";
+  os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
+  os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
+  os << indent << "NormalEstimation: " << this->NormalEstimation << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
+  os << indent << "Status: " << this->Status << "\n";
+  os << indent << "TotalArea: " << this->TotalArea << "\n";
+  os << indent << "NormalEstimationUsed: " << this->NormalEstimationUsed << "\n";
+  os << indent << "ClearShare: " << this->ClearShare << "\n";
+}

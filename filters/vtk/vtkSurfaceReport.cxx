@@ -1,0 +1,387 @@
+#include "vtkSurfaceReport.h"
+
+#include "base/Refusal.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/ErrorReports.h"
+#include "private/output/FaultBlocks.h"
+#include "private/source/InputViews.h"
+#include "private/source/PointOrientation.h"
+#include "private/source/PolygonOrientation.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceField.h"
+#include "private/source/SourceMemory.h"
+#include "private/source/SourceParts.h"
+#include "private/output/SourceReport.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSurfaceReport);
+
+vtkSurfaceReport::vtkSurfaceReport()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkSurfaceReport::~vtkSurfaceReport()
+{
+  this->SetNormalsArray(nullptr);
+}
+
+void vtkSurfaceReport::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkSurfaceReport::GetController() const
+{
+  return this->Controller;
+}
+
+int vtkSurfaceReport::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet"); // of which some are refused
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSurfaceReport::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkMultiBlockDataSet");
+  return 1;
+}
+
+int vtkSurfaceReport::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  winding::askForPart(inputs[0]->GetInformationObject(0), winding::Ranks(this->Controller),
+    static_cast<winding::SourceDistribution>(this->SourceDistribution));
+  return 1;
+}
+
+int vtkSurfaceReport::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Report->Initialize();
+  const int asked = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  winding::Ranks ranks(this->Controller);
+  if (ranks.isAlone() && outputs->GetInformationObject(asked)->Get(
+                           vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  const winding::Outcome outcome = winding::reportErrors(this,
+    "there is not enough memory to look at this source; look at a part of it",
+    [&]()
+    {
+      ranks.meet();
+      ranks.agree(
+        [&]
+        {
+          this->MakeReport(vtkDataObject::GetData(inputs[0]), output, ranks);
+          return true;
+        });
+    });
+  if (outcome != winding::Outcome::done)
+  {
+    return 1;
+  }
+  for (int i = 0; i < this->Report->GetNumberOfArrays(); ++i)
+  {
+    output->GetFieldData()->AddArray(this->Report->GetAbstractArray(i));
+  }
+  return 1;
+}
+
+void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
+{
+  winding::checkRange("FaultThickness", this->FaultThickness, 0, 1);
+  winding::InputOptions options;
+  options.estimateNormals = true; // points without any are no error: the report says so
+  options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  winding::SmpExecutor executor(this, 0);
+  auto views = std::make_unique<winding::InputViews>(source, options, &executor);
+  if (this->FixOrientation && !ranks.isAlone())
+  {
+    throw winding::Refusal("fix the orientation (Fix Orientation) in a program of one rank, before "
+                           "the faces are dealt out: the parts of others are not at hand");
+  }
+  winding::SourceOptions properties;
+  properties.input = options;
+  properties.distribution = winding::sourceDistribution(this->SourceDistribution);
+  ranks.requireSame(
+    [&]
+    {
+      winding::ContentHash hash;
+      hash.addValue(winding::hashOf(properties));
+      hash.addValue(this->FaultThickness);
+      return hash.value();
+    });
+  views->compare(ranks, properties.distribution);
+  winding::refuseHugeSource(*views,
+    winding::withNormals(winding::bytesOfReport, this->FixOrientation != 0), "the report", ranks);
+  views->gather(ranks);
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
+  const bool fixes = this->FixOrientation && views->isSurface();
+  winding::OrientedPolygons fix;
+  if (fixes)
+  {
+    fix = winding::orientPolygons(leaves, executor);
+    leaves = fix.leaves;
+    views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
+  }
+  std::optional<std::size_t> turnedNormals;
+  if (this->FixOrientation && !views->isSurface())
+  {
+    const winding::OrientedPointSets turned =
+      winding::orientNormals(leaves, options.normalsArray, executor);
+    turnedNormals = turned.points;
+    leaves = turned.leaves;
+    views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
+  }
+  const bool isComposite = source->IsA("vtkCompositeDataSet") != 0;
+  const vtkSmartPointer<vtkPolyData> surface =
+    isComposite ? winding::appended(leaves) : leaves.front();
+  const bool isDouble = surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const winding::FaultShape shape = {isDouble ? VTK_DOUBLE : VTK_FLOAT, this->FaultThickness};
+  const winding::SourceReport report =
+    winding::reportOn(*views, shape, fixes ? &fix : nullptr, executor);
+  this->Report->ShallowCopy(report.arrays);
+  if (turnedNormals)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName("flipped_normals");
+    array->InsertNextValue(static_cast<vtkIdType>(*turnedNormals));
+    this->Report->AddArray(array);
+  }
+  const vtkIdType oneSided = fixes ? this->GetNumberOfOneSidedComponents() : 0;
+  if (oneSided > 0)
+  {
+    vtkWarningMacro(<< oneSided << (oneSided == 1 ? " part has" : " parts have")
+                    << " one side only, and stay as they are");
+  }
+  if (ranks.rank() == 0)
+  {
+    this->GetFaults()->ShallowCopy(report.faults);
+  }
+  output->ShallowCopy(surface);
+}
+
+vtkMultiBlockDataSet* vtkSurfaceReport::GetFaults()
+{
+  return vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkFieldData* vtkSurfaceReport::GetReport()
+{
+  return this->Report;
+}
+
+double vtkSurfaceReport::GetNumber(const char* name)
+{
+  vtkDataArray* array = this->Report->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
+}
+
+vtkIdType vtkSurfaceReport::GetCount(const char* name)
+{
+  return static_cast<vtkIdType>(this->GetNumber(name)); // a double holds what fits into memory
+}
+
+const char* vtkSurfaceReport::GetAdvice()
+{
+  auto* advice = vtkStringArray::SafeDownCast(this->Report->GetAbstractArray("advice"));
+  return advice ? advice->GetValue(0).c_str() : "";
+}
+
+const char* vtkSurfaceReport::GetAdviceInLines()
+{
+  constexpr std::size_t longest = 44;
+  std::istringstream words(this->GetAdvice());
+  this->AdviceInLines.clear();
+  std::size_t length = 0;
+  for (std::string word; words >> word; length += word.size())
+  {
+    const bool isFirst = this->AdviceInLines.empty();
+    const bool fits = length + 1 + word.size() <= longest;
+    this->AdviceInLines += isFirst ? "" : fits ? " " : "\n";
+    length = fits && !isFirst ? length + 1 : 0;
+    this->AdviceInLines += word;
+  }
+  return this->AdviceInLines.c_str();
+}
+
+bool vtkSurfaceReport::GetSourceIsSurface()
+{
+  return this->Report->HasArray("triangles");
+}
+
+bool vtkSurfaceReport::GetClosed()
+{
+  return this->GetNumber("closed") != 0;
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfTriangles()
+{
+  return this->GetCount("triangles");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfBoundaryEdges()
+{
+  return this->GetCount("boundary_edges");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfBoundaryLoops()
+{
+  return this->GetCount("boundary_loops");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfNonManifoldEdges()
+{
+  return this->GetCount("nonmanifold_edges");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfInconsistentEdges()
+{
+  return this->GetCount("inconsistent_edges");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfComponents()
+{
+  return this->GetCount("components_edge");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfClosedComponents()
+{
+  return this->GetCount("closed_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfInvertedComponents()
+{
+  return this->GetCount("inverted_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfNestedSolids()
+{
+  return this->GetCount("nested_solids");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfOneSidedComponents()
+{
+  return this->GetCount("one_sided_components");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfFlippedTriangles()
+{
+  return this->GetCount("flipped_triangles");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfFlippedComponents()
+{
+  return this->GetCount("flipped_components");
+}
+
+double vtkSurfaceReport::GetFractionalShare()
+{
+  return this->GetNumber("fractional_share");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfDuplicateFaces()
+{
+  return this->GetCount("duplicate_faces");
+}
+
+double vtkSurfaceReport::GetVolume()
+{
+  return this->GetNumber("volume");
+}
+
+double vtkSurfaceReport::GetArea()
+{
+  return this->GetNumber("area");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfPoints()
+{
+  return this->GetCount("points");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfDuplicatePoints()
+{
+  return this->GetCount("duplicates");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfZeroNormals()
+{
+  return this->GetCount("zero_normals");
+}
+
+bool vtkSurfaceReport::GetHasNormals()
+{
+  return this->GetNumber("normals") != 0;
+}
+
+double vtkSurfaceReport::GetMedianSpacing()
+{
+  return this->GetNumber("spacing_median");
+}
+
+double vtkSurfaceReport::GetOppositeNeighbors()
+{
+  return this->GetNumber("opposite_neighbors");
+}
+
+double vtkSurfaceReport::GetOutwardShare()
+{
+  return this->GetNumber("outward_share");
+}
+
+double vtkSurfaceReport::GetInwardShare()
+{
+  return this->GetNumber("inward_share");
+}
+
+vtkIdType vtkSurfaceReport::GetNumberOfNonFinite()
+{
+  return this->GetCount("non_finite");
+}
+
+void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
+  os << indent << "FixOrientation: " << this->FixOrientation << "\n";
+  os << indent << "FaultThickness: " << this->FaultThickness << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
+  os << indent << "Advice: " << this->GetAdvice() << "\n";
+  os << indent << "FractionalShare: " << this->GetFractionalShare() << "\n";
+}

@@ -1,0 +1,617 @@
+#include "vtkWindingNumberAlgorithm.h"
+
+#include "base/Bounds.h"
+#include "base/Refusal.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/ErrorReports.h"
+#include "report/ExpectedTimeAdvice.h"
+#include "report/InsideOutAdvice.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/output/ResultArrays.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceField.h"
+#include "private/source/SourceParts.h"
+#include "private/source/SourceProperties.h"
+#include "source/Grid.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <chrono>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+int kindOf(vtkDataObject* source)
+{
+  switch (winding::kindOf(source))
+  {
+  case winding::SourceKind::mesh:
+    return vtkWindingNumberAlgorithm::MESH_SOURCE;
+  case winding::SourceKind::cloud:
+    return vtkWindingNumberAlgorithm::CLOUD_SOURCE;
+  default:
+    return vtkWindingNumberAlgorithm::NO_SOURCE;
+  }
+}
+
+/// The share of progress that estimated normals take. They may take longer than all else, or little
+/// beside many samples.
+constexpr double progressOfNormals = 0.5;
+
+/// Keeps the shift and scale of a filter's progress, which an execution may change, as it was.
+class KeptProgress
+{
+public:
+  explicit KeptProgress(vtkAlgorithm* filter)
+    : filter_(filter)
+    , shift_(filter->GetProgressShift())
+    , scale_(filter->GetProgressScale())
+  {
+  }
+  ~KeptProgress() { filter_->SetProgressShiftScale(shift_, scale_); }
+  KeptProgress(const KeptProgress&) = delete;
+  KeptProgress& operator=(const KeptProgress&) = delete;
+
+private:
+  vtkAlgorithm* filter_;
+  double shift_, scale_;
+};
+
+template <class Private> constexpr bool isNumber(Private choice, int number)
+{
+  return static_cast<int>(choice) == number;
+}
+
+// The choices of properties become choices of helpers and of the core by their numbers.
+using Filter = vtkWindingNumberAlgorithm;
+static_assert(isNumber(winding::Outcome::done, Filter::DONE));
+static_assert(isNumber(winding::Outcome::refused, Filter::REFUSED));
+static_assert(isNumber(winding::Outcome::outOfMemory, Filter::OUT_OF_MEMORY));
+static_assert(isNumber(winding::Outcome::interrupted, Filter::ABORTED));
+static_assert(isNumber(winding::Method::automatic, Filter::AUTOMATIC));
+static_assert(isNumber(winding::Method::rows, Filter::ROWS));
+static_assert(isNumber(winding::Method::hierarchical, Filter::HIERARCHICAL));
+static_assert(isNumber(winding::Method::direct, Filter::DIRECT));
+static_assert(isNumber(winding::Method::parity, Filter::PARITY));
+static_assert(isNumber(winding::InsideRule::signedThreshold, Filter::SIGNED));
+static_assert(isNumber(winding::InsideRule::absoluteThreshold, Filter::ABSOLUTE));
+static_assert(isNumber(winding::InsideRule::odd, Filter::ODD));
+static_assert(isNumber(winding::PointAreasFrom::voronoi, Filter::VORONOI));
+static_assert(isNumber(winding::PointAreasFrom::mesh, Filter::MESH));
+static_assert(isNumber(winding::PointAreasFrom::constant, Filter::CONSTANT));
+static_assert(isNumber(winding::PointAreasFrom::array, Filter::ARRAY));
+static_assert(isNumber(winding::NormalEstimation::automatic, Filter::ESTIMATION_AUTOMATIC));
+static_assert(isNumber(winding::NormalEstimation::spanningTree, Filter::SPANNING_TREE));
+static_assert(isNumber(winding::NormalEstimation::consistent, Filter::WINDING_CONSISTENT));
+static_assert(isNumber(winding::SourceDistribution::automatic, Filter::DISTRIBUTION_AUTOMATIC));
+static_assert(isNumber(winding::SourceDistribution::distributed, Filter::DISTRIBUTED));
+static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICATED));
+
+} // namespace
+
+vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+  , Ranks(std::make_unique<winding::Ranks>(nullptr))
+  , Source(std::make_unique<winding::SourceField>())
+{
+  this->SetAreaArray("Area");
+  this->SetResultArrayName("WindingNumber");
+}
+
+vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
+{
+  this->SetNormalsArray(nullptr);
+  this->SetAreaArray(nullptr);
+  this->SetResultArrayName(nullptr);
+}
+
+void vtkWindingNumberAlgorithm::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkWindingNumberAlgorithm::GetController() const
+{
+  return this->Controller;
+}
+
+bool vtkWindingNumberAlgorithm::IsHelper() const
+{
+  return this->WorksOnFirstRank() && this->Ranks->rank() > 0;
+}
+
+void vtkWindingNumberAlgorithm::AskForSource(vtkInformation* source) const
+{
+  winding::askForPart(source, winding::Ranks(this->Controller),
+    winding::sourceDistribution(this->SourceDistribution));
+}
+
+vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  int (vtkWindingNumberAlgorithm::*answer)(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) = nullptr;
+  bool isTogether = false;
+  const bool wantsData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    answer = &vtkWindingNumberAlgorithm::RequestDataObject;
+  }
+  else if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    answer = &vtkWindingNumberAlgorithm::RequestInformation;
+    isTogether = this->InformationNeedsSource();
+  }
+  else if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    answer = &vtkWindingNumberAlgorithm::RequestUpdateExtent;
+  }
+  else if (wantsData)
+  {
+    answer = &vtkWindingNumberAlgorithm::RequestData;
+    isTogether = true;
+  }
+  else
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+
+  const bool isAboutInformation = answer == &vtkWindingNumberAlgorithm::RequestInformation;
+  if (wantsData && this->InformationStatus != DONE)
+  {
+    answer = &vtkWindingNumberAlgorithm::RepeatRefusal;
+  }
+  const KeptProgress kept(this);
+  int isAnswered = 1;
+  const winding::Outcome outcome = winding::reportErrors(
+    this,
+    "there is not enough memory for this source and grid; choose larger voxels or write the "
+    "result in pieces",
+    [&]()
+    {
+      *this->Ranks = winding::Ranks(isTogether ? this->Controller.Get() : nullptr);
+      this->Ranks->meet();
+      this->Ranks->agree(
+        [&]
+        {
+          isAnswered = (this->*answer)(request, inputs, outputs);
+          return true;
+        });
+    },
+    [&]() { return this->IsNewError(); });
+  this->Status = static_cast<int>(outcome);
+  if (isAboutInformation)
+  {
+    this->InformationStatus = this->Status;
+  }
+  else if (wantsData && this->InformationStatus != DONE)
+  {
+    this->Status = this->InformationStatus;
+  }
+  if (this->Status == DONE && wantsData)
+  {
+    this->TimeOfLastError = 0;
+  }
+  if (this->Status != DONE)
+  {
+    if (wantsData)
+    {
+      vtkDataObject::GetData(outputs)->Initialize();
+    }
+    // The pipeline would add an extent that failed to the next one that is asked for.
+    outputs->GetInformationObject(0)->Remove(
+      vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
+  }
+  return isAnswered;
+}
+
+/// The answer to requests for data where that for information was refused: the same once more, for
+/// other ranks to hear of, which is not reported again.
+int vtkWindingNumberAlgorithm::RepeatRefusal(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  if (this->InformationStatus == ABORTED)
+  {
+    throw winding::Interrupted();
+  }
+  throw winding::Refusal("look at the error before this one first: there is no grid");
+}
+
+bool vtkWindingNumberAlgorithm::IsNewError()
+{
+  // The time of the pipeline, and not that of the input: sources run again for another piece.
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  const vtkMTimeType time = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+  return std::exchange(this->TimeOfLastError, time) != time;
+}
+
+int vtkWindingNumberAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1;
+}
+
+void vtkWindingNumberAlgorithm::CheckProperties()
+{
+  winding::checkSourceProperties(*this);
+  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  winding::coreInsideRule(this->InsideRule);
+  winding::checkChoice(
+    "OutputScalarType", this->OutputScalarType, {"VTK_FLOAT", "VTK_DOUBLE"}, VTK_FLOAT);
+  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+  winding::checkRange("LongestExpectedTime", this->LongestExpectedTime, 0);
+  winding::sourceDistribution(this->SourceDistribution);
+}
+
+void vtkWindingNumberAlgorithm::HashProperties(winding::ContentHash& hash)
+{
+  hash.addValue(winding::hashOf(this->GetSourceOptions()));
+  hash.addValue(this->WindingThreshold);
+  hash.addValue(this->InsideRule);
+  hash.addValue(this->GenerateWindingNumber);
+  hash.addValue(this->GenerateInside);
+  hash.addValue(this->GenerateSignedDistance);
+  hash.addValue(this->OutputScalarType);
+  hash.addText(winding::textOf(this->ResultArrayName));
+}
+
+void vtkWindingNumberAlgorithm::AgreeOnProperties()
+{
+  this->Ranks->requireSame(
+    [this]
+    {
+      this->CheckProperties();
+      winding::ContentHash hash;
+      this->HashProperties(hash);
+      return hash.value();
+    });
+}
+
+void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
+{
+  // Images and the like are refused by InputViews, in words that say what to do.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
+{
+  winding::SourceOptions options = winding::sourceOptions(*this, !this->EvaluatesGrid());
+  options.distribution = winding::sourceDistribution(this->SourceDistribution);
+  return options;
+}
+
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples)
+{
+  return this->PrepareFieldFor(source, grid, ownSamples);
+}
+
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const winding::VectorsView& samples)
+{
+  return this->PrepareFieldFor(source, samples, samples.size());
+}
+
+template <class Samples>
+const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
+  vtkDataObject* source, const Samples& samples, std::size_t count)
+{
+  this->SourceIsInsideOut = false;
+  this->LookAtSource(source);
+  this->SetProgressText("Preparing");
+  Clock::time_point start = Clock::now();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(0, progressOfNormals);
+  const winding::SourceOptions options = this->GetSourceOptions();
+  const winding::Field* field =
+    this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
+  if (field && this->IsHelper())
+  {
+    return *field;
+  }
+  if (field && this->Source->wasBuilt() && field->info().normalsAreEstimated)
+  {
+    // Progress goes on from there with all that follows, and ends where it would have ended.
+    const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
+    this->SetProgressShiftScale(shift + scale * progressOfNormals, scale * (1 - progressOfNormals));
+  }
+  // Looking whether the source is the last one is not preparing.
+  start = this->Source->wasBuilt() ? start : Clock::now();
+  if (field)
+  {
+    this->EstimateCost(*field, static_cast<vtkIdType>(count), executor.threads());
+    this->CheckExpectedTime(*field, static_cast<vtkIdType>(count));
+  }
+  const bool isPrepared = field && field->prepare(samples, executor) &&
+                          (!this->WantsDistances() || field->prepareDistances(executor));
+  this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
+  this->SetProgressText("Evaluating");
+  if (!isPrepared)
+  {
+    throw winding::Interrupted();
+  }
+  this->TellFaults(field->info());
+  return *field;
+}
+
+void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
+{
+  if (!info.warning.empty())
+  {
+    vtkWarningMacro(<< info.warning);
+  }
+  if (info.primitives == 0)
+  {
+    vtkWarningMacro(
+      << "give a surface or points: the source has none to sum over, so its field is 0");
+  }
+}
+
+void vtkWindingNumberAlgorithm::EstimateCost(
+  const winding::Field& field, vtkIdType samples, int threads)
+{
+  const auto count = static_cast<std::size_t>(samples);
+  winding::EvaluationCost cost = field.expectedCost(count);
+  if (this->WantsDistances())
+  {
+    cost += field.expectedCostOfDistances(count, this->GetDistanceLimit());
+  }
+  cost += this->GetAdditionalCost(field, samples);
+  // The pipeline's request and the start of threads take as long for the smallest field.
+  constexpr double secondsToStart = 0.3e-3;
+  this->ExpectedSeconds = this->EarlierExpectedSeconds + secondsToStart + cost.seconds / threads;
+  this->ExpectedMemory =
+    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
+}
+
+void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field, vtkIdType samples)
+{
+  constexpr double longEnoughToTell = 60;
+  const double seconds = this->ExpectedSeconds;
+  const bool isRefused = this->LongestExpectedTime > 0 && seconds > this->LongestExpectedTime;
+  if (isRefused || seconds > longEnoughToTell)
+  {
+    const std::string text = winding::expectedTimeAdvice(
+      field.info(), seconds, static_cast<std::size_t>(samples), this->Tolerance);
+    if (isRefused)
+    {
+      throw winding::Refusal(text + "; to have it all the same, raise Longest Expected Time "
+                                    "(--longest-expected-time), or set it to 0");
+    }
+    vtkWarningMacro(<< text);
+  }
+}
+
+winding::EvaluationCost vtkWindingNumberAlgorithm::GetAdditionalCost(
+  const winding::Field&, vtkIdType)
+{
+  return {};
+}
+
+bool vtkWindingNumberAlgorithm::WantsDistances() const
+{
+  return this->GenerateSignedDistance != 0;
+}
+
+double vtkWindingNumberAlgorithm::GetDistanceLimit() const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
+{
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0;
+  options.withDistances = this->WantsDistances();
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
+  return options;
+}
+
+double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
+{
+  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
+         static_cast<double>(samples);
+}
+
+void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
+{
+  this->SourceKind = kindOf(source);
+}
+
+bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
+{
+  winding::InputOptions options = this->GetSourceOptions().input;
+  // Bounds need no normals. What a user interface asks for before anything is executed must not
+  // fail, or nobody could be asked there whether to estimate them.
+  options.estimateNormals = true;
+  // Nothing is to interrupt what happens before anything is executed.
+  winding::SmpExecutor executor(nullptr, this->NumberOfThreads);
+  const winding::Bounds& found = this->Source->bounds(source, options, executor, *this->Ranks);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = found.min()[axis];
+    bounds[2 * axis + 1] = found.max()[axis];
+  }
+  return !found.isEmpty();
+}
+
+winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
+{
+  return {samples, this->GetResultOptions()};
+}
+
+winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
+{
+  winding::FieldOutput output =
+    results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  output.distanceLimit = this->GetDistanceLimit();
+  return output;
+}
+
+void vtkWindingNumberAlgorithm::AddResults(
+  const winding::ResultArrays& results, vtkDataSet* output, vtkDataSetAttributes* attributes) const
+{
+  results.addTo(attributes);
+  this->DescribeMethod(output);
+}
+
+void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
+{
+  const auto note = [output](const char* name, const char* text)
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    array->InsertNextValue(text);
+    output->GetFieldData()->AddArray(array);
+  };
+  note("WindingNumberMethod", this->GetMethodUsed());
+  note("WindingNumberMethodReason", this->GetMethodReason());
+  if (this->GetNormalsWereEstimated())
+  {
+    note("WindingNumberNormalEstimation", this->GetNormalEstimationUsed());
+    vtkNew<vtkDoubleArray> share;
+    share->SetName("WindingNumberClearShare");
+    share->InsertNextValue(this->GetClearShare());
+    output->GetFieldData()->AddArray(share);
+  }
+}
+
+void vtkWindingNumberAlgorithm::TellSides(
+  const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
+{
+  if (this->InsideRule == SIGNED && winding::looksInward(field, sides, executor))
+  {
+    this->SourceIsInsideOut = sides.negative > sides.inside;
+    vtkWarningMacro(<< winding::insideOutAdvice(
+                      field.info().isSurface ? "faces" : "normals", sides, this->WindingThreshold));
+  }
+}
+
+const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const
+{
+  return this->Source->info();
+}
+
+const char* vtkWindingNumberAlgorithm::GetMethodUsed() const
+{
+  const winding::FieldInfo& info = this->GetSourceInfo();
+  return info.why.empty() ? "" : winding::nameOf(info.method);
+}
+
+const char* vtkWindingNumberAlgorithm::GetMethodReason() const
+{
+  return this->GetSourceInfo().why.c_str();
+}
+
+bool vtkWindingNumberAlgorithm::GetSourceIsSurface() const
+{
+  return this->GetSourceInfo().isSurface;
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfPrimitives() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().primitives);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfDroppedPrimitives() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().dropped);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfWeldedVertices() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().weldedVertices);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfBoundaryEdges() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().boundaryEdges);
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfNetBoundaryEdges() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().netBoundaryEdges);
+}
+
+double vtkWindingNumberAlgorithm::GetMeanPointArea() const
+{
+  return this->GetSourceInfo().pointArea;
+}
+
+bool vtkWindingNumberAlgorithm::GetNormalsWereEstimated() const
+{
+  return this->GetSourceInfo().normalsAreEstimated;
+}
+
+const char* vtkWindingNumberAlgorithm::GetNormalEstimationUsed() const
+{
+  const winding::FieldInfo& info = this->GetSourceInfo();
+  return info.normalsAreEstimated ? winding::nameOf(info.normalEstimation) : "";
+}
+
+double vtkWindingNumberAlgorithm::GetClearShare() const
+{
+  return this->GetSourceInfo().orientation.outward;
+}
+
+vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
+{
+  return static_cast<vtkIdType>(this->GetSourceInfo().capTriangles);
+}
+
+void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  winding::printSourceProperties(*this, os, indent);
+  os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
+  os << indent << "InsideRule: " << this->InsideRule << "\n";
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "LongestExpectedTime: " << this->LongestExpectedTime << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "SourceDistribution: " << this->SourceDistribution << "\n";
+  os << indent << "SourceKind: " << this->SourceKind << "\n";
+  os << indent << "Status: " << this->Status << "\n";
+  os << indent << "SourceIsInsideOut: " << this->SourceIsInsideOut << "\n";
+  os << indent << "MethodUsed: " << this->GetMethodUsed() << "\n";
+  os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "MeanPointArea: " << this->GetMeanPointArea() << "\n";
+  os << indent << "ClearShare: " << this->GetClearShare() << "\n";
+  os << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n";
+  os << indent << "EvaluateSeconds: " << this->EvaluateSeconds << "\n";
+  os << indent << "ExpectedSeconds: " << this->ExpectedSeconds << "\n";
+  os << indent << "ExpectedMemory: " << this->ExpectedMemory << "\n";
+}

@@ -1,0 +1,128 @@
+#include "vtkWindingNumberClip.h"
+
+#include "base/Executor.h"
+#include "field/Field.h"
+#include "private/probe/ClippedPart.h"
+#include "private/probe/CutDistances.h"
+#include "private/probe/ProbeQueries.h"
+#include "private/probe/ProbeWords.h"
+#include "private/output/ResultArrays.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceProperties.h"
+#include "private/pipeline/VtkVersions.h"
+
+#include "vtkDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr double progressOfSamples = 0.6;
+constexpr double progressOfDistances = 0.8;
+
+} // namespace
+
+vtkStandardNewMacro(vtkWindingNumberClip);
+
+vtkSmartPointer<vtkDataObject> vtkWindingNumberClip::NewOutput(vtkDataObject* input) const
+{
+  if (vtkDataSet::SafeDownCast(input))
+  {
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  return this->Superclass::NewOutput(input);
+}
+
+double vtkWindingNumberClip::GetProgressOfSamples() const
+{
+  return progressOfSamples;
+}
+
+const winding::ProbeWords& vtkWindingNumberClip::GetWords() const
+{
+  return winding::wordsOfClip;
+}
+
+/// The array of w tells whether the source is inside out.
+winding::ResultOptions vtkWindingNumberClip::GetResultOptions() const
+{
+  return {};
+}
+
+double vtkWindingNumberClip::GetResultBytes(vtkIdType samples) const
+{
+  constexpr double bytesOfSide = 1;
+  return this->Superclass::GetResultBytes(samples) +
+         (bytesOfSide + winding::bytesPerSampleOfCuts + winding::bytesPerClippedPoint) *
+           static_cast<double>(samples);
+}
+
+winding::EvaluationCost vtkWindingNumberClip::GetAdditionalCost(
+  const winding::Field& field, vtkIdType samples)
+{
+  winding::EvaluationCost cost =
+    winding::costOfCutDistances(field, static_cast<std::size_t>(samples));
+  // VTK cuts cells on one thread, and the sum is divided by all of them.
+  const int threads = winding::SmpExecutor(this, this->NumberOfThreads).threads();
+  cost.seconds += winding::secondsPerClippedCell * static_cast<double>(this->CellsToCut) * threads;
+  return cost;
+}
+
+void vtkWindingNumberClip::FinishSamples(
+  const winding::Field& field, const winding::ProbeQueries& queries, const unsigned char* inside)
+{
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(progressOfSamples, progressOfDistances);
+  this->CutDistances = winding::cutDistances(field, queries, inside,
+    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+  this->SamplesDone = 0;
+}
+
+void vtkWindingNumberClip::AddArrays(const winding::ResultArrays&, vtkDataSetAttributes*) const {}
+
+vtkSmartPointer<vtkDataSet> vtkWindingNumberClip::PartOf(
+  vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char*)
+{
+  vtkSmartPointer<vtkDataSet> part =
+    winding::clippedPart(data, this->CutDistances.data() + leaf.first);
+  this->SamplesDone += leaf.count;
+  const double share = static_cast<double>(this->SamplesDone) /
+                       static_cast<double>(std::max<std::size_t>(1, this->CutDistances.size()));
+  this->UpdateProgress(progressOfDistances + (1 - progressOfDistances) * share);
+  if (winding::isAborted(this))
+  {
+    throw winding::Interrupted();
+  }
+  return part;
+}
+
+int vtkWindingNumberClip::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->CutDistances = {};
+  this->CellsToCut = vtkDataObject::GetData(inputs[0])->GetNumberOfElements(vtkDataObject::CELL);
+  const int isDone = this->Superclass::RequestData(request, inputs, outputs);
+  const bool hadSamples = !this->CutDistances.empty();
+  this->CutDistances = {};
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (isDone && hadSamples && output->GetNumberOfElements(vtkDataObject::CELL) == 0)
+  {
+    this->TellEmpty();
+  }
+  return isDone;
+}
+
+/// A source without primitives, or inside out, has been warned of before.
+void vtkWindingNumberClip::TellEmpty()
+{
+  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
+  {
+    vtkWarningMacro(<< "look whether the Input and the Source overlap, whether the Input is fine "
+                       "enough, and whether the Source is closed (filter Surface Report; winding "
+                       "check): no point of the Input is "
+                    << (this->InsideOut ? "outside" : "inside") << ", so the result is empty");
+  }
+}

@@ -1,0 +1,224 @@
+#include "vtkWindingNumberGridAlgorithm.h"
+
+#include "base/Bounds.h"
+#include "base/Refusal.h"
+#include "report/Verify.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "source/Grid.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <algorithm>
+
+namespace
+{
+
+winding::Bounds toBounds(const double (&b)[6])
+{
+  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
+}
+
+/// Whether bounds are those of a box. A user interface that follows an empty input has none.
+bool isBox(const winding::Bounds& bounds)
+{
+  return !bounds.isEmpty() && bounds.sizes().allFinite();
+}
+
+bool areSame(const winding::Bounds& a, const winding::Bounds& b)
+{
+  return a.min() == b.min() && a.max() == b.max();
+}
+
+} // namespace
+
+vtkWindingNumberGridAlgorithm::vtkWindingNumberGridAlgorithm()
+  : Request(std::make_unique<winding::GridRequest>())
+  , LaidOut(std::make_unique<winding::Grid>())
+  , Sampling(std::make_unique<winding::Grid>())
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(1);
+}
+
+vtkWindingNumberGridAlgorithm::~vtkWindingNumberGridAlgorithm() = default;
+
+int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  FillSourcePortInformation(info);
+  return 1;
+}
+
+int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  this->AskForSource(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+void vtkWindingNumberGridAlgorithm::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkRange("Resolution", this->Resolution, 1);
+  winding::checkRange("VoxelSize", this->VoxelSize, 0);
+  const int* dimensions = this->SamplingDimensions;
+  if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
+  {
+    winding::checkRange("SamplingDimensions[0]", dimensions[0], 1);
+    winding::checkRange("SamplingDimensions[1]", dimensions[1], 1);
+    winding::checkRange("SamplingDimensions[2]", dimensions[2], 1);
+  }
+  winding::checkRange("Padding", this->Padding, 0);
+  winding::checkRange("VerifySamples", this->VerifySamples, 0);
+}
+
+void vtkWindingNumberGridAlgorithm::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Resolution);
+  hash.addValue(this->VoxelSize);
+  hash.addValue(this->SamplingDimensions);
+  hash.addValue(this->UseInputBounds);
+  hash.addValue(this->SamplingBounds);
+  hash.addValue(this->Padding);
+}
+
+void vtkWindingNumberGridAlgorithm::GetGrid(
+  int dimensions[3], double firstSample[3], double spacing[3]) const
+{
+  const winding::Grid& grid = *this->Sampling;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    dimensions[axis] = grid.dimensions[axis];
+    firstSample[axis] = grid.firstSample[axis];
+    spacing[axis] = grid.spacing[axis];
+  }
+}
+
+winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject* source)
+{
+  winding::GridRequest request;
+  double bounds[6];
+  if (this->UseInputBounds && this->GetSourceBounds(source, bounds))
+  {
+    request.bounds = toBounds(bounds);
+    request.padding = this->Padding;
+  }
+  else
+  {
+    request.bounds = toBounds(this->SamplingBounds);
+    if (this->UseInputBounds && !isBox(request.bounds))
+    {
+      throw winding::Refusal("give an input with points, or a box (Sampling Bounds): the input is "
+                             "empty, and tells no bounds");
+    }
+  }
+  request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
+  request.voxelSize = this->VoxelSize;
+  request.resolution = this->Resolution;
+  return request;
+}
+
+void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
+{
+  *this->Request = this->GetGridRequest(source);
+  *this->LaidOut = winding::layOutGrid(*this->Request);
+  *this->Sampling = *this->LaidOut;
+}
+
+void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
+{
+  double bounds[6];
+  *this->Sampling = *this->LaidOut;
+  if (!this->UseInputBounds || !this->GetSourceBounds(source, bounds) ||
+      areSame(toBounds(bounds), this->Request->bounds))
+  {
+    return;
+  }
+  winding::GridRequest request = *this->Request;
+  request.bounds = toBounds(bounds);
+  request.padding = this->Padding;
+  request.isCubic = request.dimensions == Eigen::Vector3i::Zero();
+  request.dimensions = this->LaidOut->dimensions;
+  *this->Sampling = winding::layOutGrid(request);
+}
+
+const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObject* source)
+{
+  const auto makers =
+    static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->GetRanks().count());
+  const winding::Grid& grid = this->GetSampling();
+  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
+}
+
+void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
+{
+  if (this->VerifySamples > 0 && this->Method == PARITY)
+  {
+    throw winding::Refusal(
+      "choose another method (Method; --method): parity is no winding number, so it cannot be "
+      "verified");
+  }
+  if (this->VerifySamples > 0 && !hasValues)
+  {
+    throw winding::Refusal("turn Generate Winding Number on: only values can be verified");
+  }
+}
+
+void vtkWindingNumberGridAlgorithm::Verify(
+  const winding::Field& field, const int* samples, vtkDataArray* values)
+{
+  this->Verify(field, samples,
+    [values](std::size_t n) { return values->GetComponent(static_cast<vtkIdType>(n), 0); });
+}
+
+void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field, const int* samples,
+  const std::function<double(std::size_t)>& valueOf)
+{
+  winding::Verification found;
+  if (this->VerifySamples > 0)
+  {
+    constexpr unsigned seed = 20260101;
+    winding::Extent extent;
+    std::copy_n(samples, 6, extent.begin());
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    found = winding::verify(field, *this->Sampling, extent, valueOf,
+      static_cast<std::size_t>(this->VerifySamples), seed, executor);
+  }
+  this->MaxError = found.everywhere.max;
+  this->RMSError = found.everywhere.rms();
+  this->NearMaxError = found.nearSurface.max;
+  this->NumberOfVerifiedSamples = static_cast<vtkIdType>(found.everywhere.samples);
+  this->NumberOfNearVerifiedSamples = static_cast<vtkIdType>(found.nearSurface.samples);
+  this->NumberOfSamplesOnSurface = static_cast<vtkIdType>(found.onSurface);
+  this->NumberOfSamplesBesidePoints = static_cast<vtkIdType>(found.besidePoints.samples);
+  this->MaxErrorBesidePoints = found.besidePoints.max;
+}
+
+void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* dimensions = this->SamplingDimensions;
+  const double* bounds = this->SamplingBounds;
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "VoxelSize: " << this->VoxelSize << "\n";
+  os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
+     << dimensions[2] << "\n";
+  os << indent << "UseInputBounds: " << this->UseInputBounds << "\n";
+  os << indent << "SamplingBounds: " << bounds[0] << " " << bounds[1] << " " << bounds[2] << " "
+     << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "VerifySamples: " << this->VerifySamples << "\n";
+  os << indent << "MaxError: " << this->MaxError << "\n";
+  os << indent << "RMSError: " << this->RMSError << "\n";
+  os << indent << "NearMaxError: " << this->NearMaxError << "\n";
+  os << indent << "NumberOfVerifiedSamples: " << this->NumberOfVerifiedSamples << "\n";
+  os << indent << "NumberOfNearVerifiedSamples: " << this->NumberOfNearVerifiedSamples << "\n";
+  os << indent << "NumberOfSamplesOnSurface: " << this->NumberOfSamplesOnSurface << "\n";
+  os << indent << "NumberOfSamplesBesidePoints: " << this->NumberOfSamplesBesidePoints << "\n";
+  os << indent << "MaxErrorBesidePoints: " << this->MaxErrorBesidePoints << "\n";
+}

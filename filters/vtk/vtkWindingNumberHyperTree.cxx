@@ -1,0 +1,221 @@
+#include "vtkWindingNumberHyperTree.h"
+
+#include "base/Refusal.h"
+#include "field/InsideOut.h"
+#include "level/VoxelTreesCost.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceProperties.h"
+#include "base/Stopwatch.h"
+#include "private/output/TreeGrid.h"
+#include "voxels/VoxelEvaluation.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <string>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkWindingNumberHyperTree);
+
+vtkHyperTreeGrid* vtkWindingNumberHyperTree::GetOutput()
+{
+  return vtkHyperTreeGrid::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkWindingNumberHyperTree::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkHyperTreeGrid");
+  return 1;
+}
+
+int vtkWindingNumberHyperTree::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->LookAtSource(vtkDataObject::GetData(inputs[0]));
+  // The pipeline wants an extent of this kind of data. The bricks are not known before the source
+  // is, and nobody can ask for some of them.
+  const int extent[6] = {0, 1, 0, 1, 0, 1};
+  outputs->GetInformationObject(0)->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+void vtkWindingNumberHyperTree::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkChoice("Coverage", this->Coverage, {"CENTER", "ANY", "FRACTION"});
+  winding::checkRange("CoverageSamples", this->CoverageSamples, 1, 10);
+  winding::checkRange("MergeTolerance", this->MergeTolerance, 0);
+  if (this->GenerateSignedDistance)
+  {
+    throw winding::Refusal("turn Generate Signed Distance off, or make an image (filter Winding "
+                           "Number Field): a hyper tree grid has no distances");
+  }
+}
+
+void vtkWindingNumberHyperTree::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Coverage);
+  hash.addValue(this->CoverageSamples);
+  hash.addValue(this->MergeTolerance);
+  hash.addValue(this->MaskOutside);
+}
+
+winding::ResultOptions vtkWindingNumberHyperTree::GetResultOptions() const
+{
+  winding::ResultOptions options = this->Superclass::GetResultOptions();
+  const auto coverage = static_cast<winding::Coverage>(this->Coverage);
+  options.withInside |= coverage != winding::Coverage::center;
+  options.withCoverage = coverage == winding::Coverage::fraction;
+  return options;
+}
+
+winding::VoxelTreeOptions vtkWindingNumberHyperTree::GetTreeOptions() const
+{
+  winding::VoxelTreeOptions options;
+  const auto coverage = static_cast<winding::Coverage>(this->Coverage);
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.asDouble = this->OutputScalarType == VTK_DOUBLE;
+  options.withCoverage = coverage == winding::Coverage::fraction;
+  options.byCenters = coverage == winding::Coverage::center;
+  options.rule = winding::coreInsideRule(this->InsideRule);
+  options.threshold = this->WindingThreshold;
+  options.tolerance = this->MergeTolerance;
+  return options;
+}
+
+/// Everything that the result takes is estimated by its cost.
+double vtkWindingNumberHyperTree::GetResultBytes(vtkIdType) const
+{
+  return 0;
+}
+
+winding::EvaluationCost vtkWindingNumberHyperTree::GetAdditionalCost(
+  const winding::Field& field, vtkIdType samples)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::VoxelTreeOptions options = this->GetTreeOptions();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(0, 0);
+  winding::EvaluationCost cost = winding::costOfVoxelTrees(
+    field, grid, options, winding::expectedVertices(field, grid, options, executor));
+  winding::refuseBeyondFreeMemory(static_cast<double>(cost.bytes),
+    "the hyper tree grid of " + std::to_string(samples) + " voxels",
+    options.withValues && !field.integerRows()
+      ? "choose larger voxels, a larger tolerance of cells (Merge Tolerance; --merge-tolerance), "
+        "or "
+        "Inside alone (Generate Winding Number; --inside-only)"
+      : "choose larger voxels");
+  winding::VoxelEvaluation voxels;
+  voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
+  voxels.samplesPerAxis = this->CoverageSamples;
+  cost.seconds += voxels.additionalCost(field, static_cast<std::size_t>(samples)).seconds;
+  return cost;
+}
+
+int vtkWindingNumberHyperTree::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkHyperTreeGrid* output = vtkHyperTreeGrid::GetData(outInfo);
+  output->Initialize();
+  if (outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0 && this->GetRanks().isAlone())
+  {
+    return 1;
+  }
+  this->AgreeOnProperties();
+  this->CheckVerification(this->GenerateWindingNumber != 0);
+  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  this->LayOutGrid(source);
+  const winding::Field& field = this->PrepareGridField(source);
+  if (this->IsHelper())
+  {
+    return 1;
+  }
+  this->MakeTrees(field, output);
+  this->DescribeMethod(output);
+  this->TellTolerance(field, output);
+  return 1;
+}
+
+void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperTreeGrid* output)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::VoxelTreeOptions options = this->GetTreeOptions();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::VoxelTrees trees(field, grid, options,
+    [&](const winding::Extent& extent, const winding::VoxelArrays& arrays)
+    {
+      winding::VoxelEvaluation voxels;
+      voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
+      voxels.samplesPerAxis = this->CoverageSamples;
+      voxels.output.values = arrays.values;
+      voxels.output.doubleValues = arrays.doubleValues;
+      voxels.output.inside = arrays.inside;
+      voxels.output.rule = options.rule;
+      voxels.output.threshold = options.threshold;
+      voxels.fractions = arrays.coverage;
+      voxels.run(field, grid, extent, executor);
+    });
+  winding::TreeGrid made(
+    grid, trees.bricks(), this->GetResultOptions(), this->MaskOutside != 0, output);
+  {
+    const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+    while (!trees.isDone())
+    {
+      executor.setShare(trees.progress(), trees.nextProgress());
+      for (const winding::VoxelTree& tree : trees.advance(executor))
+      {
+        made.add(tree);
+      }
+    }
+    made.finish();
+    this->NumberOfVertices = made.size();
+    this->NumberOfLeaves = made.leaves();
+    executor.setShare(1, 1);
+    winding::SideCounts sides = trees.sides();
+    if (sides.samples == 0 && !trees.hasInside() && this->InsideRule == SIGNED)
+    {
+      sides = winding::countNegative(field, grid, options.threshold, executor);
+    }
+    this->TellSides(field, sides, executor);
+    this->UpdateProgress(1);
+  }
+  const winding::Extent extent = grid.wholeExtent();
+  this->Verify(field, extent.data(),
+    [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
+}
+
+void vtkWindingNumberHyperTree::TellTolerance(
+  const winding::Field& field, vtkHyperTreeGrid* output) const
+{
+  if (this->GenerateWindingNumber && this->MergeTolerance > 0 && !field.integerRows())
+  {
+    vtkNew<vtkDoubleArray> tolerance;
+    tolerance->SetName("MergeTolerance");
+    tolerance->InsertNextValue(this->MergeTolerance);
+    output->GetFieldData()->AddArray(tolerance);
+  }
+}
+
+void vtkWindingNumberHyperTree::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Coverage: " << this->Coverage << "\n";
+  os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "MaskOutside: " << this->MaskOutside << "\n";
+  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
+  os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
+}

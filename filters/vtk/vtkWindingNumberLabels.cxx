@@ -1,0 +1,398 @@
+#include "vtkWindingNumberLabels.h"
+
+#include "base/Refusal.h"
+#include "field/InsideOut.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/FreeMemory.h"
+#include "report/LabelFacts.h"
+#include "private/output/LabelImage.h"
+#include "voxels/LabelMerge.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SolidBlocks.h"
+#include "private/output/SolidEvaluation.h"
+#include "private/source/Solids.h"
+#include "private/source/SourceProperties.h"
+#include "base/Stopwatch.h"
+#include "voxels/VoxelEvaluation.h"
+#include "source/Grid.h"
+#include "source/SourceVolume.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+template <class Private> constexpr bool isNumber(Private choice, int number)
+{
+  return static_cast<int>(choice) == number;
+}
+
+// The property becomes the helper's choice by its number.
+using Filter = vtkWindingNumberLabels;
+static_assert(isNumber(winding::OverlapRule::first, Filter::FIRST));
+static_assert(isNumber(winding::OverlapRule::last, Filter::LAST));
+static_assert(isNumber(winding::OverlapRule::largestWindingNumber, Filter::LARGEST_WINDING_NUMBER));
+static_assert(isNumber(winding::OverlapRule::smallestVolume, Filter::SMALLEST_VOLUME));
+
+/// Shows progress as a share of all solids, until this object ends.
+class SharedProgress
+{
+public:
+  explicit SharedProgress(vtkAlgorithm* filter)
+    : filter_(filter)
+  {
+  }
+  ~SharedProgress() { filter_->SetProgressShiftScale(0, 1); }
+
+  SharedProgress(const SharedProgress&) = delete;
+  SharedProgress& operator=(const SharedProgress&) = delete;
+
+  void set(std::size_t number, std::size_t count)
+  {
+    const auto all = static_cast<double>(count);
+    filter_->SetProgressShiftScale(static_cast<double>(number) / all, 1 / all);
+  }
+
+private:
+  vtkAlgorithm* filter_;
+};
+
+double volumeOf(const winding::Field& field)
+{
+  return field.cloud()     ? winding::volumeOf(*field.cloud())
+         : field.surface() ? winding::volumeOf(*field.surface())
+                           : 0;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkWindingNumberLabels);
+
+vtkWindingNumberLabels::vtkWindingNumberLabels()
+  : Facts(std::make_unique<winding::LabelFacts>())
+{
+}
+
+vtkWindingNumberLabels::~vtkWindingNumberLabels()
+{
+  this->SetRegionArray(nullptr);
+}
+
+void vtkWindingNumberLabels::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkChoice("OverlapRule", this->OverlapRule,
+    {"FIRST", "LAST", "LARGEST_WINDING_NUMBER", "SMALLEST_VOLUME"});
+  winding::checkChoice("CoverageArrays", this->CoverageArrays, {"TWO_LARGEST", "EACH_LABEL"});
+  winding::checkRange(
+    "LabelOffset", this->LabelOffset, -winding::largestLabel, winding::largestLabel);
+}
+
+void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->OverlapRule);
+  hash.addValue(this->GenerateSolidCount);
+  hash.addValue(this->CoverageArrays);
+  hash.addValue(this->LabelOffset);
+  hash.addText(winding::textOf(this->RegionArray));
+}
+
+void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
+{
+  this->GetRanks().agree(
+    [&]
+    {
+      winding::checkSolids(source, this->SourceAsPoints != 0);
+      return true;
+    });
+}
+
+void vtkWindingNumberLabels::TellFaults(const winding::FieldInfo&)
+{
+  // WarnOfSolids() counts what would be a line for each solid.
+}
+
+const winding::FieldInfo& vtkWindingNumberLabels::GetSourceInfo() const
+{
+  return this->Facts->source;
+}
+
+vtkIdType vtkWindingNumberLabels::GetNumberOfSolids() const
+{
+  return static_cast<vtkIdType>(this->Facts->solids);
+}
+
+vtkIdType vtkWindingNumberLabels::GetNumberOfEmptySolids() const
+{
+  return static_cast<vtkIdType>(this->Facts->empty.count());
+}
+
+vtkIdType vtkWindingNumberLabels::GetNumberOfOpenSolids() const
+{
+  return static_cast<vtkIdType>(this->Facts->open.count());
+}
+
+vtkIdType vtkWindingNumberLabels::GetNumberOfInsideOutSolids() const
+{
+  return static_cast<vtkIdType>(this->Facts->insideOut.count());
+}
+
+winding::LabelImageOptions vtkWindingNumberLabels::GetImageOptions(std::size_t solids) const
+{
+  winding::LabelImageOptions options;
+  options.withCounts = this->GenerateSolidCount != 0;
+  options.withLargestTwo = this->Coverage == FRACTION && this->CoverageArrays == TWO_LARGEST;
+  options.withShares = this->Coverage == FRACTION && this->CoverageArrays == EACH_LABEL;
+  options.withBest = this->OverlapRule == LARGEST_WINDING_NUMBER;
+  options.solids = solids;
+  return options;
+}
+
+winding::SolidEvaluationOptions vtkWindingNumberLabels::GetEvaluationOptions() const
+{
+  winding::SolidEvaluationOptions options;
+  options.voxels = this->GetVoxelEvaluation();
+  options.voxels.output.rule = winding::coreInsideRule(this->InsideRule);
+  options.voxels.output.threshold = this->WindingThreshold;
+  options.withValues = this->OverlapRule == LARGEST_WINDING_NUMBER;
+  return options;
+}
+
+double vtkWindingNumberLabels::GetResultBytes(vtkIdType samples) const
+{
+  const winding::LabelImageOptions image = this->GetImageOptions(this->Facts->expected);
+  return winding::bytesPerSample(image) * static_cast<double>(samples) +
+         winding::SolidEvaluation::bytes(
+           this->GetEvaluationOptions(), static_cast<std::size_t>(samples));
+}
+
+/// The field of a solid, which Facts count from then on.
+const winding::Field& vtkWindingNumberLabels::PrepareSolid(
+  const winding::Solids& solids, std::size_t number)
+{
+  const std::string& name = solids.name(number);
+  try
+  {
+    const winding::Field& field = this->PrepareGridField(solids.source(number));
+    this->Facts->add(field.info(), name);
+    return field;
+  }
+  catch (const winding::OutOfMemory&)
+  {
+    throw;
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    throw winding::Refusal(std::string(refusal.what()) + " (solid '" + name + "')");
+  }
+}
+
+/// Counts a solid that is inside out. Nothing of it is inside.
+void vtkWindingNumberLabels::LookInside(const winding::Field& field, const std::string& name)
+{
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  const winding::SideCounts sides =
+    winding::countNegative(field, this->GetSampling(), this->WindingThreshold, executor);
+  if (winding::looksInward(field, sides, executor))
+  {
+    this->Facts->insideOut.add(name);
+  }
+}
+
+void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[6],
+  vtkImageData* image, vtkDataSetAttributes* attributes)
+{
+  this->CheckVerification(true);
+  this->ForgetVerification();
+  *this->Facts = winding::LabelFacts();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::SolidOptions options;
+  options.regionArray = winding::textOf(this->RegionArray);
+  options.labelOffset = this->LabelOffset;
+  options.asPoints = this->SourceAsPoints != 0;
+  const winding::Solids solids(source, options, this->GetRanks(), executor);
+  this->Facts->expected = solids.size();
+
+  winding::Extent extent;
+  std::copy_n(samples, 6, extent.begin());
+  winding::LabelImage labels(extent, this->GetImageOptions(solids.size()));
+  this->MergeSolids(solids, labels);
+  labels.addTo(attributes);
+  this->LookAtSource(source);
+  this->SourceIsInsideOut = this->Facts->insideOut.count() > 0;
+  this->DescribeSolids(solids, image);
+  this->DescribeMethod(image);
+  this->WarnOfSolids(solids);
+}
+
+/// Verifies the values of one more solid, and adds the findings to those of the solids before it.
+void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const winding::Extent& extent)
+{
+  const double maxError = this->MaxError, nearMaxError = this->NearMaxError;
+  const double besideMaxError = this->MaxErrorBesidePoints;
+  const double squares = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  const vtkIdType verified = this->NumberOfVerifiedSamples;
+  const vtkIdType near = this->NumberOfNearVerifiedSamples;
+  const vtkIdType onSurface = this->NumberOfSamplesOnSurface;
+  const vtkIdType besidePoints = this->NumberOfSamplesBesidePoints;
+
+  const std::size_t samples = winding::sampleCount(extent);
+  winding::refuseBeyondFreeMemory(static_cast<double>(samples * sizeof(float)),
+    "the verification of " + std::to_string(samples) + " voxels",
+    "verify fewer voxels at a time, in pieces");
+  std::vector<float> values(samples);
+  winding::FieldOutput output;
+  output.values = values.data();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  if (!field.evaluate(this->GetSampling(), extent, output, executor))
+  {
+    throw winding::Interrupted();
+  }
+  this->Verify(field, extent.data(), [&values](std::size_t n) { return values[n]; });
+
+  const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  this->MaxError = std::max(maxError, this->MaxError);
+  this->NearMaxError = std::max(nearMaxError, this->NearMaxError);
+  this->MaxErrorBesidePoints = std::max(besideMaxError, this->MaxErrorBesidePoints);
+  this->NumberOfVerifiedSamples += verified;
+  this->NumberOfNearVerifiedSamples += near;
+  this->NumberOfSamplesOnSurface += onSurface;
+  this->NumberOfSamplesBesidePoints += besidePoints;
+  this->RMSError = std::sqrt((squares + more) / std::max<double>(1, this->NumberOfVerifiedSamples));
+}
+
+/// Forgets the findings of an earlier verification.
+void vtkWindingNumberLabels::ForgetVerification()
+{
+  this->MaxError = this->RMSError = this->NearMaxError = this->MaxErrorBesidePoints = 0;
+  this->NumberOfVerifiedSamples = this->NumberOfNearVerifiedSamples = 0;
+  this->NumberOfSamplesOnSurface = this->NumberOfSamplesBesidePoints = 0;
+}
+
+void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::Extent& extent = labels.arrays().extent;
+  const bool looksInside = extent == grid.wholeExtent() && this->InsideRule == SIGNED;
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::LabelMerge merge(labels.arrays(), static_cast<winding::OverlapRule>(this->OverlapRule),
+    this->InsideRule == ABSOLUTE, executor);
+  winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
+  SharedProgress progress(this);
+  double prepareSeconds = 0, evaluateSeconds = 0;
+  vtkIdType memory = 0;
+  this->EarlierExpectedSeconds = this->ExpectedSeconds = 0;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    progress.set(i, solids.size());
+    const winding::Field& field = this->PrepareSolid(solids, i);
+    prepareSeconds += this->PrepareSeconds;
+    this->EarlierExpectedSeconds = this->ExpectedSeconds;
+    memory = std::max(memory, this->ExpectedMemory);
+    {
+      const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+      merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
+        labels.addSharesOf(solids.label(i)));
+      executor.setShare(0, 1);
+      evaluation.run(field, grid, extent, merge, executor);
+      if (looksInside && !merge.hasInside() && field.info().primitives > 0)
+      {
+        this->LookInside(field, solids.name(i));
+      }
+    }
+    evaluateSeconds += this->EvaluateSeconds;
+    if (this->VerifySamples > 0 && field.info().primitives > 0)
+    {
+      this->VerifySolid(field, extent);
+    }
+  }
+  this->PrepareSeconds = prepareSeconds;
+  this->EvaluateSeconds = evaluateSeconds;
+  this->ExpectedMemory = memory;
+  this->EarlierExpectedSeconds = 0;
+}
+
+void vtkWindingNumberLabels::DescribeSolids(
+  const winding::Solids& solids, vtkImageData* image) const
+{
+  vtkNew<vtkUnsignedShortArray> values;
+  vtkNew<vtkStringArray> names;
+  values->SetName("LabelValues");
+  names->SetName("LabelNames");
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    values->InsertNextValue(solids.label(i));
+    names->InsertNextValue(solids.name(i));
+  }
+  image->GetFieldData()->AddArray(values);
+  image->GetFieldData()->AddArray(names);
+}
+
+void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
+{
+  const winding::LabelFacts& facts = *this->Facts;
+  const std::size_t count = solids.size();
+  if (count == 0 || facts.empty.count() == count)
+  {
+    vtkWarningMacro(<< "give a surface or points: there is no solid, so all labels are 0");
+  }
+  else if (facts.empty.count() > 0)
+  {
+    vtkWarningMacro(
+      << "give each block a surface, or leave empty ones out: no voxel has the labels "
+         "of those that have none, "
+      << facts.empty.outOf(count));
+  }
+  if (facts.open.count() > 0)
+  {
+    vtkWarningMacro(
+      << "close holes where labels are not what they should be: winding numbers decide "
+         "for those not closed, "
+      << facts.open.outOf(count));
+  }
+  if (facts.insideOut.count() > 0)
+  {
+    vtkWarningMacro(
+      << "turn the faces or normals (filter Surface Report with Fix Orientation; winding check "
+         "INPUT --fix-orientation -o FIXED.vtp), or use the inside rule absolute (Inside Rule; "
+         "--rule absolute): "
+      << facts.insideOut.outOf(count) << " look inward and have no label");
+  }
+  if (facts.warned.count() > 0)
+  {
+    vtkWarningMacro(<< facts.warning << " (" << facts.warned.outOf(count) << ")");
+  }
+  if (solids.repeatedNames() > 0)
+  {
+    vtkWarningMacro(<< "give blocks different names: " << solids.repeatedNames() << " of " << count
+                    << " occurred before, and have got a number");
+  }
+}
+
+void vtkWindingNumberLabels::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OverlapRule: " << this->OverlapRule << "\n";
+  os << indent << "GenerateSolidCount: " << this->GenerateSolidCount << "\n";
+  os << indent << "CoverageArrays: " << this->CoverageArrays << "\n";
+  os << indent << "RegionArray: " << winding::textOf(this->RegionArray) << "\n";
+  os << indent << "LabelOffset: " << this->LabelOffset << "\n";
+  os << indent << "NumberOfSolids: " << this->GetNumberOfSolids() << "\n";
+  os << indent << "NumberOfEmptySolids: " << this->GetNumberOfEmptySolids() << "\n";
+  os << indent << "NumberOfOpenSolids: " << this->GetNumberOfOpenSolids() << "\n";
+  os << indent << "NumberOfInsideOutSolids: " << this->GetNumberOfInsideOutSolids() << "\n";
+}

@@ -1,0 +1,324 @@
+#include "vtkWindingNumberSurface.h"
+
+#include "base/Executor.h"
+#include "base/Refusal.h"
+#include "field/InsideOut.h"
+#include "level/LevelCost.h"
+#include "level/LevelRoots.h"
+#include "private/source/ContentHash.h"
+#include "private/pipeline/FreeMemory.h"
+#include "private/output/GridContour.h"
+#include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/output/ResultArrays.h"
+#include "private/output/SharpContour.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/SourceProperties.h"
+#include "base/Stopwatch.h"
+#include "private/output/SurfaceFidelity.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+/// About what rounds take beside the grid: much where there is something to search for.
+constexpr double progressOfGrid = 0.5;
+
+} // namespace
+
+vtkStandardNewMacro(vtkWindingNumberSurface);
+
+vtkPolyData* vtkWindingNumberSurface::GetOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkWindingNumberSurface::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+int vtkWindingNumberSurface::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  this->LookAtSource(vtkDataObject::GetData(inputs[0]));
+  return 1;
+}
+
+void vtkWindingNumberSurface::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkChoice("Features", this->Features, {"SMOOTH", "SHARP"});
+  winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
+    {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
+  winding::checkRange("FidelitySamples", this->FidelitySamples, 0);
+}
+
+void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Features);
+  hash.addValue(this->GenerateTriangles);
+  hash.addValue(this->CloseBorder);
+  hash.addValue(this->GenerateNormals);
+  hash.addValue(this->OutputPointsPrecision);
+  hash.addValue(this->FidelitySamples);
+}
+
+double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
+{
+  const bool hasSlabs =
+    this->GetNumberOfCapTriangles() > 0 ||
+    this->GetMethodUsed() != std::string(winding::nameOf(winding::Method::rows));
+  return winding::LevelEdges::bytesOfRows(this->GetSampling()) +
+         (hasSlabs ? winding::LevelEdges::bytesOfSlab(this->GetSampling()) : 0);
+}
+
+void vtkWindingNumberSurface::CheckGrid() const
+{
+  const Eigen::Vector3i& dimensions = this->GetSampling().dimensions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string along = std::string(" along ") + "xyz"[axis];
+    if (dimensions[axis] < 2 && !this->CloseBorder)
+    {
+      throw winding::Refusal("choose a finer grid or more padding: the grid has one voxel" + along +
+                             ", and a surface needs two or more");
+    }
+  }
+}
+
+bool vtkWindingNumberSurface::NeedsDoublePoints() const
+{
+  if (this->OutputPointsPrecision != DEFAULT_PRECISION)
+  {
+    return this->OutputPointsPrecision == DOUBLE_PRECISION;
+  }
+  const winding::Grid& grid = this->GetSampling();
+  const double largest =
+    (grid.firstSample.cwiseAbs() + grid.dimensions.cast<double>().cwiseProduct(grid.spacing))
+      .maxCoeff();
+  const double finest = 1e-4 * grid.spacing.minCoeff();
+  using Single = std::numeric_limits<float>;
+  return largest > Single::max() || finest < Single::min() ||
+         finest < 0.5 * Single::epsilon() * largest;
+}
+
+int vtkWindingNumberSurface::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  const bool isPiece = outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+  if (isPiece && this->GetRanks().isAlone())
+  {
+    return 1;
+  }
+  this->AgreeOnProperties();
+  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  this->LayOutGrid(source);
+  this->CheckGrid();
+  this->CheckVerification(true);
+  const winding::Field& field = this->PrepareGridField(source);
+  if (this->IsHelper())
+  {
+    return 1;
+  }
+  this->MakeSurface(field, output);
+  this->DescribeMethod(output);
+  this->TellFidelity(field, output);
+  this->VerifyWholeGrid(field);
+  return 1;
+}
+
+/// The cost of the surface. Surfaces that do not fit into memory are refused. Where the source's
+/// area promises too many vertices, as it does for triangles one behind the other, a coarse grid
+/// tells more.
+winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
+  const winding::Field& field, vtkIdType)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const double bytesOfGrid = this->GetResultBytes(0);
+  double edges = winding::levelEdgesByArea(field, grid);
+  winding::EvaluationCost cost = winding::costOfLevelSurface(field, grid, edges);
+  if (!winding::isMemoryFree(bytesOfGrid + static_cast<double>(cost.bytes)))
+  {
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    executor.setShare(0, 0);
+    edges = std::min(
+      edges, winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
+               this->WindingThreshold, this->CloseBorder != 0, executor));
+    cost.bytes = winding::costOfLevelSurface(field, grid, edges).bytes;
+  }
+  winding::refuseBeyondFreeMemory(
+    bytesOfGrid + static_cast<double>(cost.bytes), "the surface", "choose larger voxels");
+  if (this->FidelitySamples > 0)
+  {
+    // The surface has about two triangles for each edge of the grid that it crosses.
+    winding::refuseFidelityBeyondFreeMemory(
+      field, 2 * edges, static_cast<std::size_t>(this->FidelitySamples));
+  }
+  return cost;
+}
+
+void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
+{
+  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::LevelEdges edges(field, this->GetSampling(), winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->CloseBorder != 0);
+  this->FindEdges(edges, field, executor);
+  if (this->Features == SHARP)
+  {
+    this->MakeSharp(field, edges, executor, output);
+  }
+  else
+  {
+    this->MakeSmooth(field, edges, executor, output);
+  }
+  this->UpdateProgress(1);
+}
+
+void vtkWindingNumberSurface::FindEdges(
+  winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor)
+{
+  while (!edges.isDone())
+  {
+    executor.setShare(progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
+    if (!edges.advance(executor))
+    {
+      throw winding::Interrupted();
+    }
+  }
+  // The edges are counted now, however many the source's area promised.
+  winding::refuseBeyondFreeMemory(static_cast<double>(winding::costOfLevelSurface(
+                                    field, this->GetSampling(), static_cast<double>(edges.size()))
+                                                        .bytes),
+    "the surface", "choose larger voxels");
+  this->TellSides(field, edges.sides(), executor);
+  if (edges.size() == 0)
+  {
+    this->TellEmpty(edges.beginsInside(0, 0));
+  }
+}
+
+void vtkWindingNumberSurface::FindRoots(
+  winding::LevelRoots& roots, winding::SmpExecutor& executor) const
+{
+  for (double progress = progressOfGrid; !roots.isDone();)
+  {
+    const double next = progress + (1 - progress) / 8;
+    executor.setShare(progress, next);
+    progress = next;
+    if (!roots.advance(executor))
+    {
+      throw winding::Interrupted();
+    }
+  }
+}
+
+void vtkWindingNumberSurface::MakeSmooth(const winding::Field& field,
+  const winding::LevelEdges& edges, winding::SmpExecutor& executor, vtkPolyData* output)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::GridContour contour(grid, edges, executor);
+  winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->Tolerance, executor);
+  this->FindRoots(roots, executor);
+  const vtkSmartPointer<vtkPoints> points =
+    contour.place(roots.fractions(), this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor);
+  output->SetPoints(points);
+  output->SetPolys(contour.triangles());
+  if (this->GenerateNormals)
+  {
+    output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
+  }
+}
+
+void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
+  const winding::LevelEdges& edges, winding::SmpExecutor& executor, vtkPolyData* output)
+{
+  const winding::Grid& grid = this->GetSampling();
+  winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
+    this->WindingThreshold, this->Tolerance, executor);
+  this->FindRoots(roots, executor);
+  const winding::SharpContour contour(
+    field, grid, edges, roots, this->GenerateTriangles != 0, executor);
+  output->SetPoints(contour.points(this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor));
+  output->SetPolys(contour.polygons(executor));
+  if (this->GenerateNormals)
+  {
+    output->GetCellData()->SetNormals(contour.normals(executor));
+  }
+}
+
+/// Tells why the surface is empty, where all samples are inside or all are outside, and what to do.
+/// A source without primitives, or inside out, has been warned of before.
+void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
+{
+  if (isAllInside)
+  {
+    vtkWarningMacro("use a larger grid (Padding, Sampling Bounds; --padding, --bounds), or close "
+                    "the border (Close Border; --close-border): all samples are inside, so the "
+                    "surface is empty");
+    return;
+  }
+  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
+  {
+    vtkWarningMacro("use smaller voxels (Resolution, Voxel Size; --resolution, --voxel-size) or a "
+                    "grid around the source, or look whether the source is closed (filter Surface "
+                    "Report; winding check): no sample is inside, so the surface is empty");
+  }
+}
+
+void vtkWindingNumberSurface::TellFidelity(const winding::Field& field, vtkPolyData* output)
+{
+  if (this->FidelitySamples > 0)
+  {
+    winding::SmpExecutor executor(this, this->NumberOfThreads);
+    executor.setShare(1, 1);
+    winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
+      static_cast<std::size_t>(this->FidelitySamples), output, executor);
+  }
+}
+
+/// Nothing else needs all of its values.
+void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
+{
+  const winding::Grid& grid = this->GetSampling();
+  const winding::Extent extent = grid.wholeExtent();
+  winding::ResultOptions options;
+  const vtkIdType samples = this->VerifySamples > 0 ? winding::sampleCount(extent) : 0;
+  const winding::ResultArrays values(samples, options);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  if (samples == 0 || field.evaluate(grid, extent, this->OutputTo(values), executor))
+  {
+    this->Verify(field, extent.data(), values.values());
+  }
+}
+
+void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Features: " << this->Features << "\n";
+  os << indent << "GenerateTriangles: " << this->GenerateTriangles << "\n";
+  os << indent << "CloseBorder: " << this->CloseBorder << "\n";
+  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "FidelitySamples: " << this->FidelitySamples << "\n";
+}

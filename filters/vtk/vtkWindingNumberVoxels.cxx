@@ -1,0 +1,308 @@
+#include "vtkWindingNumberVoxels.h"
+
+#include "base/InsideRule.h"
+#include "base/Refusal.h"
+#include "private/output/BlockSurface.h"
+#include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/FreeMemory.h"
+#include "report/InsideOutAdvice.h"
+#include "private/source/SourceParts.h"
+#include "private/source/SourceProperties.h"
+#include "private/pipeline/VtkVersions.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct Classify
+{
+  template <class Array>
+  void operator()(Array* values, winding::InsideRule rule, double threshold,
+    std::vector<unsigned char>& inside) const
+  {
+    const auto range = vtk::DataArrayValueRange<1>(values);
+    inside.reserve(static_cast<std::size_t>(range.size()));
+    for (const auto value : range)
+    {
+      inside.push_back(winding::isInside(static_cast<double>(value), rule, threshold));
+    }
+  }
+};
+
+/// 1 for each value that is inside, and 0 for any other.
+std::vector<unsigned char> classify(
+  vtkDataArray* values, winding::InsideRule rule, double threshold)
+{
+  std::vector<unsigned char> inside;
+  if (!vtkArrayDispatch::Dispatch::Execute(values, Classify{}, rule, threshold, inside))
+  {
+    Classify{}(values, rule, threshold, inside);
+  }
+  return inside;
+}
+
+bool isAny(const std::vector<unsigned char>& inside)
+{
+  return std::find(inside.begin(), inside.end(), 1) != inside.end();
+}
+
+struct ReadLabels
+{
+  template <class Array> void operator()(Array* values, std::vector<unsigned short>& labels) const
+  {
+    constexpr double largest = std::numeric_limits<unsigned short>::max();
+    const auto range = vtk::DataArrayValueRange<1>(values);
+    labels.reserve(static_cast<std::size_t>(range.size()));
+    for (const auto value : range)
+    {
+      const auto number = static_cast<double>(value);
+      if (!(number >= 0 && number <= largest && number == std::floor(number)))
+      {
+        throw winding::Refusal("choose an array of labels (Array; SetInputArrayToProcess), or turn "
+                               "By Label off: labels are integers from 0 to 65535, and '" +
+                               winding::textOf(values->GetName()) + "' has the value " +
+                               std::to_string(number));
+      }
+      labels.push_back(static_cast<unsigned short>(number));
+    }
+  }
+};
+
+/// Throws a Refusal for values that are no labels.
+std::vector<unsigned short> labelsOf(vtkDataArray* values)
+{
+  std::vector<unsigned short> labels;
+  if (!vtkArrayDispatch::Dispatch::Execute(values, ReadLabels{}, labels))
+  {
+    ReadLabels{}(values, labels);
+  }
+  return labels;
+}
+
+constexpr const char* memoryAdvice = "choose larger voxels, or extract a part of the image";
+
+/// The voxels of an image, but for their labels. Throws a Refusal if the array does not have as
+/// many values, or if there is no memory for the labels.
+template <class Label>
+winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, bool asCells)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  winding::VoxelSides<Label> sides;
+  vtkIdType voxelCount = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // A flat image has a layer of cells, too.
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    sides.dimensions[axis] = asCells ? std::max(1, points - 1) : points;
+    sides.firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
+    voxelCount *= sides.dimensions[axis];
+  }
+  if (values->GetNumberOfTuples() != voxelCount)
+  {
+    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
+                           winding::textOf(values->GetName()) + "' has " +
+                           std::to_string(values->GetNumberOfTuples()) + " values for " +
+                           std::to_string(voxelCount) + " voxels");
+  }
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(voxelCount) * sizeof(Label), "telling inside from outside", memoryAdvice);
+  return sides;
+}
+
+/// Gives the output the quads between voxels whose labels are known, and hands the surface on, for
+/// data of the quads. Throws a Refusal if there is no memory for them.
+template <class Label, class AddData>
+void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image, vtkAlgorithm* filter,
+  vtkPolyData* output, const AddData& addData)
+{
+  using Surface = winding::BlockSurface<Label>;
+  winding::refuseBeyondFreeMemory(
+    Surface::bytesOf(Surface::countFaces(sides)), "the surface", memoryAdvice);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> quads;
+  Surface surface(sides, image, points, quads);
+  surface.build(filter);
+  output->SetPoints(points);
+  output->SetPolys(quads);
+  addData(surface);
+}
+
+/// Gives each quad the labels on both of its sides.
+void addLabels(const winding::VoxelSides<unsigned short>& sides,
+  const winding::BlockSurface<unsigned short>& surface, vtkCellData* data)
+{
+  const vtkIdType count = surface.voxels()->GetNumberOfIds();
+  vtkNew<vtkUnsignedShortArray> both, own;
+  both->SetName("BoundaryLabels");
+  both->SetNumberOfComponents(2);
+  both->SetNumberOfTuples(count);
+  own->SetName("Label");
+  own->SetNumberOfTuples(count);
+  for (vtkIdType quad = 0; quad < count; ++quad)
+  {
+    const unsigned short label =
+      sides.labels[static_cast<std::size_t>(surface.voxels()->GetId(quad))];
+    own->SetValue(quad, label);
+    both->SetTypedComponent(quad, 0, label);
+    both->SetTypedComponent(quad, 1, surface.seenLabels()[static_cast<std::size_t>(quad)]);
+  }
+  data->AddArray(both);
+  data->SetScalars(own);
+}
+
+/// Gives each quad the coverage of its voxel, if the image has any.
+void addCoverage(
+  vtkDataSetAttributes* from, vtkIdType voxels, vtkIdList* ofQuads, vtkCellData* data)
+{
+  vtkDataArray* coverage = from->GetArray("Coverage");
+  if (coverage && coverage->GetNumberOfTuples() == voxels)
+  {
+    const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
+    shares->SetName(coverage->GetName());
+    shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
+    shares->SetNumberOfTuples(ofQuads->GetNumberOfIds());
+    coverage->GetTuples(ofQuads, shares);
+    data->SetScalars(shares);
+  }
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkWindingNumberVoxels);
+
+vtkWindingNumberVoxels::vtkWindingNumberVoxels()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkWindingNumberVoxels::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  winding::askForPiece(inputs[0]->GetInformationObject(0), 0, 1);
+  return 1;
+}
+
+int vtkWindingNumberVoxels::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  winding::reportErrors(this, "there is not enough memory for the surface of so many voxels",
+    [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
+  return 1;
+}
+
+vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& association)
+{
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* values = this->GetInputArrayToProcess(0, image, association);
+  if (!values)
+  {
+    // ParaView asks for an array of no name where it does not know the image's arrays yet.
+    values = image->GetPointData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  if (!values)
+  {
+    values = image->GetCellData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  }
+  if (!values || values->GetNumberOfComponents() != 1)
+  {
+    throw winding::Refusal(
+      "compute a scalar array (filter Winding Number Field), or choose one (Array; "
+      "SetInputArrayToProcess): the image has none to tell inside from outside by");
+  }
+  return values;
+}
+
+void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* output)
+{
+  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  int association;
+  vtkDataArray* values = this->FindValues(image, association);
+  const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (this->ByLabel)
+  {
+    auto voxels = voxelsOf<unsigned short>(image, values, asCells);
+    voxels.labels = labelsOf(values);
+    addQuads(voxels, image, this, output,
+      [&](const auto& surface) { addLabels(voxels, surface, output->GetCellData()); });
+    return;
+  }
+  auto voxels = voxelsOf<unsigned char>(image, values, asCells);
+  voxels.labels = classify(values, rule, this->WindingThreshold);
+  if (rule == winding::InsideRule::signedThreshold && !isAny(voxels.labels))
+  {
+    this->WarnOfNegative(values);
+  }
+  vtkDataSetAttributes* attributes = image->GetPointData();
+  if (asCells)
+  {
+    attributes = image->GetCellData();
+  }
+  addQuads(voxels, image, this, output,
+    [&](const auto& surface) {
+      addCoverage(attributes, values->GetNumberOfTuples(), surface.voxels(), output->GetCellData());
+    });
+}
+
+void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
+{
+  const winding::SideCounts counts = winding::countSides(
+    static_cast<std::size_t>(values->GetNumberOfTuples()), this->WindingThreshold,
+    [values](std::size_t i) { return values->GetComponent(static_cast<vtkIdType>(i), 0); });
+  if (counts.negative > 0)
+  {
+    vtkWarningMacro(<< winding::insideOutAdvice(
+                      "faces or normals", counts, this->WindingThreshold));
+  }
+}
+
+void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
+  os << indent << "InsideRule: " << this->InsideRule << "\n";
+  os << indent << "ByLabel: " << this->ByLabel << "\n";
+}

@@ -1,0 +1,170 @@
+#include "field/InsideOut.h"
+
+#include "base/Bounds.h"
+#include "base/Executor.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Field;
+using winding::Grid;
+
+std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
+{
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
+}
+
+std::shared_ptr<const Field> fieldOf(const Cloud& cloud)
+{
+  winding::SerialExecutor serial;
+  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
+}
+
+Grid gridOver(const Point& low, const Point& high)
+{
+  winding::GridRequest request;
+  request.bounds = winding::Bounds(low, high);
+  request.resolution = 12;
+  return winding::layOutGrid(request);
+}
+
+/// Whether the source of a field looks inward by these sides.
+bool looksInward(const Field& field, const winding::SideCounts& sides)
+{
+  winding::SerialExecutor serial;
+  return winding::looksInward(field, sides, serial);
+}
+
+/// A sample of −100 alone.
+winding::SideCounts farBelow()
+{
+  winding::SideCounts sides;
+  sides.add(-100, 0.5);
+  return sides;
+}
+
+/// The same by the samples of a grid, by scattered samples, and by their values.
+void expectInsideOut(const Field& field, const Grid& grid, bool expected, double threshold = 0.5)
+{
+  std::vector<Point> samples(winding::sampleCount(grid.wholeExtent()));
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    samples[n] = grid.sample(n);
+  }
+  const winding::VectorsView view(samples[0].data(), samples.size());
+  std::vector<double> values(samples.size());
+  winding::FieldOutput output;
+  output.doubleValues = values.data();
+  winding::SerialExecutor serial;
+  ASSERT_TRUE(field.evaluate(view, output, serial));
+  ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
+  const winding::SideCounts sides =
+    winding::countSides(values.size(), threshold, [&values](std::size_t i) { return values[i]; });
+  EXPECT_EQ(looksInward(field, winding::countNegative(field, grid, threshold, serial)), expected);
+  EXPECT_EQ(looksInward(field, winding::countNegative(field, view, threshold, serial)), expected);
+  EXPECT_EQ(looksInward(field, sides), expected);
+}
+
+/// A sphere of points with normals inward.
+Cloud inwardCloud()
+{
+  Cloud cloud = sphereCloud(500);
+  for (Point& normal : cloud.normals)
+  {
+    normal = -normal;
+  }
+  return cloud;
+}
+
+} // namespace
+
+TEST(InsideOut, IsASourceThatLooksInward)
+{
+  const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
+  const Mesh inward = icosphere(2).reversed();
+  expectInsideOut(*fieldOf(inward), around, true);
+  expectInsideOut(*fieldOf(inward.part(0, 250)), around, true); // open
+  // All of this grid is in the solid, and none of it beside a point of the cloud.
+  const Grid within = gridOver({-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
+  expectInsideOut(*fieldOf(inward), within, true);
+  expectInsideOut(*fieldOf(inwardCloud()), within, true);
+}
+
+TEST(InsideOut, IsNotASourceThatSamplesMiss)
+{
+  const Grid beside = gridOver({1.2, -1, -1}, {2, 1, 1});
+  for (const Mesh& mesh : {icosphere(2), icosphere(2).reversed(), icosphere(2).part(0, 250)})
+  {
+    expectInsideOut(*fieldOf(mesh), beside, false);
+  }
+  winding::SerialExecutor serial;
+  const auto nothing = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
+  EXPECT_FALSE(looksInward(*nothing, winding::countNegative(*nothing, beside, 0.5, serial)));
+  const auto ball = fieldOf(icosphere(2));
+  EXPECT_FALSE(
+    looksInward(*ball, winding::countNegative(*ball, winding::VectorsView(), 0.5, serial)));
+}
+
+TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
+{
+  // A little before its points, w is far below −0.5.
+  const Cloud cloud = sphereCloud(500);
+  std::vector<Point> before;
+  for (const Point& position : cloud.positions)
+  {
+    before.push_back(1.002 * position);
+  }
+  const auto field = fieldOf(cloud);
+  const winding::VectorsView samples(before[0].data(), before.size());
+  winding::SerialExecutor serial;
+  EXPECT_FALSE(looksInward(*field, winding::countNegative(*field, samples, 0.5, serial)));
+  EXPECT_FALSE(looksInward(*field, farBelow()));
+  EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
+}
+
+TEST(InsideOut, IsASurfaceOfWhichAHundredthIsNegative)
+{
+  const auto field = fieldOf(icosphere(1));
+  const auto looksInwardWith = [&field](std::size_t negative, std::size_t inside)
+  {
+    winding::SideCounts sides;
+    sides.samples = 1'000'000;
+    sides.negative = negative;
+    sides.inside = inside;
+    return looksInward(*field, sides);
+  };
+  EXPECT_TRUE(looksInwardWith(10, 990));
+  EXPECT_FALSE(looksInwardWith(9, 991));
+  EXPECT_TRUE(looksInwardWith(1, 99));
+  EXPECT_FALSE(looksInwardWith(1, 198)) << "a two-hundredth is less";
+  EXPECT_TRUE(looksInwardWith(1, 0));
+  EXPECT_FALSE(looksInwardWith(0, 0));
+}
+
+TEST(InsideOut, NeedsAThresholdAboveZero)
+{
+  const Mesh inward = icosphere(2).reversed();
+  const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
+  expectInsideOut(*fieldOf(inward), around, false, 0);
+  expectInsideOut(*fieldOf(inward), around, false, -0.5);
+  expectInsideOut(*fieldOf(inward), around, false, 1.5); // two solids through each other
+  expectInsideOut(*fieldOf(inward.with(inward)), around, true, 1.5);
+}
+
+TEST(InsideOut, CanBeInterrupted)
+{
+  const Mesh inward = icosphere(2).reversed();
+  const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
+  Interruption executor(0);
+  EXPECT_THROW(
+    winding::countNegative(*fieldOf(inward), around, 0.5, executor), winding::Interrupted);
+}

@@ -1,0 +1,145 @@
+#include "files/TemporaryFile.h"
+
+#include "files/LineBlocks.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+using namespace winding;
+
+namespace
+{
+
+/// Lines of random lengths, some of which end with a backslash.
+std::string randomText(std::mt19937& random)
+{
+  std::string text;
+  const int lines = static_cast<int>(random() % 30);
+  for (int line = 0; line < lines; ++line)
+  {
+    text += std::string(random() % 9, 'a');
+    text += random() % 5 == 0 ? "\\" : "";
+    text += random() % 3 == 0 ? "\r\n" : "\n";
+  }
+  return text + (random() % 2 == 0 || text.empty() ? "end" : "");
+}
+
+bool mayBegin(const std::string& text, std::size_t at, LineBlocks::Backslash backslash)
+{
+  const std::string before = text.substr(0, at);
+  const auto endsWith = [&before](const std::string& end)
+  {
+    return before.size() >= end.size() &&
+           before.compare(before.size() - end.size(), end.size(), end) == 0;
+  };
+  const bool isJoined = endsWith("\\\n") || endsWith("\\\r\n");
+  return endsWith("\n") && (backslash == LineBlocks::Backslash::isLetter || !isJoined);
+}
+
+TEST(LineBlocks, AreTheFileInWholeLines)
+{
+  std::mt19937 random(1);
+  for (int round = 0; round < 300; ++round)
+  {
+    const std::string text = randomText(random);
+    const TemporaryFile file(text);
+    const InputFile input(file.name());
+    const std::size_t bytes = 1 + random() % 40;
+    const auto backslash =
+      round % 2 == 0 ? LineBlocks::Backslash::joinsLines : LineBlocks::Backslash::isLetter;
+    const LineBlocks blocks(input, 0, bytes, backslash);
+    std::string joined;
+    for (std::size_t block = 0; block < blocks.count(); ++block)
+    {
+      const TextBlock part = blocks.read(block);
+      ASSERT_EQ(part.offsetOf(part.text().data()), joined.size());
+      ASSERT_TRUE(joined.empty() || mayBegin(text, joined.size(), backslash)) << text;
+      ASSERT_EQ(part.text().back(), '\n');
+      joined += part.text();
+    }
+    ASSERT_EQ(joined, text.back() == '\n' ? text : text + "\n");
+  }
+}
+
+TEST(LineBlocks, LongLinesAreBlocksOfTheirOwn)
+{
+  const std::string text = std::string(100000, 'x') + "\n" + std::string(3, 'y') + "\nz\n";
+  const TemporaryFile file(text);
+  const InputFile input(file.name());
+  const LineBlocks blocks(input, 0, 1000);
+  ASSERT_EQ(blocks.count(), 2u);
+  EXPECT_EQ(blocks.read(0).text().size(), 100001u);
+  EXPECT_EQ(blocks.read(1).text(), "yyy\nz\n");
+}
+
+TEST(LineBlocks, BackslashesDoNotMakeThemLonger)
+{
+  std::string text;
+  for (int line = 0; line < 100; ++line)
+  {
+    text += "1,2,3,C:\\folder\\\n";
+  }
+  const TemporaryFile file(text);
+  const InputFile input(file.name());
+  EXPECT_EQ(LineBlocks(input, 0, 100).count(), 17u) << "six lines of 17 bytes each";
+  EXPECT_EQ(LineBlocks(input, 0, 100, LineBlocks::Backslash::joinsLines).count(), 1u);
+}
+
+TEST(LineBlocks, BeginWhereTheyAreTold)
+{
+  const TemporaryFile file("header\na\nb\n");
+  const InputFile input(file.name());
+  const LineBlocks blocks(input, 7);
+  ASSERT_EQ(blocks.count(), 1u);
+  EXPECT_EQ(blocks.read(0).text(), "a\nb\n");
+  EXPECT_EQ(LineBlocks(input, input.size()).count(), 0u);
+}
+
+FileFault faultOf(const char* name)
+{
+  try
+  {
+    const InputFile file(name);
+  }
+  catch (const FileRefusal& refusal)
+  {
+    return refusal.fault();
+  }
+  ADD_FAILURE() << name << " was opened";
+  return FileFault::format;
+}
+
+TEST(InputFile, WhatCannotBeRead)
+{
+  EXPECT_EQ(faultOf(nullptr), FileFault::noName);
+  EXPECT_EQ(faultOf(""), FileFault::noName);
+  EXPECT_EQ(faultOf("/nowhere/at/all"), FileFault::notFound);
+  EXPECT_EQ(faultOf("/"), FileFault::cannotOpen);
+  EXPECT_EQ(faultOf("/dev/zero"), FileFault::cannotOpen);
+  const TemporaryFile empty("");
+  EXPECT_EQ(faultOf(empty.name()), FileFault::ends);
+}
+
+TEST(InputFile, LinesAreCountedFromOne)
+{
+  const TemporaryFile file("ab\n\nc");
+  const InputFile input(file.name());
+  EXPECT_EQ(input.lineOf(0), 1u);
+  EXPECT_EQ(input.lineOf(2), 1u);
+  EXPECT_EQ(input.lineOf(3), 2u);
+  EXPECT_EQ(input.lineOf(4), 3u);
+}
+
+TEST(InputFile, FilesThatShrinkAreRefused)
+{
+  const TemporaryFile file("0123456789");
+  const InputFile input(file.name());
+  std::filesystem::resize_file(file.name(), 5);
+  char bytes[10];
+  input.read(0, bytes, 5);
+  EXPECT_THROW(input.read(0, bytes, 10), FileRefusal);
+}
+
+} // namespace

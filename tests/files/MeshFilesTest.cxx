@@ -1,0 +1,248 @@
+/// The parsers of text: what they give, what they refuse, and that threads and blocks change
+/// nothing.
+
+#include "files/Parsing.h"
+#include "support/Interruption.h"
+#include "support/ShuffledThreads.h"
+
+#include "files/LineBlocks.h"
+#include "files/ObjFile.h"
+#include "files/OffFile.h"
+#include "files/PointsFile.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <vector>
+
+using namespace winding;
+
+namespace
+{
+
+const std::string threeVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+TEST(ObjFile, PolygonsLinesAndPoints)
+{
+  const MeshArrays mesh = parsed(readObj,
+    "# a comment \\\nmtllib a.mtl\n  v 0 0 0 # first\nv 1 0 0 1 0 0\r\nv\t0 +1e-3 -.5\n"
+    "vt 0\nvt 0 1\ng f 1\ns off\n\nf 1 2 3\nf -3/1 -2/2 -1/-1 1//\nl 1 2/1 3\np 3 # 1\n"
+    "vp 1 2\nf 1 2 \\\n 3 \\\r\n 1");
+  EXPECT_EQ(vectorOf(mesh.points.doubles), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1e-3, -0.5}));
+  EXPECT_TRUE(mesh.points.floats.empty());
+  EXPECT_EQ(mesh.normals.count(), 0u);
+  expectCells(mesh.polygons, {0, 3, 7, 11}, {0, 1, 2, 0, 1, 2, 0, 0, 1, 2, 0});
+  expectCells(mesh.lines, {0, 3}, {0, 1, 2});
+  expectCells(mesh.vertices, {0, 1}, {2});
+}
+
+TEST(ObjFile, NormalsAreThoseOfVertices)
+{
+  const std::string normals = "vn 0 0 1\nvn 0 0 2\nvn nan 0 3\n";
+  const MeshArrays alone = parsed(readObj, threeVertices + normals);
+  ASSERT_EQ(alone.normals.count(), 3u);
+  EXPECT_EQ(alone.normals.doubles[5], 2);
+  EXPECT_EQ(parsed(readObj, threeVertices + normals + "f 1//1 2//2 3//-1\n").normals.count(), 3u);
+  EXPECT_EQ(parsed(readObj, threeVertices + normals + "f 1 2 3\n").normals.count(), 3u);
+  EXPECT_EQ(parsed(readObj, threeVertices + normals + "f 1//1 2//2 3//2\n").normals.count(), 0u)
+    << "a corner has the normal of another vertex";
+  EXPECT_EQ(parsed(readObj, threeVertices + "vn 0 0 1\nf 1//1 2//1 3//1\n").normals.count(), 0u)
+    << "there are fewer normals than vertices";
+}
+
+TEST(ObjFile, Refusals)
+{
+  const auto expect = [](const std::string& text, const std::string& words)
+  {
+    const std::string refusal = refusalOf(readObj, text);
+    EXPECT_EQ(refusal.substr(0, words.size()), words) << text;
+  };
+  expect("# nothing\n", "is not OBJ: it has no line with a vertex; give another file");
+  expect("f 1 2 3\n", "is not OBJ");
+  expect("v 0 0 0\nv 0 0\n", "line 2: a vertex without its numbers; it is truncated or damaged");
+  expect("v 0 0 zero\n", "line 1: a vertex without its numbers");
+  expect("v 0 0 nan\n", "line 1: a vertex that is not a number; remove it and its faces");
+  expect("v 0 -inf 0\n", "line 1: a vertex that is not a number");
+  expect("v 0 0 0\nvn 1 0\n", "line 2: a normal without its numbers");
+  expect("v 0 0 0\nvt\n", "line 2: a texture coordinate without its numbers");
+  expect(threeVertices + "f 1 2\n",
+    "line 4: a face with 2 corners, which needs three; it is truncated or damaged");
+  expect(threeVertices + "f\n", "line 4: a face with 0 corners");
+  expect(threeVertices + "f 1 2 # 3\n", "line 4: a face with 2 corners");
+  expect(threeVertices + "f 1 2 \\", "line 4: vertex \\ does not exist");
+  expect(threeVertices + "l 1\n", "line 4: a line with 1 corners, which needs two");
+  expect(threeVertices + "p\n", "line 4: a point with 0 corners, which needs one");
+  expect(
+    threeVertices + "f 1 2 4\n", "line 4: vertex 4 does not exist; there are 3, counted from 1");
+  expect(threeVertices + "f 1 2 0\n", "line 4: vertex 0 does not exist");
+  expect(threeVertices + "f 1 2 -4\n", "line 4: vertex -4 does not exist");
+  expect("v 0 0 0\nv 1 0 0\nf 1 2 -3\nv 0 1 0\n", "line 3: vertex -3 does not exist");
+  expect(threeVertices + "f 1 2 99999999999999999999\n", "line 4: vertex 99999999999999999999");
+  expect(threeVertices + "f 1 2 -9223372036854775808\n", "line 4: vertex -9223372036854775808");
+  expect(threeVertices + "f 1/1 2/1 3/1\n",
+    "line 4: texture coordinate 1 does not exist; there are 0, counted from 1");
+  expect(threeVertices + "f 1//1 2//1 3//1\n", "line 4: normal 1 does not exist");
+  expect(threeVertices + "f 1 2 x\n", "line 4: vertex x does not exist");
+  expect(threeVertices + "f 1 2 /3\n", "line 4: vertex  does not exist");
+}
+
+TEST(OffFile, CellsBySize)
+{
+  const MeshArrays mesh =
+    parsed(readOff, "OFF\n3 5 0\n0 0 0\n1 0 0\n0 1 0\n1 2\n3 0 1 2\n2 0 1\n1 1\n4 2 1 0 1 255\n");
+  expectCells(mesh.polygons, {0, 3, 7}, {0, 1, 2, 2, 1, 0, 1});
+  expectCells(mesh.lines, {0, 2}, {0, 1});
+  expectCells(mesh.vertices, {0, 1, 2}, {2, 1});
+}
+
+TEST(PointsFile, AllAreInOneCell)
+{
+  const MeshArrays cloud = parsed(readPoints, "0 0 0 0 0 1\n1 2 3 0 1 0\n");
+  expectCells(cloud.vertices, {0, 2}, {0, 1});
+  EXPECT_EQ(vectorOf(cloud.normals.doubles), (std::vector<double>{0, 0, 1, 0, 1, 0}));
+  EXPECT_EQ(parsed(readPoints, "0\n").vertices.count(), 0u);
+}
+
+/// Files of several blocks.
+struct LargeFile
+{
+  const char* name;
+  Parser parser;
+  std::string text;
+};
+
+constexpr std::int64_t largeCount = 60000;
+
+std::string lines(const std::string& head, const char* point, const char* face)
+{
+  std::string text = head;
+  char line[200];
+  for (std::int64_t i = 0; i < largeCount; ++i)
+  {
+    const double value = static_cast<double>(i);
+    text.append(line, static_cast<std::size_t>(std::snprintf(
+                        line, sizeof line, point, value / 3, value / 7, -value / 11)));
+  }
+  for (std::int64_t i = 0; face && i < largeCount; ++i)
+  {
+    const long long first = 1 + i % (largeCount - 2);
+    text.append(line, static_cast<std::size_t>(
+                        std::snprintf(line, sizeof line, face, first, first + 1, first + (i % 2))));
+  }
+  return text;
+}
+
+std::vector<LargeFile> largeFiles()
+{
+  const std::string count = std::to_string(largeCount);
+  return {{"obj", readObj, lines("", "v %.17g %.17g %.17g\n", "f %lld \\\n%lld/ %lld//\n")},
+    {"off", readOff,
+      lines("OFF\n" + count + " " + count + "\n\n", "%.17g %.17g %.17g # point\n",
+        "3 %lld %lld %lld\n")},
+    {"xyz", readPoints, lines("", "%.17g %.17g %.17g 0 0 1\n", nullptr)},
+    {"pwn", readPoints, lines(count + "\n", "%.17g %.17g %.17g\n", "%lld %lld %lld\n")}};
+}
+
+TEST(LargeFiles, AreTheSameForAllExecutors)
+{
+  for (const LargeFile& file : largeFiles())
+  {
+    SCOPED_TRACE(file.name);
+    ASSERT_GT(file.text.size(), 4 * LineBlocks::usualBytes);
+    const MeshArrays serial = parsed(file.parser, file.text);
+    ASSERT_EQ(serial.points.count(), static_cast<std::size_t>(largeCount));
+    EXPECT_EQ(serial.points.doubles[3 * 50000], 50000.0 / 3);
+    for (const unsigned seed : {1U, 2U})
+    {
+      shapes::ShuffledThreads threads(seed);
+      expectSame(parsed(file.parser, file.text, threads), serial);
+    }
+  }
+}
+
+TEST(LargeFiles, AreRefusedForTheFirstFault)
+{
+  for (LargeFile file : largeFiles())
+  {
+    SCOPED_TRACE(file.name);
+    for (const double part : {0.2, 0.4})
+    {
+      // A letter takes the place of a space within a line of vertices.
+      const auto from = static_cast<std::size_t>(part * static_cast<double>(file.text.size()));
+      file.text[file.text.find(' ', file.text.find('\n', from) + 3)] = 'x';
+    }
+    const std::string refusal = refusalOf(file.parser, file.text);
+    const std::size_t firstFault = file.text.find('x');
+    const std::size_t line =
+      1 + static_cast<std::size_t>(std::count(
+            file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(firstFault), '\n'));
+    EXPECT_EQ(refusal.rfind("line " + std::to_string(line) + ": ", 0), 0u) << refusal;
+    for (const unsigned seed : {1U, 2U})
+    {
+      shapes::ShuffledThreads threads(seed);
+      EXPECT_EQ(refusalOf(file.parser, file.text, threads), refusal);
+    }
+  }
+}
+
+/// Does something before the second time that it runs blocks.
+class DisturbedExecutor final : public winding::Executor
+{
+public:
+  explicit DisturbedExecutor(std::function<void()> disturb)
+    : disturb_(std::move(disturb))
+  {
+  }
+
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    if (++runs_ == 2)
+    {
+      disturb_();
+    }
+    return winding::SerialExecutor().run(count, work);
+  }
+
+private:
+  std::function<void()> disturb_;
+  int runs_ = 0;
+};
+
+TEST(ChangedFiles, AreRefused)
+{
+  const std::string obj = threeVertices + "f 1 2 3\nf 1 2 3\n";
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string xyz = "0 0 0\n1 0 0\n0 1 0\n";
+  struct Change
+  {
+    Parser parser;
+    std::string before, after;
+  };
+  // The contents after have the same size.
+  const Change changes[] = {{readObj, obj, threeVertices + "f 1 2 3 1 2 3 1\n"},
+    {readObj, obj, threeVertices + "v 1 2 3\nf 1 2 3\n"},
+    {readObj, obj, threeVertices + "g 1 2 3\nf 1 2 3\n"},
+    {readObj, obj, threeVertices + "f 1 2 3 1\nf 1 2\n"},
+    {readOff, off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0 3 0 1 2\n"},
+    {readPoints, xyz, "0 0 0\n1 0 0\n# 1 0\n"}};
+  for (const Change& change : changes)
+  {
+    ASSERT_EQ(change.before.size(), change.after.size());
+    const TemporaryFile file(change.before);
+    const InputFile input(file.name());
+    DisturbedExecutor executor([&]() { file.write(change.after); });
+    EXPECT_THROW(change.parser(input, executor), FileRefusal) << change.after;
+  }
+}
+
+TEST(InterruptedFiles, GiveNothing)
+{
+  for (const auto& [parser, text] : {std::pair<Parser, std::string>(readObj, threeVertices),
+         {readOff, "OFF\n1 0 0\n0 0 0\n"}, {readPoints, "0 0 0\n"}})
+  {
+    shapes::Interruption executor(0);
+    EXPECT_THROW(parsed(parser, text, executor), Interrupted);
+  }
+}
+
+} // namespace

@@ -1,0 +1,268 @@
+/// The parser of PLY: text and both orders of bytes, numbers of all types, lists of any lengths.
+
+#include "files/PlyFiles.h"
+
+#include "files/PlyFile.h"
+
+using namespace plyfiles;
+using namespace winding;
+
+namespace
+{
+
+TEST(PlyFile, PolygonsOfAnySizeInAllFormats)
+{
+  const std::vector<std::vector<Ids>> meshes = {{{0, 1, 2}, {2, 1, 3}}, {{0, 1, 2, 3}},
+    {{0, 1, 2}, {0, 1, 2, 3}, {}, {1}, {3, 2}, {0, 1, 2}}, {{}}, {}};
+  for (const std::string format : formats)
+  {
+    for (const std::vector<Ids>& faces : meshes)
+    {
+      SCOPED_TRACE(format + ", " + std::to_string(faces.size()) + " faces");
+      const MeshArrays mesh = parsed(readPly, meshFile(format, 4, faces));
+      EXPECT_EQ(pointsOf(mesh), (std::vector<double>{0, 0, 0, 1, 2, 3, 2, 4, 6, 3, 6, 9}));
+      EXPECT_EQ(mesh.points.floats.empty(), format == "ascii");
+      Ids offsets, ids;
+      for (const Ids& face : faces)
+      {
+        offsets.push_back(static_cast<std::int64_t>(ids.size()));
+        ids.insert(ids.end(), face.begin(), face.end());
+      }
+      if (!faces.empty())
+      {
+        offsets.push_back(static_cast<std::int64_t>(ids.size()));
+      }
+      expectCells(mesh.polygons, offsets, ids);
+      EXPECT_EQ(mesh.vertices.count(), 0u);
+      EXPECT_EQ(mesh.lines.count(), 0u);
+    }
+  }
+}
+
+TEST(PlyFile, NumbersOfAllTypes)
+{
+  struct Type
+  {
+    const char* name;
+    double value;
+    bool isFloat; ///< whether single precision holds all numbers of the type
+  };
+  const Type types[] = {{"char", -100, true}, {"int8", 100, true}, {"uchar", 200, true},
+    {"uint8", 255, true}, {"short", -30000, true}, {"int16", 30000, true}, {"ushort", 60000, true},
+    {"uint16", 65535, true}, {"int", -2000000001, false}, {"int32", 2000000001, false},
+    {"uint", 4000000001.0, false}, {"uint32", 4294967295.0, false}, {"float", 0.375, true},
+    {"float32", -1e30f, true}, {"double", 0.1, false}, {"float64", -1e300, false}};
+  for (const std::string format : formats)
+  {
+    for (const Type& type : types)
+    {
+      SCOPED_TRACE(format + " " + type.name);
+      Body body(format);
+      for (int i = 0; i < 9; ++i)
+      {
+        body.add(type.name, i % 3 == 0 ? type.value : i);
+      }
+      std::string bytes = body.bytes();
+      if (body.isText())
+      {
+        bytes.clear();
+        for (int i = 0; i < 3; ++i)
+        {
+          bytes +=
+            Body(format).add<double>(type.value).add<int>(3 * i + 1).add<int>(3 * i + 2).bytes() +
+            "\n";
+        }
+      }
+      const MeshArrays mesh = parsed(readPly, head(format, vertexHead(3, type.name)) + bytes);
+      EXPECT_EQ(pointsOf(mesh),
+        (std::vector<double>{type.value, 1, 2, type.value, 4, 5, type.value, 7, 8}));
+      EXPECT_EQ(mesh.points.doubles.empty(), type.isFloat && format != "ascii");
+    }
+  }
+}
+
+TEST(PlyFile, ListsOfAllTypes)
+{
+  const char* const types[] = {
+    "char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+  for (const std::string format : formats)
+  {
+    for (const std::string lengthType : types)
+    {
+      for (const std::string type : types)
+      {
+        SCOPED_TRACE(format + " " + lengthType + " " + type);
+        Body body(format);
+        for (int i = 0; i < 12; ++i)
+        {
+          body.add<float>(i);
+          if (i % 3 == 2)
+          {
+            body.endItem();
+          }
+        }
+        for (const Ids& face : {Ids{0, 1, 2}, Ids{3, 2, 1}})
+        {
+          body.addList(lengthType, type, face).endItem();
+        }
+        const MeshArrays mesh = parsed(
+          readPly, head(format, vertexHead(4) + faceHead(2, lengthType, type)) + body.bytes());
+        expectCells(mesh.polygons, {0, 3, 6}, {0, 1, 2, 3, 2, 1});
+      }
+    }
+  }
+}
+
+/// Elements before, between and behind vertices and faces, and properties beside those that are
+/// read, with and without lists, in any order; normals.
+TEST(PlyFile, WhatElseThereIsIsPassedOver)
+{
+  const std::string elements =
+    "comment made by hand\nobj_info nothing\nelement other 2\nproperty list short double more\n"
+    "element vertex 3\nproperty uchar red\nproperty double nz\nproperty double z\n"
+    "property list uchar int tags\nproperty double y\nproperty double x\nproperty double ny\n"
+    "property double nx\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
+    "element face 2\nproperty float quality\nproperty list uint ushort vertex_index\n"
+    "property list uchar float texcoord\nelement last 1\nproperty list uchar char list\n";
+  for (const std::string format : formats)
+  {
+    for (const bool areUniform : {true, false})
+    {
+      SCOPED_TRACE(format + (areUniform ? ", lists of equal lengths" : ""));
+      Body body(format);
+      body.addList("short", "double", {1, 2}).endItem();
+      body.addList("short", "double", areUniform ? Ids{3, 4} : Ids{3}).endItem();
+      for (int i = 0; i < 3; ++i)
+      {
+        body.add<std::uint8_t>(7).add<double>(i + 0.5).add<double>(i + 0.1);
+        body.addList("uchar", "int", areUniform ? Ids{9} : Ids(static_cast<std::size_t>(i), 9));
+        body.add<double>(i + 0.2).add<double>(i + 0.3).add<double>(-i).add<double>(1).endItem();
+      }
+      body.add<int>(0).add<int>(1).endItem();
+      for (const Ids& corners : {Ids{0, 1, 2}, areUniform ? Ids{2, 1, 0} : Ids{2, 1}})
+      {
+        body.add<float>(5).addList("uint", "ushort", corners).addList("uchar", "float", {1, 2});
+        body.endItem();
+      }
+      body.addList("uchar", "char", {1, 2, 3}).endItem();
+      const MeshArrays mesh = parsed(readPly, head(format, elements) + body.bytes());
+      EXPECT_EQ(vectorOf(mesh.points.doubles),
+        (std::vector<double>{0.3, 0.2, 0.1, 1.3, 1.2, 1.1, 2.3, 2.2, 2.1}));
+      EXPECT_EQ(
+        vectorOf(mesh.normals.doubles), (std::vector<double>{1, 0, 0.5, 1, -1, 1.5, 1, -2, 2.5}));
+      expectCells(mesh.polygons, areUniform ? Ids{0, 3, 6} : Ids{0, 3, 5},
+        areUniform ? Ids{0, 1, 2, 2, 1, 0} : Ids{0, 1, 2, 2, 1});
+    }
+  }
+}
+
+TEST(PlyFile, FacesOfManyCorners)
+{
+  for (const std::string format : formats)
+  {
+    for (const std::size_t second : {std::size_t(1000), std::size_t(3)})
+    {
+      Body body(format);
+      for (int i = 0; i < 3; ++i)
+      {
+        body.add<float>(i).add<float>(i).add<float>(i).endItem();
+      }
+      body.addList("int", "int", Ids(1000, 2)).endItem();
+      body.addList("int", "int", Ids(second, 1)).endItem();
+      Ids ids(1000, 2);
+      ids.insert(ids.end(), second, 1);
+      const MeshArrays mesh =
+        parsed(readPly, head(format, vertexHead(3) + faceHead(2, "int")) + body.bytes());
+      expectCells(mesh.polygons, {0, 1000, static_cast<std::int64_t>(ids.size())}, ids);
+    }
+  }
+}
+
+/// Colours and texture coordinates have arrays of their own, by any of their usual names.
+TEST(PlyFile, ColoursAndTextureCoordinates)
+{
+  for (const std::string format : formats)
+  {
+    for (const bool hasAlpha : {false, true})
+    {
+      for (const std::array<const char*, 2>& names : {std::array<const char*, 2>{"u", "v"},
+             {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
+      {
+        SCOPED_TRACE(format + " " + names[0]);
+        const std::string header = std::string("element vertex 2\nproperty double ") + names[1] +
+                                   "\nproperty uchar red\nproperty float x\nproperty float y\n" +
+                                   (hasAlpha ? "property uchar alpha\n" : "") +
+                                   "property float z\nproperty uchar blue\n" +
+                                   "property uchar green\nproperty float " + names[0] + "\n";
+        Body body(format);
+        for (int i = 0; i < 2; ++i)
+        {
+          body.add<double>(0.25 + i).add<std::uint8_t>(255 - i).add<float>(1).add<float>(2);
+          if (hasAlpha)
+          {
+            body.add<std::uint8_t>(128);
+          }
+          body.add<float>(3).add<std::uint8_t>(7).add<std::uint8_t>(i).add<float>(0.5).endItem();
+        }
+        const MeshArrays mesh = parsed(readPly, head(format, header) + body.bytes());
+        EXPECT_EQ(mesh.colorComponents, hasAlpha ? 4 : 3);
+        EXPECT_EQ(std::vector<int>(mesh.colors.begin(), mesh.colors.end()),
+          hasAlpha ? (std::vector<int>{255, 0, 7, 128, 254, 1, 7, 128})
+                   : (std::vector<int>{255, 0, 7, 254, 1, 7}));
+        EXPECT_EQ(vectorOf(mesh.textureCoordinates), (std::vector<float>{0.5, 0.25, 0.5, 1.25}));
+        EXPECT_EQ(pointsOf(mesh), (std::vector<double>{1, 2, 3, 1, 2, 3}));
+      }
+    }
+  }
+  const MeshArrays none = parsed(readPly,
+    head("ascii", "element vertex 1\nproperty float x\n"
+                  "property float y\nproperty float z\nproperty float red\nproperty float green\n"
+                  "property float blue\nproperty list uchar float u\nproperty float v\n") +
+      "1 2 3 0.5 0.5 0.5 1 0.1 0.2\n");
+  EXPECT_TRUE(none.colors.empty());
+  EXPECT_TRUE(none.textureCoordinates.empty());
+}
+
+TEST(PlyFile, FacesBeforeVertices)
+{
+  for (const std::string format : formats)
+  {
+    Body body(format);
+    body.addList("uchar", "int", {2, 1, 0}).endItem();
+    for (int i = 0; i < 3; ++i)
+    {
+      body.add<float>(i).add<float>(0).add<float>(0).endItem();
+    }
+    const MeshArrays mesh =
+      parsed(readPly, head(format, faceHead(1) + vertexHead(3)) + body.bytes());
+    expectCells(mesh.polygons, {0, 3}, {2, 1, 0});
+    EXPECT_EQ(mesh.points.count(), 3u);
+  }
+}
+
+TEST(PlyFile, TextIsFree)
+{
+  const std::string end = vertexHead(3) + faceHead(1) + "end_header\n";
+  const std::string first = "ply\r\nformat  ascii\t1.0\r\n";
+  const MeshArrays mesh =
+    parsed(readPly, first + end + "\n0 0 +0 extra\r\n\t1e0 0 0\n\n# a comment\n0 .5 0\n3 0 1 2 7");
+  EXPECT_EQ(pointsOf(mesh), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0.5, 0}));
+  expectCells(mesh.polygons, {0, 3}, {0, 1, 2});
+  EXPECT_EQ(parsed(readPly, first + vertexHead(0) + "end_header\n").points.count(), 0u);
+  EXPECT_EQ(parsed(readPly, first + vertexHead(0) + "end_header").points.count(), 0u);
+}
+
+TEST(PlyFile, LongHeaders)
+{
+  const std::string mesh = meshFile("binary_little_endian", 3, {{0, 1, 2}});
+  std::string comments = "comment " + std::string(20000, 'x') + "\n";
+  for (int i = 0; i < 3000; ++i)
+  {
+    comments += "comment " + std::to_string(i) + "\n";
+  }
+  const std::size_t place = mesh.find("element");
+  expectSame(
+    parsed(readPly, mesh.substr(0, place) + comments + mesh.substr(place)), parsed(readPly, mesh));
+}
+
+} // namespace

@@ -1,0 +1,520 @@
+/// Tables of points: what they give, what they refuse, and that threads and blocks change nothing.
+
+#include "files/Parsing.h"
+#include "support/Interruption.h"
+#include "support/KeptTexts.h"
+#include "support/ShuffledThreads.h"
+
+#include "files/TableFile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <vector>
+
+using namespace winding;
+
+namespace
+{
+
+using Numbers = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+struct Table : PointTable
+{
+  std::map<std::size_t, Texts> texts; ///< by the places of their columns
+};
+
+/// The way in which a table is read.
+struct Way
+{
+  bool withOthers = false; ///< columns without a meaning, and places of rows
+  bool withNormals = true;
+  char separator = ',';
+  std::size_t bytesPerBlock = LineBlocks::usualBytes;
+};
+
+constexpr Way withOthers = {true};
+
+Table read(const InputFile& file, const Way& way, Executor& executor)
+{
+  KeptTexts texts;
+  TableOptions options;
+  options.separator = way.separator;
+  options.normalsAndAreas = way.withNormals;
+  options.rowPlaces = way.withOthers;
+  options.texts = way.withOthers ? &texts : nullptr;
+  options.bytesPerBlock = way.bytesPerBlock;
+  Table table = {readPointTable(file, options, executor), {}};
+  table.texts = texts.all();
+  return table;
+}
+
+Table read(const std::string& contents, const Way& way, Executor& executor)
+{
+  const TemporaryFile file(contents);
+  return read(InputFile(file.name()), way, executor);
+}
+
+Table read(const std::string& contents, const Way& way = {})
+{
+  SerialExecutor serial;
+  return read(contents, way, serial);
+}
+
+/// The points of a table, as parsers of meshes give them.
+template <char separator> MeshArrays readPoints(const InputFile& file, Executor& executor)
+{
+  Way way;
+  way.separator = separator;
+  return std::move(read(file, way, executor).points);
+}
+
+std::string refusalOf(const std::string& contents)
+{
+  return ::refusalOf(readPoints<','>, contents);
+}
+
+void expectSameTable(const Table& a, const Table& b)
+{
+  expectSame(a.points, b.points);
+  EXPECT_EQ(vectorOf(a.points.areas), vectorOf(b.points.areas));
+  EXPECT_EQ(vectorOf(a.rowPlaces), vectorOf(b.rowPlaces));
+  EXPECT_EQ(a.header, b.header);
+  EXPECT_EQ(a.names, b.names);
+  EXPECT_EQ(a.texts, b.texts);
+  ASSERT_EQ(a.columns.size(), b.columns.size());
+  for (std::size_t i = 0; i < a.columns.size(); ++i)
+  {
+    EXPECT_EQ(a.columns[i].name, b.columns[i].name);
+    EXPECT_EQ(vectorOf(a.columns[i].numbers), vectorOf(b.columns[i].numbers));
+  }
+}
+
+TEST(TableFile, PositionsNormalsAndAreas)
+{
+  const Table table =
+    read("nz,x,area,y,z,nx,ny\n1,2,3,4,5,6,7\n\n +8 , -.5,1e3,0.1,nan,\"9\",-inf\n");
+  EXPECT_EQ(table.points.points.doubles.size(), 6u);
+  EXPECT_EQ(Numbers(table.points.points.doubles.begin(), table.points.points.doubles.begin() + 5),
+    (Numbers{2, 4, 5, -0.5, 0.1}));
+  EXPECT_TRUE(std::isnan(table.points.points.doubles[5]));
+  EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{6, 7, 1, 9, -INFINITY, 8}));
+  EXPECT_EQ(vectorOf(table.points.areas), (Numbers{3, 1e3}));
+  expectCells(table.points.vertices, {0, 2}, {0, 1});
+  EXPECT_TRUE(table.columns.empty());
+  EXPECT_TRUE(table.rowPlaces.empty());
+}
+
+TEST(TableFile, NamesOfColumns)
+{
+  const Table table = read("\"Points:2\",POINTS:0,Points:1,Normals:0,NORMALS:1,normals:2\n"
+                           "3,1,2,4,5,6\n");
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3}));
+  EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{4, 5, 6}));
+  EXPECT_EQ(table.names.front(), "Points:2");
+  const Table twice = read("x,y,z,X\n1,2,3,4\n", withOthers);
+  EXPECT_EQ(vectorOf(twice.points.points.doubles), (Numbers{1, 2, 3})) << "the first counts";
+  ASSERT_EQ(twice.columns.size(), 1u);
+  EXPECT_EQ(twice.columns[0].name, "X");
+  EXPECT_EQ(read("x,y,z,nx,ny\n1,2,3,4,5\n").points.normals.count(), 0u)
+    << "a component is missing";
+}
+
+/// ParaView saves arrays of any names beside the points, in any order.
+TEST(TableFile, NamesOfParaViewAndOthersAreNotMixed)
+{
+  const Table table = read("x,nx,Points:0,Points:1,Points:2\n9,8,1,2,3\n", withOthers);
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3}));
+  EXPECT_EQ(table.points.normals.count(), 0u);
+  ASSERT_EQ(table.columns.size(), 2u);
+  EXPECT_EQ(table.columns[0].name, "x");
+  const Table both = read("x,y,z,Points:0,Points:1,Points:2\n9,9,9,1,2,3\n", withOthers);
+  EXPECT_EQ(vectorOf(both.points.points.doubles), (Numbers{1, 2, 3}));
+  const Table partly = read("x,y,z,nx,ny,nz,Points:0,Normals:1\n1,2,3,4,5,6,7,8\n", withOthers);
+  EXPECT_EQ(vectorOf(partly.points.points.doubles), (Numbers{1, 2, 3}));
+  EXPECT_EQ(vectorOf(partly.points.normals.doubles), (Numbers{4, 5, 6}));
+  EXPECT_NE(refusalOf("x,Points:1,Points:2\n1,2,3\n"), "");
+}
+
+TEST(TableFile, OtherColumnsAreNumbersOrTexts)
+{
+  const Table table =
+    read(",x,y,z,t,name,area,\"a, \"\"b\"\"\"\n1,0,0,0,7,\"p\nq\",2,\n2,0,0,0,8e400,r,3,4\n"
+         "3,0,0,0,-8e-400, s ,4,5\" pipe\n",
+      withOthers);
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(table.columns[0].name, "Column 1");
+  EXPECT_EQ(vectorOf(table.columns[0].numbers), (Numbers{1, 2, 3}));
+  EXPECT_EQ(table.texts.at(1), (Texts{"7", "8e400", "-8e-400"})) << "no double holds 8e400";
+  EXPECT_EQ(table.texts.at(2), (Texts{"p\nq", "r", "s"}));
+  EXPECT_TRUE(table.columns[2].numbers.empty());
+  EXPECT_EQ(table.columns[3].name, "a, \"b\"");
+  EXPECT_EQ(table.texts.at(3), (Texts{"", "4", "5\" pipe"}));
+  EXPECT_EQ(vectorOf(table.points.areas), (Numbers{2, 3, 4}));
+}
+
+TEST(TableFile, OtherColumnsHaveNamesOfTheirOwn)
+{
+  const auto namesFor = [](const std::string& header, bool withNormals)
+  {
+    Way way = withOthers;
+    way.withNormals = withNormals;
+    Texts names;
+    for (const TableColumn& column : read(header + "\n", way).columns)
+    {
+      names.push_back(column.name);
+    }
+    return names;
+  };
+  EXPECT_EQ(namesFor("t,x,y,z,t,,Column 6,t 5", true),
+    (Texts{"t", "t 5 5", "Column 6 6", "Column 6", "t 5"}));
+  EXPECT_EQ(namesFor("x,y,z,area,Area,nx,ny,nz,Normals", true), (Texts{"Area 5", "Normals 9"}));
+  EXPECT_EQ(namesFor("x,y,z,nx,ny,Normals,Area", true), (Texts{"nx", "ny", "Normals"}));
+  EXPECT_EQ(namesFor("x,y,z,area,Area,Normals", false), (Texts{"area", "Area", "Normals"}));
+  EXPECT_EQ(namesFor(std::string("x,y,z,a\0b,a\0c", 13), true), (Texts{"a", "a 5"}));
+}
+
+TEST(TableFile, NormalsAndAreasMayBeColumnsAsAllOthers)
+{
+  Way way = withOthers;
+  way.withNormals = false;
+  const Table table = read("x,y,z,nx,ny,nz,area\n1,2,3,4,5,6,north\n", way);
+  EXPECT_EQ(table.points.normals.count(), 0u);
+  EXPECT_TRUE(table.points.areas.empty());
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(vectorOf(table.columns[2].numbers), (Numbers{6}));
+  EXPECT_EQ(table.texts.at(3), (Texts{"north"}));
+}
+
+TEST(TableFile, PlacesOfRows)
+{
+  const std::string header = "x,y,z,\"a\nb\"\r\n", first = " 1,2,3,\"\r\n\"", second = "4,5,6,7 ";
+  const std::string contents = "\xEF\xBB\xBF\n" + header + first + "\r\n\r\n  \n" + second;
+  const Table table = read(contents, withOthers);
+  EXPECT_EQ(table.header, header);
+  EXPECT_EQ(table.names, (Texts{"x", "y", "z", "a\nb"}));
+  ASSERT_EQ(table.rowPlaces.size(), 4u);
+  const auto rowAt = [&](std::size_t i)
+  {
+    return contents.substr(static_cast<std::size_t>(table.rowPlaces[2 * i]),
+      static_cast<std::size_t>(table.rowPlaces[2 * i + 1]));
+  };
+  EXPECT_EQ(rowAt(0), first);
+  EXPECT_EQ(rowAt(1), second);
+}
+
+TEST(TableFile, TabsSeparate)
+{
+  Way way = withOthers;
+  way.separator = '\t';
+  const Table table = read("x\ty\tz\tt\n1\t 2\t3\ta,b\n4\t5\t6\t\n", way);
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(table.texts.at(0), (Texts{"a,b", ""}));
+  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x\ty\tz\n1\t2\t3\n\t\t\n \n"),
+    "line 3: \"\" in column x is no number")
+    << "a row of empty fields is one";
+  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x,y,z\n1,2,3\n"),
+    "has no columns x, y and z, since commas separate its fields; give it the suffix .csv");
+}
+
+TEST(TableFile, WithoutRows)
+{
+  for (const std::string end : {"", "\n", "\r\n", "\n\n  \n"})
+  {
+    const Table table = read("x,y,z,nx,ny,nz,area,t" + end, withOthers);
+    EXPECT_EQ(table.points.points.count(), 0u);
+    EXPECT_EQ(table.points.vertices.count(), 0u);
+    EXPECT_EQ(table.header, "x,y,z,nx,ny,nz,area,t" + (end == "\r\n" ? end : "\n"));
+    EXPECT_EQ(table.columns.size(), 1u);
+  }
+}
+
+TEST(TableFile, Refusals)
+{
+  const auto expect = [](const std::string& text, const std::string& words)
+  {
+    EXPECT_EQ(refusalOf(text), words) << text;
+  };
+  const std::string missing = "has no columns x, y and z";
+  const std::string none = missing + "; name them in the first line, separated by commas";
+  const std::string mark = "a quotation mark is not closed, or not at the end of its field";
+  expect("", "is empty");
+  expect("\n \n", none);
+  expect("\xEF\xBB\xBF", none);
+  expect("\xEF\xBB\xBF\n x;y;z\r\n1;2;3\n",
+    missing + ", since semicolons separate its fields; put commas there");
+  expect(
+    "x\ty\tz\n1\t2\t3\n", missing + ", since tabs separate its fields; give it the suffix .tsv");
+  expect("x,y\n1,2\n", none);
+  expect("1,2,3\n4,5,6\n", none);
+  expect(
+    "x,y,z\n1,2\n", "line 2: has 2 fields, but the header names 3; it is truncated or damaged");
+  expect("\nx,y,z\n1,2,3\n\n1,2,3,4\n",
+    "line 5: has 4 fields, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1\n", "line 2: has 1 field, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1,two,3\n", "line 2: \"two\" in column y is no number");
+  expect("x,y,z\n1,,3\n", "line 2: \"\" in column y is no number");
+  expect("x,y,z\n1,1e400,3\n", "line 2: \"1e400\" in column y is no number");
+  expect("X,y,z\n0x10,2,3\n", "line 2: \"0x10\" in column X is no number");
+  expect("x,y,z,Area\n1,2,3,4 m\n", "line 2: \"4 m\" in column Area is no number");
+  expect("x,y,z\n1,\"a\nb\",3\n", "line 2: \"a?b\" in column y is no number");
+  expect(
+    "x,y,z\n1,-,3,4\n", "line 2: has 4 fields, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1,a,\"b\n", "line 2: " + mark);
+  expect("x,y,\"z\n1,2,3\n", "line 1: " + mark);
+  expect("x,y,z,t\n1,2,3,\"a\nb\n5,6,7,8\n", "line 2: " + mark);
+  expect("x,y,z,t\n1,2,3,4\n1,2,3,\"a\"b\n", "line 3: " + mark);
+  expect("x,y,z,t\n1,2,3,\"a\nb\"c\n", "line 2: " + mark);
+  expect("x,y,z,t\n\"1\" 2,2,3,4\n", "line 2: " + mark);
+  expect(std::string("x,y,z\n1,\0,3\n", 12), "line 2: \"?\" in column y is no number");
+}
+
+/// The first fault is told, though a quotation mark further on is found before.
+TEST(TableFile, TheFirstFaultIsToldBeforeQuotationMarks)
+{
+  const std::string broken = "1,2,3,\"c\"d\n1,2\n", open = "1,2,3,\"c\n1,2\n";
+  for (const std::string& late : {broken, open})
+  {
+    EXPECT_EQ(refusalOf("x,y,z,t\n1,2,3,a\n1,2\n" + late).substr(0, 20), "line 3: has 2 fields");
+    EXPECT_EQ(
+      refusalOf("x,y,z,t\n1,2,3,a\n1,two,3,\"4\"\n" + late).substr(0, 13), "line 3: \"two\"");
+    EXPECT_EQ(refusalOf("x,y,z,t\n1,2,3,a\n" + late).substr(0, 24), "line 3: a quotation mark");
+  }
+}
+
+/// An executor that notes whether work ever has an earlier share than the work before, and the most
+/// blocks that were run at once.
+class Watched final : public Executor
+{
+public:
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    most = std::max(most, count);
+    isForward = isForward && share_.first >= last_;
+    last_ = share_.first;
+    SerialExecutor serial;
+    return serial.run(count, work);
+  }
+
+  void setShare(double first, double last) override { share_ = {first, last}; }
+
+  std::pair<double, double> share() const override { return share_; }
+
+  bool isForward = true;
+  std::size_t most = 0;
+
+private:
+  std::pair<double, double> share_ = {0, 1};
+  double last_ = 0; ///< the beginning of the share of the last work
+};
+
+TEST(TableFile, ProgressNeverGoesBack)
+{
+  std::string contents = "x,y,z,t\n";
+  for (int row = 0; row < 100; ++row)
+  {
+    contents += "1,2,3,a\n";
+  }
+  Way way = withOthers;
+  way.bytesPerBlock = 32;
+  for (const std::string last : {"1,2,3,a\n", "1,2,3,\"a\"\n"})
+  {
+    Watched watched;
+    read(contents + last, way, watched);
+    EXPECT_TRUE(watched.isForward) << last;
+  }
+}
+
+/// Blocks stay as small as they are meant to be, so that all threads have some.
+TEST(TableFile, BlocksStaySmall)
+{
+  std::string backslashes = "x,y,z,t\n",
+              blanks = "x,y,z,t\n1,2,3,\"a\"\n" + std::string(9000, '\n');
+  for (int row = 0; row < 1000; ++row)
+  {
+    backslashes += "1,2,3,a\\\n";
+  }
+  Way way = withOthers;
+  way.bytesPerBlock = 100;
+  for (const std::string& contents : {backslashes, blanks + "4,5,6,b\n"})
+  {
+    Watched watched;
+    read(contents, way, watched);
+    EXPECT_GE(watched.most, 80u); // 91 and 84
+  }
+}
+
+/// Tables of random rows, with quotation marks in some or none.
+std::string randomTable(std::mt19937& random)
+{
+  const bool mayBeQuoted = random() % 2 == 0;
+  const std::string end = random() % 2 == 0 ? "\n" : "\r\n";
+  const auto field = [&]
+  {
+    const std::string number = std::to_string(static_cast<int>(random() % 2000) - 1000) + ".25";
+    const std::string spaces(random() % 8 == 0 ? 1 : 0, ' ');
+    return spaces + (mayBeQuoted && random() % 9 == 0 ? '"' + number + '"' : number) + spaces;
+  };
+  const auto text = [&]
+  {
+    std::string inner = std::string(random() % 7, 'a') + (random() % 5 == 0 ? "7" : "");
+    if (mayBeQuoted && random() % 3 == 0)
+    {
+      const char* const middles[] = {"\"\"", "\n", "\r\n", ",", "\\\n", "\"\"\n\"\""};
+      return '"' + inner + middles[random() % 6] + inner + '"';
+    }
+    return inner;
+  };
+  std::string table = "t,x,y,z,n" + end;
+  for (auto rows = random() % 40; rows > 0; --rows)
+  {
+    table += text() + ',' + field() + ',' + field() + ',' + field() + ',' + field() +
+             (rows == 1 && random() % 2 == 0 ? "" : end);
+    table += random() % 7 == 0 ? " " + end : "";
+  }
+  return table;
+}
+
+TEST(TableFile, ThreadsAndBlocksChangeNothing)
+{
+  std::mt19937 random(17);
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    const std::string contents = randomTable(random);
+    SCOPED_TRACE("table " + std::to_string(seed) + ":\n" + contents);
+    Way way = withOthers;
+    const Table whole = read(contents, way);
+    shapes::ShuffledThreads threads(seed);
+    way.bytesPerBlock = 64;
+    expectSameTable(read(contents, way, threads), whole);
+    way.bytesPerBlock = 3; // there are so many that starting threads for them takes long
+    SerialExecutor serial;
+    Executor& executor = seed % 6 == 0 ? static_cast<Executor&>(threads) : serial;
+    expectSameTable(read(contents, way, executor), whole);
+    if (testing::Test::HasFailure())
+    {
+      return;
+    }
+  }
+}
+
+TEST(TableFile, TheFirstFaultIsToldForAnyThreadsAndBlocks)
+{
+  std::string contents = "x,y,z\n";
+  for (int row = 0; row < 100; ++row)
+  {
+    contents += row == 40 ? "1,2\n" : row == 70 ? "1,two,3\n" : "1,2,3\n";
+  }
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    Way way;
+    way.bytesPerBlock = 10;
+    shapes::ShuffledThreads threads(seed);
+    try
+    {
+      read(contents, way, threads);
+      FAIL() << "nothing was refused";
+    }
+    catch (const FileRefusal& refusal)
+    {
+      EXPECT_NE(std::string(refusal.what()).find("line 42: has 2 fields"), std::string::npos)
+        << refusal.what();
+    }
+  }
+}
+
+TEST(TableFile, EndsWhenInterrupted)
+{
+  for (const std::string mark : {"", "\""})
+  {
+    std::string contents = "x,y,z,t\n";
+    for (int row = 0; row < 20; ++row)
+    {
+      contents += "1,2,3," + mark + "a" + mark + "\n";
+    }
+    Way way = withOthers;
+    way.bytesPerBlock = 32;
+    int runs = 0;
+    for (bool cameToPass = true; cameToPass; ++runs)
+    {
+      shapes::Interruption interruption(runs, 1);
+      bool isThrown = false;
+      try
+      {
+        read(contents, way, interruption);
+      }
+      catch (const Interrupted&)
+      {
+        isThrown = true;
+      }
+      cameToPass = interruption.cameToPass();
+      EXPECT_EQ(isThrown, cameToPass);
+    }
+    EXPECT_GE(runs, 3) << "rows, numbers and texts";
+  }
+}
+
+/// Writes other contents into a file when so many runs are done.
+class ChangingFile final : public Executor
+{
+public:
+  ChangingFile(const TemporaryFile& file, int runs, std::string contents)
+    : file_(file)
+    , runs_(runs)
+    , contents_(std::move(contents))
+  {
+  }
+
+  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  {
+    if (runs_-- == 0)
+    {
+      file_.write(contents_);
+    }
+    SerialExecutor serial;
+    return serial.run(count, work);
+  }
+
+private:
+  const TemporaryFile& file_;
+  int runs_;
+  std::string contents_;
+};
+
+TEST(TableFile, ChangesMeanwhileAreRefused)
+{
+  const std::string contents = "x,y,z,t\n1,2,3,a\n4,5,6,b\n";
+  const std::string one = "x,y,z,t\n1,2,3,a4,5,6,bb\n", open = "x,y,z,t\n1,2,3,\"a\n4,5,6b\n";
+  const std::string three = "x,y,z,t\n1,2,3,a\n4,5,6\n,\n", brief = "x,y\n";
+  // The first run finds the rows, the second reads numbers, the third texts.
+  const auto wordsFor = [&](const std::string& other, int run)
+  {
+    const TemporaryFile file(contents);
+    ChangingFile changing(file, run, other);
+    try
+    {
+      read(InputFile(file.name()), withOthers, changing);
+    }
+    catch (const FileRefusal& refusal)
+    {
+      return std::string(refusal.what()).substr(std::string(file.name()).size() + 2);
+    }
+    return std::string("nothing");
+  };
+  const std::string changed = "has changed while it was read; read it again";
+  for (const std::string& other : {one, open, three})
+  {
+    EXPECT_EQ(wordsFor(other, 2), changed) << other;
+  }
+  EXPECT_EQ(wordsFor(one, 1).substr(0, 20), "line 2: has 7 fields");
+  EXPECT_EQ(wordsFor(open, 1).substr(0, 24), "line 2: a quotation mark");
+  EXPECT_EQ(wordsFor(three, 1).substr(0, 20), "line 3: has 3 fields");
+  EXPECT_EQ(wordsFor(brief, 1), "cannot be read to its end");
+  EXPECT_EQ(wordsFor(brief, 2), "cannot be read to its end");
+}
+
+} // namespace

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "base/Views.h"
+#include "support/Samples.h"
+#include "source/Surface.h"
+#include "surface/Boundary.h"
+
+#include <array>
+#include <functional>
+#include <set>
+#include <vector>
+
+/**
+ * @file
+ * Test shapes, made in code. Closed ones are oriented outward.
+ */
+namespace shapes
+{
+
+struct Mesh
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::int32_t, 3>> triangles;
+
+  /// A view that is valid while the mesh lives and keeps its size.
+  winding::TrianglesView view() const;
+  /// Every triangle (a, b, c) becomes (a, c, b).
+  Mesh reversed() const;
+  Mesh mapped(const std::function<Point(const Point&)>& map) const;
+  /// Both meshes in one, without shared points.
+  Mesh with(const Mesh& other) const;
+  /// The mesh with only the triangles first … last − 1.
+  Mesh part(std::size_t first, std::size_t last) const;
+};
+
+/// The surface of a mesh without bad primitives.
+winding::Surface clean(const Mesh& mesh);
+
+/// The surface of a mesh times a factor, which may take coordinates out of the range that a source
+/// may have.
+winding::Surface cleanScaled(const Mesh& mesh, double factor);
+
+winding::BoundaryChain boundaryOf(const winding::Surface& surface);
+
+Mesh tetrahedron();
+Mesh cube(const Point& low = {0, 0, 0}, const Point& high = {1, 1, 1});
+/// The unit cube without the two triangles at z = 1.
+Mesh openCube();
+/// A sphere of radius 1 with 20 · 4^levels triangles.
+Mesh icosphere(int levels);
+/// A torus of radii 1 and 0.4 around the z axis.
+Mesh torus(int along, int around);
+/// A band of `quads` quadrilaterals that closes with a half twist.
+Mesh moebiusStrip(int quads);
+/// Triangles without any relation, of all sizes from about 2^−8 to 1, within [−2, 2]³.
+Mesh triangleSoup(std::size_t count, unsigned seed);
+
+/// Solids are sets of lattice cubes: their surface is known, and so is what is inside.
+using Cell = std::array<int, 3>;
+using Cells = std::set<Cell>;
+Cells lShape();
+/// Each of n³ cells with probability ½; the solid is full of edges and vertices that are not
+/// manifold.
+Cells randomCells(int n, unsigned seed);
+Mesh surfaceOf(const Cells& cells);
+/// The winding number at any point; on the surface, the share of the solid around the point.
+double windingOf(const Cells& cells, const Point& point);
+
+/// Points at a distance from random places well within random triangles, on random sides.
+std::vector<Point> pointsNear(const Mesh& mesh, std::size_t count, double distance, unsigned seed);
+
+} // namespace shapes

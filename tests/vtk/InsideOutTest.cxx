@@ -1,0 +1,242 @@
+#include "vtk/ErrorLog.h"
+#include "vtk/SphereCloud.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+#include "vtkWindingNumberVoxels.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <string>
+
+/**
+ * Filters whose result is empty or wrong because the faces of their source look inward say so, and
+ * what to do first.
+ */
+namespace
+{
+
+const std::string rule = ", or use the inside rule absolute (Inside Rule; --rule absolute): ";
+const std::string inwardHere = " look inward here, for w is -0.5 or less at ";
+const std::string facesTurned = "turn the faces (filter Surface Report with Fix Orientation; "
+                                "winding check INPUT --fix-orientation -o FIXED.vtp)";
+const std::string advice = facesTurned + rule + "faces" + inwardHere;
+
+class InsideOut : public testing::Test
+{
+protected:
+  InsideOut()
+  {
+    sphere->SetRadius(1);
+    inward->SetInputConnection(sphere->GetOutputPort());
+    inward->ReverseCellsOn();
+  }
+
+  void openTheSphere() { sphere->SetStartTheta(40); }
+
+  /// Executes a filter that has the inward sphere as its source.
+  static void expectAdvice(vtkWindingNumberAlgorithm* filter, bool isExpected)
+  {
+    ErrorLog log(filter);
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(filter->GetStatus(), vtkWindingNumberAlgorithm::DONE);
+    EXPECT_EQ(filter->GetSourceIsInsideOut(), isExpected);
+    EXPECT_EQ(log.warnings().find(advice) != std::string::npos, isExpected) << log.warnings();
+    EXPECT_EQ(log.warnings().find("look inward") != std::string::npos, isExpected)
+      << log.warnings();
+    const bool isOtherwiseEmpty =
+      log.warnings().find("so the surface is empty") != std::string::npos;
+    EXPECT_EQ(isOtherwiseEmpty,
+      !isExpected && filter->IsA("vtkWindingNumberSurface") &&
+        vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells() == 0)
+      << log.warnings();
+    EXPECT_EQ(log.warnings().empty(), !isExpected && !isOtherwiseEmpty) << log.warnings();
+    filter->RemoveAllObservers();
+  }
+
+  /// Expects of a filter on grids what all of them have in common: advice where faces look inward.
+  void expectAdviceOnGrids(vtkWindingNumberGridAlgorithm* filter)
+  {
+    filter->SetInputConnection(inward->GetOutputPort());
+    filter->SetResolution(12);
+    expectAdvice(filter, true);
+    filter->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE);
+    expectAdvice(filter, false);
+    filter->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED);
+    openTheSphere();
+    expectAdvice(filter, true);
+    filter->SetUseInputBounds(false);
+    const double beside[6] = {1.5, 2.5, -1, 1, -1, 1};
+    filter->SetSamplingBounds(beside);
+    expectAdvice(filter, false);
+    filter->SetInputConnection(sphere->GetOutputPort());
+    expectAdvice(filter, false);
+    filter->SetUseInputBounds(true);
+    expectAdvice(filter, false);
+  }
+
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkReverseSense> inward;
+};
+
+TEST_F(InsideOut, SourcesOfSurfaces)
+{
+  vtkNew<vtkWindingNumberSurface> surface;
+  expectAdviceOnGrids(surface);
+  EXPECT_GT(surface->GetOutput()->GetNumberOfCells(), 0);
+  surface->SetInputConnection(inward->GetOutputPort());
+  surface->CloseBorderOn();
+  expectAdvice(surface, true);
+  EXPECT_EQ(surface->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST_F(InsideOut, SourcesOfFieldsWithAnInside)
+{
+  for (const bool withValues : {true, false})
+  {
+    vtkNew<vtkWindingNumberField> field;
+    field->GenerateInsideOn();
+    field->SetGenerateWindingNumber(withValues);
+    sphere->SetStartTheta(0);
+    expectAdviceOnGrids(field);
+    field->SetInputConnection(inward->GetOutputPort());
+    field->SetCoverage(vtkWindingNumberField::FRACTION);
+    expectAdvice(field, true);
+  }
+  vtkNew<vtkWindingNumberField> valuesOnly;
+  valuesOnly->SetInputConnection(inward->GetOutputPort());
+  expectAdvice(valuesOnly, true);
+}
+
+TEST_F(InsideOut, PartsAreToldWithTheirShare)
+{
+  vtkNew<vtkSphereSource> outward;
+  outward->SetRadius(1);
+  outward->SetCenter(5, 0, 0);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(outward->GetOutputPort());
+  both->AddInputConnection(inward->GetOutputPort());
+  vtkNew<vtkWindingNumberSurface> surface;
+  vtkNew<vtkWindingNumberField> field;
+  for (auto* filter : {static_cast<vtkWindingNumberGridAlgorithm*>(surface),
+         static_cast<vtkWindingNumberGridAlgorithm*>(field)})
+  {
+    filter->SetInputConnection(both->GetOutputPort());
+    for (const auto method : {vtkWindingNumberField::ROWS, vtkWindingNumberField::HIERARCHICAL})
+    {
+      filter->SetMethod(method);
+      ErrorLog log(filter);
+      filter->Update();
+      // A ball of 8 by 8 triangles fills about 15 % of a box of 7.7 by 2.7 by 2.7.
+      EXPECT_NE(log.warnings().find(advice), std::string::npos) << log.warnings();
+      double negative = 0, positive = 0;
+      const char* shares = std::strstr(log.warnings().c_str(), "w is -0.5");
+      ASSERT_NE(shares, nullptr);
+      EXPECT_EQ(
+        std::sscanf(shares, "w is -0.5 or less at %lf %% of the samples, and 0.5 or more at %lf %%",
+          &negative, &positive),
+        2);
+      EXPECT_NEAR(negative, positive, 1);
+      EXPECT_GT(negative, 2);
+      EXPECT_LT(negative, 12);
+      filter->RemoveAllObservers();
+    }
+  }
+}
+
+TEST_F(InsideOut, SourcesOfPiecesAreNotJudged)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(inward->GetOutputPort());
+  field->SetResolution(12);
+  field->GenerateInsideOn();
+  ErrorLog log(field);
+  field->UpdatePiece(1, 3, 0);
+  EXPECT_FALSE(field->GetSourceIsInsideOut());
+  EXPECT_EQ(log.warnings(), "");
+}
+
+TEST_F(InsideOut, SourcesOfParts)
+{
+  vtkNew<vtkSphereSource> part;
+  part->SetRadius(0.5);
+  for (const bool withValues : {true, false})
+  {
+    sphere->SetStartTheta(0);
+    vtkNew<vtkWindingNumberProbe> probe;
+    probe->SetInputConnection(part->GetOutputPort());
+    probe->SetSourceConnection(inward->GetOutputPort());
+    probe->SetGenerateWindingNumber(withValues);
+    probe->ExtractInsideOn();
+    expectAdvice(probe, true);
+    EXPECT_EQ(probe->GetOutput()->GetNumberOfCells(), 0);
+    openTheSphere();
+    expectAdvice(probe, true);
+    probe->InsideOutOn();
+    expectAdvice(probe, withValues);
+    probe->InsideOutOff();
+    part->SetCenter(3, 0, 0);
+    expectAdvice(probe, false);
+    part->SetCenter(0, 0, 0);
+    probe->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE);
+    expectAdvice(probe, false);
+    EXPECT_GT(probe->GetOutput()->GetNumberOfCells(), 0);
+  }
+}
+
+TEST_F(InsideOut, SourcesOfVoxels)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(inward->GetOutputPort());
+  field->SetResolution(12);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputConnection(field->GetOutputPort());
+  const auto warnings = [&]
+  {
+    ErrorLog log(voxels);
+    voxels->Update();
+    voxels->RemoveAllObservers();
+    return log.warnings();
+  };
+  const std::string adviceOnImage =
+    facesTurned + " or normals" + rule + "faces or normals" + inwardHere;
+  EXPECT_NE(warnings().find(adviceOnImage), std::string::npos);
+  EXPECT_EQ(voxels->GetOutput()->GetNumberOfCells(), 0);
+  openTheSphere();
+  EXPECT_NE(warnings().find(adviceOnImage), std::string::npos);
+  voxels->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE);
+  EXPECT_EQ(warnings(), "");
+  EXPECT_GT(voxels->GetOutput()->GetNumberOfCells(), 0);
+  voxels->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED);
+  voxels->SetWindingThreshold(1.5);
+  EXPECT_EQ(warnings(), "") << "w is above −1.5";
+}
+
+TEST_F(InsideOut, SourcesOfPointsHaveNormals)
+{
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputData(sphereCloud(500, -1));
+  surface->SetRegularization(1);
+  surface->SetResolution(12);
+  ErrorLog log(surface);
+  surface->Update();
+  EXPECT_TRUE(surface->GetSourceIsInsideOut());
+  EXPECT_NE(
+    log.warnings().find("turn the normals" + rule + "normals" + inwardHere), std::string::npos)
+    << log.warnings();
+}
+
+} // namespace

@@ -1,0 +1,320 @@
+#include "vtk/ErrorLog.h"
+#include "vtk/LabelScenes.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiPieceDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+
+using Filter = vtkWindingNumberLabels;
+using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+class LabelInputs : public testing::Test
+{
+protected:
+  LabelInputs() { labels->SetResolution(24); }
+
+  std::vector<unsigned short> made(vtkDataObject* input)
+  {
+    const ErrorLog log(labels);
+    labels->SetInputData(input);
+    labels->Update();
+    EXPECT_EQ(log.errors(), "");
+    warnings = log.warnings();
+    return shortsOf(labels->GetOutput()->GetPointData());
+  }
+
+  std::vector<std::string> names() const
+  {
+    vtkAbstractArray* array = labels->GetOutput()->GetFieldData()->GetAbstractArray("LabelNames");
+    std::vector<std::string> result;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+    {
+      result.push_back(array->GetVariantValue(i).ToString());
+    }
+    return result;
+  }
+
+  void expectRefused(vtkDataObject* input, const std::string& words)
+  {
+    const ErrorLog log(labels);
+    labels->SetInputData(input);
+    labels->Modified();
+    labels->Update();
+    EXPECT_EQ(labels->GetStatus(), Filter::REFUSED);
+    EXPECT_NE(log.errors().find(words), std::string::npos) << log.errors();
+    EXPECT_EQ(log.errors().find("ERROR: ", 1), std::string::npos) << log.errors();
+  }
+
+  vtkNew<Filter> labels;
+  std::string warnings;
+};
+
+vtkSmartPointer<vtkPolyData> appended(const Surfaces& solids)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& solid : solids)
+  {
+    append->AddInputData(solid);
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+/// One surface of several, with an array of their numbers from `first` on, by steps.
+vtkSmartPointer<vtkPolyData> withRegions(const Surfaces& solids, int first, int step = 1)
+{
+  const auto surface = appended(solids);
+  vtkNew<vtkIntArray> regions;
+  regions->SetName("Region");
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    for (vtkIdType n = 0; n < solids[i]->GetNumberOfPolys(); ++n)
+    {
+      regions->InsertNextValue(first + step * static_cast<int>(i));
+    }
+  }
+  surface->GetCellData()->AddArray(regions);
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> reversed(vtkPolyData* surface)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> cells;
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (vtkIdType i = surface->GetNumberOfPolys(); i-- > 0;)
+  {
+    surface->GetPolys()->GetCellAtId(i, size, ids);
+    cells->InsertNextCell({ids[0], ids[2], ids[1]});
+  }
+  result->SetPoints(surface->GetPoints());
+  result->SetPolys(cells);
+  return result;
+}
+
+TEST_F(LabelInputs, CompositesOfEveryKindGiveTheSame)
+{
+  const Surfaces balls = fiveBalls();
+  const auto expected = made(asAssembly(balls));
+  EXPECT_EQ(names()[2], "solid 2");
+  EXPECT_EQ(std::set<unsigned short>(expected.begin(), expected.end()).size(), 5u)
+    << "the fourth is hidden by the first";
+
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  for (unsigned int i = 0; i < balls.size(); ++i)
+  {
+    collection->SetPartition(i, 0, balls[i]);
+  }
+  EXPECT_EQ(made(collection), expected);
+  EXPECT_EQ(names()[2], "Block 3");
+
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, asAssembly({balls[0], balls[1]}));
+  outer->SetBlock(1, asAssembly({balls[2], balls[3], balls[4]}));
+  EXPECT_EQ(made(outer), expected);
+  EXPECT_EQ(names()[3], "solid 1 (2)");
+  EXPECT_NE(warnings.find("give blocks different names: 2 of 5"), std::string::npos) << warnings;
+}
+
+TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
+{
+  const Surfaces balls = fiveBalls();
+  const auto expected = made(asAssembly(balls));
+  labels->SetRegionArray("None");
+  made(withRegions(balls, 1));
+  EXPECT_EQ(names()[0], "Part 1") << "the way in which ParaView says that there is no array";
+  labels->SetRegionArray("Region");
+  EXPECT_EQ(made(withRegions(balls, 1)), expected);
+  EXPECT_EQ(names()[4], "Region 5");
+  EXPECT_EQ(labels->GetNumberOfSolids(), 5);
+  labels->SetLabelOffset(1);
+  EXPECT_EQ(made(withRegions(balls, 0)), expected);
+  EXPECT_EQ(names()[4], "Region 4");
+  labels->SetLabelOffset(0);
+  auto far = made(withRegions(balls, 13107, 13107));
+  EXPECT_EQ(*std::max_element(far.begin(), far.end()), 65535);
+  std::transform(far.begin(), far.end(), far.begin(),
+    [](unsigned short label) { return static_cast<unsigned short>(label / 13107); });
+  EXPECT_EQ(far, expected);
+}
+
+/// The parts by connectivity have labels by their triangles, most first; of as many, by their
+/// lowest vertices.
+TEST_F(LabelInputs, PartsByConnectivityAreSolids)
+{
+  const Surfaces balls = fiveBalls();
+  // The third has a pole less, and so more triangles. The others begin at x = -1, 0.4, -0.7, -0.15.
+  const auto expected = made(asAssembly({balls[2], balls[0], balls[3], balls[4], balls[1]}));
+  EXPECT_EQ(made(appended(balls)), expected);
+  EXPECT_EQ(made(appended({balls[4], balls[2], balls[3], balls[1], balls[0]})), expected);
+  EXPECT_EQ(names()[1], "Part 2");
+}
+
+TEST_F(LabelInputs, ACavityBelongsToThePartAroundIt)
+{
+  const auto shell = ball(0, 0, 0, 1), wall = reversed(ball(0, 0, 0, 0.6));
+  const auto core = ball(0, 0, 0, 0.3), other = ball(2.5, 0, 0, 0.7);
+  const auto hollow = appended({shell, wall});
+  const auto expected = made(asAssembly({hollow, core, other}));
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 2), 10);
+  EXPECT_EQ(made(appended({core, wall, other, shell})), expected);
+  EXPECT_EQ(labels->GetNumberOfSolids(), 3);
+}
+
+TEST_F(LabelInputs, RegionsOfVolumeMeshesHaveSurfacesOfTheirOwn)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 3 * 4; ++i)
+  {
+    points->InsertNextPoint(i / 4, i % 4 / 2, i % 2);
+  }
+  grid->SetPoints(points);
+  vtkNew<vtkIntArray> regions;
+  regions->SetName("Material");
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    const vtkIdType o = 4 * cell;
+    const vtkIdType ids[8] = {o, o + 4, o + 6, o + 2, o + 1, o + 5, o + 7, o + 3};
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+    regions->InsertNextValue(cell == 0 ? 7 : 3);
+  }
+  grid->GetCellData()->AddArray(regions);
+  labels->SetRegionArray("Material");
+  labels->SetPadding(0);
+  labels->SetResolution(8);
+  const auto label = made(grid);
+  ASSERT_EQ(label.size(), 8u * 4 * 4);
+  for (std::size_t i = 0; i < label.size(); ++i)
+  {
+    ASSERT_EQ(label[i], i % 8 < 4 ? 7 : 3);
+  }
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0);
+}
+
+TEST_F(LabelInputs, EmptyBlocksKeepTheirLabelsAndAreCounted)
+{
+  const Surfaces balls = fiveBalls();
+  const auto blocks = asAssembly(balls);
+  blocks->SetBlock(0, vtkSmartPointer<vtkPolyData>::New());
+  blocks->SetBlock(3, nullptr);
+  const auto label = made(blocks);
+  EXPECT_EQ(
+    (std::set<unsigned short>(label.begin(), label.end())), (std::set<unsigned short>{0, 2, 3, 5}));
+  EXPECT_EQ(labels->GetNumberOfEmptySolids(), 2);
+  EXPECT_NE(
+    warnings.find("that have none, 2 of 5 solids ('solid 0', 'solid 3')"), std::string::npos)
+    << warnings;
+  vtkNew<vtkMultiBlockDataSet> nothing;
+  labels->SetUseInputBounds(false);
+  for (const unsigned short none : made(nothing))
+  {
+    ASSERT_EQ(none, 0);
+  }
+  EXPECT_NE(warnings.find("there is no solid"), std::string::npos) << warnings;
+}
+
+TEST_F(LabelInputs, PiecesOfABlockAreOneSolid)
+{
+  const auto whole = ball(0, 0, 0, 1);
+  vtkNew<vtkPolyData> halves[2];
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (int half = 0; half < 2; ++half)
+  {
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType i = half; i < whole->GetNumberOfPolys(); i += 2)
+    {
+      whole->GetPolys()->GetCellAtId(i, size, ids);
+      cells->InsertNextCell(size, ids);
+    }
+    halves[half]->SetPoints(whole->GetPoints());
+    halves[half]->SetPolys(cells);
+  }
+  const auto other = ball(1, 0, 0, 0.8);
+  const auto expected = made(asAssembly({whole, other}));
+  vtkNew<vtkMultiPieceDataSet> pieces;
+  pieces->SetPiece(0, halves[0]);
+  pieces->SetPiece(1, halves[1]);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, pieces);
+  blocks->SetBlock(1, other);
+  EXPECT_EQ(made(blocks), expected);
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(0, 0, halves[0]);
+  collection->SetPartition(0, 1, halves[1]);
+  collection->SetPartition(1, 0, other);
+  EXPECT_EQ(made(collection), expected);
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0);
+}
+
+TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
+{
+  const Surfaces balls = fiveBalls();
+  const auto blocks = asAssembly({balls[0], balls[1]});
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  blocks->SetBlock(2, image);
+  expectRefused(blocks, "extract a surface first, for instance by Contour: block 'Block 3' is a ");
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(balls[0]->GetPoints());
+  blocks->SetBlock(2, points);
+  expectRefused(blocks, "leave block 'Block 3' out");
+  expectRefused(points, "give blocks, one for each solid");
+
+  labels->SetRegionArray("Nothing");
+  expectRefused(withRegions(balls, 1), "'Nothing' is none of the cells");
+  labels->SetRegionArray("Region");
+  expectRefused(withRegions(balls, 0), "choose another Label Offset (--label-offset): ");
+  expectRefused(withRegions(balls, 65532), "labels are 1 to 65535, and region 65536 of 'Region'");
+  const auto broken = withRegions(balls, 1);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->SetName("Region");
+  numbers->SetNumberOfTuples(broken->GetNumberOfCells());
+  numbers->Fill(1.5);
+  broken->GetCellData()->AddArray(numbers);
+  expectRefused(broken, "has the value 1.5");
+
+  labels->SetRegionArray(nullptr);
+  vtkNew<vtkMultiBlockDataSet> many;
+  many->SetNumberOfBlocks(65536);
+  many->SetBlock(0, balls[0]);
+  expectRefused(many, "extract fewer blocks: labels are 1 to 65535");
+}
+
+TEST_F(LabelInputs, ASoupOfLooseTrianglesIsTooManyParts)
+{
+  vtkNew<vtkPolyData> soup;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 65536; ++i)
+  {
+    const double x = static_cast<double>(i % 256), y = static_cast<double>(i / 256);
+    points->InsertNextPoint(x, y, 0);
+    points->InsertNextPoint(x + 0.5, y, 0);
+    points->InsertNextPoint(x, y + 0.5, 0);
+    cells->InsertNextCell({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(cells);
+  expectRefused(soup, "the surface is of 65536 parts by connectivity");
+}
+
+} // namespace

@@ -1,0 +1,157 @@
+#include "vtk/ErrorLog.h"
+#include "private/output/BlockSurface.h"
+#include "private/pipeline/FreeMemory.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointAreas.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberClip.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace
+{
+
+/// A sphere that says that it has far more points and cells than fit into any memory.
+class HugeSphere : public vtkPolyData
+{
+public:
+  static HugeSphere* New();
+  vtkTypeMacro(HugeSphere, vtkPolyData);
+
+  vtkIdType GetNumberOfElements(int) override { return vtkIdType(1) << 50; }
+};
+vtkStandardNewMacro(HugeSphere);
+
+template <class Filter> std::string errorsOf(Filter* filter)
+{
+  ErrorLog log(filter);
+  filter->Update();
+  return log.errors();
+}
+
+TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  vtkNew<HugeSphere> sphere;
+  sphere->ShallowCopy(source->GetOutput());
+  const char* const words = "take a part of the source";
+
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(sphere);
+  EXPECT_NE(errorsOf(field.Get()).find(words), std::string::npos);
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::OUT_OF_MEMORY);
+
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputData(sphere);
+  EXPECT_NE(errorsOf(surface.Get()).find(words), std::string::npos);
+
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputConnection(source->GetOutputPort());
+  probe->SetSourceData(sphere);
+  EXPECT_NE(errorsOf(probe.Get()).find(words), std::string::npos);
+
+  vtkNew<vtkSurfaceReport> report;
+  report->SetInputData(sphere);
+  EXPECT_NE(errorsOf(report.Get()).find("of 1125899906842624 cells needs"), std::string::npos);
+
+  vtkNew<vtkPointAreas> areas;
+  areas->SetInputData(sphere);
+  EXPECT_NE(errorsOf(areas.Get()).find(words), std::string::npos);
+  EXPECT_EQ(areas->GetStatus(), vtkWindingNumberAlgorithm::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, HugeQueriesAreRefused)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(100'000, 100'000, 1'000); // 240 TB of positions
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputData(image);
+  probe->SetSourceConnection(source->GetOutputPort());
+  EXPECT_NE(errorsOf(probe.Get()).find("probe a part of the data set"), std::string::npos);
+  EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::OUT_OF_MEMORY);
+  vtkNew<vtkWindingNumberClip> clip;
+  clip->SetInputData(image);
+  clip->SetSourceConnection(source->GetOutputPort());
+  EXPECT_NE(errorsOf(clip.Get()).find("clip a part of the data set"), std::string::npos);
+  EXPECT_EQ(clip->GetStatus(), vtkWindingNumberClip::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
+{
+  // A flat grid: rows take 3 MB, the vertices on the sides of the slab terabytes.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->SetSamplingDimensions(2'000'000'000, 100, 100);
+  EXPECT_NE(
+    errorsOf(surface.Get()).find("choose larger voxels: the surface needs"), std::string::npos);
+  EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, ComparisonsAreRefusedByTheirPoints)
+{
+  constexpr int most = std::numeric_limits<int>::max(); // 140 GB
+  if (winding::hostMemory().total > 100e9)
+  {
+    GTEST_SKIP() << "the machine may have the memory";
+  }
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->SetResolution(8);
+  surface->SetFidelitySamples(most);
+  EXPECT_NE(
+    errorsOf(surface.Get())
+      .find("draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels: the "
+            "comparison of the surface with its source needs"),
+    std::string::npos);
+  EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
+}
+
+TEST(MemoryOfWork, FacesOfVoxelsAreCounted)
+{
+  std::mt19937 random(7);
+  for (int round = 0; round < 50; ++round)
+  {
+    winding::VoxelSides<unsigned char> sides;
+    std::size_t voxels = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sides.dimensions[axis] = 1 + static_cast<int>(random() % 6);
+      sides.firstIndex[axis] = 0;
+      voxels *= static_cast<std::size_t>(sides.dimensions[axis]);
+    }
+    for (std::size_t i = 0; i < voxels; ++i)
+    {
+      sides.labels.push_back(random() % 2);
+    }
+    vtkNew<vtkImageData> image;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> quads;
+    winding::BlockSurface<unsigned char> surface(sides, image, points, quads);
+    vtkNew<vtkSphereSource> anyFilter;
+    surface.build(anyFilter);
+    EXPECT_EQ(winding::BlockSurface<unsigned char>::countFaces(sides), quads->GetNumberOfCells())
+      << round;
+    EXPECT_EQ(surface.voxels()->GetNumberOfIds(), quads->GetNumberOfCells()) << round;
+  }
+}
+
+} // namespace

@@ -1,0 +1,340 @@
+#include "vtk/ErrorLog.h"
+#include "vtk/FileReading.h"
+#include "vtk/ReadMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include "vtkGeomviewOFFReader.h"
+#include "vtkOrientedPointsReader.h"
+#include "vtkSurfaceMeshReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+using namespace reading;
+
+namespace
+{
+
+using Off = vtkGeomviewOFFReader;
+using Points = vtkOrientedPointsReader;
+using Surface = vtkSurfaceMeshReader;
+
+TEST(GeomviewOFFReader, PolygonsOfAnySize)
+{
+  const auto mesh = read<Off>("OFF\n# a comment\n5 4 0\n0 0 0\n1 0 0 # one\n\n1 1 0\n0 1 0\n"
+                              "0.1 -2e-3 +3\n3 0 1 2\n4 0 1 2 3 255 0 0\n2 3 4\n1 4\n");
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 5);
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 4, 0.1, -2e-3, 3);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  vtkIdType size;
+  const vtkIdType* ids;
+  mesh->GetPolys()->GetCellAtId(1, size, ids);
+  EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2, 3}));
+}
+
+TEST(GeomviewOFFReader, CountsOnTheLineOfTheKeyword)
+{
+  EXPECT_EQ(read<Off>("OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2")->GetNumberOfPolys(), 1);
+  EXPECT_EQ(read<Off>("OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->GetNumberOfPolys(), 1);
+}
+
+TEST(GeomviewOFFReader, NormalsAreKeptAndColoursPassedOver)
+{
+  const auto normals = read<Off>("NOFF\n1 0 0\n0 0 0 0 0.6 0.8\n");
+  expectRow(normals->GetPointData()->GetNormals(), 0, 0, 0.6, 0.8);
+  EXPECT_EQ(normals->GetNumberOfVerts(), 1) << "points alone are to be seen";
+  const auto colours = read<Off>("COFF\n1 0 0\n1 2 3 255 0 0 255\n");
+  expectRow(colours->GetPoints()->GetData(), 0, 1, 2, 3);
+  EXPECT_EQ(colours->GetPointData()->GetNormals(), nullptr);
+  const auto all = read<Off>("STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 1 0.5 0.5\n");
+  expectRow(all->GetPointData()->GetNormals(), 0, 0, 0, 1);
+}
+
+TEST(GeomviewOFFReader, SpecialNumbers)
+{
+  const auto mesh = read<Off>("OFF\n2 0 0\nnan inf -inf\n1e-400 +1e300 -0\n");
+  const double* first = mesh->GetPoints()->GetData()->GetTuple3(0);
+  EXPECT_TRUE(std::isnan(first[0]));
+  EXPECT_TRUE(std::isinf(first[1]) && std::isinf(first[2]));
+  expectRow(mesh->GetPoints()->GetData(), 1, 0, 1e300, 0);
+}
+
+TEST(GeomviewOFFReader, Refusals)
+{
+  expectRefusal<Off>("", "is empty", end);
+  expectRefusal<Off>("# only a comment\n", "keyword OFF", format);
+  expectRefusal<Off>("solid\n", "keyword OFF", format);
+  expectRefusal<Off>("OFF BINARY\n", "binary", format);
+  expectRefusal<Off>("4OFF\n1 0 0\n1 1 1 1\n", "three dimensions", format);
+  expectRefusal<Off>("OFF\n", "numbers of vertices", end);
+  expectRefusal<Off>("OFF\nx 1 0\n", "line 2: \"x\"", format);
+  expectRefusal<Off>("OFF\n-3 1 0\n", "negative: -3", format);
+  expectRefusal<Off>("OFF\n99999999999999 1 0\n0 0 0\n", "99999999999999", format);
+  expectRefusal<Off>("OFF\n99999999999999999999999 1 0\n0 0 0\n", "line 2", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", "promises 1 faces but has 0", end);
+  expectRefusal<Off>(
+    "OFF\n3 1 0\n0 0 0.000000\n1 0 0.000000\n", "promises 3 vertices but has 2", end);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 zero\n3 0 1 2\n", "line 5: \"zero\"", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: a coordinate", format);
+  expectRefusal<Off>("OFF\n1 0 0\n0 +-1 0\n", "line 3: \"+-1\"", format);
+  expectRefusal<Off>(
+    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3 does not exist", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: the face has 3", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1\n", "the face has -3", format);
+  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1\n", "999999999", format);
+}
+
+TEST(GeomviewOFFReader, MissingFilesAndNames)
+{
+  vtkNew<Off> reader;
+  const ErrorLog log(reader);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+  reader->SetFileName("/nowhere/at/all.off");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
+  reader->SetFileName("/");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+  EXPECT_NE(log.errors().find("/nowhere/at/all.off: no such file"), std::string::npos);
+}
+
+TEST(OrientedPointsReader, PositionsOnly)
+{
+  const auto cloud = read<Points>("# x y z\n0 0 0\n1.5 2 -3 # last\n");
+  EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(cloud->GetPoints()->GetData(), 1, 1.5, 2, -3);
+  EXPECT_EQ(cloud->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(cloud->GetNumberOfVerts(), 1);
+}
+
+TEST(OrientedPointsReader, NormalsOnTheSameLine)
+{
+  for (const std::string count : {"", "2\n"})
+  {
+    const auto cloud = read<Points>(count + "0 0 0 0 0 1\n1\t2\t3\t0\t2\t0\r\n");
+    EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+    expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
+    expectRow(cloud->GetPointData()->GetNormals(), 1, 0, 2, 0);
+    EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
+  }
+}
+
+TEST(OrientedPointsReader, NormalsAfterAllPositions)
+{
+  const auto cloud = read<Points>("2\n0 0 0\n1 2 3\n0 0 1\n0 1 0\n");
+  EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
+  expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
+  expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 1);
+  const auto positions = read<Points>("2\n0 0 0\n1 2 3\n");
+  EXPECT_EQ(positions->GetNumberOfPoints(), 2);
+  EXPECT_EQ(positions->GetPointData()->GetNormals(), nullptr);
+}
+
+TEST(OrientedPointsReader, Refusals)
+{
+  expectRefusal<Points>("1\n0 0 0\n0 0 1\n5 5 5\n", "promises 1 points, but 3 lines", format);
+  expectRefusal<Points>("", "is empty", end);
+  expectRefusal<Points>("# nothing\n\n", "holds no points", end);
+  expectRefusal<Points>("5\n", "5", format);
+  expectRefusal<Points>("-2\n0 0 0\n1 1 1\n", "negative: -2", format);
+  expectRefusal<Points>("99999999999\n0 0 0\n", "99999999999", format);
+  expectRefusal<Points>(
+    "3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "promises 3 points, but 4 lines", format);
+  expectRefusal<Points>("0 0\n", "line 1: holds 2 words", format);
+  expectRefusal<Points>("0 0 0 1\n", "line 1: holds 4 words", format);
+  expectRefusal<Points>("0 0 0\n0 0 1 0 0 1\n", "line 2: holds more", format);
+  expectRefusal<Points>("0 0 0 0 0 1\n0 0 1\n", "line 2: a component of the normal", format);
+  expectRefusal<Points>("0 0 0\n0 C 0\n", "line 2: \"C\"", format);
+  expectRefusal<Points>(std::string("0 0 0\n\0\x01 2 3\n", 13), "line 2", format);
+}
+
+TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)
+{
+  vtkNew<Points> reader;
+  const ErrorLog log(reader);
+  reader->SetFileName("/nowhere.xyz");
+  reader->Update();
+  EXPECT_NE(log.errors(), "");
+  const TextFile file("1 2 3\n", ".xyz");
+  reader->SetFileName(file.path());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 1);
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+}
+
+const std::string objTriangle = "v 0 0 0\nv 0.1 0 0\nv 0 123456789.123 0\n";
+
+TEST(SurfaceMeshReader, ObjInDoublePrecision)
+{
+  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\nl 1 2\np 3\n", ".OBJ");
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
+  expectRow(mesh->GetPoints()->GetData(), 2, 0, 123456789.123, 0);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  EXPECT_EQ(mesh->GetPointData()->GetNormals(), nullptr);
+  vtkIdType size;
+  const vtkIdType* ids;
+  mesh->GetPolys()->GetCellAtId(0, size, ids);
+  EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2}));
+}
+
+TEST(SurfaceMeshReader, ObjOfPointsWithNormals)
+{
+  const auto cloud = read<Surface>("v 1 2 3\nvn 0 0 0.1\n", ".obj");
+  EXPECT_EQ(cloud->GetNumberOfCells(), 0);
+  expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 0.1);
+  EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
+}
+
+TEST(SurfaceMeshReader, Refusals)
+{
+  expectRefusal<Surface>("", "is empty", end, ".obj");
+  expectRefusal<Surface>("hello\n", "is not OBJ", format, ".obj");
+  expectRefusal<Surface>(objTriangle + "f 1 2 4\n", "line 4: vertex 4 does not", format, ".obj");
+  expectRefusal<Surface>("v 0 0 0\n", "has a suffix that is not known; give", format, ".step");
+}
+
+/// The output is VTK's, which may take hold of memory that others have allocated.
+TEST(SurfaceMeshReader, OutputsGrowAsAllOthers)
+{
+  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\n", ".obj");
+  mesh->GetPoints()->InsertNextPoint(4, 5, 6);
+  const vtkIdType ids[] = {1, 2, 3};
+  mesh->GetPolys()->InsertNextCell(3, ids);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
+  expectRow(mesh->GetPoints()->GetData(), 3, 4, 5, 6);
+}
+
+const std::string plyHead = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                            "property double y\nproperty double z\n";
+const std::string plyFace = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(SurfaceMeshReader, PlyWithNormals)
+{
+  const auto mesh =
+    read<Surface>(plyHead + "property float nx\nproperty float ny\nproperty float nz\n" + plyFace +
+                    "0 0 0 0 0 1\n0.1 0 0 0 1 0\n0 1 0 1 0 0\n3 0 1 2\n",
+      ".ply");
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
+  expectRow(mesh->GetPointData()->GetNormals(), 1, 0, 1, 0);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+}
+
+TEST(SurfaceMeshReader, PlyWithColoursAndTextureCoordinates)
+{
+  const auto mesh =
+    read<Surface>(plyHead +
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                    "property float u\nproperty float v\n" +
+                    plyFace + "0 0 0 1 2 3 0.5 0.25\n1 0 0 4 5 6 0 0\n0 1 0 7 8 255 1 1\n3 0 1 2\n",
+      ".ply");
+  vtkDataArray* const colors = mesh->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_STREQ(colors->GetName(), "RGB");
+  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+  expectRow(colors, 2, 7, 8, 255);
+  vtkDataArray* const coordinates = mesh->GetPointData()->GetTCoords();
+  ASSERT_TRUE(coordinates);
+  EXPECT_STREQ(coordinates->GetName(), "TCoords");
+  EXPECT_EQ(coordinates->GetComponent(0, 1), 0.25);
+}
+
+TEST(SurfaceMeshReader, RefusalsOfPlyAndStl)
+{
+  expectRefusal<Surface>("solid\n", "is not ply: it does not begin like PLY", format, ".ply");
+  expectRefusal<Surface>(
+    plyHead + plyFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3", format, ".ply");
+  expectRefusal<Surface>(
+    plyHead + plyFace + "0 0 0\n1 0 0\n", "line 11: a number is missing", format, ".ply");
+  expectRefusal<Surface>("hello\n", "is not STL: it has 6 bytes", end, ".stl");
+  expectRefusal<Surface>("solid\nfacet\n", "ends at line 2 with 0 facets", end, ".stl");
+}
+
+vtkSmartPointer<vtkPolyData> readWithVtk(const std::string& path)
+{
+  if (path.substr(path.rfind('.')) != ".stl")
+  {
+    return readMesh(path);
+  }
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->MergingOff();
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// VTK's readers keep single precision, and that of OBJ makes several points of a vertex whose
+/// corners have different normals.
+TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
+{
+  for (const std::string name : {"armadillo_86k.obj", "bunny_10k.obj", "bunny_1k.obj",
+         "bunny_70k.obj", "maxplanck_open_90k.obj", "self_intersectA.obj", "sphere_quads.obj",
+         "teapot.obj", "truck_soup.obj", "armadillo_346k_sub4.ply", "bunny_res2_nonmanifold.ply",
+         "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"})
+  {
+    const std::string path = std::string(WINDING_SHARED_DATA) + "/" + name;
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << path << " is not there";
+    }
+    const auto expected = readWithVtk(path), found = readWith<Surface>(path);
+    ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
+    EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;
+    vtkNew<vtkIdList> expectedIds, foundIds;
+    for (vtkIdType cell = 0; cell < found->GetNumberOfPolys(); ++cell)
+    {
+      expected->GetPolys()->GetCellAtId(cell, expectedIds);
+      found->GetPolys()->GetCellAtId(cell, foundIds);
+      ASSERT_EQ(foundIds->GetNumberOfIds(), expectedIds->GetNumberOfIds()) << name << cell;
+      for (vtkIdType corner = 0; corner < foundIds->GetNumberOfIds(); ++corner)
+      {
+        const double* const point = found->GetPoint(foundIds->GetId(corner));
+        const float rounded[] = {
+          static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])};
+        const double* const vtk = expected->GetPoint(expectedIds->GetId(corner));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          ASSERT_EQ(rounded[axis], static_cast<float>(vtk[axis])) << name << " cell " << cell;
+        }
+      }
+    }
+  }
+}
+
+TEST(SurfaceMeshReader, SharedCloudAsVtkReadsIt)
+{
+  const std::string path = std::string(WINDING_SHARED_DATA) + "/kitten_points_normals.ply";
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << path << " is not there";
+  }
+  const auto expected = readMesh(path), found = readWith<Surface>(path);
+  ASSERT_EQ(found->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  EXPECT_EQ(found->GetPoints()->GetDataType(), VTK_FLOAT);
+  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+  {
+    const double* const point = expected->GetPoint(i);
+    expectRow(found->GetPoints()->GetData(), i, point[0], point[1], point[2]);
+    const double* const normal = expected->GetPointData()->GetNormals()->GetTuple3(i);
+    expectRow(found->GetPointData()->GetNormals(), i, normal[0], normal[1], normal[2]);
+  }
+}
+
+} // namespace

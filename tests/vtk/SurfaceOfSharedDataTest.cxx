@@ -1,0 +1,86 @@
+#include "vtk/ReadMesh.h"
+#include "vtk/SurfaceMeasures.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// Tests surfaces of meshes and clouds that were made elsewhere.
+class SurfacesOfSharedData : public testing::TestWithParam<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
+    if (!std::ifstream(name))
+    {
+      GTEST_SKIP() << "there is no " << name;
+    }
+    mesh = readMesh(name);
+    filter->SetInputData(mesh);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  }
+
+  vtkSmartPointer<vtkPolyData> mesh;
+  vtkNew<vtkWindingNumberSurface> filter;
+};
+
+using SurfacesOfClosedMeshes = SurfacesOfSharedData;
+
+TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
+{
+  for (const int resolution : {33, 64, 128})
+  {
+    filter->SetResolution(resolution);
+    filter->Update();
+    const std::vector<double> found = distances(filter->GetOutput(), mesh, voxelOf(filter));
+    ASSERT_GT(found.size(), 500u);
+    EXPECT_LT(found[found.size() * 99 / 100], 1e-3); // measured: 4e-6, the locator's error
+    EXPECT_LT(found.back(), 3e-4);                   // measured: 2.4e-4, beside samples
+    const EdgeCounts edges = countEdges(filter->GetOutput());
+    EXPECT_EQ(edges.open, 0);
+    EXPECT_EQ(edges.nonManifold, 0);
+    EXPECT_GT(signedVolume(filter->GetOutput()), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfClosedMeshes,
+  testing::Values("bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"),
+  [](const auto& mesh)
+  {
+    std::string name = mesh.param;
+    return name.replace(name.rfind('.'), 1, "_");
+  });
+
+using SurfacesOfOpenData = SurfacesOfSharedData;
+
+TEST_P(SurfacesOfOpenData, LieAtTheLevelOrOnAJumpOverIt)
+{
+  filter->SetResolution(64);
+  filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 1000);
+  const EdgeCounts edges = countEdges(filter->GetOutput());
+  EXPECT_EQ(edges.open, 0);
+  EXPECT_EQ(edges.nonManifold, 0);
+  EXPECT_EQ(countOffLevel(filter, mesh, 600, 1e-3), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfOpenData,
+  testing::Values(
+    "bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"),
+  [](const auto& mesh)
+  {
+    std::string name = mesh.param;
+    return name.replace(name.rfind('.'), 1, "_");
+  });
+
+} // namespace

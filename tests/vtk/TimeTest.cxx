@@ -1,0 +1,153 @@
+#include "vtk/MovingSphere.h"
+
+#include "vtkContourFilter.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+
+/// Sources that move and grow with time are followed by the filters that sample grids.
+class Time : public testing::Test
+{
+protected:
+  vtkNew<MovingSphere> sphere;
+
+  static double centerAt(double time) { return 10 * time; }
+  static double radiusAt(double time) { return 0.5 + 0.25 * time; }
+
+  /// Checks that a box is that of the sphere at a time, within so much.
+  static void expectSphere(const double* bounds, double time, double margin)
+  {
+    const double radius = radiusAt(time);
+    EXPECT_NEAR(bounds[0], centerAt(time) - radius, margin) << time;
+    EXPECT_NEAR(bounds[1], centerAt(time) + radius, margin) << time;
+    EXPECT_NEAR(bounds[3], radius, margin) << time;
+    EXPECT_NEAR(bounds[4], -radius, margin) << time;
+  }
+};
+
+TEST_F(Time, GridOfTheFieldFollowsTheSource)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(20);
+  std::vector<std::vector<float>> values(3);
+  for (int time : {0, 2, 1, 0, 2})
+  {
+    field->UpdateTimeStep(time);
+    vtkImageData* image = field->GetOutput();
+    EXPECT_EQ(image->GetDimensions()[0], 20);
+    EXPECT_EQ(image->GetDimensions()[2], 20);
+    const double* spacing = image->GetSpacing();
+    EXPECT_NEAR(spacing[0], 2.2 * radiusAt(time) / 20, 1e-3) << time;
+    EXPECT_EQ(spacing[0], spacing[1]);
+    EXPECT_EQ(spacing[0], spacing[2]);
+    expectSphere(image->GetBounds(), time, 0.1 * radiusAt(time));
+    vtkDataArray* array = image->GetPointData()->GetScalars();
+    EXPECT_NEAR(array->GetTuple1(0), 0, 1e-6) << "the corner of the grid is outside, at " << time;
+    std::vector<float> now;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      now.push_back(static_cast<float>(array->GetTuple1(i)));
+    }
+    const auto inside = std::count(now.begin(), now.end(), 1.0f);
+    // The ball fills π/6 of its box, and the box 1/1.1³ of the grid.
+    EXPECT_NEAR(static_cast<double>(inside) / 8000, 0.39, 0.03) << time;
+    std::vector<float>& before = values[static_cast<std::size_t>(time)];
+    EXPECT_TRUE(before.empty() || before == now) << "another time came in between, at " << time;
+    before = now;
+  }
+}
+
+TEST_F(Time, GivenDimensionsFillTheBoundsOfEveryTime)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetSamplingDimensions(10, 20, 30);
+  field->SetPadding(0);
+  field->SetOutputAssociation(vtkWindingNumberField::CELLS);
+  for (int time : {0, 2, 1})
+  {
+    field->UpdateTimeStep(time);
+    EXPECT_EQ(field->GetOutput()->GetDimensions()[2], 31);
+    expectSphere(field->GetOutput()->GetBounds(), time, 0.02);
+  }
+}
+
+TEST_F(Time, FixedBoundsAreThoseOfAllTimes)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->UseInputBoundsOff();
+  field->SetSamplingBounds(-1, 21, -1, 1, -1, 1);
+  field->SetSamplingDimensions(22, 2, 2);
+  for (int time : {0, 2, 1})
+  {
+    field->UpdateTimeStep(time);
+    EXPECT_EQ(field->GetOutput()->GetOrigin()[0], -0.5);
+    EXPECT_EQ(field->GetOutput()->GetSpacing()[0], 1);
+  }
+}
+
+TEST_F(Time, ContoursDownstreamAreThoseOfTheTime)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(field->GetOutputPort());
+  contour->SetValue(0, 0.5);
+  for (int time : {0, 1, 2, 0})
+  {
+    contour->UpdateTimeStep(time);
+    expectSphere(contour->GetOutput()->GetBounds(), time, 0.05);
+  }
+}
+
+TEST_F(Time, SurfaceFollowsTheSource)
+{
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  for (int time : {0, 2, 1, 0})
+  {
+    surface->UpdateTimeStep(time);
+    expectSphere(surface->GetOutput()->GetBounds(), time, 0.02);
+  }
+}
+
+TEST_F(Time, ReportIsThatOfTheTime)
+{
+  vtkNew<vtkSurfaceReport> report;
+  report->SetInputConnection(sphere->GetOutputPort());
+  for (int time : {0, 2, 1, 0})
+  {
+    report->UpdateTimeStep(time);
+    const double radius = radiusAt(time);
+    EXPECT_NEAR(report->GetArea(), 4 * 3.1416 * radius * radius, 0.05 * report->GetArea()) << time;
+  }
+}
+
+TEST_F(Time, PropertiesUpstreamMoveTheGrid)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(source->GetOutputPort());
+  for (double radius : {0.5, 3.0, 0.1})
+  {
+    source->SetRadius(radius);
+    field->Update();
+    const double* bounds = field->GetOutput()->GetBounds();
+    EXPECT_NEAR(bounds[5], radius, 0.1 * radius);
+    EXPECT_NEAR(field->GetOutput()->GetPointData()->GetScalars()->GetTuple1(0), 0, 1e-6);
+  }
+}
+
+} // namespace
