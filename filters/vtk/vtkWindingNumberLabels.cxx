@@ -1,22 +1,22 @@
 #include "vtkWindingNumberLabels.h"
 
 #include "base/Refusal.h"
+#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
-#include "private/source/ContentHash.h"
-#include "private/pipeline/FreeMemory.h"
-#include "report/LabelFacts.h"
 #include "private/output/LabelImage.h"
-#include "voxels/LabelMerge.h"
+#include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
+#include "private/source/ContentHash.h"
 #include "private/source/SolidBlocks.h"
-#include "private/output/SolidEvaluation.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
-#include "base/Stopwatch.h"
-#include "voxels/VoxelEvaluation.h"
+#include "report/LabelFacts.h"
 #include "source/Grid.h"
 #include "source/SourceVolume.h"
+#include "voxels/LabelMerge.h"
+#include "voxels/SolidEvaluation.h"
+#include "voxels/VoxelEvaluation.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -167,6 +167,11 @@ winding::SolidEvaluationOptions vtkWindingNumberLabels::GetEvaluationOptions() c
   options.voxels.output.rule = winding::coreInsideRule(this->InsideRule);
   options.voxels.output.threshold = this->WindingThreshold;
   options.withValues = this->OverlapRule == LARGEST_WINDING_NUMBER;
+  options.checkMemory = [](double bytes, std::size_t voxels)
+  {
+    winding::refuseBeyondFreeMemory(bytes, "the coverage of " + std::to_string(voxels) + " voxels",
+      "choose larger voxels or write it in pieces");
+  };
   return options;
 }
 

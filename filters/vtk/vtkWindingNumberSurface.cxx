@@ -2,31 +2,33 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
+#include "level/GridContour.h"
 #include "level/LevelCost.h"
 #include "level/LevelRoots.h"
-#include "private/source/ContentHash.h"
+#include "level/SharpContour.h"
+#include "private/output/ResultArrays.h"
+#include "private/output/SurfaceFidelity.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/output/GridContour.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
-#include "private/output/ResultArrays.h"
-#include "private/output/SharpContour.h"
 #include "private/pipeline/SmpExecutor.h"
+#include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
-#include "base/Stopwatch.h"
-#include "private/output/SurfaceFidelity.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <limits>
@@ -37,6 +39,49 @@ namespace
 
 /// About what rounds take beside the grid: much where there is something to search for.
 constexpr double progressOfGrid = 0.5;
+
+/// Makes points of single or double precision, and has `write` write their coordinates: it is
+/// called with a pointer to float or to double.
+template <class Write>
+vtkSmartPointer<vtkPoints> pointsOf(std::size_t count, bool areDoubles, const Write& write)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(areDoubles ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  void* coordinates = points->GetVoidPointer(0);
+  if (areDoubles)
+  {
+    write(static_cast<double*>(coordinates));
+  }
+  else
+  {
+    write(static_cast<float*>(coordinates));
+  }
+  return points;
+}
+
+/// Makes an array of 64-bit ids.
+vtkSmartPointer<vtkTypeInt64Array> idsOf(std::size_t count)
+{
+  auto ids = vtkSmartPointer<vtkTypeInt64Array>::New();
+  ids->SetNumberOfValues(static_cast<vtkIdType>(count));
+  return ids;
+}
+
+std::int64_t* pointerTo(vtkTypeInt64Array* ids)
+{
+  return static_cast<std::int64_t*>(ids->GetVoidPointer(0));
+}
+
+/// Makes an array of `count` normals.
+vtkSmartPointer<vtkFloatArray> normalsOf(std::size_t count)
+{
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return normals;
+}
 
 } // namespace
 
@@ -236,17 +281,34 @@ void vtkWindingNumberSurface::MakeSmooth(const winding::Field& field,
   const winding::LevelEdges& edges, winding::SmpExecutor& executor, vtkPolyData* output)
 {
   const winding::Grid& grid = this->GetSampling();
-  const winding::GridContour contour(grid, edges, executor);
+  winding::GridContour contour(grid, edges, executor);
+  const auto ids = idsOf(3 * contour.triangles()), offsets = idsOf(contour.triangles() + 1);
+  contour.takeTriangles(pointerTo(ids), executor);
+  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
+  {
+    offsets->SetValue(n, 3 * n);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, ids);
   winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
     this->WindingThreshold, this->Tolerance, executor);
   this->FindRoots(roots, executor);
-  const vtkSmartPointer<vtkPoints> points =
-    contour.place(roots.fractions(), this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor);
+  const auto normals = normalsOf(this->GenerateNormals ? contour.vertices() : 0);
+  const auto points = pointsOf(contour.vertices(), this->NeedsDoublePoints(),
+    [&](auto* coordinates)
+    {
+      contour.place(roots.fractions(), coordinates, executor);
+      if (this->GenerateNormals)
+      {
+        contour.writeNormals(
+          pointerTo(ids), coordinates, roots.normals(), normals->GetPointer(0), executor);
+      }
+    });
   output->SetPoints(points);
-  output->SetPolys(contour.triangles());
+  output->SetPolys(triangles);
   if (this->GenerateNormals)
   {
-    output->GetPointData()->SetNormals(contour.normalsOf(points, roots.normals(), executor));
+    output->GetPointData()->SetNormals(normals);
   }
 }
 
@@ -259,11 +321,18 @@ void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
   this->FindRoots(roots, executor);
   const winding::SharpContour contour(
     field, grid, edges, roots, this->GenerateTriangles != 0, executor);
-  output->SetPoints(contour.points(this->NeedsDoublePoints() ? VTK_DOUBLE : VTK_FLOAT, executor));
-  output->SetPolys(contour.polygons(executor));
+  output->SetPoints(pointsOf(contour.vertices(), this->NeedsDoublePoints(),
+    [&](auto* coordinates) { contour.place(coordinates, executor); }));
+  const auto ids = idsOf(contour.corners()), offsets = idsOf(contour.polygons() + 1);
+  contour.writePolygons(pointerTo(offsets), pointerTo(ids), executor);
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, ids);
+  output->SetPolys(polygons);
   if (this->GenerateNormals)
   {
-    output->GetCellData()->SetNormals(contour.normals(executor));
+    const auto normals = normalsOf(contour.polygons());
+    contour.writeNormals(normals->GetPointer(0), executor);
+    output->GetCellData()->SetNormals(normals);
   }
 }
 

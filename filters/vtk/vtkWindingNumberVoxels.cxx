@@ -2,13 +2,14 @@
 
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
-#include "private/output/BlockSurface.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
-#include "report/InsideOutAdvice.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/pipeline/VtkVersions.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
-#include "private/pipeline/VtkVersions.h"
+#include "report/InsideOutAdvice.h"
+#include "voxels/BlockSurface.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -16,19 +17,21 @@
 #include "vtkDataArrayRange.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -104,8 +107,16 @@ std::vector<unsigned short> labelsOf(vtkDataArray* values)
 
 constexpr const char* memoryAdvice = "choose larger voxels, or extract a part of the image";
 
-/// The voxels of an image, but for their labels. Throws a Refusal if the array does not have as
-/// many values, or if there is no memory for the labels.
+/// Finds the continuous index of an image at which its first voxel begins.
+std::array<double, 3> firstIndexOf(vtkImageData* image, bool asCells)
+{
+  const int* extent = image->GetExtent();
+  const double half = asCells ? 0.0 : 0.5;
+  return {extent[0] - half, extent[2] - half, extent[4] - half};
+}
+
+/// Makes the voxels of an image, without their labels. Throws a Refusal if the array does not have
+/// as many values, or if there is no memory for the labels.
 template <class Label>
 winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, bool asCells)
 {
@@ -117,9 +128,9 @@ winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, b
   {
     // A flat image has a layer of cells, too.
     const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
-    sides.dimensions[axis] = asCells ? std::max(1, points - 1) : points;
-    sides.firstIndex[axis] = extent[2 * axis] - (asCells ? 0.0 : 0.5);
-    voxelCount *= sides.dimensions[axis];
+    const int voxels = asCells ? std::max(1, points - 1) : points;
+    sides.dimensions[static_cast<std::size_t>(axis)] = voxels;
+    voxelCount *= voxels;
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
@@ -133,20 +144,45 @@ winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, b
   return sides;
 }
 
-/// Gives the output the quads between voxels whose labels are known, and hands the surface on, for
-/// data of the quads. Throws a Refusal if there is no memory for them.
+bool isMirrored(vtkImageData* image)
+{
+  const double* spacing = image->GetSpacing();
+  return image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] * spacing[2] < 0;
+}
+
+/// Adds the quads between voxels whose labels are known to `output`, and calls `addData` with the
+/// surface, for data of the quads. Throws a Refusal if there is no memory for them.
 template <class Label, class AddData>
-void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image, vtkAlgorithm* filter,
-  vtkPolyData* output, const AddData& addData)
+void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image,
+  const std::array<double, 3>& firstIndex, vtkAlgorithm* filter, vtkPolyData* output,
+  const AddData& addData)
 {
   using Surface = winding::BlockSurface<Label>;
-  winding::refuseBeyondFreeMemory(
-    Surface::bytesOf(Surface::countFaces(sides)), "the surface", memoryAdvice);
+  const std::size_t faces = Surface::countFaces(sides);
+  winding::refuseBeyondFreeMemory(Surface::bytesOf(faces), "the surface", memoryAdvice);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  winding::reserve(points.Get(), static_cast<vtkIdType>(faces) + 2);
+  const auto addCorner = [&](int i, int j, int k)
+  {
+    double position[3];
+    image->TransformContinuousIndexToPhysicalPoint(
+      firstIndex[0] + i, firstIndex[1] + j, firstIndex[2] + k, position);
+    points->InsertNextPoint(position);
+  };
+  vtkNew<vtkTypeInt64Array> ids, offsets;
+  ids->SetNumberOfValues(4 * static_cast<vtkIdType>(faces));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(faces) + 1);
+  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
+  {
+    offsets->SetValue(n, 4 * n);
+  }
+  winding::SmpExecutor executor(filter, 1);
+  Surface surface(sides, isMirrored(image));
+  surface.build(static_cast<std::int64_t*>(ids->GetVoidPointer(0)), addCorner, executor);
+  points->Squeeze();
   vtkNew<vtkCellArray> quads;
-  Surface surface(sides, image, points, quads);
-  surface.build(filter);
+  quads->SetData(offsets, ids);
   output->SetPoints(points);
   output->SetPolys(quads);
   addData(surface);
@@ -156,7 +192,7 @@ void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image, vtkA
 void addLabels(const winding::VoxelSides<unsigned short>& sides,
   const winding::BlockSurface<unsigned short>& surface, vtkCellData* data)
 {
-  const vtkIdType count = surface.voxels()->GetNumberOfIds();
+  const auto count = static_cast<vtkIdType>(surface.voxels().size());
   vtkNew<vtkUnsignedShortArray> both, own;
   both->SetName("BoundaryLabels");
   both->SetNumberOfComponents(2);
@@ -165,19 +201,19 @@ void addLabels(const winding::VoxelSides<unsigned short>& sides,
   own->SetNumberOfTuples(count);
   for (vtkIdType quad = 0; quad < count; ++quad)
   {
-    const unsigned short label =
-      sides.labels[static_cast<std::size_t>(surface.voxels()->GetId(quad))];
+    const auto n = static_cast<std::size_t>(quad);
+    const unsigned short label = sides.labels[static_cast<std::size_t>(surface.voxels()[n])];
     own->SetValue(quad, label);
     both->SetTypedComponent(quad, 0, label);
-    both->SetTypedComponent(quad, 1, surface.seenLabels()[static_cast<std::size_t>(quad)]);
+    both->SetTypedComponent(quad, 1, surface.seenLabels()[n]);
   }
   data->AddArray(both);
   data->SetScalars(own);
 }
 
 /// Gives each quad the coverage of its voxel, if the image has any.
-void addCoverage(
-  vtkDataSetAttributes* from, vtkIdType voxels, vtkIdList* ofQuads, vtkCellData* data)
+void addCoverage(vtkDataSetAttributes* from, vtkIdType voxels,
+  const std::vector<std::int64_t>& ofQuads, vtkCellData* data)
 {
   vtkDataArray* coverage = from->GetArray("Coverage");
   if (coverage && coverage->GetNumberOfTuples() == voxels)
@@ -185,8 +221,11 @@ void addCoverage(
     const auto shares = vtkSmartPointer<vtkDataArray>::Take(coverage->NewInstance());
     shares->SetName(coverage->GetName());
     shares->SetNumberOfComponents(coverage->GetNumberOfComponents());
-    shares->SetNumberOfTuples(ofQuads->GetNumberOfIds());
-    coverage->GetTuples(ofQuads, shares);
+    shares->SetNumberOfTuples(static_cast<vtkIdType>(ofQuads.size()));
+    for (std::size_t quad = 0; quad < ofQuads.size(); ++quad)
+    {
+      shares->SetTuple(static_cast<vtkIdType>(quad), ofQuads[quad], coverage);
+    }
     data->SetScalars(shares);
   }
 }
@@ -262,11 +301,12 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   int association;
   vtkDataArray* values = this->FindValues(image, association);
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const std::array<double, 3> firstIndex = firstIndexOf(image, asCells);
   if (this->ByLabel)
   {
     auto voxels = voxelsOf<unsigned short>(image, values, asCells);
     voxels.labels = labelsOf(values);
-    addQuads(voxels, image, this, output,
+    addQuads(voxels, image, firstIndex, this, output,
       [&](const auto& surface) { addLabels(voxels, surface, output->GetCellData()); });
     return;
   }
@@ -281,7 +321,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   {
     attributes = image->GetCellData();
   }
-  addQuads(voxels, image, this, output,
+  addQuads(voxels, image, firstIndex, this, output,
     [&](const auto& surface) {
       addCoverage(attributes, values->GetNumberOfTuples(), surface.voxels(), output->GetCellData());
     });

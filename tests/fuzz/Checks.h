@@ -37,6 +37,9 @@ std::string checkLevel(Choices& choices);
 /// Sharp surfaces: SharpCheck.cxx.
 std::string checkSharp(Choices& choices);
 
+/// Dual meshes of random solids of a few samples are manifold: LatticeCheck.cxx.
+std::string checkLattice(Choices& choices);
+
 /// The trees of voxels: VoxelTreesCheck.cxx.
 std::string checkVoxelTrees(Choices& choices);
 
@@ -49,7 +52,7 @@ inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel},
-    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}};
+    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice}};
 }
 
 } // namespace fuzz

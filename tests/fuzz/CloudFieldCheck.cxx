@@ -4,12 +4,12 @@
 
 #include "base/Pi.h"
 #include "base/Refusal.h"
-#include "support/NaiveDistance.h"
-#include "support/Shuffled.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
 #include "sums/SolidAngle.h"
+#include "support/NaiveDistance.h"
+#include "support/Shuffled.h"
 
 #include <algorithm>
 #include <cmath>

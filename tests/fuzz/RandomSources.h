@@ -2,9 +2,9 @@
 
 #include "Choices.h"
 #include "base/InsideRule.h"
-#include "support/Shapes.h"
 #include "field/Field.h"
 #include "source/Grid.h"
+#include "support/Shapes.h"
 
 #include <memory>
 #include <vector>

@@ -2,11 +2,11 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
-#include "support/Manifold.h"
 #include "level/DualMesh.h"
 #include "level/LevelRoots.h"
-#include "report/SelfIntersections.h"
 #include "level/SharpVertices.h"
+#include "report/SelfIntersections.h"
+#include "support/Manifold.h"
 
 #include <algorithm>
 #include <memory>

@@ -4,10 +4,10 @@
 
 #include "base/Pi.h"
 #include "base/Refusal.h"
-#include "support/NaiveDistance.h"
-#include "support/Shuffled.h"
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
+#include "support/NaiveDistance.h"
+#include "support/Shuffled.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
+#include "level/VoxelTrees.h"
 #include "support/ExtentsOfField.h"
 #include "support/VoxelLeaves.h"
-#include "level/VoxelTrees.h"
 
 #include <cmath>
 

@@ -1,6 +1,5 @@
-#include "vtk/ErrorLog.h"
-#include "private/output/BlockSurface.h"
 #include "private/pipeline/FreeMemory.h"
+#include "vtk/ErrorLog.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -123,35 +122,6 @@ TEST(MemoryOfWork, ComparisonsAreRefusedByTheirPoints)
             "comparison of the surface with its source needs"),
     std::string::npos);
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
-}
-
-TEST(MemoryOfWork, FacesOfVoxelsAreCounted)
-{
-  std::mt19937 random(7);
-  for (int round = 0; round < 50; ++round)
-  {
-    winding::VoxelSides<unsigned char> sides;
-    std::size_t voxels = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      sides.dimensions[axis] = 1 + static_cast<int>(random() % 6);
-      sides.firstIndex[axis] = 0;
-      voxels *= static_cast<std::size_t>(sides.dimensions[axis]);
-    }
-    for (std::size_t i = 0; i < voxels; ++i)
-    {
-      sides.labels.push_back(random() % 2);
-    }
-    vtkNew<vtkImageData> image;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> quads;
-    winding::BlockSurface<unsigned char> surface(sides, image, points, quads);
-    vtkNew<vtkSphereSource> anyFilter;
-    surface.build(anyFilter);
-    EXPECT_EQ(winding::BlockSurface<unsigned char>::countFaces(sides), quads->GetNumberOfCells())
-      << round;
-    EXPECT_EQ(surface.voxels()->GetNumberOfIds(), quads->GetNumberOfCells()) << round;
-  }
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "voxels/VoxelOverlap.h"
 
-#include "voxels/TouchedVoxels.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
+#include "voxels/TouchedVoxels.h"
 
 namespace winding
 {

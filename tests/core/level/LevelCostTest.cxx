@@ -1,6 +1,6 @@
 #include "level/LevelCost.h"
-#include "support/Shapes.h"
 #include "level/LevelEdges.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

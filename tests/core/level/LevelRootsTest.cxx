@@ -2,10 +2,10 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "source/Surface.h"
 #include "support/LatticeChain.h"
 #include "support/RowValues.h"
 #include "support/ShuffledThreads.h"
-#include "source/Surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 #include "level/VoxelTrees.h"
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "level/RunsOfLayers.h"
 #include "support/ExtentsOfField.h"
 #include "support/Interruption.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "support/VoxelLeaves.h"
-#include "level/RunsOfLayers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "voxels/TouchedVoxels.h"
 
 #include "base/Executor.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

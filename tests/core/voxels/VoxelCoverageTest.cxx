@@ -1,13 +1,13 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
+#include "source/Surface.h"
 #include "support/Interruption.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "voxels/CoverageFractions.h"
 #include "voxels/TouchedVoxels.h"
 #include "voxels/VoxelOverlap.h"
-#include "source/Surface.h"
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,6 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
-#include "vtkMarchingCellsContourCases.h"
-#else
-#include "vtkMarchingCubesTriangleCases.h"
-#endif
-
 #include <algorithm>
 #include <array>
 
@@ -135,29 +129,5 @@ inline bool hasFacesOfItsType(vtkUnstructuredGrid* grid, vtkIdType cell)
   return true;
 #endif
 }
-
-/// The triangles of marching cubes. Corners and edges are numbered as those of vtkHexahedron.
-class MarchingCubesTable
-{
-public:
-  /// The edges on which the corners of triangles lie, three for each triangle, and −1 after the
-  /// last. Bit i of the index says whether corner i of the cube is inside.
-  const int* operator[](int cornersInside) const
-  {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
-    return cases_[cornersInside];
-#else
-    return cases_[cornersInside].edges;
-#endif
-  }
-
-private:
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
-  const vtkMarchingCellsContourCases::HexahedronCase* cases_ =
-    vtkMarchingCellsContourCases::GetHexahedronCases();
-#else
-  const vtkMarchingCubesTriangleCases* cases_ = vtkMarchingCubesTriangleCases::GetCases();
-#endif
-};
 
 } // namespace winding

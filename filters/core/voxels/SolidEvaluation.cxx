@@ -1,11 +1,9 @@
-#include "private/output/SolidEvaluation.h"
+#include "voxels/SolidEvaluation.h"
 
 #include "base/DividedShare.h"
-#include "private/pipeline/FreeMemory.h"
 #include "voxels/LabelMerge.h"
 
 #include <algorithm>
-#include <string>
 
 namespace winding
 {
@@ -94,9 +92,8 @@ void SolidEvaluation::run(
     VoxelEvaluation voxels = options_.voxels;
     if (voxels.coverage != Coverage::center)
     {
-      refuseBeyondFreeMemory(static_cast<double>(voxels.additionalCost(field, samples).bytes),
-        "the coverage of " + std::to_string(samples) + " voxels",
-        "choose larger voxels or write it in pieces");
+      options_.checkMemory(
+        static_cast<double>(voxels.additionalCost(field, samples).bytes), samples);
     }
     this->reserve(samples);
     voxels.output.inside = inside_.get();

@@ -3,6 +3,7 @@
 #include "voxels/VoxelEvaluation.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace winding
@@ -10,12 +11,14 @@ namespace winding
 
 class LabelMerge;
 
-/// How to evaluate voxels, but for the arrays that results go to; and whether a LabelMerge is to
-/// get values of w.
 struct SolidEvaluationOptions
 {
-  VoxelEvaluation voxels;
-  bool withValues = false;
+  VoxelEvaluation voxels;  ///< without the arrays that results go to
+  bool withValues = false; ///< whether a LabelMerge is to get values of w
+
+  /// Throws where `bytes` are not free for the coverage of `voxels` voxels.
+  std::function<void(double bytes, std::size_t voxels)> checkMemory = [](double, std::size_t) {
+  };
 };
 
 /**
@@ -31,11 +34,11 @@ public:
   {
   }
 
-  /// The memory that voxels of so many samples take meanwhile, without the merge.
+  /// Returns the memory that voxels take meanwhile at a grid of `samples`, without the merge.
   static double bytes(const SolidEvaluationOptions& options, std::size_t samples);
 
-  /// Takes the executor's progress through its share. Throws Interrupted, and OutOfMemory where
-  /// what is needed for the coverage is not free.
+  /// Takes the executor's progress through its share. Throws Interrupted, and what
+  /// SolidEvaluationOptions::checkMemory throws.
   void run(const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge,
     Executor& executor);
 

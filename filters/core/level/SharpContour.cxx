@@ -1,10 +1,4 @@
-#include "private/output/SharpContour.h"
-
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkTypeInt64Array.h"
+#include "level/SharpContour.h"
 
 #include <algorithm>
 
@@ -112,70 +106,53 @@ Eigen::Vector3d SharpContour::placeOf(std::size_t vertex) const
                                : vertices_.crossing(fans_[vertex - mesh_.size()]);
 }
 
-vtkSmartPointer<vtkPoints> SharpContour::points(int type, Executor& executor) const
+template <class Real> void SharpContour::place(Real* points, Executor& executor) const
 {
-  const std::size_t count = mesh_.size() + fans_.size();
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataType(type);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
   runBlocks(
-    count, edgesPerBlock,
+    this->vertices(), edgesPerBlock,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t vertex = first; vertex < last; ++vertex)
       {
         const Eigen::Vector3d position =
           grid_.firstSample + this->placeOf(vertex).cwiseProduct(grid_.spacing);
-        points->SetPoint(static_cast<vtkIdType>(vertex), position.data());
+        Eigen::Map<Eigen::Matrix<Real, 3, 1>>(points + 3 * vertex) = position.template cast<Real>();
       }
     },
     executor);
-  return points;
 }
 
-vtkSmartPointer<vtkCellArray> SharpContour::polygons(Executor& executor) const
+void SharpContour::writePolygons(std::int64_t* offsets, std::int64_t* ids, Executor& executor) const
 {
-  vtkNew<vtkTypeInt64Array> connectivity, offsets;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(starts_.back().corner));
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(starts_.back().polygon + 1));
   runBlocks(
     this->blocks(), 1,
     [&](std::size_t block, std::size_t, std::size_t)
     {
-      auto polygon = static_cast<vtkIdType>(starts_[block].polygon);
-      auto corner = static_cast<vtkIdType>(starts_[block].corner);
+      std::size_t polygon = starts_[block].polygon, corner = starts_[block].corner;
       this->forPolygons(block,
-        [&](const std::size_t* vertices, int count)
+        [&](const std::size_t* vertices, std::size_t count)
         {
-          offsets->SetValue(polygon++, corner);
-          for (int n = 0; n < count; ++n)
+          offsets[polygon++] = static_cast<std::int64_t>(corner);
+          for (std::size_t n = 0; n < count; ++n)
           {
-            connectivity->SetValue(corner++, static_cast<vtkTypeInt64>(vertices[n]));
+            ids[corner++] = static_cast<std::int64_t>(vertices[n]);
           }
         });
     },
     executor);
-  offsets->SetValue(static_cast<vtkIdType>(starts_.back().polygon),
-    static_cast<vtkTypeInt64>(starts_.back().corner));
-  auto polygons = vtkSmartPointer<vtkCellArray>::New();
-  polygons->SetData(offsets, connectivity);
-  return polygons;
+  offsets[this->polygons()] = static_cast<std::int64_t>(this->corners());
 }
 
-vtkSmartPointer<vtkFloatArray> SharpContour::normals(Executor& executor) const
+void SharpContour::writeNormals(float* normals, Executor& executor) const
 {
-  auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(starts_.back().polygon));
   const Eigen::Vector3d units = grid_.spacing / grid_.spacing.maxCoeff();
   runBlocks(
     this->blocks(), 1,
     [&](std::size_t block, std::size_t, std::size_t)
     {
-      auto polygon = static_cast<vtkIdType>(starts_[block].polygon);
+      std::size_t polygon = starts_[block].polygon;
       this->forPolygons(block,
-        [&](const std::size_t* vertices, int count)
+        [&](const std::size_t* vertices, std::size_t count)
         {
           const auto place = [&](int n) -> Eigen::Vector3d
           {
@@ -186,11 +163,13 @@ vtkSmartPointer<vtkFloatArray> SharpContour::normals(Executor& executor) const
           const Eigen::Vector3d last = count == 3 ? first : place(3);
           const Eigen::Vector3d area = (place(2) - first).cross(last - place(1));
           const Eigen::Vector3f normal = area.stableNormalized().cast<float>();
-          std::copy_n(normal.data(), 3, normals->GetPointer(3 * polygon++));
+          std::copy_n(normal.data(), 3, normals + 3 * polygon++);
         });
     },
     executor);
-  return normals;
 }
+
+template void SharpContour::place(float*, Executor&) const;
+template void SharpContour::place(double*, Executor&) const;
 
 } // namespace winding

@@ -1,45 +1,36 @@
-#include "private/output/BlockSurface.h"
+#include "voxels/BlockSurface.h"
 
+#include "base/DividedShare.h"
 #include "base/Executor.h"
-#include "private/pipeline/VtkVersions.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkCellArray.h"
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
-#include "vtkPoints.h"
+#include <algorithm>
+#include <utility>
 
 namespace winding
 {
 
 template <class Label> Label VoxelSides<Label>::label(int i, int j, int k) const
 {
-  const int* n = dimensions;
+  const std::array<int, 3>& n = dimensions;
   const bool isThere = i >= 0 && j >= 0 && k >= 0 && i < n[0] && j < n[1] && k < n[2];
   return isThere ? labels[static_cast<std::size_t>(this->number(i, j, k))] : Label(0);
 }
 
 template <class Label>
-BlockSurface<Label>::BlockSurface(
-  const VoxelSides<Label>& sides, vtkImageData* image, vtkPoints* points, vtkCellArray* quads)
+BlockSurface<Label>::BlockSurface(const VoxelSides<Label>& sides, bool isMirrored)
   : sides_(sides)
-  , image_(image)
-  , points_(points)
-  , quads_(quads)
+  , isMirrored_(isMirrored)
 {
-  const double* spacing = image->GetSpacing();
-  isMirrored_ =
-    image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] * spacing[2] < 0;
-  const int* n = sides.dimensions;
+  const std::array<int, 3>& n = sides.dimensions;
   const std::size_t corners =
     (static_cast<std::size_t>(n[0]) + 1) * (static_cast<std::size_t>(n[1]) + 1);
   lower_.assign(corners, -1);
   upper_.assign(corners, -1);
 }
 
-template <class Label> vtkIdType BlockSurface<Label>::countFaces(const VoxelSides<Label>& sides)
+template <class Label> std::size_t BlockSurface<Label>::countFaces(const VoxelSides<Label>& sides)
 {
-  const int* n = sides.dimensions;
+  const std::array<int, 3>& n = sides.dimensions;
   const std::vector<Label> outside(static_cast<std::size_t>(n[0]), 0);
   const auto row = [&](int j, int k)
   {
@@ -48,61 +39,67 @@ template <class Label> vtkIdType BlockSurface<Label>::countFaces(const VoxelSide
   };
   const auto countChanges = [](const Label* a, const Label* b, int count)
   {
-    vtkIdType changes = 0;
+    std::size_t changes = 0;
     for (int i = 0; i < count; ++i)
     {
       changes += a[i] != b[i];
     }
     return changes;
   };
-  vtkIdType faces = 0;
+  std::size_t faces = 0;
   for (int k = 0; k <= n[2]; ++k)
   {
     for (int j = 0; j <= n[1]; ++j)
     {
       const Label* here = row(j, k);
-      faces += (here[0] != 0) + (here[n[0] - 1] != 0) + countChanges(here, here + 1, n[0] - 1);
+      faces += static_cast<std::size_t>(here[0] != 0) +
+               static_cast<std::size_t>(here[n[0] - 1] != 0) +
+               countChanges(here, here + 1, n[0] - 1);
       faces += countChanges(here, row(j - 1, k), n[0]) + countChanges(here, row(j, k - 1), n[0]);
     }
   }
   return faces;
 }
 
-template <class Label> double BlockSurface<Label>::bytesOf(vtkIdType faces)
+template <class Label> double BlockSurface<Label>::bytesOf(std::size_t faces)
 {
-  // A face has four ids of corners, its place in the list of those, its voxel and a label. There
+  // A face has four ids of corners, its place in the list of cells, its voxel and a label. There
   // are about as many corners as faces.
-  constexpr double perFace = 6 * sizeof(vtkIdType) + 3 * sizeof(double) + sizeof(Label);
+  constexpr double perFace = 6 * sizeof(std::int64_t) + 3 * sizeof(double) + sizeof(Label);
   return perFace * static_cast<double>(faces);
 }
 
-template <class Label> void BlockSurface<Label>::build(vtkAlgorithm* filter)
+template <class Label>
+void BlockSurface<Label>::build(std::int64_t* quads, const AddCorner& addCorner, Executor& executor)
 {
-  const int* n = sides_.dimensions;
-  const vtkIdType faces = countFaces(sides_);
-  quads_->AllocateExact(faces, 4 * faces);
-  reserve(voxels_.Get(), faces);
-  seenLabels_.reserve(static_cast<std::size_t>(faces));
-  reserve(points_, faces + 2);
+  const std::array<int, 3>& n = sides_.dimensions;
+  const std::size_t faces = countFaces(sides_);
+  quads_ = quads;
+  addCorner_ = &addCorner;
+  voxels_.reserve(faces);
+  seenLabels_.reserve(faces);
+  DividedShare share(executor);
   for (int k = 0; k <= n[2]; ++k)
   {
-    filter->UpdateProgress(static_cast<double>(k) / (n[2] + 1));
-    if (isAborted(filter))
+    // Layer k has the faces across z at its bottom, and the upright faces of its voxels.
+    const auto addLayer = [&](std::size_t)
+    {
+      for (int j = 0; j <= n[1]; ++j)
+      {
+        for (int i = 0; i <= n[0]; ++i)
+        {
+          this->addFacesOf(i, j, k);
+        }
+      }
+    };
+    share.set(k / (n[2] + 1.0), (k + 1) / (n[2] + 1.0));
+    if (!executor.run(1, addLayer))
     {
       throw Interrupted();
-    }
-    // Layer k has the faces across z at its bottom, and the upright faces of its voxels.
-    for (int j = 0; j <= n[1]; ++j)
-    {
-      for (int i = 0; i <= n[0]; ++i)
-      {
-        this->addFacesOf(i, j, k);
-      }
     }
     lower_.swap(upper_);
     upper_.assign(upper_.size(), -1);
   }
-  points_->Squeeze();
 }
 
 /// Adds the three faces on the low sides of voxel (i, j, k).
@@ -112,7 +109,7 @@ template <class Label> void BlockSurface<Label>::addFacesOf(int i, int j, int k)
   const Label left = sides_.label(i - 1, j, k);
   const Label front = sides_.label(i, j - 1, k);
   const Label below = sides_.label(i, j, k - 1);
-  const vtkIdType voxel = sides_.number(i, j, k);
+  const std::int64_t voxel = sides_.number(i, j, k);
   if (here != left)
   {
     const bool looksUp = this->addSides(left, here, sides_.number(i - 1, j, k), voxel);
@@ -133,41 +130,39 @@ template <class Label> void BlockSurface<Label>::addFacesOf(int i, int j, int k)
   }
 }
 
-/// Notes the voxel that a quad looks away from and the label that it looks to, and returns whether
-/// it looks to the high side.
+/// Adds the voxel that a quad looks away from and the label that it looks to. Returns whether it
+/// looks to the high side.
 template <class Label>
-bool BlockSurface<Label>::addSides(Label low, Label high, vtkIdType lowVoxel, vtkIdType highVoxel)
+bool BlockSurface<Label>::addSides(
+  Label low, Label high, std::int64_t lowVoxel, std::int64_t highVoxel)
 {
   const bool looksUp = low != 0 && (high == 0 || low < high);
-  voxels_->InsertNextId(looksUp ? lowVoxel : highVoxel);
+  voxels_.push_back(looksUp ? lowVoxel : highVoxel);
   seenLabels_.push_back(looksUp ? high : low);
   return looksUp;
 }
 
 /// Adds a quad whose corners run counter-clockwise seen from the high side.
 template <class Label>
-void BlockSurface<Label>::addQuad(bool looksUp, std::array<vtkIdType, 4> corners)
+void BlockSurface<Label>::addQuad(bool looksUp, std::array<std::int64_t, 4> corners)
 {
   if (looksUp == isMirrored_)
   {
     std::swap(corners[1], corners[3]);
   }
-  quads_->InsertNextCell(4, corners.data());
+  quads_ = std::copy(corners.begin(), corners.end(), quads_);
 }
 
 /// The id of the corner (i, j, k + up), which is made when it is first asked for.
-template <class Label> vtkIdType BlockSurface<Label>::corner(int i, int j, int k, int up)
+template <class Label> std::int64_t BlockSurface<Label>::corner(int i, int j, int k, int up)
 {
-  std::vector<vtkIdType>& layer = up ? upper_ : lower_;
+  std::vector<std::int64_t>& layer = up ? upper_ : lower_;
   const std::size_t width = static_cast<std::size_t>(sides_.dimensions[0]) + 1;
-  vtkIdType& known = layer[static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i)];
+  std::int64_t& known = layer[static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i)];
   if (known < 0)
   {
-    double position[3];
-    const double* first = sides_.firstIndex;
-    image_->TransformContinuousIndexToPhysicalPoint(
-      first[0] + i, first[1] + j, first[2] + k + up, position);
-    known = points_->InsertNextPoint(position);
+    (*addCorner_)(i, j, k + up);
+    known = corners_++;
   }
   return known;
 }

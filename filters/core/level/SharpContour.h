@@ -4,14 +4,9 @@
 #include "level/DualMesh.h"
 #include "level/SharpVertices.h"
 
-#include "vtkSmartPointer.h"
-
+#include <cstddef>
 #include <cstdint>
 #include <vector>
-
-class vtkCellArray;
-class vtkFloatArray;
-class vtkPoints;
 
 namespace winding
 {
@@ -30,16 +25,24 @@ namespace winding
 class SharpContour
 {
 public:
-  /// Keeps references. The roots must be done. areTriangles: whether to cut all quads.
+  /// Keeps references. The roots must be done. `areTriangles` says whether to cut all quads.
   SharpContour(const Field& field, const Grid& grid, const LevelEdges& edges,
     const LevelRoots& roots, bool areTriangles, Executor& executor);
 
-  vtkSmartPointer<vtkPoints> points(int type, Executor& executor) const;
+  std::size_t vertices() const { return mesh_.size() + fans_.size(); }
+  std::size_t polygons() const { return starts_.back().polygon; }
+  std::size_t corners() const { return starts_.back().corner; } ///< of all polygons
 
-  vtkSmartPointer<vtkCellArray> polygons(Executor& executor) const;
+  /// Writes three coordinates for each vertex to `points`. `Real` is float or double.
+  template <class Real> void place(Real* points, Executor& executor) const;
 
-  /// Unit normals of the polygons, which point outward; 0 for a polygon without area.
-  vtkSmartPointer<vtkFloatArray> normals(Executor& executor) const;
+  /// Writes the ids of all corners, and where those of each polygon begin: `offsets` has one more
+  /// entry than there are polygons.
+  void writePolygons(std::int64_t* offsets, std::int64_t* ids, Executor& executor) const;
+
+  /// Writes three components for each polygon: its unit normal, which points outward, or 0 where it
+  /// has no area.
+  void writeNormals(float* normals, Executor& executor) const;
 
 private:
   /// The numbers of what comes before a block of edges.
