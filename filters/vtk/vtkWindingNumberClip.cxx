@@ -2,14 +2,14 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "private/output/ResultArrays.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/pipeline/VtkVersions.h"
 #include "private/probe/ClippedPart.h"
 #include "private/probe/CutDistances.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
-#include "private/output/ResultArrays.h"
-#include "private/pipeline/SmpExecutor.h"
 #include "private/source/SourceProperties.h"
-#include "private/pipeline/VtkVersions.h"
 
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"

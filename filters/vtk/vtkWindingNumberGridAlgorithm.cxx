@@ -2,11 +2,11 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
-#include "report/Verify.h"
-#include "private/source/ContentHash.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
+#include "private/source/ContentHash.h"
+#include "report/Verify.h"
 #include "source/Grid.h"
 
 #include "vtkDataArray.h"

@@ -2,10 +2,10 @@
 
 #include "base/EvaluationCost.h"
 #include "base/Refusal.h"
-#include "private/source/ContentHash.h"
 #include "private/pipeline/PropertyChecks.h"
-#include "voxels/VoxelEvaluation.h"
+#include "private/source/ContentHash.h"
 #include "source/Grid.h"
+#include "voxels/VoxelEvaluation.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"

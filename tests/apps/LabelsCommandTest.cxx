@@ -140,8 +140,7 @@ TEST_F(LabelsCommand, WarnsInOneLineOfWhatIsNotClosedOrHasOneName)
   left = folder.write("left.off", asOff(open));
   Outcome outcome = run({left, right});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("not closed, 1 of 2 solids ('left')"), std::string::npos)
-    << outcome;
+  EXPECT_NE(outcome.err.find("not closed, 1 of 2 solids ('left')"), std::string::npos) << outcome;
   outcome = run({right, right});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("give blocks different names: 1 of 2"), std::string::npos) << outcome;

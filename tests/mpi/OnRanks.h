@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vtk/ErrorLog.h"
 #include "mpi/Deals.h"
+#include "vtk/ErrorLog.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "support/RowValues.h"
 #include "field/Field.h"
+#include "support/RowValues.h"
 
 #include <stdexcept>
 #include <utility>

@@ -5,12 +5,12 @@
 #include "base/FieldOutput.h"
 #include "base/Pi.h"
 #include "base/Views.h"
-#include "support/RowValues.h"
 #include "farfield/FarField.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "support/RowValues.h"
 #include "surface/BoundaryGradient.h"
 
 #include <algorithm>

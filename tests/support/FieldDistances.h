@@ -1,8 +1,8 @@
 #pragma once
 
+#include "field/Field.h"
 #include "support/Samples.h"
 #include "support/Shapes.h"
-#include "field/Field.h"
 
 #include "base/Executor.h"
 #include "base/FieldOutput.h"

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "base/Views.h"
-#include "support/Samples.h"
 #include "field/CappedSurface.h"
 #include "source/Grid.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Samples.h"
 
 #include <algorithm>
 #include <cmath>

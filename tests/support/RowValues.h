@@ -1,11 +1,11 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "rays/RowCrossings.h"
+#include "source/Surface.h"
 #include "support/LatticeChain.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
-#include "rays/RowCrossings.h"
-#include "source/Surface.h"
 #include "surface/Cap.h"
 
 #include <gtest/gtest.h>

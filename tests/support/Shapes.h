@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Views.h"
-#include "support/Samples.h"
 #include "source/Surface.h"
+#include "support/Samples.h"
 #include "surface/Boundary.h"
 
 #include <array>

@@ -71,10 +71,9 @@ struct FieldOptions
   bool operator==(const FieldOptions& other) const
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
-           estimateNormals == other.estimateNormals &&
-           normalEstimation == other.normalEstimation && pointAreaMethod == other.pointAreaMethod &&
-           neighbors == other.neighbors && regularization == other.regularization &&
-           scattered == other.scattered;
+           estimateNormals == other.estimateNormals && normalEstimation == other.normalEstimation &&
+           pointAreaMethod == other.pointAreaMethod && neighbors == other.neighbors &&
+           regularization == other.regularization && scattered == other.scattered;
   }
 };
 

@@ -2,8 +2,8 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
-#include "level/Bricks.h"
 #include "field/InsideOut.h"
+#include "level/Bricks.h"
 #include "level/VoxelTree.h"
 
 #include <functional>

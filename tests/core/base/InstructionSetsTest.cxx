@@ -1,9 +1,9 @@
 #include "base/Views.h"
-#include "support/FarFields.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/FarFields.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

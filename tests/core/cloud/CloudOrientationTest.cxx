@@ -1,9 +1,9 @@
 #include "cloud/CloudOrientation.h"
 
 #include "cloud/PointAreas.h"
+#include "source/PointCloud.h"
 #include "support/Samples.h"
 #include "support/ShuffledThreads.h"
-#include "source/PointCloud.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "cloud/OrientedSites.h"
 
-#include "support/ShuffledThreads.h"
 #include "source/CompareCoordinates.h"
 #include "source/PointCloud.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "base/Bounds.h"
 #include "base/FieldOutput.h"
 #include "cloud/PointAreas.h"
-#include "support/Samples.h"
 #include "farfield/FarField.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "farfield/Expansions.h"
 #include "base/Pi.h"
 
-#include "support/Samples.h"
 #include "sums/SolidAngle.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "base/Pi.h"
+#include "farfield/TriangleFarField.h"
 #include "support/FarFields.h"
 #include "support/Interruption.h"
-#include "farfield/TriangleFarField.h"
 
 #include "base/FlushToZero.h"
 #include "base/Views.h"

@@ -1,8 +1,8 @@
 #include "farfield/FarFieldSources.h"
-#include "support/FarFields.h"
-#include "support/ShuffledThreads.h"
 #include "source/SourceTree.h"
 #include "source/Surface.h"
+#include "support/FarFields.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

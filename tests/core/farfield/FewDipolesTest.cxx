@@ -1,8 +1,8 @@
 #include "base/Pi.h"
-#include "support/Shapes.h"
 #include "farfield/Expansions.h"
 #include "farfield/FarFieldTree.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

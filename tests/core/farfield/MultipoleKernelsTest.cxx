@@ -1,7 +1,7 @@
 #include "farfield/MultipoleKernels.h"
 
-#include "support/Samples.h"
 #include "farfield/Expansions.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "farfield/NodeAcceptance.h"
 #include "base/Pi.h"
 
-#include "support/Samples.h"
 #include "farfield/Expansions.h"
 #include "farfield/MultipoleKernels.h"
 #include "sums/SolidAngle.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

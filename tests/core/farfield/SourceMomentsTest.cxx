@@ -1,9 +1,9 @@
 #include "farfield/SourceMoments.h"
 #include "base/Pi.h"
 
-#include "support/FarFields.h"
 #include "farfield/Expansions.h"
 #include "source/Surface.h"
+#include "support/FarFields.h"
 
 #include <algorithm>
 

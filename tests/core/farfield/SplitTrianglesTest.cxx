@@ -1,9 +1,9 @@
 #include "farfield/SplitTriangles.h"
 
 #include "base/Bounds.h"
-#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/SolidAngle.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

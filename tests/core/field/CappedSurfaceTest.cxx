@@ -1,10 +1,10 @@
 #include "field/CappedSurface.h"
 
 #include "base/Bounds.h"
-#include "support/RowValues.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/RowValues.h"
 
 #include <gtest/gtest.h>
 

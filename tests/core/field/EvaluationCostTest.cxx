@@ -1,12 +1,12 @@
 #include "base/Views.h"
 #include "cloud/CloudCost.h"
-#include "support/Shapes.h"
 #include "distance/DistanceCost.h"
 #include "farfield/FarFieldCost.h"
 #include "field/Field.h"
 #include "rays/CrossingCost.h"
 #include "source/SourceArea.h"
 #include "sums/DirectSumCost.h"
+#include "support/Shapes.h"
 #include "surface/SurfaceCost.h"
 
 #include <gtest/gtest.h>

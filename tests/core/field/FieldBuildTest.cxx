@@ -4,8 +4,8 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
-#include "support/Shapes.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

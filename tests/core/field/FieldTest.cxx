@@ -5,10 +5,10 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
+#include "sums/ReferenceSum.h"
 #include "support/Interruption.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
-#include "sums/ReferenceSum.h"
 
 #include <gtest/gtest.h>
 

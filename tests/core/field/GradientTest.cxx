@@ -1,14 +1,14 @@
 #include "base/Executor.h"
 #include "base/Pi.h"
 #include "base/Views.h"
-#include "support/Interruption.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "surface/BoundaryGradient.h"
 
 #include <gtest/gtest.h>

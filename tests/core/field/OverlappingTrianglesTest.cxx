@@ -1,12 +1,12 @@
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "base/Views.h"
-#include "support/HostileSoups.h"
-#include "support/Interruption.h"
 #include "farfield/FarField.h"
 #include "farfield/TriangleFarField.h"
 #include "field/Field.h"
 #include "source/Sanitize.h"
+#include "support/HostileSoups.h"
+#include "support/Interruption.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "support/Interruption.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "field/Field.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
+#include "support/Interruption.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "surface/Boundary.h"
 
 #include <gtest/gtest.h>

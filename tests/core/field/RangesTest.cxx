@@ -1,9 +1,9 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
-#include "support/RowValues.h"
-#include "support/Shapes.h"
 #include "field/Field.h"
 #include "source/Grid.h"
+#include "support/RowValues.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "base/Pi.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
-#include "support/FarFields.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"
 #include "sums/SolidAngle.h"
+#include "support/FarFields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "field/Field.h"
 
+#include "source/MeshVertices.h"
 #include "support/HostileSoups.h"
 #include "support/LatticeChain.h"
 #include "support/Shuffled.h"
 #include "support/ShuffledThreads.h"
-#include "source/MeshVertices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 #include "rays/ClearCells.h"
 
 #include "base/Bounds.h"
-#include "support/Samples.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "rays/RayCounter.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -3,15 +3,15 @@
 #include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "rays/RowCrossings.h"
+#include "source/Grid.h"
+#include "source/Surface.h"
+#include "sums/DirectSum.h"
 #include "support/Interruption.h"
 #include "support/LatticeSolids.h"
 #include "support/RowValues.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
-#include "rays/RowCrossings.h"
-#include "source/Grid.h"
-#include "source/Surface.h"
-#include "sums/DirectSum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "rays/RayParity.h"
 
-#include "support/LatticeSolids.h"
-#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "support/LatticeSolids.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "rays/RowCrossings.h"
 
 #include "base/Bounds.h"
-#include "support/RowValues.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "support/RowValues.h"
 
 #include <gtest/gtest.h>
 

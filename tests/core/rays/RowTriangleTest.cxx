@@ -1,7 +1,7 @@
 #include "rays/RowTriangle.h"
 
-#include "support/Samples.h"
 #include "rays/Predicates.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

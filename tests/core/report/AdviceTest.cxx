@@ -1,10 +1,10 @@
 #include "report/Advice.h"
 
 #include "base/Bounds.h"
-#include "support/Samples.h"
-#include "support/Shapes.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

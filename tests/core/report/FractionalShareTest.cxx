@@ -1,10 +1,10 @@
 #include "report/FractionalShare.h"
 
 #include "base/Views.h"
-#include "support/Shapes.h"
 #include "field/Field.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "report/SurfaceReport.h"
 #include "base/Pi.h"
 
-#include "support/Shapes.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "source/DistinctTriangles.h"
 
-#include "support/HostileSoups.h"
-#include "support/Shapes.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/HostileSoups.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "base/Pi.h"
 #include "sums/DirectSum.h"
 
-#include "support/Samples.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

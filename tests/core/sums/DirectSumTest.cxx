@@ -1,9 +1,9 @@
 #include "sums/DirectSum.h"
 
-#include "support/ReadObj.h"
-#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/ReadObj.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

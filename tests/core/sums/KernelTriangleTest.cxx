@@ -1,5 +1,5 @@
-#include "support/Samples.h"
 #include "sums/DirectSumKernels.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "sums/RegularizedKernels.h"
 
 #include "base/FlushToZero.h"
-#include "support/Samples.h"
 #include "sums/SolidAngle.h"
+#include "support/Samples.h"
 
 #include <gtest/gtest.h>
 

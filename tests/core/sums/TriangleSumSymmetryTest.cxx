@@ -1,8 +1,8 @@
 #include "sums/DirectSum.h"
 
-#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

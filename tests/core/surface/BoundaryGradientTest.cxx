@@ -1,9 +1,9 @@
 #include "surface/BoundaryGradient.h"
 #include "base/Pi.h"
 
-#include "support/Shapes.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "surface/BoundaryLoops.h"
 
+#include "source/CompareCoordinates.h"
+#include "source/Surface.h"
 #include "support/LatticeChain.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
-#include "source/CompareCoordinates.h"
-#include "source/Surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "surface/Cap.h"
 
+#include "source/Surface.h"
 #include "support/LatticeChain.h"
 #include "support/Shapes.h"
-#include "source/Surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "surface/ClosedComponents.h"
 
 #include "base/Bounds.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "rays/CrossingTree.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 

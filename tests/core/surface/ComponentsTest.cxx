@@ -1,9 +1,9 @@
 #include "surface/Components.h"
 
+#include "source/Surface.h"
 #include "support/EdgesOf.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
-#include "source/Surface.h"
 
 #include <gtest/gtest.h>
 

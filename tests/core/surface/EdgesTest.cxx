@@ -1,7 +1,7 @@
 #include "surface/Edges.h"
 
-#include "support/Shapes.h"
 #include "source/Surface.h"
+#include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "surface/Orientation.h"
 
-#include "support/EdgesOf.h"
-#include "support/Shapes.h"
-#include "support/ShuffledThreads.h"
 #include "report/SurfaceReport.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/EdgesOf.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
 #include "surface/NearlyClosed.h"
 
 #include <gtest/gtest.h>

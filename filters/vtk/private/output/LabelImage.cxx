@@ -1,7 +1,7 @@
 #include "private/output/LabelImage.h"
 
-#include "private/pipeline/FreeMemory.h"
 #include "private/output/ResultArrays.h"
+#include "private/pipeline/FreeMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

@@ -1,7 +1,7 @@
 #include "private/output/MeshFiles.h"
 
-#include "private/pipeline/ErrorReports.h"
 #include "private/output/HandedArray.h"
+#include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/SmpExecutor.h"
 
 #include "vtkAlgorithm.h"

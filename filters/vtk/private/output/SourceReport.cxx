@@ -2,11 +2,11 @@
 
 #include "base/Bounds.h"
 #include "field/Field.h"
-#include "report/FractionalShare.h"
 #include "private/output/FaultBlocks.h"
 #include "private/source/InputViews.h"
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"
+#include "report/FractionalShare.h"
 #include "source/Surface.h"
 
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
 #include "private/output/SurfaceFidelity.h"
 
-#include "report/Fidelity.h"
 #include "private/pipeline/FreeMemory.h"
+#include "report/Fidelity.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

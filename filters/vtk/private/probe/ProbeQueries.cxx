@@ -1,9 +1,9 @@
 #include "private/probe/ProbeQueries.h"
 
-#include "private/source/CellChecks.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/source/ImageGrid.h"
 #include "private/probe/ProbeWords.h"
+#include "private/source/CellChecks.h"
+#include "private/source/ImageGrid.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

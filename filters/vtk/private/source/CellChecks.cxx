@@ -1,8 +1,8 @@
 #include "private/source/CellChecks.h"
 
 #include "base/Refusal.h"
-#include "private/source/CellTypes.h"
 #include "private/pipeline/VtkVersions.h"
+#include "private/source/CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,12 +2,12 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "private/pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/RegionCells.h"
 #include "private/source/SolidBlocks.h"
 #include "private/source/SourceParts.h"
-#include "private/pipeline/VtkVersions.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"

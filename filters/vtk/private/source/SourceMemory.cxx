@@ -1,8 +1,8 @@
 #include "private/source/SourceMemory.h"
 
 #include "private/pipeline/FreeMemory.h"
-#include "private/source/InputViews.h"
 #include "private/pipeline/Ranks.h"
+#include "private/source/InputViews.h"
 
 #include <numeric>
 #include <string>

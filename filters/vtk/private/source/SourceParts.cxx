@@ -1,8 +1,8 @@
 #include "private/source/SourceParts.h"
 
+#include "private/pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
 #include "private/source/CellTypes.h"
-#include "private/pipeline/VtkVersions.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
