@@ -196,7 +196,7 @@ public:
   /// The way in which normals are estimated, where EstimateNormals has it done. SPANNING_TREE takes
   /// the least time, and fails where parts are thin, close to each other or separate.
   /// WINDING_CONSISTENT turns patches of points such that w is 1/2 at them (ConsistentNormals.h);
-  /// it takes about ten times as long. Default ESTIMATION_AUTOMATIC.
+  /// it takes five to six times as long. Default ESTIMATION_AUTOMATIC.
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
   ///@}
