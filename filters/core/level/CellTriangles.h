@@ -12,7 +12,7 @@ struct CellTriangles
   std::array<signed char, 15> edges; ///< edges of the cell that the corners lie on, in VTK's order
 };
 
-/// Returns the triangles of all 256 cells; bit n of the index tells whether corner n of the cell is
+/// Returns the triangles of all 256 cells; bit n of the index says whether corner n of the cell is
 /// inside, in the order of VTK's hexahedra. Triangles face outward. They make the patches of
 /// AmbiguousFaces::insideApart, so neighbouring cells fit together, and are those of VTK's filters.
 const std::array<CellTriangles, 256>& cellTriangles();

@@ -58,7 +58,7 @@ TEST(CellTriangles, FillThePatchesOfTheirCells)
         crossed.insert(edge);
       }
     }
-    // Each crossed edge lies once on the loop of its patch. Discs of n corners have n - 2 triangles.
+    // Each crossed edge lies once on its patch's loop. Discs of n corners have n - 2 triangles.
     EXPECT_EQ(begun, crossed) << inside;
     EXPECT_EQ(cell.size / 3, static_cast<int>(crossed.size()) - 2 * patches.count) << inside;
   }
