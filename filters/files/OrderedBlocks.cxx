@@ -13,34 +13,40 @@ void runOrderedBlocks(
   std::atomic<std::size_t> firstFailed{count};
   std::exception_ptr failure;
   std::mutex mutex;
-  const bool complete = executor.run(count,
-    [&](std::size_t block)
+  const auto runBlock = [&](std::size_t block)
+  {
+    if (block > firstFailed)
     {
-      if (block > firstFailed)
+      return;
+    }
+    try
+    {
+      work(block);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (block < firstFailed)
       {
-        return;
+        firstFailed = block;
+        failure = std::current_exception();
       }
-      try
-      {
-        work(block);
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (block < firstFailed)
-        {
-          firstFailed = block;
-          failure = std::current_exception();
-        }
-      }
-    });
+    }
+  };
+  try
+  {
+    executor.run(count, runBlock);
+  }
+  catch (const Interrupted&)
+  {
+    if (!failure)
+    {
+      throw;
+    }
+  }
   if (failure)
   {
     std::rethrow_exception(failure);
-  }
-  if (!complete)
-  {
-    throw Interrupted();
   }
 }
 

@@ -225,11 +225,11 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   }
   const auto executor = newExecutor();
   winding::Ranks alone(nullptr);
-  const winding::Field* field =
+  const winding::Field& field =
     this->Internal->Source.prepare(this->Input, options, *executor, alone, false);
   const double anywhere[3] = {0, 0, 0};
-  field->prepare(winding::VectorsView(anywhere, 1), *executor);
-  const winding::FieldInfo& info = field->info();
+  field.prepare(winding::VectorsView(anywhere, 1), *executor);
+  const winding::FieldInfo& info = field.info();
   if (!info.warning.empty())
   {
     vtkWarningMacro(<< info.warning);
@@ -238,7 +238,7 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   {
     vtkWarningMacro(<< "the input has no triangles and no points to sum over; its field is 0");
   }
-  return *field;
+  return field;
 }
 
 bool vtkImplicitWindingNumber::BuildField()

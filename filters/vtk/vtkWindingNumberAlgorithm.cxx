@@ -324,19 +324,20 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   vtkDataObject* source, const Samples& samples, std::size_t count)
 {
   this->SourceIsInsideOut = false;
+  this->PrepareSeconds = 0;
   this->LookAtSource(source);
   this->SetProgressText("Preparing");
   Clock::time_point start = Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(0, progressOfNormals);
   const winding::SourceOptions options = this->GetSourceOptions();
-  const winding::Field* field =
+  const winding::Field& field =
     this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
-  if (field && this->IsHelper())
+  if (this->IsHelper())
   {
-    return *field;
+    return field;
   }
-  if (field && this->Source->wasBuilt() && field->info().normalsAreEstimated)
+  if (this->Source->wasBuilt() && field.info().normalsAreEstimated)
   {
     // Progress goes on from there with all that follows, and ends where it would have ended.
     const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
@@ -344,21 +345,17 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  if (field)
+  this->EstimateCost(field, static_cast<vtkIdType>(count), executor.threads());
+  this->CheckExpectedTime(field, static_cast<vtkIdType>(count));
+  field.prepare(samples, executor);
+  if (this->WantsDistances())
   {
-    this->EstimateCost(*field, static_cast<vtkIdType>(count), executor.threads());
-    this->CheckExpectedTime(*field, static_cast<vtkIdType>(count));
+    field.prepareDistances(executor);
   }
-  const bool isPrepared = field && field->prepare(samples, executor) &&
-                          (!this->WantsDistances() || field->prepareDistances(executor));
   this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
   this->SetProgressText("Evaluating");
-  if (!isPrepared)
-  {
-    throw winding::Interrupted();
-  }
-  this->TellFaults(field->info());
-  return *field;
+  this->TellFaults(field.info());
+  return field;
 }
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)

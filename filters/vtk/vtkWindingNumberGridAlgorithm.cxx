@@ -179,16 +179,20 @@ void vtkWindingNumberGridAlgorithm::Verify(
 void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field, const int* samples,
   const std::function<double(std::size_t)>& valueOf)
 {
-  winding::Verification found;
+  this->SetVerification(winding::Verification());
   if (this->VerifySamples > 0)
   {
     constexpr unsigned seed = 20260101;
     winding::Extent extent;
     std::copy_n(samples, 6, extent.begin());
     winding::SmpExecutor executor(this, this->NumberOfThreads);
-    found = winding::verify(field, *this->Sampling, extent, valueOf,
-      static_cast<std::size_t>(this->VerifySamples), seed, executor);
+    this->SetVerification(winding::verify(field, *this->Sampling, extent, valueOf,
+      static_cast<std::size_t>(this->VerifySamples), seed, executor));
   }
+}
+
+void vtkWindingNumberGridAlgorithm::SetVerification(const winding::Verification& found)
+{
   this->MaxError = found.everywhere.max;
   this->RMSError = found.everywhere.rms();
   this->NearMaxError = found.nearSurface.max;

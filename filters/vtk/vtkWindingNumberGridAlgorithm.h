@@ -27,7 +27,8 @@
 namespace winding
 {
 struct GridRequest;
-}
+struct Verification;
+} // namespace winding
 class vtkDataArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberGridAlgorithm : public vtkWindingNumberAlgorithm
@@ -157,6 +158,9 @@ protected:
   void Verify(const winding::Field& field, const int samples[6],
     const std::function<double(std::size_t)>& valueOf);
   ///@}
+
+  /// Takes over the findings of a verification; a default object stands for none.
+  void SetVerification(const winding::Verification& found);
 
   int Resolution = 64;
   double VoxelSize = 0;

@@ -12,6 +12,7 @@
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
 #include "report/LabelFacts.h"
+#include "report/Verify.h"
 #include "source/Grid.h"
 #include "source/SourceVolume.h"
 #include "voxels/LabelMerge.h"
@@ -221,7 +222,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
   this->CheckVerification(true);
-  this->ForgetVerification();
+  this->SetVerification(winding::Verification());
   *this->Facts = winding::LabelFacts();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::SolidOptions options;
@@ -263,10 +264,7 @@ void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const wind
   output.values = values.data();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
-  if (!field.evaluate(this->GetSampling(), extent, output, executor))
-  {
-    throw winding::Interrupted();
-  }
+  field.evaluate(this->GetSampling(), extent, output, executor);
   this->Verify(field, extent.data(), [&values](std::size_t n) { return values[n]; });
 
   const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
@@ -278,14 +276,6 @@ void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const wind
   this->NumberOfSamplesOnSurface += onSurface;
   this->NumberOfSamplesBesidePoints += besidePoints;
   this->RMSError = std::sqrt((squares + more) / std::max<double>(1, this->NumberOfVerifiedSamples));
-}
-
-/// Forgets the findings of an earlier verification.
-void vtkWindingNumberLabels::ForgetVerification()
-{
-  this->MaxError = this->RMSError = this->NearMaxError = this->MaxErrorBesidePoints = 0;
-  this->NumberOfVerifiedSamples = this->NumberOfNearVerifiedSamples = 0;
-  this->NumberOfSamplesOnSurface = this->NumberOfSamplesBesidePoints = 0;
 }
 
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)

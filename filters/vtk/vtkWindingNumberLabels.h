@@ -175,7 +175,6 @@ private:
   const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
   void VerifySolid(const winding::Field& field, const std::array<int, 6>& extent);
-  void ForgetVerification();
   void LookInside(const winding::Field& field, const std::string& name);
   void DescribeSolids(const winding::Solids& solids, vtkImageData* image) const;
   void WarnOfSolids(const winding::Solids& solids);

@@ -239,10 +239,13 @@ void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
   executor.setShare(0, progress);
   const winding::FieldOutput output = this->OutputTo(results);
   const std::optional<winding::Grid>& grid = queries.grid();
-  if (!(grid ? field.evaluate(*grid, grid->wholeExtent(), output, executor)
-             : field.evaluate(queries.samples(), output, executor)))
+  if (grid)
   {
-    throw winding::Interrupted();
+    field.evaluate(*grid, grid->wholeExtent(), output, executor);
+  }
+  else
+  {
+    field.evaluate(queries.samples(), output, executor);
   }
   executor.setShare(progress, progress);
   this->LookAtSides(field, queries, results, executor);

@@ -245,10 +245,7 @@ void vtkWindingNumberSurface::FindEdges(
   while (!edges.isDone())
   {
     executor.setShare(progressOfGrid * edges.progress(), progressOfGrid * edges.nextProgress());
-    if (!edges.advance(executor))
-    {
-      throw winding::Interrupted();
-    }
+    edges.advance(executor);
   }
   // The edges are counted now, however many the source's area promised.
   winding::refuseBeyondFreeMemory(static_cast<double>(winding::costOfLevelSurface(
@@ -270,10 +267,7 @@ void vtkWindingNumberSurface::FindRoots(
     const double next = progress + (1 - progress) / 8;
     executor.setShare(progress, next);
     progress = next;
-    if (!roots.advance(executor))
-    {
-      throw winding::Interrupted();
-    }
+    roots.advance(executor);
   }
 }
 
@@ -375,10 +369,11 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
   const vtkIdType samples = this->VerifySamples > 0 ? winding::sampleCount(extent) : 0;
   const winding::ResultArrays values(samples, options);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  if (samples == 0 || field.evaluate(grid, extent, this->OutputTo(values), executor))
+  if (samples > 0)
   {
-    this->Verify(field, extent.data(), values.values());
+    field.evaluate(grid, extent, this->OutputTo(values), executor);
   }
+  this->Verify(field, extent.data(), values.values());
 }
 
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)

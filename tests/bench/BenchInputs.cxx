@@ -9,7 +9,7 @@
 
 using namespace winding;
 
-bool Threads::run(std::size_t count, const std::function<void(std::size_t)>& work)
+void Threads::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
   std::atomic<std::size_t> next = 0;
   const auto takeBlocks = [&]
@@ -29,7 +29,6 @@ bool Threads::run(std::size_t count, const std::function<void(std::size_t)>& wor
   {
     thread.join();
   }
-  return true;
 }
 
 Surface weldedSphere(int n)

@@ -194,13 +194,13 @@ public:
   {
   }
 
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     if (++runs_ == 2)
     {
       disturb_();
     }
-    return winding::SerialExecutor().run(count, work);
+    winding::SerialExecutor().run(count, work);
   }
 
 private:

@@ -291,13 +291,13 @@ TEST(TableFile, TheFirstFaultIsToldBeforeQuotationMarks)
 class Watched final : public Executor
 {
 public:
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     most = std::max(most, count);
     isForward = isForward && share_.first >= last_;
     last_ = share_.first;
     SerialExecutor serial;
-    return serial.run(count, work);
+    serial.run(count, work);
   }
 
   void setShare(double first, double last) override { share_ = {first, last}; }
@@ -469,14 +469,14 @@ public:
   {
   }
 
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     if (runs_-- == 0)
     {
       file_.write(contents_);
     }
     SerialExecutor serial;
-    return serial.run(count, work);
+    serial.run(count, work);
   }
 
 private:

@@ -19,13 +19,12 @@ namespace fuzz
 class BackwardExecutor final : public winding::Executor
 {
 public:
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     for (std::size_t block = count; block > 0; --block)
     {
       work(block - 1);
     }
-    return true;
   }
 };
 

@@ -17,11 +17,10 @@ public:
   std::vector<unsigned char> inside; ///< by sample number
 
   const winding::FieldInfo& info() const override { return info_; }
-  bool gradient(
+  void gradient(
     const winding::VectorsView& samples, double* gradients, winding::Executor&) const override
   {
     std::fill_n(gradients, 3 * samples.size(), 0.0);
-    return true;
   }
   double area() const override { return 0; }
   winding::EvaluationCost expectedCostOfValues(std::size_t) const override { return {}; }
@@ -30,7 +29,7 @@ public:
   PointOnSource pointOnSource() const override { return {}; }
 
 protected:
-  bool evaluateValues(const winding::Grid&, const winding::Extent& extent,
+  void evaluateValues(const winding::Grid&, const winding::Extent& extent,
     const winding::FieldOutput& output, winding::Executor&) const override
   {
     if (winding::sampleCount(extent) != inside.size())
@@ -39,7 +38,6 @@ protected:
     }
     const std::vector<double> values(inside.begin(), inside.end());
     output.write(values.data(), 0, values.size());
-    return true;
   }
   double expectedSecondsOfBuilding() const override { return 0; }
   std::unique_ptr<const winding::DistanceTree> makeDistanceTree(winding::Executor&) const override

@@ -21,10 +21,7 @@ inline winding::VoxelTrees::Evaluate extentsOf(const winding::Field& field,
     output.inside = arrays.inside;
     output.rule = options.rule;
     output.threshold = options.threshold;
-    if (!field.evaluate(grid, extent, output, executor))
-    {
-      throw winding::Interrupted();
-    }
+    field.evaluate(grid, extent, output, executor);
   };
 }
 

@@ -305,7 +305,7 @@ inline std::vector<float> valuesOn(const winding::FarField& field, const winding
   std::vector<float> values(winding::sampleCount(extent), std::nanf(""));
   winding::FieldOutput output;
   output.values = values.data();
-  EXPECT_TRUE(field.evaluate(grid, extent, output, executor));
+  field.evaluate(grid, extent, output, executor);
   return values;
 }
 
@@ -322,7 +322,7 @@ inline std::vector<float> valuesAt(
   winding::FieldOutput output;
   output.values = values.data();
   const winding::VectorsView view(samples.empty() ? nullptr : samples[0].data(), samples.size());
-  EXPECT_TRUE(field.evaluate(view, output, executor));
+  field.evaluate(view, output, executor);
   return values;
 }
 
@@ -338,7 +338,7 @@ inline std::vector<Point> gradientsAt(
 {
   std::vector<Point> gradients(samples.size(), Point(-99, -99, -99));
   const winding::VectorsView view(samples.empty() ? nullptr : samples[0].data(), samples.size());
-  EXPECT_TRUE(field.gradient(view, gradients.empty() ? nullptr : gradients[0].data(), executor));
+  field.gradient(view, gradients.empty() ? nullptr : gradients[0].data(), executor);
   return gradients;
 }
 

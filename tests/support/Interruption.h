@@ -16,11 +16,15 @@ public:
   {
   }
 
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     cameToPass_ = cameToPass_ || runs_-- == 0;
     winding::SerialExecutor serial;
-    return serial.run(cameToPass_ ? std::min(count, blocks_) : count, work) && !cameToPass_;
+    serial.run(cameToPass_ ? std::min(count, blocks_) : count, work);
+    if (cameToPass_)
+    {
+      throw winding::Interrupted();
+    }
   }
 
   bool cameToPass() const { return cameToPass_; }
@@ -30,5 +34,19 @@ private:
   std::size_t blocks_;
   bool cameToPass_ = false;
 };
+
+/// Returns whether `work` ends without an interruption.
+template <class Work> bool isCompleted(const Work& work)
+{
+  try
+  {
+    work();
+    return true;
+  }
+  catch (const winding::Interrupted&)
+  {
+    return false;
+  }
+}
 
 } // namespace shapes

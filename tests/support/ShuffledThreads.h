@@ -21,7 +21,7 @@ public:
   {
   }
 
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -47,7 +47,6 @@ public:
     {
       thread.join();
     }
-    return true;
   }
 
 private:

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+void ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
   const vtkIdType last = static_cast<vtkIdType>(count);
   const auto workOn = [&work](vtkIdType begin, vtkIdType end)
@@ -16,16 +16,15 @@ bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t
       work(static_cast<std::size_t>(block));
     }
   };
-  if (threads_ == 1)
-  {
-    workOn(0, last); // no thread but the caller's, and nothing to start
-    return !interrupt::requested();
-  }
   const auto onThreads = [&]
   {
     vtkSMPTools::For(0, last, std::max<vtkIdType>(1, last / 256), workOn);
   };
-  if (threads_ == 0)
+  if (threads_ == 1)
+  {
+    workOn(0, last); // no thread but the caller's, and nothing to start
+  }
+  else if (threads_ == 0)
   {
     onThreads();
   }
@@ -33,5 +32,8 @@ bool ThreadExecutor::run(std::size_t count, const std::function<void(std::size_t
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_), onThreads);
   }
-  return !interrupt::requested();
+  if (interrupt::requested())
+  {
+    throw winding::Interrupted();
+  }
 }

@@ -12,7 +12,7 @@ public:
     : threads_(threads)
   {
   }
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
 private:
   int threads_;

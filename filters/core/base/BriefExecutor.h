@@ -13,9 +13,9 @@ public:
     : executor_(executor)
   {
   }
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
-    return executor_.runBriefly(count, work);
+    executor_.runBriefly(count, work);
   }
 
 private:

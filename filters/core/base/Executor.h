@@ -21,15 +21,15 @@ public:
 
   /**
    * Calls work(0) … work(count − 1), each once, in any order and on any threads, and returns when
-   * all have ended. Returns false, with some blocks left undone, when interrupted.
+   * all have ended. Throws Interrupted, with some blocks left undone, when interrupted.
    */
-  virtual bool run(std::size_t count, const std::function<void(std::size_t)>& work) = 0;
+  virtual void run(std::size_t count, const std::function<void(std::size_t)>& work) = 0;
 
-  /// Runs work as run() does, but work that prepares what a user waits for and is brief beside it:
-  /// an executor that shows progress leaves its progress where it is.
-  virtual bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
+  /// Runs preparing work that is brief compared with what a user waits for. Does as run() does,
+  /// except that an executor which shows progress leaves its progress where it is.
+  virtual void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
   {
-    return this->run(count, work);
+    this->run(count, work);
   }
 
   /// Says that the work that runs next is the share from `first` to `last`, from 0 to 1, of all the
@@ -49,18 +49,17 @@ public:
 class SerialExecutor final : public Executor
 {
 public:
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     for (std::size_t block = 0; block < count; ++block)
     {
       work(block);
     }
-    return true;
   }
 };
 
-/// Thrown by functions that make something in one go when the executor was interrupted: nothing was
-/// made.
+/// Thrown by executors that were interrupted, through every function that takes one: nothing was
+/// made, and arrays that were to be filled hold anything.
 class Interrupted final : public std::exception
 {
 public:
@@ -75,16 +74,12 @@ public:
 template <class Work>
 void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, Executor& executor)
 {
-  const bool complete = executor.runBriefly((count + itemsPerBlock - 1) / itemsPerBlock,
+  executor.runBriefly((count + itemsPerBlock - 1) / itemsPerBlock,
     [&](std::size_t block)
     {
       const std::size_t first = block * itemsPerBlock;
       work(block, first, std::min(count, first + itemsPerBlock));
     });
-  if (!complete)
-  {
-    throw Interrupted();
-  }
 }
 
 /// Calls work(i) for the items 0 … count − 1, blocks of them at once, as runBlocks() does: for work

@@ -27,13 +27,13 @@ public:
   ShownExecutor(const ShownExecutor&) = delete;
   ShownExecutor& operator=(const ShownExecutor&) = delete;
 
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
-    return this->runUpTo(last_, count, work);
+    this->runUpTo(last_, count, work);
   }
-  bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
-    return this->runUpTo(at_ + (last_ - at_) / 2, count, work);
+    this->runUpTo(at_ + (last_ - at_) / 2, count, work);
   }
   void setShare(double first, double last) override
   {
@@ -43,11 +43,11 @@ public:
   std::pair<double, double> share() const override { return {at_, last_}; }
 
 private:
-  bool runUpTo(double next, std::size_t count, const std::function<void(std::size_t)>& work)
+  void runUpTo(double next, std::size_t count, const std::function<void(std::size_t)>& work)
   {
     executor_.setShare(at_, next);
     at_ = next;
-    return executor_.run(count, work);
+    executor_.run(count, work);
   }
 
   Executor& executor_;

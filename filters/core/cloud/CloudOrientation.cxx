@@ -90,10 +90,7 @@ CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
   FieldOutput output;
   output.values = values.data();
   BriefExecutor briefly(executor);
-  if (!field.evaluate({samples[0].data(), samples.size()}, output, briefly))
-  {
-    throw Interrupted();
-  }
+  field.evaluate({samples[0].data(), samples.size()}, output, briefly);
   std::vector<float> behind, before;
   std::size_t outward = 0, inward = 0;
   for (std::size_t i = 0; i < count; ++i)

@@ -76,10 +76,7 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
   const FarField field(std::move(sources), coarse, executor_);
   Normals gradients(at.size());
   share.set(0.1, 1);
-  if (!field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_))
-  {
-    throw Interrupted();
-  }
+  field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_);
   return gradients;
 }
 

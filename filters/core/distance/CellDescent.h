@@ -289,10 +289,10 @@ enum class TaskProgress
   hidden
 };
 
-/// Writes the distances of the samples of some parts, each in a task or in more. Returns false when
-/// the executor was interrupted.
+/// Writes the distances of the samples of some parts, each in a task or in more. Throws
+/// Interrupted.
 template <class Samples>
-bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samples,
+void evaluateByCells(const DistanceTree& tree, double limit, const Samples& samples,
   std::vector<typename Samples::Part> parts, Executor& executor,
   TaskProgress progress = TaskProgress::shown)
 {
@@ -303,16 +303,16 @@ bool evaluateByCells(const DistanceTree& tree, double limit, const Samples& samp
     {
       left[n] = CellDescent<Samples>(tree, limit, samples).run(parts[n]);
     };
-    const bool isComplete = progress == TaskProgress::shown
-                              ? executor.run(parts.size(), work)
-                              : executor.runBriefly(parts.size(), work);
-    if (!isComplete)
+    if (progress == TaskProgress::shown)
     {
-      return false;
+      executor.run(parts.size(), work);
+    }
+    else
+    {
+      executor.runBriefly(parts.size(), work);
     }
     parts = joined(left);
   }
-  return true;
 }
 
 } // namespace winding

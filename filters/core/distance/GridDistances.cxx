@@ -165,14 +165,14 @@ Extent GridDistances::samplesOfBlock(std::size_t number) const
   return {first[0], last[0] - 1, first[1], last[1] - 1, first[2], last[2] - 1};
 }
 
-bool GridDistances::evaluate(Executor& executor) const
+void GridDistances::evaluate(Executor& executor) const
 {
   std::vector<Extent> parts(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()));
   for (std::size_t number = 0; number < parts.size(); ++number)
   {
     parts[number] = this->samplesOfBlock(number);
   }
-  return evaluateByCells(tree_, output_.distanceLimit * tree_.scale(),
+  evaluateByCells(tree_, output_.distanceLimit * tree_.scale(),
     GridSamples(grid_, extent_, tree_.scale(), output_), std::move(parts), executor);
 }
 

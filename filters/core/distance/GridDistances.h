@@ -30,8 +30,8 @@ public:
   GridDistances(
     const DistanceTree& tree, const Grid& grid, const Extent& extent, const FieldOutput& output);
 
-  /// Writes the distances. Returns false when the executor was interrupted.
-  bool evaluate(Executor& executor) const;
+  /// Writes the distances. Throws Interrupted.
+  void evaluate(Executor& executor) const;
 
 private:
   Extent samplesOfBlock(std::size_t number) const;

@@ -44,9 +44,8 @@ bool areSparse(const DistanceTree& tree, double limit, const PlaceSamples::Part&
 
 } // namespace
 
-bool evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
+void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor)
-try
 {
   const double limit = output.distanceLimit * tree.scale();
   Buckets<Place> buckets =
@@ -70,12 +69,8 @@ try
     left[n] = searches ? OrderedSearch(tree, limit, places).run(part)
                        : CellDescent<PlaceSamples>(tree, limit, places).run(part);
   };
-  return executor.run(parts.size(), work) &&
-         evaluateByCells(tree, limit, places, joined(left), executor, TaskProgress::hidden);
-}
-catch (const Interrupted&)
-{
-  return false;
+  executor.run(parts.size(), work);
+  evaluateByCells(tree, limit, places, joined(left), executor, TaskProgress::hidden);
 }
 
 } // namespace winding

@@ -9,8 +9,8 @@ namespace winding
 {
 
 /**
- * Writes the distances of scattered samples; NaN at samples that are NaN or infinite. Returns false
- * when the executor was interrupted.
+ * Writes the distances of scattered samples; NaN at samples that are NaN or infinite. Throws
+ * Interrupted.
  *
  * Samples are sorted by a k-d tree, and those of a cell share the list of what may be nearest to
  * them (CellDescent.h). Where there are fewer samples than items in the source, those of regions
@@ -22,7 +22,7 @@ namespace winding
  * Guaranteed: the bits of a distance depend on the source and the sample only, not on other samples
  * or their order. The memory is 32 bytes per sample.
  */
-bool evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
+void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor);
 
 } // namespace winding

@@ -86,7 +86,7 @@ FarFieldWork FarField::evaluate(
   return FarFieldTraversal(tree_, cells).evaluate(task, watching);
 }
 
-bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watching,
+void FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watching,
   Executor& executor, FarFieldWork* work) const
 {
   FarFieldWork total;
@@ -95,10 +95,10 @@ bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
   // Each task has its own of both, so that none waits for another.
   std::vector<FarFieldWork> parts(all.size());
   std::vector<std::vector<TargetCell>> toWhole(all.size());
-  const auto [first, last] = executor.share();
-  const double middle = cells.isRegular() ? last : first + 0.9 * (last - first);
-  executor.setShare(first, middle);
-  bool complete = executor.run(all.size(),
+  DividedShare share(executor);
+  const double middle = cells.isRegular() ? 1 : 0.9;
+  share.set(0, middle);
+  executor.run(all.size(),
     [&](std::size_t task)
     {
       const FlushToZero flush;
@@ -106,21 +106,18 @@ bool FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
       parts[task] = traversal.evaluate(all[task], watching, &toWhole[task]);
     });
 
-  executor.setShare(middle, last);
-  complete = complete && this->evaluateWhole(cells, toWhole, watching, executor, parts);
-
-  executor.setShare(first, last);
+  share.set(middle, 1);
+  this->evaluateWhole(cells, toWhole, watching, executor, parts);
   if (work)
   {
     *work += std::accumulate(parts.begin(), parts.end(), total,
       [](FarFieldWork sum, const FarFieldWork& part) { return sum += part; });
   }
-  return complete;
 }
 
 /// Gives the samples of the cells that tasks have left the sum of the whole sources, and appends
 /// the work done.
-bool FarField::evaluateWhole(const TargetCells& cells,
+void FarField::evaluateWhole(const TargetCells& cells,
   const std::vector<std::vector<TargetCell>>& toWhole, bool watching, Executor& executor,
   std::vector<FarFieldWork>& work) const
 {
@@ -134,7 +131,7 @@ bool FarField::evaluateWhole(const TargetCells& cells,
   const std::size_t blocks = (all.size() + cellsPerBlock - 1) / cellsPerBlock;
   const std::size_t done = work.size();
   work.resize(done + blocks);
-  return executor.run(blocks,
+  executor.run(blocks,
     [&](std::size_t block)
     {
       const FlushToZero flush;
@@ -145,17 +142,17 @@ bool FarField::evaluateWhole(const TargetCells& cells,
     });
 }
 
-bool FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+void FarField::evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
   Executor& executor, FarFieldWork* work) const
 {
   if (sampleCount(extent) == 0)
   {
-    return true;
+    return;
   }
   GridCells cells(grid, extent, this->scale(), this->order());
   const ArraySink sink(extent, output);
   cells.setSink(sink);
-  return this->evaluateAll(cells, cells.taskLevel(), false, executor, work);
+  this->evaluateAll(cells, cells.taskLevel(), false, executor, work);
 }
 
 PointCells FarField::cellsOf(
@@ -170,51 +167,40 @@ PointCells FarField::cellsOf(
   return {samples, region, this->scale(), this->order(), sink, executor};
 }
 
-bool FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+void FarField::evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
   FarFieldWork* work) const
 {
-  return this->evaluate(samples, ArrayPointSink(output), false, executor, work);
+  this->evaluate(samples, ArrayPointSink(output), false, executor, work);
 }
 
-bool FarField::evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
+void FarField::evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
   Executor& executor, FarFieldWork* work) const
 {
-  try
+  const PointCells cells = this->cellsOf(samples, &sink, executor);
+  for (const std::uint32_t number : cells.others())
   {
-    const PointCells cells = this->cellsOf(samples, &sink, executor);
-    for (const std::uint32_t number : cells.others())
-    {
-      sink.point(number, this->valueFarAway(samples[number]), false);
-    }
-    return cells.empty() || this->evaluateAll(cells, cells.taskLevel(), watching, executor, work);
+    sink.point(number, this->valueFarAway(samples[number]), false);
   }
-  catch (const Interrupted&)
+  if (!cells.empty())
   {
-    return false;
+    this->evaluateAll(cells, cells.taskLevel(), watching, executor, work);
   }
 }
 
-bool FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+void FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  try
+  DividedShare share(executor);
+  share.set(0, 0.1);
+  const PointCells cells = this->cellsOf(samples, nullptr, executor);
+  share.set(0.1, 1);
+  const FarFieldGradient gradient(tree_, cells, gradients);
+  const std::vector<FarFieldTask> all =
+    cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());
+  for (const std::uint32_t number : cells.others())
   {
-    DividedShare share(executor);
-    share.set(0, 0.1);
-    const PointCells cells = this->cellsOf(samples, nullptr, executor);
-    share.set(0.1, 1);
-    const FarFieldGradient gradient(tree_, cells, gradients);
-    const std::vector<FarFieldTask> all =
-      cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());
-    for (const std::uint32_t number : cells.others())
-    {
-      gradient.evaluateFarAway(samples[number], number);
-    }
-    return executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
+    gradient.evaluateFarAway(samples[number], number);
   }
-  catch (const Interrupted&)
-  {
-    return false;
-  }
+  executor.run(all.size(), [&](std::size_t task) { gradient.evaluate(all[task]); });
 }
 
 /// The moments of the root stand for all sources, since the sample is far away from all of them.

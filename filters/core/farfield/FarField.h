@@ -57,25 +57,25 @@ public:
   FarFieldWork evaluate(const TargetCells& cells, const FarFieldTask& task, bool watching) const;
 
   /// Evaluates the samples of an extent of a grid, and adds the work done to `work`, unless that is
-  /// null. Returns false when the executor was interrupted.
-  bool evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  /// null. Throws Interrupted.
+  void evaluate(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor, FarFieldWork* work = nullptr) const;
 
   /// Hands the values of scattered samples to a sink; NaN at samples that are not finite. `work`
   /// does not count samples too far away for cells. If watching, the sink is told which samples lie
-  /// on a source. Returns false when the executor was interrupted.
-  bool evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
+  /// on a source. Throws Interrupted.
+  void evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
     Executor& executor, FarFieldWork* work = nullptr) const;
 
   /// Writes the values of scattered samples, as the sink of the other function gets them.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
+  void evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor,
     FarFieldWork* work = nullptr) const;
 
   /**
    * Writes the gradients at scattered samples, #samples by 3 numbers, in 1/length of the caller's
    * coordinates. They come from the nodes that evaluate() takes, at one to two times its cost. They
    * are NaN at samples that are not finite, and finite at all others; an item that is not spread
-   * over a length gives nothing to samples on it. Returns false when the executor was interrupted.
+   * over a length gives nothing to samples on it. Throws Interrupted.
    *
    * The part of w that expansions leave out changes over distances like that to the sources, so
    * errors are measured in units of tolerance/d, where d is the distance to the nearest source or,
@@ -84,13 +84,13 @@ public:
    * figures, tests/core/field/RegularizationTest.cxx those for spread points). Roundings add about
    * 2⁻¹⁹/d of the sum of all sources' absolute values.
    */
-  bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+  void gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
 private:
   PointCells cellsOf(const VectorsView& samples, const PointSink* sink, Executor& executor) const;
-  bool evaluateAll(const TargetCells& cells, int taskLevel, bool watching, Executor& executor,
+  void evaluateAll(const TargetCells& cells, int taskLevel, bool watching, Executor& executor,
     FarFieldWork* work) const;
-  bool evaluateWhole(const TargetCells& cells, const std::vector<std::vector<TargetCell>>& toWhole,
+  void evaluateWhole(const TargetCells& cells, const std::vector<std::vector<TargetCell>>& toWhole,
     bool watching, Executor& executor, std::vector<FarFieldWork>& work) const;
   double valueFarAway(const Eigen::Vector3d& sample) const;
 

@@ -88,14 +88,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   const Bounds around(bounds_.center() - bounds_.sizes(), bounds_.center() + bounds_.sizes());
   SplitRule rule;
   std::size_t count = 0;
-  try
-  {
-    std::tie(rule.region, count) = samplesWithin(around, samples, executor);
-  }
-  catch (const Interrupted&)
-  {
-    return nullptr;
-  }
+  std::tie(rule.region, count) = samplesWithin(around, samples, executor);
   if (count > 0)
   {
     rule.longestSide =
@@ -119,16 +112,9 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
       return last_; // without a look at all triangles
     }
   }
-  try
+  if (leavesWhole(rule, vertices_, triangles_.triangles(), executor))
   {
-    if (leavesWhole(rule, vertices_, triangles_.triangles(), executor))
-    {
-      return this->whole(executor);
-    }
-  }
-  catch (const Interrupted&)
-  {
-    return nullptr;
+    return this->whole(executor);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_ || !(rule == rule_))
@@ -148,9 +134,8 @@ std::shared_ptr<const FarField> TriangleFarField::whole(Executor& executor) cons
     if (!whole_)
     {
       whole_ = this->build(SplitRule(), executor);
-      hasWhole_.store(whole_ != nullptr, std::memory_order_release);
+      hasWhole_.store(true, std::memory_order_release);
     }
-    return whole_; // null if interrupted
   }
   return whole_;
 }
@@ -158,15 +143,8 @@ std::shared_ptr<const FarField> TriangleFarField::whole(Executor& executor) cons
 std::shared_ptr<const FarField> TriangleFarField::build(
   const SplitRule& rule, Executor& executor) const
 {
-  try
-  {
-    return std::make_shared<const FarField>(
-      farFieldSources(vertices_, triangles_, bounds_, rule, executor), accuracy_, executor);
-  }
-  catch (const Interrupted&)
-  {
-    return nullptr;
-  }
+  return std::make_shared<const FarField>(
+    farFieldSources(vertices_, triangles_, bounds_, rule, executor), accuracy_, executor);
 }
 
 } // namespace winding

@@ -25,9 +25,9 @@ public:
   TriangleFarField(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
     const Bounds& bounds, const FarFieldAccuracy& accuracy);
 
-  /// The far field that suits the samples, or null when the executor was interrupted. It may be
-  /// called from any thread; one at a time builds. A single sample has no distance to others, and
-  /// gets the whole triangles: nothing is locked for these once their tree is there.
+  /// Returns the far field that suits the samples, which is never null. It may be called from any
+  /// thread; one at a time builds. A single sample has no distance to others, and gets the whole
+  /// triangles: nothing is locked for these once their tree is there. Throws Interrupted.
   std::shared_ptr<const FarField> suiting(const Grid& grid, Executor& executor) const;
   std::shared_ptr<const FarField> suiting(const VectorsView& samples, Executor& executor) const;
 

@@ -46,11 +46,11 @@ public:
     output_.fill(integers_[sample] - capValue, sample, 1);
   }
 
-  /// Writes the values of samples on the cap. Returns false when the executor was interrupted.
-  bool finish(Executor& executor) const
+  /// Writes the values of samples on the cap.
+  void finish(Executor& executor) const
   {
     constexpr std::size_t perBlock = SampleBlock::capacity;
-    return executor.run((onCap_.size() + perBlock - 1) / perBlock,
+    executor.run((onCap_.size() + perBlock - 1) / perBlock,
       [&](std::size_t block)
       {
         const auto first = onCap_.begin() + static_cast<std::ptrdiff_t>(block * perBlock);
@@ -81,51 +81,47 @@ bool CappedSurface::usesFarFieldAtPoints(std::size_t samples) const
   return cap_.size() > fewTriangles && this->usesFarField(samples);
 }
 
-bool CappedSurface::prepare(const VectorsView& samples, Executor& executor) const
+void CappedSurface::prepare(const VectorsView& samples, Executor& executor) const
 {
-  return !this->usesFarFieldAtPoints(samples.size()) ||
-         capFarField_->suiting(samples, executor) != nullptr;
+  if (this->usesFarFieldAtPoints(samples.size()))
+  {
+    capFarField_->suiting(samples, executor);
+  }
 }
 
-bool CappedSurface::evaluate(
+void CappedSurface::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   if (cap_.empty())
   {
-    return points_.evaluate(samples, output, executor);
+    points_.evaluate(samples, output, executor);
+    return;
   }
   DividedShare share(executor);
   share.set(0, 0.5);
   UninitializedVector<float> integers(samples.size());
   FieldOutput toIntegers;
   toIntegers.values = integers.data();
-  if (!points_.evaluate(samples, toIntegers, executor))
-  {
-    return false;
-  }
+  points_.evaluate(samples, toIntegers, executor);
   share.set(0.5, 0.9);
   const Differences differences(samples, integers, output, *this);
   if (this->usesFarFieldAtPoints(samples.size()))
   {
-    const std::shared_ptr<const FarField> farField = capFarField_->suiting(samples, executor);
-    if (!farField || !farField->evaluate(samples, differences, true, executor))
-    {
-      return false;
-    }
+    capFarField_->suiting(samples, executor)->evaluate(samples, differences, true, executor);
   }
-  else if (!this->subtractDirectly(samples, differences, executor))
+  else
   {
-    return false;
+    this->subtractDirectly(samples, differences, executor);
   }
   share.set(0.9, 1);
-  return differences.finish(executor);
+  differences.finish(executor);
 }
 
-bool CappedSurface::subtractDirectly(
+void CappedSurface::subtractDirectly(
   const VectorsView& samples, const Differences& differences, Executor& executor) const
 {
   constexpr std::size_t perBlock = SampleBlock::capacity;
-  return executor.run((samples.size() + perBlock - 1) / perBlock,
+  executor.run((samples.size() + perBlock - 1) / perBlock,
     [&](std::size_t number)
     {
       const std::size_t first = number * perBlock;

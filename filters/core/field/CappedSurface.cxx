@@ -116,15 +116,10 @@ private:
   mutable std::vector<SampleOnCap> onCap_;
 };
 
-bool CappedSurface::evaluateByFarField(
+void CappedSurface::evaluateByFarField(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
-try
 {
   const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
-  if (!farField)
-  {
-    return false;
-  }
   GridCells cells(grid, extent, farField->scale(), farField->order());
   std::vector<FarFieldTask> tasks = farField->tasks(cells, cells.taskLevel());
   // Cells with the same rows are put together, so that the rows' crossings are found once.
@@ -146,14 +141,14 @@ try
 
   if (tasks.empty())
   {
-    return true;
+    return;
   }
   // The rows of a bar make one band.
   const int height = static_cast<int>(cells.sizeOf(cells.taskLevel(), 1));
   const RowBands bands = {extent[2] / height * height, height};
   const std::unique_ptr<const RowCrossings::OnGrid> onGrid =
     rows_.on(grid, extent, bands, executor);
-  return executor.run(starts.size() - 1,
+  executor.run(starts.size() - 1,
     [&](std::size_t number)
     {
       Extent rows = cells.samplesOf(tasks[starts[number]].cell);
@@ -168,10 +163,6 @@ try
       bar.finish();
     });
 }
-catch (const Interrupted&)
-{
-  return false;
-}
 
 bool CappedSurface::usesFarField(std::size_t samples) const
 {
@@ -185,22 +176,26 @@ bool CappedSurface::usesFarField(const Grid& grid) const
          isInReachOfSingles(grid, bounds_, unitScale(bounds_));
 }
 
-bool CappedSurface::prepare(const Grid& grid, Executor& executor) const
+void CappedSurface::prepare(const Grid& grid, Executor& executor) const
 {
-  return !this->usesFarField(grid) || capFarField_->suiting(grid, executor) != nullptr;
+  if (this->usesFarField(grid))
+  {
+    capFarField_->suiting(grid, executor);
+  }
 }
 
-bool CappedSurface::evaluate(
+void CappedSurface::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   if (this->usesFarField(grid) && sampleCount(extent) > 0)
   {
-    return this->evaluateByFarField(grid, extent, output, executor);
+    this->evaluateByFarField(grid, extent, output, executor);
+    return;
   }
   // A block has enough work to be worth it, and little enough to answer an interrupt within a
   // moment.
   const std::size_t samplesPerBlock = std::min<std::size_t>(65536, 50'000'000 / (cap_.size() + 1));
-  return rows_.evaluateBlocks(
+  rows_.evaluateBlocks(
     grid, extent, samplesPerBlock,
     [&](const RowCrossings::OnGrid& onGrid, int layer, std::size_t band)
     {

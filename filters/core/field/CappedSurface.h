@@ -72,10 +72,10 @@ public:
   bool usesFarField(const Grid& grid) const;
 
   /// Builds what a grid needs beforehand, as Field::prepare() does.
-  bool prepare(const Grid& grid, Executor& executor) const;
+  void prepare(const Grid& grid, Executor& executor) const;
 
-  /// Evaluates the samples of an extent of a grid. Returns false when the executor was interrupted.
-  bool evaluate(
+  /// Evaluates the samples of an extent of a grid. Throws Interrupted.
+  void evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
   /// Whether w_C comes from the far field at so many scattered samples.
@@ -88,19 +88,19 @@ public:
   }
 
   /// Builds what scattered samples need beforehand, as Field::prepare() does.
-  bool prepare(const VectorsView& samples, Executor& executor) const;
+  void prepare(const VectorsView& samples, Executor& executor) const;
 
   /// Evaluates scattered samples: NaN where they are NaN or infinite. Takes 4 bytes for each.
-  /// Returns false when the executor was interrupted.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  /// Throws Interrupted.
+  void evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
 private:
   class Bar;
   class Differences;
 
-  bool evaluateByFarField(
+  void evaluateByFarField(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
-  bool subtractDirectly(
+  void subtractDirectly(
     const VectorsView& samples, const Differences& differences, Executor& executor) const;
   void evaluateRow(const Grid& grid, const Extent& extent, int j, int k,
     const std::vector<RowRun>& runs, const FieldOutput& output,

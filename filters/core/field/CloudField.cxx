@@ -160,24 +160,36 @@ void CloudField::chooseMethod(const FieldOptions& options, Executor& executor)
     std::make_unique<FarField>(farFieldSources(cloud_, cloud_.areas, executor), accuracy, executor);
 }
 
-bool CloudField::evaluateValues(
+void CloudField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  return this->usesFarField(grid) ? farField_->evaluate(grid, extent, output, executor)
-                                  : Field::evaluateValues(grid, extent, output, executor);
+  if (this->usesFarField(grid))
+  {
+    farField_->evaluate(grid, extent, output, executor);
+    return;
+  }
+  Field::evaluateValues(grid, extent, output, executor);
 }
 
-bool CloudField::evaluateValues(
+void CloudField::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  return this->usesFarField(samples.size()) ? farField_->evaluate(samples, output, executor)
-                                            : Field::evaluateValues(samples, output, executor);
+  if (this->usesFarField(samples.size()))
+  {
+    farField_->evaluate(samples, output, executor);
+    return;
+  }
+  Field::evaluateValues(samples, output, executor);
 }
 
-bool CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+void CloudField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  return this->usesFarField(samples.size()) ? farField_->gradient(samples, gradients, executor)
-                                            : Field::gradient(samples, gradients, executor);
+  if (this->usesFarField(samples.size()))
+  {
+    farField_->gradient(samples, gradients, executor);
+    return;
+  }
+  Field::gradient(samples, gradients, executor);
 }
 
 bool CloudField::usesFarField(const Grid& grid) const

@@ -22,7 +22,7 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
-  bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
+  void gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   const PointCloud* cloud() const override { return &cloud_; }
   EvaluationCost expectedCostOfValues(std::size_t samples) const override;
@@ -32,9 +32,9 @@ public:
   double area() const override;
 
 protected:
-  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  void evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor) const override;
-  bool evaluateValues(
+  void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   double expectedSecondsOfBuilding() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;

@@ -32,10 +32,10 @@ std::size_t samplesPerBlock(std::size_t primitives)
 
 /// Calls work(block, number of its first sample) for blocks of samples at positionOf(number).
 template <class PositionOf, class Work>
-bool forEachBlock(std::size_t samples, std::size_t blockSize, const PositionOf& positionOf,
+void forEachBlock(std::size_t samples, std::size_t blockSize, const PositionOf& positionOf,
   const Work& work, Executor& executor)
 {
-  return executor.run((samples + blockSize - 1) / blockSize,
+  executor.run((samples + blockSize - 1) / blockSize,
     [&](std::size_t number)
     {
       const std::size_t first = number * blockSize;
@@ -85,22 +85,16 @@ const char* nameOf(Method method)
 Field::Field() = default;
 Field::~Field() = default;
 
-bool Field::prepare(const Grid&, Executor&) const
-{
-  return true;
-}
+void Field::prepare(const Grid&, Executor&) const {}
 
-bool Field::prepare(const VectorsView&, Executor&) const
-{
-  return true;
-}
+void Field::prepare(const VectorsView&, Executor&) const {}
 
 template <class PositionOf>
-bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
+void Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
   const FieldOutput& output, Executor& executor) const
 {
   const Evaluator& method = this->evaluator();
-  return forEachBlock(
+  forEachBlock(
     samples, samplesPerBlock(this->info().distinct), positionOf,
     [&](const SampleBlock& block, std::size_t first)
     {
@@ -112,39 +106,34 @@ bool Field::evaluateBlocks(std::size_t samples, const PositionOf& positionOf,
     executor);
 }
 
-bool Field::evaluateValues(
+void Field::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  return this->evaluateBlocks(
+  this->evaluateBlocks(
     sampleCount(extent), [&](std::size_t n) { return grid.sample(extent, n); }, output, executor);
 }
 
-bool Field::evaluateValues(
+void Field::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  return this->evaluateBlocks(
+  this->evaluateBlocks(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
-/// Makes the tree when it is first asked for. Returns null when the executor was interrupted.
-const DistanceTree* Field::distanceTree(Executor& executor) const
-try
+/// Makes the tree when it is first asked for.
+const DistanceTree& Field::distanceTree(Executor& executor) const
 {
   const std::lock_guard<std::mutex> lock(distanceTreeLock_);
   if (!distanceTree_)
   {
     distanceTree_ = this->makeDistanceTree(executor);
   }
-  return distanceTree_.get();
-}
-catch (const Interrupted&)
-{
-  return nullptr;
+  return *distanceTree_;
 }
 
-bool Field::prepareDistances(Executor& executor) const
+void Field::prepareDistances(Executor& executor) const
 {
-  return this->distanceTree(executor) != nullptr;
+  this->distanceTree(executor);
 }
 
 SampledSource Field::sampledSource(std::size_t samples) const
@@ -178,12 +167,13 @@ EvaluationCost Field::expectedCostOfDistances(std::size_t samples, double limit)
 
 /// Evaluates values first, then distances, whose signs come from the values or sides.
 template <class EvaluateValues, class EvaluateDistances>
-bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
+void Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
   const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const
 {
   if (!output.hasDistances())
   {
-    return evaluateValues(output);
+    evaluateValues(output);
+    return;
   }
   FieldOutput signedOutput = output;
   std::vector<unsigned char> inside;
@@ -197,37 +187,36 @@ bool Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
   const double share = ofValues > 0 ? ofValues / (ofValues + ofDistances) : 0;
   DividedShare divided(executor);
   divided.set(0, share);
-  const bool hasValues = evaluateValues(signedOutput);
+  evaluateValues(signedOutput);
   divided.set(share, 1);
-  const DistanceTree* tree = hasValues ? this->distanceTree(executor) : nullptr;
-  return tree && evaluateDistances(*tree, signedOutput);
+  evaluateDistances(this->distanceTree(executor), signedOutput);
 }
 
-bool Field::evaluate(
+void Field::evaluate(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
-  return this->evaluateBoth(
+  this->evaluateBoth(
     sampleCount(extent), output, executor,
-    [&](const FieldOutput& values) { return this->evaluateValues(grid, extent, values, executor); },
+    [&](const FieldOutput& values) { this->evaluateValues(grid, extent, values, executor); },
     [&](const DistanceTree& tree, const FieldOutput& distances)
-    { return GridDistances(tree, grid, extent, distances).evaluate(executor); });
+    { GridDistances(tree, grid, extent, distances).evaluate(executor); });
 }
 
-bool Field::evaluate(
+void Field::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
-  return this->evaluateBoth(
+  this->evaluateBoth(
     samples.size(), output, executor,
-    [&](const FieldOutput& values) { return this->evaluateValues(samples, values, executor); },
+    [&](const FieldOutput& values) { this->evaluateValues(samples, values, executor); },
     [&](const DistanceTree& tree, const FieldOutput& distances)
-    { return evaluateDistances(tree, samples, distances, executor); });
+    { evaluateDistances(tree, samples, distances, executor); });
 }
 
-bool Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
+void Field::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
   const FieldInfo& info = this->info();
   const GradientEvaluator& method = this->gradientEvaluator();
-  return forEachBlock(
+  forEachBlock(
     samples.size(), samplesPerBlock(info.isSurface ? info.netBoundaryEdges : info.primitives),
     [&](std::size_t n) { return samples[n]; },
     [&](const SampleBlock& block, std::size_t first)

@@ -106,7 +106,8 @@ struct FieldInfo
 
 /**
  * The winding field of one source: the way into the core. It is built once by build() and
- * immutable. All evaluation is const and may run on several threads at once.
+ * immutable. All evaluation is const and may run on several threads at once. Every function that
+ * takes an executor throws Interrupted.
  *
  * Guaranteed: (1) the value of a sample of a grid depends, to the bit, on the source and on the
  * grid as a whole only, never on the extent, the pieces that the grid is cut into, the executor or
@@ -141,7 +142,7 @@ class Field
 {
 public:
   /// Builds the field of all views together. Throws Refusal for unusable input (see Sanitize.h) or
-  /// a method that cannot serve it. Returns null only when the executor was interrupted.
+  /// a method that cannot serve it.
   static std::shared_ptr<const Field> build(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   static std::shared_ptr<const Field> build(
@@ -156,30 +157,26 @@ public:
   /**
    * Builds what an evaluation of these samples needs beyond what build() has made
    * (TriangleFarField.h), and keeps it for the next evaluation. evaluate() does so itself where it
-   * has to: prepare() is for callers who want to time the building apart. Returns false when the
-   * executor was interrupted.
+   * has to: prepare() is for callers who want to time the building apart.
    */
-  virtual bool prepare(const Grid& grid, Executor& executor) const;
-  virtual bool prepare(const VectorsView& samples, Executor& executor) const;
+  virtual void prepare(const Grid& grid, Executor& executor) const;
+  virtual void prepare(const VectorsView& samples, Executor& executor) const;
   ///@}
 
   /// Builds what distances need (DistanceTree.h), and keeps it, as prepare() does for values.
-  /// Returns false when the executor was interrupted.
-  bool prepareDistances(Executor& executor) const;
+  void prepareDistances(Executor& executor) const;
 
-  /// Evaluates the samples of an extent of a grid. Returns false when the executor was interrupted.
-  bool evaluate(
+  /// Evaluates the samples of an extent of a grid.
+  void evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
   /// Evaluates scattered samples. An open surface with a method that was chosen automatically gets
-  /// the values of few samples from the direct sum where that is faster. Returns false when the
-  /// executor was interrupted.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  /// the values of few samples from the direct sum where that is faster.
+  void evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
   /**
    * Writes the gradient of the winding number at scattered samples, whatever the method, as
-   * #samples by 3 numbers, in 1/length, with respect to the coordinates of the samples. Returns
-   * false when the executor was interrupted.
+   * #samples by 3 numbers, in 1/length, with respect to the coordinates of the samples.
    *
    * The gradient of a surface is exact up to rounding and comes from the boundary alone
    * (BoundaryGradient.h): it is exactly 0 where the boundary is empty, and the same on both sides
@@ -190,7 +187,7 @@ public:
    * Gradients are NaN at samples that are NaN or infinite, and finite at all others. Their bits
    * depend on no more than the bits of values at scattered samples do.
    */
-  virtual bool gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
+  virtual void gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
   /// The triangles that it is the field of, as they came in; null for points.
   virtual const Surface* surface() const { return nullptr; }
@@ -244,9 +241,9 @@ public:
 protected:
   ///@{
   /// The part of evaluate() that gives values and sides; distances are left out.
-  virtual bool evaluateValues(
+  virtual void evaluateValues(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
-  virtual bool evaluateValues(
+  virtual void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   ///@}
 
@@ -261,12 +258,12 @@ protected:
 
 private:
   template <class PositionOf>
-  bool evaluateBlocks(std::size_t samples, const PositionOf& positionOf, const FieldOutput& output,
+  void evaluateBlocks(std::size_t samples, const PositionOf& positionOf, const FieldOutput& output,
     Executor& executor) const;
   template <class EvaluateValues, class EvaluateDistances>
-  bool evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
+  void evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
     const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const;
-  const DistanceTree* distanceTree(Executor& executor) const;
+  const DistanceTree& distanceTree(Executor& executor) const;
 
   mutable std::mutex distanceTreeLock_;
   mutable std::unique_ptr<const DistanceTree> distanceTree_; ///< made when it is first needed

@@ -12,8 +12,8 @@ namespace winding
 namespace
 {
 
-/// Counts so many samples, none of which is inside. evaluate(output): writes to output; false when
-/// the executor was interrupted.
+/// Counts the sides of `samples` samples that are known to be outside. `evaluate` is called with
+/// the output to write to.
 template <class Evaluate>
 SideCounts countSamples(std::size_t samples, double threshold, const Evaluate& evaluate)
 {
@@ -22,10 +22,7 @@ SideCounts countSamples(std::size_t samples, double threshold, const Evaluate& e
   output.inside = reached.data();
   output.rule = InsideRule::absoluteThreshold;
   output.threshold = threshold;
-  if (!evaluate(output))
-  {
-    throw Interrupted();
-  }
+  evaluate(output);
   SideCounts counts;
   counts.samples = samples;
   counts.negative =
@@ -62,7 +59,7 @@ SideCounts countNegative(const Field& field, const Grid& grid, double threshold,
     slab[4] = k;
     slab[5] = std::min(k + layers - 1, whole[5]);
     counts += countSamples(sampleCount(slab), threshold,
-      [&](const FieldOutput& output) { return field.evaluate(grid, slab, output, executor); });
+      [&](const FieldOutput& output) { field.evaluate(grid, slab, output, executor); });
   }
   return counts;
 }
@@ -72,7 +69,7 @@ SideCounts countNegative(
 {
   return threshold > 0
            ? countSamples(samples.size(), threshold,
-               [&](const FieldOutput& output) { return field.evaluate(samples, output, executor); })
+               [&](const FieldOutput& output) { field.evaluate(samples, output, executor); })
            : SideCounts();
 }
 

@@ -279,54 +279,66 @@ double SurfaceField::area() const
   return area_;
 }
 
-bool SurfaceField::prepare(const Grid& grid, Executor& executor) const
+void SurfaceField::prepare(const Grid& grid, Executor& executor) const
 {
-  return capped_ ? capped_->prepare(grid, executor)
-                 : !this->usesFarField(grid) || farField_->suiting(grid, executor) != nullptr;
+  if (capped_)
+  {
+    capped_->prepare(grid, executor);
+  }
+  else if (this->usesFarField(grid))
+  {
+    farField_->suiting(grid, executor);
+  }
 }
 
-bool SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
+void SurfaceField::prepare(const VectorsView& samples, Executor& executor) const
 {
   if (this->usesCapAtPoints(samples.size()))
   {
-    return capped_->prepare(samples, executor);
+    capped_->prepare(samples, executor);
   }
-  return crossings_ || !this->usesFarField(samples.size()) ||
-         farField_->suiting(samples, executor) != nullptr;
+  else if (!crossings_ && this->usesFarField(samples.size()))
+  {
+    farField_->suiting(samples, executor);
+  }
 }
 
-bool SurfaceField::evaluateValues(
+void SurfaceField::evaluateValues(
   const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const
 {
   if (capped_)
   {
-    return capped_->evaluate(grid, extent, output, executor);
+    capped_->evaluate(grid, extent, output, executor);
   }
-  if (!this->usesFarField(grid))
+  else if (this->usesFarField(grid))
   {
-    return Field::evaluateValues(grid, extent, output, executor);
+    farField_->suiting(grid, executor)->evaluate(grid, extent, output, executor);
   }
-  const std::shared_ptr<const FarField> suiting = farField_->suiting(grid, executor);
-  return suiting && suiting->evaluate(grid, extent, output, executor);
+  else
+  {
+    Field::evaluateValues(grid, extent, output, executor);
+  }
 }
 
-bool SurfaceField::evaluateValues(
+void SurfaceField::evaluateValues(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
 {
   if (crossings_)
   {
-    return crossings_->evaluate(samples, output, executor);
+    crossings_->evaluate(samples, output, executor);
   }
-  if (this->usesCapAtPoints(samples.size()))
+  else if (this->usesCapAtPoints(samples.size()))
   {
-    return capped_->evaluate(samples, output, executor);
+    capped_->evaluate(samples, output, executor);
   }
-  if (!this->usesFarField(samples.size()))
+  else if (this->usesFarField(samples.size()))
   {
-    return Field::evaluateValues(samples, output, executor);
+    farField_->suiting(samples, executor)->evaluate(samples, output, executor);
   }
-  const std::shared_ptr<const FarField> suiting = farField_->suiting(samples, executor);
-  return suiting && suiting->evaluate(samples, output, executor);
+  else
+  {
+    Field::evaluateValues(samples, output, executor);
+  }
 }
 
 std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& executor) const

@@ -24,8 +24,8 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
-  bool prepare(const Grid& grid, Executor& executor) const override;
-  bool prepare(const VectorsView& samples, Executor& executor) const override;
+  void prepare(const Grid& grid, Executor& executor) const override;
+  void prepare(const VectorsView& samples, Executor& executor) const override;
 
   const Surface* surface() const override { return &surface_; }
   const Surface* distinctSurface() const override { return distinct_; }
@@ -37,9 +37,9 @@ public:
   double area() const override;
 
 protected:
-  bool evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
+  void evaluateValues(const Grid& grid, const Extent& extent, const FieldOutput& output,
     Executor& executor) const override;
-  bool evaluateValues(
+  void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
   double expectedSecondsOfBuilding() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;

@@ -80,10 +80,7 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
   LevelEdges edges(field, coarse, rule, threshold, withBorder);
   while (!edges.isDone())
   {
-    if (!edges.advance(executor))
-    {
-      throw Interrupted();
-    }
+    edges.advance(executor);
   }
   double count = 0;
   for (std::size_t n = 0; n < edges.size(); ++n)

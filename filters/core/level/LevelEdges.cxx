@@ -110,8 +110,8 @@ public:
     extent_[4] = extent_[5] = -1;
   }
 
-  /// Evaluates layers firstLayer to lastLayer. Returns false when the executor was interrupted.
-  bool evaluate(const Field& field, const Grid& grid, int firstLayer, int lastLayer,
+  /// Evaluates layers firstLayer to lastLayer.
+  void evaluate(const Field& field, const Grid& grid, int firstLayer, int lastLayer,
     InsideRule rule, double threshold, Executor& executor)
   {
     const auto lastBefore = static_cast<std::ptrdiff_t>(layerSize_) * (extent_[5] - extent_[4]);
@@ -128,7 +128,7 @@ public:
     output.inside = inside_.data();
     output.rule = rule;
     output.threshold = threshold;
-    return field.evaluate(grid, evaluated, output, executor);
+    field.evaluate(grid, evaluated, output, executor);
   }
 
   float value(const std::array<int, 3>& sample) const
@@ -202,16 +202,22 @@ int LevelEdges::endOfNext() const
   return std::min(nextLayer_ + layers, grid_.dimensions[2]);
 }
 
-bool LevelEdges::advance(Executor& executor)
+void LevelEdges::advance(Executor& executor)
 {
-  const bool complete = rows_ ? this->advanceByRuns(executor) : this->advanceBySamples(executor);
+  if (rows_)
+  {
+    this->advanceByRuns(executor);
+  }
+  else
+  {
+    this->advanceBySamples(executor);
+  }
   if (this->isDone())
   {
     // No edge begins in the border behind the last layer.
     std::fill(starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, -border_, nextLayer_)),
       starts_.end(), static_cast<std::uint32_t>(edges_.size()));
   }
-  return complete;
 }
 
 void LevelEdges::addSides(const std::vector<SideCounts>& layers)
@@ -222,8 +228,7 @@ void LevelEdges::addSides(const std::vector<SideCounts>& layers)
   }
 }
 
-bool LevelEdges::advanceByRuns(Executor& executor)
-try
+void LevelEdges::advanceByRuns(Executor& executor)
 {
   const auto depth = static_cast<std::size_t>(grid_.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
@@ -248,31 +253,20 @@ try
         }
       });
   };
-  if (!executor.run(depth, findLayer))
-  {
-    return false;
-  }
+  executor.run(depth, findLayer);
   this->addSides(sides);
   this->addEdges(layers, nullptr, executor);
   nextLayer_ = grid_.dimensions[2];
-  return true;
-}
-catch (const Interrupted&)
-{
-  return false;
 }
 
-bool LevelEdges::advanceBySamples(Executor& executor)
+void LevelEdges::advanceBySamples(Executor& executor)
 {
   const int end = this->endOfNext();
   if (!slab_)
   {
     slab_ = std::make_unique<Slab>(grid_, end);
   }
-  if (!slab_->evaluate(field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor))
-  {
-    return false;
-  }
+  slab_->evaluate(field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor);
   const auto count = static_cast<std::size_t>(end - nextLayer_);
   std::vector<Layer> layers(count + 1, Layer(border_));
   layers[0] = std::move(*lastLayer_);
@@ -310,7 +304,6 @@ bool LevelEdges::advanceBySamples(Executor& executor)
   {
     slab_ = nullptr;
   }
-  return true;
 }
 
 namespace

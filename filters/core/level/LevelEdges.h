@@ -65,8 +65,8 @@ public:
   double nextProgress() const { return this->shareOf(this->endOfNext()); }
   ///@}
 
-  /// Goes on with the next slab. Returns false when the executor was interrupted.
-  bool advance(Executor& executor);
+  /// Goes on with the next slab. Throws Interrupted.
+  void advance(Executor& executor);
 
   ///@{
   /// The edges, and all that is asked about them below, are known once isDone().
@@ -128,8 +128,8 @@ private:
   int endOfNext() const;
 
   void addSides(const std::vector<SideCounts>& layers);
-  bool advanceByRuns(Executor& executor);
-  bool advanceBySamples(Executor& executor);
+  void advanceByRuns(Executor& executor);
+  void advanceBySamples(Executor& executor);
   void addEdges(const std::vector<Layer>& layers, const Slab* slab, Executor& executor);
 
   const Field& field_;

@@ -90,10 +90,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   {
     searches_.insert(searches_.end(), some.begin(), some.end());
   }
-  if (!this->dropFound(executor))
-  {
-    throw Interrupted();
-  }
+  this->dropFound(executor);
 }
 
 /// The crossings of an edge from one fraction to another, both included; clouds have none.
@@ -215,16 +212,14 @@ void LevelRoots::narrow(Search& search, double windingNumber) const
   }
 }
 
-/// Drops the searches whose roots are found, and keeps the others in their order. Returns false
-/// when the executor was interrupted.
-bool LevelRoots::dropFound(Executor& executor)
+/// Drops the searches whose roots are found, and keeps the others in their order.
+void LevelRoots::dropFound(Executor& executor)
 {
   std::vector<unsigned char> goesOn(searches_.size());
-  const bool complete = executor.runBriefly((searches_.size() + edgesPerBlock - 1) / edgesPerBlock,
-    [&](std::size_t block)
+  runBlocks(
+    searches_.size(), edgesPerBlock,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const std::size_t first = block * edgesPerBlock;
-      const std::size_t last = std::min(searches_.size(), first + edgesPerBlock);
       for (std::size_t i = first; i < last; ++i)
       {
         goesOn[i] = !this->isFound(searches_[i]);
@@ -233,7 +228,8 @@ bool LevelRoots::dropFound(Executor& executor)
           this->chooseNext(searches_[i]);
         }
       }
-    });
+    },
+    executor);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < searches_.size(); ++i)
   {
@@ -243,10 +239,9 @@ bool LevelRoots::dropFound(Executor& executor)
     }
   }
   searches_.resize(kept);
-  return complete;
 }
 
-bool LevelRoots::advance(Executor& executor)
+void LevelRoots::advance(Executor& executor)
 {
   std::vector<double> positions(3 * searches_.size()), values(searches_.size());
   for (std::size_t i = 0; i < searches_.size(); ++i)
@@ -259,15 +254,12 @@ bool LevelRoots::advance(Executor& executor)
   }
   FieldOutput output;
   output.doubleValues = values.data();
-  if (!field_.evaluate(VectorsView(positions.data(), searches_.size()), output, executor))
-  {
-    return false;
-  }
+  field_.evaluate(VectorsView(positions.data(), searches_.size()), output, executor);
   for (std::size_t i = 0; i < searches_.size(); ++i)
   {
     this->narrow(searches_[i], values[i]);
   }
-  return this->dropFound(executor);
+  this->dropFound(executor);
 }
 
 } // namespace winding

@@ -42,9 +42,8 @@ public:
   /// Whether every root is found.
   bool isDone() const { return searches_.empty(); }
 
-  /// Goes through the next round; mostly there are less than 20. Returns false when the executor
-  /// was interrupted.
-  bool advance(Executor& executor);
+  /// Goes through the next round; mostly there are less than 20. Throws Interrupted.
+  void advance(Executor& executor);
 
   /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
   const std::vector<double>& fractions() const { return fractions_; }
@@ -71,7 +70,7 @@ private:
   bool isFound(const Search& search);
   void chooseNext(Search& search) const;
   void narrow(Search& search, double windingNumber) const;
-  bool dropFound(Executor& executor);
+  void dropFound(Executor& executor);
 
   const Field& field_;
   const Grid& grid_;

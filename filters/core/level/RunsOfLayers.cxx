@@ -49,10 +49,7 @@ RunsOfLayers::RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first
       });
     block.runs.shrink_to_fit();
   };
-  if (!executor.run(blocks_.size(), work))
-  {
-    throw Interrupted();
-  }
+  executor.run(blocks_.size(), work);
   for (const SideCounts& counts : sides)
   {
     sides_ += counts;

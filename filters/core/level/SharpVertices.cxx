@@ -55,10 +55,7 @@ void SharpVertices::addGradients(const Field& field, Executor& executor)
       grid_.firstSample + this->crossing(withGradient_[n]).cwiseProduct(grid_.spacing);
     std::copy_n(sample.data(), 3, &samples[3 * n]);
   }
-  if (!field.gradient(VectorsView(samples.data(), withGradient_.size()), found.data(), executor))
-  {
-    throw Interrupted();
-  }
+  field.gradient(VectorsView(samples.data(), withGradient_.size()), found.data(), executor);
   gradients_.resize(withGradient_.size());
   for (std::size_t n = 0; n < gradients_.size(); ++n)
   {

@@ -68,10 +68,7 @@ double cubesOfSmoothField(
   std::vector<float> values(sampleCount(extent));
   FieldOutput output;
   output.values = values.data();
-  if (!field.evaluate(coarse, extent, output, executor))
-  {
-    throw Interrupted();
-  }
+  field.evaluate(coarse, extent, output, executor);
   const CubeRanges<float> ranges(values.data(), extent, extent);
   const Eigen::Vector3i counts = coarse.dimensions / 2;
   constexpr double leastJump = 0.3; // w changes by 1 at a triangle, and by less between samples

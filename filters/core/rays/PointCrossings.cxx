@@ -51,8 +51,8 @@ public:
   {
   }
 
-  /// Returns false, or throws Interrupted, when the executor was interrupted.
-  bool run(const RaysInColumns& rays, const CandidateTriangles& triangles, const Share& share)
+  /// Runs the tasks of all columns. Throws Interrupted.
+  void run(const RaysInColumns& rays, const CandidateTriangles& triangles, const Share& share)
   {
     const ReachOfTriangles reach(counter_, triangles, rays, executor_);
     const double all = static_cast<double>(rays.starts.back() - rays.starts.front());
@@ -63,12 +63,8 @@ public:
     for (std::size_t round = 0; round + 1 < reach.rounds().size(); ++round)
     {
       const std::size_t first = reach.rounds()[round], last = reach.rounds()[round + 1];
-      if (!this->run(rays, reach, first, last, share.part(until(first), until(last))))
-      {
-        return false;
-      }
+      this->run(rays, reach, first, last, share.part(until(first), until(last)));
     }
-    return true;
   }
 
 private:
@@ -80,7 +76,7 @@ private:
   };
 
   /// Runs the tasks of columns first … last − 1, and divides those that give up.
-  bool run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
+  void run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
     std::size_t last, const Share& share)
   {
     std::vector<Full> full;
@@ -97,7 +93,7 @@ private:
       std::mutex mutex;
       tasksEnd = mayGiveUp ? 0.5 : 1;
       this->show(share.part(0, tasksEnd));
-      const bool isComplete = executor_.run(last - first,
+      executor_.run(last - first,
         [&](std::size_t i)
         {
           Ray* const begin = rays.starts[first + i];
@@ -116,28 +112,20 @@ private:
           const std::lock_guard<std::mutex> lock(mutex);
           full.push_back({first + i, std::move(ids)});
         });
-      if (!isComplete)
-      {
-        return false;
-      }
     }
     const Share rest = share.part(tasksEnd, 1);
     for (std::size_t i = 0; i < full.size(); ++i)
     {
       const double count = static_cast<double>(full.size()), at = static_cast<double>(i);
       const std::size_t column = full[i].column;
-      if (!this->divide(rays.starts[column], rays.starts[column + 1], full[i].triangles,
-            rest.part(at / count, (at + 1) / count)))
-      {
-        return false;
-      }
+      this->divide(rays.starts[column], rays.starts[column + 1], full[i].triangles,
+        rest.part(at / count, (at + 1) / count));
     }
-    return true;
   }
 
   /// Divides a column into columns that, if possible, are not too full even if all triangles reach
   /// all of them.
-  bool divide(Ray* first, Ray* last, const TriangleIds& triangles, const Share& share)
+  void divide(Ray* first, Ray* last, const TriangleIds& triangles, const Share& share)
   {
     constexpr double pairsPerColumn = RayCounter::mostSteps / 4.0;
     const double rays = static_cast<double>(last - first);
@@ -148,10 +136,11 @@ private:
     if (columns.count() > 1)
     {
       const RaysInColumns inColumns = RayCounter::sort(first, last, columns);
-      return this->run(inColumns, CandidateTriangles(triangles), share);
+      this->run(inColumns, CandidateTriangles(triangles), share);
+      return;
     }
     this->show(share);
-    return executor_.run(1,
+    executor_.run(1,
       [&](std::size_t)
       {
         counter_.countAll(first, last, triangles);
@@ -238,13 +227,13 @@ bool PointCrossings::isWorthClearing(std::size_t samples) const
          bounds_.sizes().maxCoeff() > 0;
 }
 
-bool PointCrossings::evaluate(
+void PointCrossings::evaluate(
   const VectorsView& samples, const FieldOutput& output, Executor& executor) const
-try
 {
   if (!this->isWorthClearing(samples.size()))
   {
-    return this->cast(samples, output, nullptr, executor);
+    this->cast(samples, output, nullptr, executor);
+    return;
   }
   DividedShare share(executor);
   share.set(0, 0.2);
@@ -256,23 +245,16 @@ try
     std::vector<double> windings(places.size());
     FieldOutput toWindings;
     toWindings.doubleValues = windings.data();
-    if (!this->cast(VectorsView(places[0].data(), places.size()), toWindings, nullptr, executor))
-    {
-      return false;
-    }
+    this->cast(VectorsView(places[0].data(), places.size()), toWindings, nullptr, executor);
     clear.setWindings(std::move(windings));
   }
   share.set(0.2, 1);
-  return this->cast(samples, output, &clear, executor);
-}
-catch (const Interrupted&)
-{
-  return false;
+  this->cast(samples, output, &clear, executor);
 }
 
 /// Writes the values of samples: those that `clear` has, unless it is null, and of all others by
 /// rays.
-bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
+void PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   const ClearCells* clear, Executor& executor) const
 {
   const Bounds& bounds = bounds_;
@@ -326,7 +308,7 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
 
   if (box.isEmpty())
   {
-    return true; // all is known
+    return; // all is known
   }
   const Columns columns(box, std::min(mostBuckets, samples.size()));
   Buckets<Ray> rays = distribute<Ray>(
@@ -355,8 +337,7 @@ bool PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   inColumns.starts.back() = rays.end(columns.count() - 1);
 
   const RayCounter counter(chain_, scale);
-  return ColumnTasks(counter, output, executor)
-    .run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
+  ColumnTasks(counter, output, executor).run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
 }
 
 } // namespace winding

@@ -65,13 +65,13 @@ public:
   /// the triangles.
   EvaluationCost expectedCost(std::size_t samples) const;
 
-  /// Returns false when the executor was interrupted. Divides the executor's share of progress and
-  /// restores it in the end.
-  bool evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
+  /// Evaluates scattered samples. Divides the executor's share of progress and restores it in the
+  /// end. Throws Interrupted.
+  void evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
 private:
   bool isWorthClearing(std::size_t samples) const;
-  bool cast(const VectorsView& samples, const FieldOutput& output, const ClearCells* clear,
+  void cast(const VectorsView& samples, const FieldOutput& output, const ClearCells* clear,
     Executor& executor) const;
 
   CrossedChain chain_;

@@ -354,22 +354,21 @@ std::unique_ptr<const RowCrossings::OnGrid> RowCrossings::on(
     grid, extent, rows, vertices_, triangles_, cap_, executor);
 }
 
-bool RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
+void RowCrossings::evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
   const RowWork& work, Executor& executor) const
 {
-  return this->evaluateBlocks(
+  this->evaluateBlocks(
     grid, extent, samplesPerBlock,
     [&work](const OnGrid& onGrid, int k, std::size_t band) { onGrid.evaluate(k, band, work); },
     executor);
 }
 
-bool RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
+void RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
   std::size_t samplesPerBlock, const BlockWork& work, Executor& executor) const
-try
 {
   if (sampleCount(extent) == 0)
   {
-    return true;
+    return;
   }
   const std::size_t width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const std::size_t height = static_cast<std::size_t>(extent[3] - extent[2] + 1);
@@ -383,8 +382,7 @@ try
     return static_cast<double>(done) / static_cast<double>(depth);
   };
   DividedShare divided(executor);
-  bool isComplete = true;
-  for (std::size_t done = 0; isComplete && done < depth; done += layers)
+  for (std::size_t done = 0; done < depth; done += layers)
   {
     const std::size_t end = std::min(done + layers, depth);
     Extent slab = extent;
@@ -392,14 +390,9 @@ try
     slab[5] = extent[4] + static_cast<int>(end - 1);
     divided.set(shareOf(done), shareOf(end));
     const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows, executor);
-    isComplete = executor.run(bands * (end - done), [&](std::size_t block)
+    executor.run(bands * (end - done), [&](std::size_t block)
       { work(*onGrid, slab[4] + static_cast<int>(block / bands), block % bands); });
   }
-  return isComplete;
-}
-catch (const Interrupted&)
-{
-  return false;
 }
 
 std::size_t RowCrossings::layersAtATime(

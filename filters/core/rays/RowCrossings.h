@@ -81,12 +81,12 @@ public:
   using BlockWork = std::function<void(const OnGrid& onGrid, int k, std::size_t band)>;
 
   /// Calls work for all bands of an extent. A band has about samplesPerBlock samples, and at least
-  /// a row. Returns false when the executor was interrupted.
-  bool evaluateBlocks(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
+  /// a row. Throws Interrupted.
+  void evaluateBlocks(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
     const BlockWork& work, Executor& executor) const;
 
   /// Calls work for all rows of an extent, as evaluateBlocks() comes to them.
-  bool evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
+  void evaluate(const Grid& grid, const Extent& extent, std::size_t samplesPerBlock,
     const RowWork& work, Executor& executor) const;
 
 private:

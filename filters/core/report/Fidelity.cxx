@@ -37,10 +37,9 @@ std::vector<double> distancesOf(
   FieldOutput output;
   output.doubleDistances = distances.data();
   output.inside = outside.data(); // distances without signs
-  if (!points.empty() &&
-      !evaluateDistances(tree, VectorsView(points[0].data(), points.size()), output, executor))
+  if (!points.empty())
   {
-    throw Interrupted();
+    evaluateDistances(tree, VectorsView(points[0].data(), points.size()), output, executor);
   }
   return distances;
 }

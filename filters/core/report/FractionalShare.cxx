@@ -47,10 +47,7 @@ std::optional<double> fractionalShare(const Field& field, Executor& executor)
   std::vector<float> values(sampleCount(extent));
   FieldOutput output;
   output.values = values.data();
-  if (!field.evaluate(*grid, extent, output, executor))
-  {
-    throw Interrupted();
-  }
+  field.evaluate(*grid, extent, output, executor);
   const auto fractional = std::count_if(
     values.begin(), values.end(), [](float w) { return std::abs(w - std::round(w)) > 0.1F; });
   return static_cast<double>(fractional) / static_cast<double>(values.size());

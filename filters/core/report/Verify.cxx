@@ -180,7 +180,7 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
   const double undecided = undecidedDistance(field, grid);
   std::vector<double> errors(drawn.size());
   std::vector<Place> places(drawn.size(), Place::free);
-  const bool complete = executor.run(drawn.size(),
+  executor.run(drawn.size(),
     [&](std::size_t i)
     {
       const Eigen::Vector3i& index = drawn[i];
@@ -200,10 +200,6 @@ Verification verify(const Field& field, const Grid& grid, const Extent& extent,
     });
 
   Verification result;
-  if (!complete)
-  {
-    return result;
-  }
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
     if (!contains(extent, drawn[i]))

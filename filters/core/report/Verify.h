@@ -47,7 +47,7 @@ struct Verification
  * rounded by 6e-8 of such values, which exceeds small tolerances, so these samples have statistics
  * of their own and are in no others.
  *
- * When the executor is interrupted, no sample counts as compared.
+ * Throws Interrupted.
  *
  * valueOf(n) is the value of the n-th sample of the extent.
  */

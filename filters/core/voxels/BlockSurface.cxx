@@ -93,10 +93,7 @@ void BlockSurface<Label>::build(std::int64_t* quads, const AddCorner& addCorner,
       }
     };
     share.set(k / (n[2] + 1.0), (k + 1) / (n[2] + 1.0));
-    if (!executor.run(1, addLayer))
-    {
-      throw Interrupted();
-    }
+    executor.run(1, addLayer);
     lower_.swap(upper_);
     upper_.assign(upper_.size(), -1);
   }

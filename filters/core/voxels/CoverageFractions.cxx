@@ -181,7 +181,7 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
     rows.on(samples_, samples, bands, executor);
   const auto bandCount = bands.countIn(samples);
   const auto layers = static_cast<std::size_t>(extent_[5] - extent_[4] + 1);
-  const bool isComplete = executor.run(layers * bandCount,
+  executor.run(layers * bandCount,
     [&](std::size_t block)
     {
       const int k = extent_[4] + static_cast<int>(block / bandCount);
@@ -211,10 +211,6 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
         counts.forEach(row, [&](std::size_t i, int count) { fractions[i] = this->share(count); });
       }
     });
-  if (!isComplete)
-  {
-    throw Interrupted();
-  }
 }
 
 void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) const
@@ -225,10 +221,7 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
   output.inside = inside.data();
   output.rule = rule_;
   output.threshold = threshold_;
-  if (!field_.evaluate(samples_, samples, output, executor))
-  {
-    throw Interrupted();
-  }
+  field_.evaluate(samples_, samples, output, executor);
   const auto width = static_cast<std::size_t>(samples[1] - samples[0] + 1);
   runBlocks(
     static_cast<std::size_t>(voxels[5] - voxels[4] + 1), 1,

@@ -36,9 +36,9 @@ void VoxelEvaluation::run(
                      : coverage == Coverage::any    ? 0.5
                                                     : 0.1;
   share.set(0, end);
-  if (hasCenters && !field.evaluate(grid, extent, atCenters, executor))
+  if (hasCenters)
   {
-    throw Interrupted();
+    field.evaluate(grid, extent, atCenters, executor);
   }
   if (coverage == Coverage::any)
   {

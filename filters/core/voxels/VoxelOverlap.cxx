@@ -28,10 +28,7 @@ void addCorners(const Field& field, const Grid& grid, const Extent& extent, Insi
   output.inside = corners.data();
   output.rule = rule;
   output.threshold = threshold;
-  if (!field.evaluate(cornerGrid, cornerExtent, output, executor))
-  {
-    throw Interrupted();
-  }
+  field.evaluate(cornerGrid, cornerExtent, output, executor);
   const auto width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   runBlocks(
     static_cast<std::size_t>(extent[5] - extent[4] + 1), 1,

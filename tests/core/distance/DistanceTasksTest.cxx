@@ -29,10 +29,10 @@ using winding::sampleNumber;
 class CountingTasks final : public winding::Executor
 {
 public:
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     tasks += count;
-    return winding::SerialExecutor().run(count, work);
+    winding::SerialExecutor().run(count, work);
   }
   std::size_t tasks = 0;
 };
@@ -57,8 +57,8 @@ TEST(DistanceTasks, InterruptionIsToldWhereverItCame)
     const auto field = fieldOf(icosphere(2));
     Interruption executor(runs);
     Distances result(sampleCount(grid.wholeExtent()));
-    const bool isComplete =
-      field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor);
+    const bool isComplete = isCompleted(
+      [&] { field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor); });
     isOver = !executor.cameToPass();
     EXPECT_EQ(isComplete, isOver) << runs;
     // An interruption leaves the next evaluation as good as any.
@@ -83,7 +83,7 @@ TEST(DistanceTasks, AreSmallWhereEverythingIsAsNear)
   {
     CountingTasks executor;
     const winding::FieldOutput output = result.output(infinite);
-    EXPECT_TRUE(winding::GridDistances(tree, grid, extent, output).evaluate(executor));
+    winding::GridDistances(tree, grid, extent, output).evaluate(executor);
     return executor.tasks;
   };
   EXPECT_EQ(tasksFor(part, some), 1u);
@@ -91,8 +91,8 @@ TEST(DistanceTasks, AreSmallWhereEverythingIsAsNear)
 
   const std::vector<Point> samples = samplesOf(grid);
   CountingTasks executor;
-  EXPECT_TRUE(winding::evaluateDistances(tree,
-    winding::VectorsView(samples[0].data(), samples.size()), scattered.output(infinite), executor));
+  winding::evaluateDistances(tree, winding::VectorsView(samples[0].data(), samples.size()),
+    scattered.output(infinite), executor);
   // The samples are sorted by two runs of one task each, then 64 tasks search for them, and leave
   // most of them to further tasks.
   EXPECT_GT(executor.tasks, 66u + 32u);
@@ -115,8 +115,8 @@ TEST(DistanceTasks, OfEqualSamplesTakeNoLongerThanOfOne)
   const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
   const std::vector<Point> samples(2'000'000, Point(0, 0, 0));
   Distances found(samples.size());
-  EXPECT_TRUE(winding::evaluateDistances(
-    tree, winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), serial));
+  winding::evaluateDistances(
+    tree, winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), serial);
   EXPECT_NEAR(found.distances[0], -1, 1e-14);
   EXPECT_EQ(std::count(found.distances.begin(), found.distances.end(), found.distances[0]),
     static_cast<std::ptrdiff_t>(samples.size()));
@@ -129,8 +129,8 @@ TEST(DistanceTasks, OfEqualSamplesThatAreFewTakeNoLongerThanOfOne)
   const std::vector<Point> samples(79'000, Point(0, 0, 0));
   Distances found(samples.size());
   CountingTasks executor;
-  EXPECT_TRUE(winding::evaluateDistances(tree,
-    winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), executor));
+  winding::evaluateDistances(tree, winding::VectorsView(samples[0].data(), samples.size()),
+    found.output(infinite), executor);
   EXPECT_LE(executor.tasks, 74u) << "10 to sort, 64 to search, and none is left for cells";
   EXPECT_EQ(std::count(found.distances.begin(), found.distances.end(), found.distances[0]),
     static_cast<std::ptrdiff_t>(samples.size()));
@@ -146,8 +146,9 @@ TEST(DistanceTasks, SearchesAreInterruptedWhereverThatComes)
   {
     Interruption executor(runs);
     Distances found(samples.size());
-    const bool isComplete = winding::evaluateDistances(tree,
-      winding::VectorsView(samples[0].data(), samples.size()), found.output(infinite), executor);
+    const winding::VectorsView view(samples[0].data(), samples.size());
+    const bool isComplete = isCompleted(
+      [&] { winding::evaluateDistances(tree, view, found.output(infinite), executor); });
     isOver = !executor.cameToPass();
     EXPECT_EQ(isComplete, isOver) << runs;
   }
@@ -160,15 +161,15 @@ TEST(DistanceTasks, WorkThatTasksLeaveShowsNoProgressOnceMore)
   class Counting final : public winding::Executor
   {
   public:
-    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    void run(std::size_t count, const std::function<void(std::size_t)>& work) override
     {
       ++shown;
-      return winding::SerialExecutor().run(count, work);
+      winding::SerialExecutor().run(count, work);
     }
-    bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
+    void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override
     {
       ++brief;
-      return winding::SerialExecutor().run(count, work);
+      winding::SerialExecutor().run(count, work);
     }
     int shown = 0, brief = 0;
   };
@@ -188,10 +189,10 @@ TEST(DistanceTasks, WorkThatTasksLeaveShowsNoProgressOnceMore)
     winding::SerialExecutor serial;
     const auto field =
       Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
-    ASSERT_TRUE(field->prepareDistances(serial));
+    field->prepareDistances(serial);
     Counting executor;
     Distances result(sampleCount(grid.wholeExtent()));
-    EXPECT_TRUE(field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor));
+    field->evaluate(grid, grid.wholeExtent(), result.output(infinite), executor);
     EXPECT_EQ(executor.shown, 2) << "values, and distances";
     brief[i] = executor.brief;
   }
@@ -205,18 +206,18 @@ TEST(DistanceTasks, TreeIsMadeOnceAndBeforeIfAskedFor)
   class Counting final : public winding::Executor
   {
   public:
-    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    void run(std::size_t count, const std::function<void(std::size_t)>& work) override
     {
       ++runs;
-      return winding::SerialExecutor().run(count, work);
+      winding::SerialExecutor().run(count, work);
     }
     int runs = 0;
   };
   const auto field = fieldOf(icosphere(2));
   Counting preparing, again;
-  EXPECT_TRUE(field->prepareDistances(preparing));
+  field->prepareDistances(preparing);
   EXPECT_GT(preparing.runs, 1);
-  EXPECT_TRUE(field->prepareDistances(again));
+  field->prepareDistances(again);
   EXPECT_EQ(again.runs, 0);
   EXPECT_GT(field->expectedCostOfDistances(1000).bytes, 320 * sizeof(winding::NearTriangle));
 }

@@ -468,7 +468,7 @@ TEST(Distance, SignFollowsTheRuleWhateverElseIsWritten)
       withNothing.distances = ofNothing.data();
       for (const FieldOutput& output : {withValues, withInside, withNothing})
       {
-        ASSERT_TRUE(field->evaluate(grid, grid.wholeExtent(), output, serial));
+        field->evaluate(grid, grid.wholeExtent(), output, serial);
       }
       EXPECT_EQ(ofValues, ofInside);
       EXPECT_EQ(ofValues, ofNothing);
@@ -493,8 +493,7 @@ TEST(Distance, FloatsNeitherVanishNorBecomeInfinite)
   {
     const Mesh mesh = icosphere(1).mapped([&](const Point& p) { return Point(scale * p); });
     const std::vector<Point> samples = {Point(0, 0, 0), Point(3 * scale, 0, 0)};
-    ASSERT_TRUE(
-      fieldOf(mesh)->evaluate(winding::VectorsView(samples[0].data(), 2), output, serial));
+    fieldOf(mesh)->evaluate(winding::VectorsView(samples[0].data(), 2), output, serial);
     const float expected =
       scale < 1 ? std::numeric_limits<float>::min() : std::numeric_limits<float>::max();
     EXPECT_EQ(distances[0], -expected);

@@ -244,6 +244,7 @@ TEST(FarFieldGradient, IsLeftUndoneByAnInterruptedExecutor)
   const FarField field = fieldOf(*farSource(sphereCloud(3000)));
   const std::vector<Point> samples = randomPoints(1000, -1.5, 1.5, 653);
   std::vector<Point> gradients(1000);
-  EXPECT_FALSE(field.gradient(
-    winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), interruption));
+  EXPECT_THROW(field.gradient(winding::VectorsView(samples[0].data(), samples.size()),
+                 gradients[0].data(), interruption),
+    winding::Interrupted);
 }

@@ -314,9 +314,10 @@ TEST(FarFieldSamples, AreLeftUndoneByAnInterruptedExecutor)
   for (const std::size_t blocks : {0, 1, 3})
   {
     Interruption onGrid(0, blocks), atSamples(0, blocks);
-    EXPECT_FALSE(field.evaluate(grid, grid.wholeExtent(), output, onGrid));
-    EXPECT_FALSE(
-      field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, atSamples));
+    EXPECT_THROW(field.evaluate(grid, grid.wholeExtent(), output, onGrid), winding::Interrupted);
+    EXPECT_THROW(
+      field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, atSamples),
+      winding::Interrupted);
   }
 }
 
@@ -367,7 +368,7 @@ TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
     winding::FieldOutput output;
     output.doubleValues = values.data();
     const winding::VectorsView view(samples[0].data(), count);
-    EXPECT_TRUE(farField.suiting(view, serial)->evaluate(view, output, serial));
+    farField.suiting(view, serial)->evaluate(view, output, serial);
     EXPECT_TRUE(std::isfinite(values[0]));
   }
 }
@@ -384,7 +385,7 @@ TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
   const winding::VectorsView one(samples[0].data(), 1), other(samples[1].data(), 1),
     both(samples[0].data(), 2);
   Interruption interruption(0);
-  EXPECT_EQ(farField.suiting(one, interruption), nullptr);
+  EXPECT_THROW(farField.suiting(one, interruption), winding::Interrupted);
   const auto whole = farField.suiting(one, serial);
   const auto cut = farField.suiting(both, serial);
   ASSERT_NE(whole, nullptr);
@@ -421,13 +422,13 @@ TEST(FarFieldSamples, AloneGetATreeThatOneThreadBuildsWhileTheOthersWait)
   class Watching final : public winding::Executor
   {
   public:
-    bool run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    void run(std::size_t count, const std::function<void(std::size_t)>& work) override
     {
       if (runs++ == 0 && beside)
       {
         beside();
       }
-      return winding::SerialExecutor().run(count, work);
+      winding::SerialExecutor().run(count, work);
     }
     std::function<void()> beside;
     std::atomic<int> runs{0};

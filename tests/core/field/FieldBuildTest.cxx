@@ -47,7 +47,7 @@ double valueAt(const Field& field, const Point& sample)
   FieldOutput output;
   output.doubleValues = &value;
   winding::SerialExecutor serial;
-  EXPECT_TRUE(field.evaluate(winding::VectorsView(sample.data(), 1), output, serial));
+  field.evaluate(winding::VectorsView(sample.data(), 1), output, serial);
   return value;
 }
 

@@ -65,7 +65,7 @@ void expectInsideOut(const Field& field, const Grid& grid, bool expected, double
   winding::FieldOutput output;
   output.doubleValues = values.data();
   winding::SerialExecutor serial;
-  ASSERT_TRUE(field.evaluate(view, output, serial));
+  field.evaluate(view, output, serial);
   ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
   const winding::SideCounts sides =
     winding::countSides(values.size(), threshold, [&values](std::size_t i) { return values[i]; });

@@ -190,9 +190,9 @@ TEST(Ranges, ScatteredSamplesGetFiniteNumbersAndFarOnesNothing)
     const std::vector<Point> samples = someSamples(one.size);
     const winding::VectorsView view(samples[0].data(), samples.size());
     Results results(samples.size());
-    ASSERT_TRUE(one.field->evaluate(view, results.output(), serial));
+    one.field->evaluate(view, results.output(), serial);
     std::vector<Point> gradients(samples.size());
-    ASSERT_TRUE(one.field->gradient(view, gradients[0].data(), serial));
+    one.field->gradient(view, gradients[0].data(), serial);
     std::size_t bad = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
@@ -233,7 +233,7 @@ TEST(Ranges, GridsGetFiniteNumbers)
     for (const Grid& grid : grids)
     {
       Results results(winding::sampleCount(grid.wholeExtent()));
-      ASSERT_TRUE(one.field->evaluate(grid, grid.wholeExtent(), results.output(), serial));
+      one.field->evaluate(grid, grid.wholeExtent(), results.output(), serial);
       std::size_t bad = 0;
       for (std::size_t i = 0; i < results.values.size(); ++i)
       {

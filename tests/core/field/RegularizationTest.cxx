@@ -509,8 +509,7 @@ TEST(RegularizedField, HasLengthsInUnitsOfTheSpacing)
     winding::FieldOutput output;
     output.doubleValues = values.data();
     winding::SerialExecutor serial;
-    ASSERT_TRUE(
-      field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial));
+    field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
       const double w = reference(expected, samples[i]);

@@ -39,13 +39,13 @@ struct Numbers
     output.doubleValues = values.data();
     output.doubleDistances = distances.data();
     output.inside = inside.data();
-    EXPECT_TRUE(field.evaluate(grid, grid.wholeExtent(), output, executor));
+    field.evaluate(grid, grid.wholeExtent(), output, executor);
     output.doubleValues += onGrid;
     output.doubleDistances += onGrid;
     output.inside += onGrid;
     const winding::VectorsView view(samples[0].data(), samples.size());
-    EXPECT_TRUE(field.evaluate(view, output, executor));
-    EXPECT_TRUE(field.gradient(view, gradients.data(), executor));
+    field.evaluate(view, output, executor);
+    field.gradient(view, gradients.data(), executor);
   }
 };
 

@@ -89,7 +89,7 @@ std::vector<unsigned char> overlapOf(const Field& field, const Grid& grid, const
   winding::FieldOutput output;
   output.inside = inside.data();
   output.rule = rule;
-  EXPECT_TRUE(field.evaluate(grid, extent, output, executor));
+  field.evaluate(grid, extent, output, executor);
   winding::addOverlap(field, grid, extent, rule, output.threshold, inside.data(), executor);
   return inside;
 }
@@ -227,7 +227,7 @@ TEST(CoverageFractions, SamplesOfOneAreTheCentres)
     std::vector<unsigned char> inside(winding::sampleCount(extent));
     winding::FieldOutput output;
     output.inside = inside.data();
-    ASSERT_TRUE(source.field->evaluate(grid, extent, output, serial));
+    source.field->evaluate(grid, extent, output, serial);
     const std::vector<float> fractions =
       fractionsOf(*source.field, grid, extent, 1, output.rule, serial);
     EXPECT_TRUE(std::equal(inside.begin(), inside.end(), fractions.begin())) << source.name;

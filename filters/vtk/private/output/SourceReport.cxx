@@ -83,10 +83,6 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
 {
   const std::shared_ptr<const Field> field =
     Field::build(source.triangles(), FieldOptions(), executor);
-  if (!field)
-  {
-    throw Interrupted();
-  }
   const Surface& surface = *field->surface();
   const SurfaceEdges edgeLists = edgesOf(surface, executor);
   const SurfaceReport report = reportOn(surface, edgeLists, executor);

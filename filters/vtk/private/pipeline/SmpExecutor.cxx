@@ -125,18 +125,14 @@ void SmpExecutor::tellProgress(double done, bool showsProgress) const
   filter_->InvokeEvent(vtkCommand::ProgressEvent, &progress);
 }
 
-bool SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
+void SmpExecutor::run(std::size_t count, const std::function<void(std::size_t)>& work)
 {
-  bool complete = false;
-  this->runOnBackend([&]() { complete = this->runBatches(count, work, true); });
-  return complete;
+  this->runOnBackend(count, work, true);
 }
 
-bool SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
+void SmpExecutor::runBriefly(std::size_t count, const std::function<void(std::size_t)>& work)
 {
-  bool complete = false;
-  this->runOnBackend([&]() { complete = this->runBatches(count, work, false); });
-  return complete;
+  this->runOnBackend(count, work, false);
 }
 
 void SmpExecutor::setShare(double first, double last)
@@ -145,21 +141,34 @@ void SmpExecutor::setShare(double first, double last)
   lastShare_ = last;
 }
 
-void SmpExecutor::runOnBackend(const std::function<void()>& work)
+/// Nothing is thrown within the scope of a backend, which has to be left in order.
+void SmpExecutor::runOnBackend(
+  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress)
 {
   hasRun_ = true;
+  bool isComplete = false;
+  const auto runAll = [&]()
+  {
+    isComplete = this->runBatches(count, work, showsProgress);
+  };
   const std::string backend = backendToUse();
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
   {
-    work();
-    return;
+    runAll();
   }
-  const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), work);
-  // The limit of a scope outlives the scope with TBB (VTK 9.1).
-  if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
+  else
   {
-    vtkSMPTools::Initialize(before);
+    const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), runAll);
+    // The limit of a scope outlives the scope with TBB (VTK 9.1).
+    if (vtkSMPTools::GetEstimatedNumberOfThreads() != before)
+    {
+      vtkSMPTools::Initialize(before);
+    }
+  }
+  if (!isComplete)
+  {
+    throw Interrupted();
   }
 }
 

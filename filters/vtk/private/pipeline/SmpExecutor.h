@@ -28,11 +28,11 @@ public:
   std::pair<double, double> share() const override { return {firstShare_, lastShare_}; }
 
   /// Progress goes to the end of its share.
-  bool run(std::size_t count, const std::function<void(std::size_t)>& work) override;
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
   /// Progress stays. Observers hear of it after every batch all the same, for that is when they can
   /// set the abort flag.
-  bool runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
+  void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
   /// The approximate number of threads that it uses.
   int threads() const;
@@ -41,7 +41,8 @@ public:
   bool hasRun() const { return hasRun_; }
 
 private:
-  void runOnBackend(const std::function<void()>& work);
+  void runOnBackend(
+    std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
   void tellProgress(double done, bool showsProgress) const;

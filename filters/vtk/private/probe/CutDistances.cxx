@@ -74,18 +74,12 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
   DividedShare divided(executor);
   const double shareOfDistances = field.info().jumpsOnly() ? 1 : 0.5;
   divided.set(0, shareOfDistances);
-  if (!field.evaluate(samples, output, executor))
-  {
-    throw Interrupted();
-  }
+  field.evaluate(samples, output, executor);
   if (!field.info().jumpsOnly())
   {
     divided.set(shareOfDistances, 1);
     gradients.resize(3 * samples.size());
-    if (!field.gradient(samples, gradients.data(), executor))
-    {
-      throw Interrupted();
-    }
+    field.gradient(samples, gradients.data(), executor);
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
   {

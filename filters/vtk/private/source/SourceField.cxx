@@ -26,7 +26,7 @@ bool SourceField::Memory::isSame(const InputViews& views, const InputOptions& op
   return same;
 }
 
-const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& options,
+const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& options,
   Executor& executor, Ranks& ranks, bool onlyOnFirst)
 {
   std::optional<InputViews> views;
@@ -62,7 +62,7 @@ const Field* SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     }
     options_ = options.field;
   }
-  return field_.get();
+  return *field_;
 }
 
 const Bounds& SourceField::bounds(

@@ -34,10 +34,10 @@ Ranks::Number hashOf(const SourceOptions& options);
 class SourceField
 {
 public:
-  /// Builds the field, or keeps the last one. Null when the executor was interrupted: then there is
-  /// none to keep either, and the next call builds. Where the first rank alone needs the field, the
-  /// others get an empty one. Collective. Throws Refusal.
-  const Field* prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor,
+  /// Builds the field, or keeps the last one. Where the first rank alone needs the field, the
+  /// others get an empty one. Collective. Throws Refusal and Interrupted, after which the next call
+  /// builds.
+  const Field& prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor,
     Ranks& ranks, bool onlyOnFirst);
 
   /// The bounds of the usable primitives of the source, those of all ranks, found without building
