@@ -113,8 +113,8 @@ Json measureCloud(const Published& published, const winding::Surface& surface)
   const winding::Grid grid = cubeOfVoxels(surface.bounds, published.resolution);
   const winding::PointCloud cloud = verticesOf(surface);
   ThreadExecutor threads;
-  const std::vector<double> areas(
-    cloud.positions.size(), winding::meanPointArea(cloud, threads, winding::defaultNeighbors));
+  const std::vector<double> areas =
+    winding::pointAreas(cloud, {winding::PointAreaMethod::constant, 0}, threads);
   double sum = 0; // the compiler may not leave out what adds to it
   const auto evaluateNaively = [&](const Eigen::Vector3d& sample)
   {

@@ -40,13 +40,9 @@ OrientedPlaces orientPlaces(
 
 } // namespace
 
-ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
-  Executor& executor, std::vector<Eigen::Vector3d> byTree)
+ConsistentNormals consistentNormals(const DistinctPoints& places, int neighbors, Executor& executor,
+  std::vector<Eigen::Vector3d> byTree)
 {
-  DividedShare share(executor);
-  share.set(0, 0.02);
-  const DistinctPoints places(positions, unitScaleOf(positions), executor);
-  share.set(0.02, 1);
   if (!byTree.empty())
   {
     byTree = normalsByPlace(places, byTree);
@@ -56,7 +52,7 @@ ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& position
   ConsistentNormals result;
   result.deviation = oriented.deviation;
   result.triedPatches = oriented.triedPatches;
-  result.normals = normalsByPoint(places, oriented.normals);
+  result.normals = places.byPoint(oriented.normals);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "source/DistinctPoints.h"
 
 #include <Eigen/Core>
 
@@ -44,8 +45,8 @@ struct ConsistentNormals
  * the same for any executor and any order of the points. The work takes O(n log n) time and about
  * 350 bytes per point beside the points themselves. Throws Interrupted.
  */
-ConsistentNormals consistentNormals(const std::vector<Eigen::Vector3d>& positions, int neighbors,
-  Executor& executor, std::vector<Eigen::Vector3d> byTree = {});
+ConsistentNormals consistentNormals(const DistinctPoints& places, int neighbors, Executor& executor,
+  std::vector<Eigen::Vector3d> byTree = {});
 
 /// Tells which normals of a cloud are to be turned round, where their directions are right but
 /// their senses may not be: 1 for those. It is found by the same patches, and none is turned where

@@ -95,7 +95,7 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
     {
       return {};
     }
-    normals = normalsByPoint(feet, oriented.normals);
+    normals = feet.byPoint(oriented.normals);
   }
   share.set(0.7, 1);
   const NeighborGraph graph(places, 2 * neighbors, executor);

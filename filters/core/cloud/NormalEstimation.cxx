@@ -111,31 +111,21 @@ void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
 }
 
 std::vector<Eigen::Vector3d> estimateNormals(
-  const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor)
+  const DistinctPoints& places, int neighbors, Executor& executor)
 {
   DividedShare share(executor);
-  share.set(0, 0.1);
-  const DistinctPoints places(positions, unitScaleOf(positions), executor);
   std::vector<Eigen::Vector3d> ofPlaces(places.size(), Eigen::Vector3d(0, 0, 1));
   if (places.size() > 1)
   {
     const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
-    share.set(0.1, 0.5);
+    share.set(0, 0.5);
     const NeighborGraph graph(places, count, executor);
     share.set(0.5, 0.6);
     ofPlaces = planeNormals(places, graph, count, executor);
     share.set(0.6, 1);
     orientByTree(places, graph, ofPlaces, executor);
   }
-  std::vector<Eigen::Vector3d> normals(positions.size());
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
-    {
-      normals[*point] = ofPlaces[place];
-    }
-  }
-  return normals;
+  return places.byPoint(ofPlaces);
 }
 
 } // namespace winding

@@ -42,7 +42,7 @@ const char* nameOf(NormalEstimation estimation);
  * points. Throws Interrupted.
  */
 std::vector<Eigen::Vector3d> estimateNormals(
-  const std::vector<Eigen::Vector3d>& positions, int neighbors, Executor& executor);
+  const DistinctPoints& places, int neighbors, Executor& executor);
 
 /// Orients the normals of places along the graph, as estimateNormals() does, on one thread.
 /// Throws Interrupted.

@@ -5,7 +5,9 @@
 #include "cloud/ConsistentNormals.h"
 #include "cloud/SheetCuts.h"
 #include "source/UnitNormal.h"
+#include "source/UnitScale.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -29,8 +31,9 @@ Eigen::Vector3d inSingle(Eigen::Vector3d normal)
 
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
 /// field says that they point inward.
-CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> normals,
-  bool hasOwnAreas, const PointAreaOptions& options, Executor& executor)
+CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
+  std::vector<Eigen::Vector3d> normals, bool hasOwnAreas, const PointAreaOptions& options,
+  Executor& executor)
 {
   // Areas and orientation are those of the unit vectors that come back once the rounded normals
   // have been stored.
@@ -48,7 +51,7 @@ CloudOrientation takeOutward(PointCloud& cloud, std::vector<Eigen::Vector3d> nor
   {
     if (!hasOwnAreas)
     {
-      cloud.areas = pointAreas(cloud, options, executor);
+      cloud.areas = pointAreas(cloud, places, options, executor);
     }
   };
   findAreas();
@@ -80,17 +83,19 @@ OutwardNormals giveOutwardNormals(
   ShownExecutor executor(unseen);
   DividedShare share(executor);
   const bool hasOwnAreas = !cloud.areas.empty();
+  share.set(0, 0.02);
+  const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
   OutwardNormals found;
   // Progress has the parts of the time of a million points.
   const bool isTreeAlone = estimation == NormalEstimation::spanningTree;
   const double endOfTree = estimation == NormalEstimation::consistent ? 0 : isTreeAlone ? 1 : 0.15;
   if (estimation != NormalEstimation::consistent)
   {
-    share.set(0, 0.6 * endOfTree);
-    std::vector<Eigen::Vector3d> normals =
-      estimateNormals(cloud.positions, areas.neighbors, executor);
+    share.set(0.02, 0.6 * endOfTree);
+    std::vector<Eigen::Vector3d> normals = estimateNormals(places, areas.neighbors, executor);
     share.set(0.6 * endOfTree, endOfTree);
-    found.orientation = takeOutward(cloud, std::move(normals), hasOwnAreas, areas, executor);
+    found.orientation =
+      takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor);
   }
   // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
   // others. Where the spanning tree is right all the same, as for solids that overlap, its field is
@@ -107,20 +112,20 @@ OutwardNormals giveOutwardNormals(
   const std::vector<Eigen::Vector3d> normals =
     isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
   const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
-  share.set(endOfTree, 0.9);
+  share.set(std::max(endOfTree, 0.02), 0.9);
   ConsistentNormals consistent =
-    consistentNormals(cloud.positions, areas.neighbors, executor, std::move(byTree));
+    consistentNormals(places, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;
   found.work = consistent.triedPatches ? NormalWork::patches : NormalWork::tree;
   share.set(0.9, 0.98);
   found.orientation =
-    takeOutward(cloud, std::move(consistent.normals), hasOwnAreas, areas, executor);
+    takeOutward(cloud, places, std::move(consistent.normals), hasOwnAreas, areas, executor);
   share.set(0.98, 1);
   // Walls inside of another solid, turned round, make the field a little clearer, but wrong.
   constexpr double littleClearer = 0.05;
   const double gain = found.orientation.outward - ofTree.outward;
-  if (isTreeClear && (gain <= 0 || (gain < littleClearer &&
-                                     cutSheets(cloud.positions, normals, cloud.normals, executor))))
+  if (isTreeClear &&
+      (gain <= 0 || (gain < littleClearer && cutSheets(places, normals, cloud.normals, executor))))
   {
     cloud.normals = normals;
     cloud.areas = areasByTree;

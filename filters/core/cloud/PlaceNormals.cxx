@@ -95,24 +95,6 @@ Normals normalsByPlace(const DistinctPoints& places, const Normals& normals)
   return byPlace;
 }
 
-Normals normalsByPoint(const DistinctPoints& places, const Normals& normals)
-{
-  std::size_t points = 0;
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    points += places.count(place);
-  }
-  Normals byPoint(points);
-  for (std::size_t place = 0; place < places.size(); ++place)
-  {
-    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
-    {
-      byPoint[*point] = normals[place];
-    }
-  }
-  return byPoint;
-}
-
 OrientedPlaces orientByPatches(
   const DistinctPoints& places, Normals normals, bool turnsSinglePoints, Executor& executor)
 {

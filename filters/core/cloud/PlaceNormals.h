@@ -35,9 +35,6 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
 /// by its coordinates, whatever the order of the points.
 Normals normalsByPlace(const DistinctPoints& places, const Normals& normals);
 
-/// The normal of its place for each point.
-Normals normalsByPoint(const DistinctPoints& places, const Normals& normals);
-
 /// Turns normals that may have any sense by their patches, unless they fit as they are or as the
 /// spanning tree turns them, and one by one in the end where this is asked for.
 OrientedPlaces orientByPatches(

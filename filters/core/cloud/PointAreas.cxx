@@ -34,9 +34,10 @@ double farthestCorner(std::size_t neighbors)
 class VoronoiAreas
 {
 public:
-  VoronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors)
+  VoronoiAreas(
+    const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor)
     : cloud_(cloud)
-    , places_(cloud.positions, unitScale(cloud.bounds), executor)
+    , places_(places)
     , sites_(cloud, places_, executor)
     , search_(places_, executor)
     , neighbors_(static_cast<std::size_t>(std::max(neighbors, 3)))
@@ -76,7 +77,7 @@ private:
   double mostAreaOf(const Workspace& space, double coveredAngle) const;
 
   const PointCloud& cloud_;
-  const DistinctPoints places_;
+  const DistinctPoints& places_;
   const OrientedSites sites_;
   const NeighborSearch search_;
   const std::size_t neighbors_;
@@ -283,20 +284,22 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
 
 } // namespace
 
-std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors)
+std::vector<double> voronoiAreas(
+  const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor)
 {
   DividedShare share(executor);
   share.set(0, 0.2);
-  VoronoiAreas areas(cloud, executor, neighbors);
+  VoronoiAreas areas(cloud, places, neighbors, executor);
   share.set(0.2, 1);
   return areas.compute(executor);
 }
 
-double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors)
+double meanPointArea(
+  const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor)
 {
   // Areas are sorted before they are summed, so that the mean does not depend on the order of the
   // points.
-  std::vector<double> areas = voronoiAreas(cloud, executor, neighbors);
+  std::vector<double> areas = voronoiAreas(cloud, places, neighbors, executor);
   std::sort(areas.begin(), areas.end());
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   return areas.empty() ? 0 : sum / static_cast<double>(areas.size());
@@ -315,10 +318,20 @@ void checkPointArea(double pointArea)
 std::vector<double> pointAreas(
   const PointCloud& cloud, const PointAreaOptions& options, Executor& executor)
 {
+  const bool needsPlaces = options.method == PointAreaMethod::voronoi || !(options.pointArea > 0);
+  static const std::vector<Eigen::Vector3d> none;
+  const DistinctPoints places(
+    needsPlaces ? cloud.positions : none, unitScale(cloud.bounds), executor);
+  return pointAreas(cloud, places, options, executor);
+}
+
+std::vector<double> pointAreas(const PointCloud& cloud, const DistinctPoints& places,
+  const PointAreaOptions& options, Executor& executor)
+{
   const double pointArea = options.pointArea;
   if (options.method == PointAreaMethod::voronoi)
   {
-    return voronoiAreas(cloud, executor, options.neighbors);
+    return voronoiAreas(cloud, places, options.neighbors, executor);
   }
   const double largest = largestArea(cloud.bounds);
   if (pointArea > largest)
@@ -328,7 +341,8 @@ std::vector<double> pointAreas(
             << largest;
     throw Refusal(message.str());
   }
-  const double area = pointArea > 0 ? pointArea : meanPointArea(cloud, executor, options.neighbors);
+  const double area =
+    pointArea > 0 ? pointArea : meanPointArea(cloud, places, options.neighbors, executor);
   return std::vector<double>(cloud.positions.size(), area);
 }
 

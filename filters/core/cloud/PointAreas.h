@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "source/DistinctPoints.h"
 #include "source/PointCloud.h"
 
 #include <vector>
@@ -27,7 +28,7 @@ struct PointAreaOptions
 };
 
 /**
- * The area that each point of an oriented cloud stands for: the area of its Voronoi cell in its
+ * Finds the area that each point of an oriented cloud stands for: the area of its Voronoi cell in its
  * tangent plane, among those of its k nearest neighbours whose normals are similar to its own
  * (Barill et al., Fast winding numbers for soups and clouds, 2018). Neighbours on the other side of
  * a thin part have opposite normals and do not count.
@@ -55,18 +56,25 @@ struct PointAreaOptions
  * point while it runs. The bits are the same for any executor and any order of the points. Throws
  * Interrupted.
  */
-std::vector<double> voronoiAreas(const PointCloud& cloud, Executor& executor, int neighbors);
+std::vector<double> voronoiAreas(
+  const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor);
 
 /// The mean of voronoiAreas(): one area for every point, such that all together have the right
 /// total. It suits evenly sampled surfaces without strays, whose areas would raise it.
-double meanPointArea(const PointCloud& cloud, Executor& executor, int neighbors);
+double meanPointArea(
+  const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor);
 
 /// Throws Refusal unless pointArea is an area for all points, or 0 for the mean.
 void checkPointArea(double pointArea);
 
-/// The area of each point. An area that is given for all points needs no normals. Throws
-/// Interrupted, and Refusal for an area that is larger than largestArea() (Sanitize.h).
+///@{
+/// Finds the area of each point. An area that is given for all points needs no normals. Throws
+/// Interrupted, and Refusal for an area that is larger than largestArea() (Sanitize.h). `places`
+/// are the cloud's, where they are known already.
 std::vector<double> pointAreas(
   const PointCloud& cloud, const PointAreaOptions& options, Executor& executor);
+std::vector<double> pointAreas(const PointCloud& cloud, const DistinctPoints& places,
+  const PointAreaOptions& options, Executor& executor);
+///@}
 
 } // namespace winding

@@ -2,7 +2,6 @@
 
 #include "cloud/NeighborGraph.h"
 #include "source/DistinctPoints.h"
-#include "source/UnitScale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +10,9 @@
 namespace winding
 {
 
-bool cutSheets(const std::vector<Eigen::Vector3d>& positions,
-  const std::vector<Eigen::Vector3d>& smooth, const std::vector<Eigen::Vector3d>& turned,
-  Executor& executor)
+bool cutSheets(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& smooth,
+  const std::vector<Eigen::Vector3d>& turned, Executor& executor)
 {
-  const DistinctPoints places(positions, unitScaleOf(positions), executor);
   if (places.size() < 2)
   {
     return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "source/DistinctPoints.h"
 
 #include <Eigen/Core>
 
@@ -23,10 +24,10 @@ namespace winding
  * 3.5 √n. Measured on 50 000 points: 1.7 to 5.2 √n for two balls through each other, up to 1.03 √n
  * for separate rods, boxes and plates, and none for nested shells.
  *
- * Takes linear time but for the search for neighbours, and 100 bytes per point. Throws Interrupted.
+ * Takes linear time except for the search for neighbours, and 100 bytes per point. Throws
+ * Interrupted.
  */
-bool cutSheets(const std::vector<Eigen::Vector3d>& positions,
-  const std::vector<Eigen::Vector3d>& smooth, const std::vector<Eigen::Vector3d>& turned,
-  Executor& executor);
+bool cutSheets(const DistinctPoints& places, const std::vector<Eigen::Vector3d>& smooth,
+  const std::vector<Eigen::Vector3d>& turned, Executor& executor);
 
 } // namespace winding

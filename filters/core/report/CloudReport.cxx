@@ -175,7 +175,8 @@ CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& exe
       report.points > report.nonFinite + report.zeroNormals)
   {
     PointCloud cloud = sanitize(views, executor);
-    cloud.areas = voronoiAreas(cloud, executor, defaultNeighbors);
+    const DistinctPoints usable(cloud.positions, unitScale(cloud.bounds), executor);
+    cloud.areas = voronoiAreas(cloud, usable, defaultNeighbors, executor);
     report.orientation = orientationOf(cloud, executor);
   }
   return report;

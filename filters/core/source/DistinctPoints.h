@@ -40,6 +40,20 @@ public:
   std::uint32_t count(std::size_t place) const { return starts_[place + 1] - starts_[place]; }
   ///@}
 
+  /// Returns the value of each point's place, by point.
+  template <class Value> std::vector<Value> byPoint(const std::vector<Value>& byPlace) const
+  {
+    std::vector<Value> values(points_.size());
+    for (std::size_t place = 0; place < this->size(); ++place)
+    {
+      for (const std::uint32_t* point = this->begin(place); point != this->end(place); ++point)
+      {
+        values[*point] = byPlace[place];
+      }
+    }
+    return values;
+  }
+
 private:
   double scale_;
   std::vector<Eigen::Vector3d> positions_;

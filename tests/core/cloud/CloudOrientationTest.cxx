@@ -2,6 +2,7 @@
 
 #include "cloud/PointAreas.h"
 #include "source/PointCloud.h"
+#include "support/Places.h"
 #include "support/Samples.h"
 #include "support/ShuffledThreads.h"
 
@@ -16,7 +17,8 @@ winding::PointCloud withAreas(const Cloud& cloud)
 {
   winding::PointCloud result = clean(cloud);
   winding::SerialExecutor serial;
-  result.areas = winding::voronoiAreas(result, serial, winding::defaultNeighbors);
+  result.areas =
+    winding::voronoiAreas(result, placesOf(result.positions), winding::defaultNeighbors, serial);
   return result;
 }
 

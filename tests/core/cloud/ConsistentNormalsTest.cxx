@@ -6,6 +6,7 @@
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalTrials.h"
 #include "cloud/PatchSigns.h"
+#include "support/Places.h"
 #include "support/Samples.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
@@ -24,7 +25,7 @@ using namespace shapes;
 winding::ConsistentNormals estimate(const std::vector<Point>& positions, int neighbors = 20)
 {
   winding::SerialExecutor serial;
-  return winding::consistentNormals(positions, neighbors, serial);
+  return winding::consistentNormals(placesOf(positions), neighbors, serial);
 }
 
 /// Points on surfaces, with their normals.
@@ -295,7 +296,8 @@ TEST(ConsistentNormals, HaveTheSameBitsForAnyThreadsAndOrder)
       shuffled.push_back(scan.positions[point]);
     }
     ShuffledThreads threads(5);
-    const winding::ConsistentNormals other = winding::consistentNormals(shuffled, 20, threads);
+    const winding::ConsistentNormals other =
+      winding::consistentNormals(placesOf(shuffled), 20, threads);
     EXPECT_EQ(other.deviation, expected.deviation);
     for (std::size_t i = 0; i < order.size(); ++i)
     {
@@ -377,10 +379,10 @@ TEST(ConsistentNormals, AreTheSameWhereTheSpanningTreeIsKnown)
 {
   const Scan scan = shells();
   winding::SerialExecutor serial;
-  const std::vector<Point> byTree = winding::estimateNormals(scan.positions, 20, serial);
+  const std::vector<Point> byTree = winding::estimateNormals(placesOf(scan.positions), 20, serial);
   const winding::ConsistentNormals expected = estimate(scan.positions);
   const winding::ConsistentNormals found =
-    winding::consistentNormals(scan.positions, 20, serial, byTree);
+    winding::consistentNormals(placesOf(scan.positions), 20, serial, byTree);
   EXPECT_EQ(found.normals, expected.normals);
   EXPECT_EQ(found.deviation, expected.deviation);
   EXPECT_TRUE(found.triedPatches);

@@ -2,6 +2,7 @@
 
 #include "cloud/NeighborGraph.h"
 
+#include "support/Places.h"
 #include "support/Samples.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
@@ -18,7 +19,7 @@ using namespace shapes;
 std::vector<Point> estimate(const std::vector<Point>& positions, int neighbors = 20)
 {
   winding::SerialExecutor serial;
-  return winding::estimateNormals(positions, neighbors, serial);
+  return winding::estimateNormals(placesOf(positions), neighbors, serial);
 }
 
 /// The share of normals on the same side as expected, or of those on the other side if they are
@@ -201,5 +202,5 @@ TEST(NormalEstimation, DoesNotDependOnTheThreads)
   SCOPED_TRACE("seeds 94, 95");
   const std::vector<Point> positions = randomPoints(3000, -1, 1, 94);
   ShuffledThreads threads(95);
-  EXPECT_EQ(winding::estimateNormals(positions, 20, threads), estimate(positions));
+  EXPECT_EQ(winding::estimateNormals(placesOf(positions), 20, threads), estimate(positions));
 }

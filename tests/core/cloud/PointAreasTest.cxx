@@ -1,6 +1,7 @@
 #include "cloud/PointAreas.h"
 #include "base/Pi.h"
 
+#include "support/Places.h"
 #include "support/Samples.h"
 #include "support/ShuffledThreads.h"
 
@@ -25,13 +26,14 @@ constexpr double sphereArea = 4 * winding::pi;
 std::vector<double> voronoiAreas(const winding::PointCloud& cloud, int neighbors = 20)
 {
   winding::SerialExecutor serial;
-  return winding::voronoiAreas(cloud, serial, neighbors);
+  return winding::voronoiAreas(cloud, placesOf(cloud.positions), neighbors, serial);
 }
 
 double meanPointArea(const winding::PointCloud& cloud)
 {
   winding::SerialExecutor serial;
-  return winding::meanPointArea(cloud, serial, winding::defaultNeighbors);
+  return winding::meanPointArea(
+    cloud, placesOf(cloud.positions), winding::defaultNeighbors, serial);
 }
 
 double total(const std::vector<double>& areas)
@@ -332,7 +334,7 @@ TEST(VoronoiAreas, AreNeverLessThanNothing)
   }
   winding::SerialExecutor serial;
   winding::PointCloud points = clean(cloud);
-  points.normals = winding::estimateNormals(points.positions, 8, serial);
+  points.normals = winding::estimateNormals(placesOf(points.positions), 8, serial);
   const std::vector<double> areas =
     winding::pointAreas(points, {winding::PointAreaMethod::voronoi, 0, 8}, serial);
   EXPECT_GE(*std::min_element(areas.begin(), areas.end()), 0);
@@ -387,7 +389,8 @@ TEST(VoronoiAreas, DoNotDependOnTheOrderOfThePointsOrTheThreads)
   }
   EXPECT_EQ(meanPointArea(clean(shuffled)), meanPointArea(clean(cloud)));
   ShuffledThreads threads(80);
-  EXPECT_EQ(winding::voronoiAreas(clean(cloud), threads, 20), areas);
+  EXPECT_EQ(
+    winding::voronoiAreas(clean(cloud), placesOf(clean(cloud).positions), 20, threads), areas);
 }
 
 TEST(VoronoiAreas, GrowWithTheSquareOfTheUnitOfLength)

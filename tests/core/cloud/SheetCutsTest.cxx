@@ -1,5 +1,6 @@
 #include "cloud/SheetCuts.h"
 
+#include "support/Places.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -43,9 +44,9 @@ bool isCut(const Sheets& sheets, const std::function<bool(const Point&)>& isTurn
     turned[i] *= isTurned(sheets.positions[i]) ? -1 : 1;
   }
   winding::SerialExecutor serial;
-  const bool result = winding::cutSheets(sheets.positions, sheets.smooth, turned, serial);
+  const bool result = winding::cutSheets(placesOf(sheets.positions), sheets.smooth, turned, serial);
   ShuffledThreads threads(332);
-  EXPECT_EQ(winding::cutSheets(sheets.positions, sheets.smooth, turned, threads), result);
+  EXPECT_EQ(winding::cutSheets(placesOf(sheets.positions), sheets.smooth, turned, threads), result);
   return result;
 }
 

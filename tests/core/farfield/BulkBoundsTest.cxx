@@ -6,6 +6,7 @@
 #include "farfield/FarField.h"
 #include "source/PointCloud.h"
 #include "sums/ReferenceSum.h"
+#include "support/Places.h"
 #include "support/Samples.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +72,8 @@ TEST(BulkBounds, KeepTheFarFieldFastAndRightBesideAFarOutlier)
   cloud.positions.push_back({3e6, 1e6, -2e6});
   cloud.normals.push_back({1, 0, 0});
   winding::PointCloud clean = shapes::clean(cloud);
-  clean.areas = winding::voronoiAreas(clean, serial, winding::defaultNeighbors);
+  clean.areas =
+    winding::voronoiAreas(clean, placesOf(clean.positions), winding::defaultNeighbors, serial);
   const auto accuracy = winding::FarFieldAccuracy::of(1e-4);
   const winding::FarField field(
     winding::farFieldSources(clean, clean.areas, serial), accuracy, serial);

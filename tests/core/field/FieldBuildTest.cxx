@@ -5,6 +5,7 @@
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
 #include "sums/ReferenceSum.h"
+#include "support/Places.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -164,7 +165,8 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
   FieldOptions options;
   options.tolerance = 0;
   winding::SerialExecutor serial;
-  const std::vector<double> cells = winding::voronoiAreas(clean(cloud), serial, 20);
+  const std::vector<double> cells =
+    winding::voronoiAreas(clean(cloud), placesOf(clean(cloud).positions), 20, serial);
   const auto voronoi = fieldOf(cloud, options);
   EXPECT_EQ(voronoi->reference(Point(0.1, 0, 0)),
     winding::referenceSum<double>(clean(cloud), cells, Point(0.1, 0, 0)));
@@ -172,7 +174,8 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
 
   options.pointAreaMethod = winding::PointAreaMethod::constant;
   const auto estimated = fieldOf(cloud, options);
-  EXPECT_NEAR(estimated->info().pointArea, winding::meanPointArea(clean(cloud), serial, 20), 1e-15);
+  EXPECT_NEAR(estimated->info().pointArea,
+    winding::meanPointArea(clean(cloud), placesOf(clean(cloud).positions), 20, serial), 1e-15);
   EXPECT_NEAR(valueAt(*estimated, center), estimated->info().pointArea / area, 1e-12);
 
   options.pointArea = 2 * area;
@@ -247,7 +250,8 @@ TEST(FieldReference, IsTheReferenceSum)
   const auto surfaceField = fieldOf(mesh);
   const auto cloudField = fieldOf(cloud);
   winding::SerialExecutor serial;
-  const std::vector<double> areas = winding::voronoiAreas(clean(cloud), serial, 20);
+  const std::vector<double> areas =
+    winding::voronoiAreas(clean(cloud), placesOf(clean(cloud).positions), 20, serial);
   for (const Point& q : randomPoints(20, -1, 1, 112))
   {
     EXPECT_EQ(surfaceField->reference(q), winding::referenceSum<double>(clean(mesh), q));

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/DistinctPoints.h"
+#include "source/UnitScale.h"
+
+#include <vector>
+
+namespace shapes
+{
+
+/// Finds the distinct points among positions.
+inline winding::DistinctPoints placesOf(const std::vector<Eigen::Vector3d>& positions)
+{
+  winding::SerialExecutor serial;
+  return {positions, winding::unitScaleOf(positions), serial};
+}
+
+} // namespace shapes
