@@ -15,8 +15,10 @@ import subprocess
 import sys
 import tempfile
 
-import inputs
 from pages import pages_of
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import inputs  # noqa: E402
 
 # Options of other programs that sentences speak of: of CMake, of ParaView and its examples, of mpirun.
 FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture", "--state",
