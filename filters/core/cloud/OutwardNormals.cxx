@@ -83,15 +83,16 @@ OutwardNormals giveOutwardNormals(
   ShownExecutor executor(unseen);
   DividedShare share(executor);
   const bool hasOwnAreas = !cloud.areas.empty();
-  share.set(0, 0.02);
-  const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
   OutwardNormals found;
   // Progress has the parts of the time of a million points.
   const bool isTreeAlone = estimation == NormalEstimation::spanningTree;
   const double endOfTree = estimation == NormalEstimation::consistent ? 0 : isTreeAlone ? 1 : 0.15;
+  const double endOfPlaces = isTreeAlone ? 0.06 : 0.02;
+  share.set(0, endOfPlaces);
+  const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
   if (estimation != NormalEstimation::consistent)
   {
-    share.set(0.02, 0.6 * endOfTree);
+    share.set(endOfPlaces, 0.6 * endOfTree);
     std::vector<Eigen::Vector3d> normals = estimateNormals(places, areas.neighbors, executor);
     share.set(0.6 * endOfTree, endOfTree);
     found.orientation =
@@ -112,7 +113,7 @@ OutwardNormals giveOutwardNormals(
   const std::vector<Eigen::Vector3d> normals =
     isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
   const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
-  share.set(std::max(endOfTree, 0.02), 0.9);
+  share.set(std::max(endOfTree, endOfPlaces), 0.9);
   ConsistentNormals consistent =
     consistentNormals(places, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;

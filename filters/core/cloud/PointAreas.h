@@ -28,8 +28,8 @@ struct PointAreaOptions
 };
 
 /**
- * Finds the area that each point of an oriented cloud stands for: the area of its Voronoi cell in its
- * tangent plane, among those of its k nearest neighbours whose normals are similar to its own
+ * Finds the area that each point of an oriented cloud stands for: the area of its Voronoi cell in
+ * its tangent plane, among those of its k nearest neighbours whose normals are similar to its own
  * (Barill et al., Fast winding numbers for soups and clouds, 2018). Neighbours on the other side of
  * a thin part have opposite normals and do not count.
  *
