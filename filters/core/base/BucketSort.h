@@ -70,8 +70,8 @@ inline std::size_t bucketsFor(std::size_t size, int shift)
  *
  * Guaranteed: stable, that is, in every bucket the items stand in the order of their sources, for
  * any executor. Item must be trivially destructible. Memory is 8 bytes per block of sources and
- * bucket, beside the items: choose larger blocks for many buckets, smaller ones where a source
- * takes long. Throws Interrupted.
+ * bucket, in addition to the items: choose larger blocks for many buckets, smaller ones where a
+ * source takes long. Throws Interrupted.
  */
 template <class Item, class Emit>
 Buckets<Item> distribute(std::size_t sources, std::size_t buckets, const Emit& emit,

@@ -9,7 +9,7 @@ namespace winding
 /**
  * Items in groups, one group for each of the keys 0 … keys − 1, by a serial counting sort, which
  * takes time linear in the items and the keys. The parallel sort for many items in few groups is
- * that of BucketSort.h.
+ * the one of BucketSort.h.
  *
  * Guaranteed: stable, that is, the items of a group stand in the order in which they came.
  */

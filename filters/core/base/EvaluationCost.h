@@ -21,7 +21,7 @@ namespace winding
 struct EvaluationCost
 {
   double seconds = 0;    ///< on one thread
-  std::size_t bytes = 0; ///< beside input and output
+  std::size_t bytes = 0; ///< in addition to input and output
 
   EvaluationCost& operator+=(const EvaluationCost& other)
   {
@@ -43,7 +43,7 @@ struct SampledSource
   Primitive kind = Primitive::triangle;
   std::size_t primitives = 0;
   std::size_t samples = 0;
-  bool isGrid = true; ///< whether the samples are those of a grid, or scattered
+  bool isGrid = true; ///< whether the samples are on a grid, or scattered
   double area = 0;    ///< the area of the source, in squares of the distance between samples
 };
 

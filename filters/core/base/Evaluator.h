@@ -30,7 +30,7 @@ struct SampleBlock
 
 /**
  * One method, bound to one source. Immutable once built: evaluate() may be called from any number
- * of threads at once, and the value of a sample does not depend on the samples beside it.
+ * of threads at once, and the value of a sample does not depend on neighbouring samples.
  */
 class Evaluator
 {

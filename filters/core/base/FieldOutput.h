@@ -11,7 +11,7 @@ namespace winding
 /// The arrays that values go to, one per sample in the samples' order; null pointers are left out.
 struct FieldOutput
 {
-  /// Values beyond the range of a type, which points of clouds have beside them, become its largest
+  /// Values beyond the range of a type, which occur near points of clouds, become its largest
   /// number.
   float* values = nullptr;
   double* doubleValues = nullptr;

@@ -11,7 +11,7 @@ namespace winding
 /**
  * Makes numbers too small for full precision count as 0 in this thread, for as long as the object
  * lives: processors take a hundred times as long over such numbers, and the high degrees of far
- * sources are full of them. Does nothing where the processor has no such mode.
+ * sources are full of them. Does nothing where the processor lacks the mode.
  */
 class FlushToZero
 {

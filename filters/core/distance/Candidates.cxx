@@ -80,7 +80,7 @@ HWY_EXPORT(findPoints);
 namespace
 {
 
-/// So many items more than there are may be read and written.
+/// Items that may be read and written behind the last one.
 constexpr std::size_t padding = 64;
 
 /// More than 1/3 by what rounding makes of squares that are about as large as a squared radius.

@@ -10,7 +10,7 @@
 namespace winding
 {
 
-/// Tells which items may be nearer than a point x to a sample of a box; see Candidates.
+/// Finds which items may be nearer than a point x to a sample of a box; see Candidates.
 struct CandidateTest
 {
   double nearest[3];  ///< x
@@ -56,7 +56,7 @@ public:
   /// Replaces all by those at some places of others.
   void assign(const Candidates& others, const std::vector<std::uint32_t>& places);
 
-  /// Sets `places` to those of the items that pass a test, in their order.
+  /// Sets `places` to the places of the items that pass a test, in their order.
   void find(const CandidateTest& test, std::vector<std::uint32_t>& places) const;
 
 private:

@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  /// Cells of so many samples have lists of items.
+  /// Cells with at least this number of samples have lists of items.
   static constexpr std::size_t samplesPerList = 512;
 
   /// Lists with more items than this are too long: the cell is cut further, down to so few samples
@@ -62,16 +62,16 @@ private:
   /// the other way round (measured).
   static constexpr std::size_t mostItems = 6144, fewSamples = samplesAtOnce;
 
-  /// Opening nodes down to leaves is taken to leave one in so many of their items. Where nodes wait
-  /// until their items are few, 100 000 random samples of 250 000 triangles take 0.13 s by cells
-  /// alone instead of 0.22 (measured).
+  /// Assumed number of items tested per item kept, where nodes are opened down to leaves. Where
+  /// nodes wait until their items are few, 100 000 random samples of 250 000 triangles take 0.13 s
+  /// by cells alone instead of 0.22 (measured).
   static constexpr std::size_t itemsForEachLeft = 2;
 
-  /// Lists of so few items are not worth making shorter.
+  /// Lists up to this length are not worth making shorter.
   static constexpr std::size_t fewItems = 16;
 
-  /// A task leaves its rest to other tasks after so many samples times items. Where all of a source
-  /// is equally near, as at the centre of a sphere, tasks take some tenths of a second.
+  /// A task leaves its rest to other tasks after this number of samples times items. Where all of a
+  /// source is equally near, as at the centre of a sphere, tasks take some tenths of a second.
   static constexpr double mostWorkPerTask = 1 << 28;
 
   /// firstNode: where the list of the cell begins that the part lies in; nearby: a point of the
@@ -138,7 +138,7 @@ private:
     std::size_t count = 0;
   };
 
-  /// Halves a part three times over, but no part of so few samples that they are searched for.
+  /// Halves a part three times over, except for parts whose samples are searched for.
   Parts partsOf(const Part& part) const
   {
     static_assert(samplesAtOnce == 1 << 3);
@@ -218,7 +218,7 @@ private:
       { samples_.write(this->searched(position, nearby), sample); });
   }
 
-  /// Writes the distance of samples at one place, of which there may be any number.
+  /// Writes the distance of any number of samples at one place.
   void searchOnce(const Part& part, const Eigen::Vector3d& place, const SourcePoint& nearby)
   {
     const double squared = this->searched(place, nearby);
@@ -226,7 +226,7 @@ private:
       { samples_.write(squared, sample); });
   }
 
-  /// Writes the distances of samples from items, of which there are none where all of the source is
+  /// Writes the distances of samples from items; there are none where all of the source is
   /// beyond the limit.
   void evaluate(const Part& part, const std::uint32_t* items, std::size_t itemCount)
   {
@@ -266,7 +266,7 @@ private:
   std::deque<Candidates> candidates_; ///< of the cells that lie in each other, from the largest on
   SampleBlock block_;
   typename Samples::Name names_[SampleBlock::capacity]; ///< of the samples of the block
-  double work_ = 0;           ///< samples times items of the cells evaluated so far
+  double work_ = 0;           ///< samples times items of the cells that are done
   bool hasEvaluated_ = false; ///< true after the first cell, so that every task gets on
   std::vector<Part> left_;
 };

@@ -16,13 +16,13 @@ EvaluationCost costOfDistances(const SampledSource& source, double band)
   const auto samples = static_cast<double>(source.samples);
   EvaluationCost cost;
   cost.bytes = DistanceTree::bytesFor(areTriangles, source.primitives);
-  // Every primitive is nearest, or may be, to some of the samples beside it and to some far away;
+  // Every primitive is nearest, or may be, to some of the nearby samples and to some far away;
   // only the former are within a band. The lists of samples that lie close together get no shorter
-  // than those of one sample, which are longer for more primitives, and for samples farther away.
+  // than for one sample, which are longer for more primitives, and for samples farther away.
   const double beside = (areTriangles ? 1.5e-6 : 0.4e-6) * primitives + 14e-9 * samples;
   const double within = samples > 0 ? std::min(1.0, 2 * band * source.area / samples) : 0;
   const double far = std::min(1.0, samples / (40 * std::max(source.area, 1.0)));
-  // In a flat box, as that of a plate, no sample is far away. The volume over the area, as a part
+  // In a flat box, of a plate, say, no sample is far away. The volume over the area, as a part
   // of the box's size, is 0.4 to 0.9 for scans, and 0.15 for thin sheet metal. Areas that overlap
   // may look like a plate, too, so that it counts within bounds only.
   const double depth = std::cbrt(samples) * std::cbrt(samples) / std::max(source.area, 1e-300);

@@ -12,8 +12,8 @@ namespace winding
 namespace
 {
 
-/// Leaves of these sizes are best by measurement: those of 1 and 2 items take up to twice as long,
-/// and those of twice as many items about as long.
+/// Leaves of these sizes are best by measurement: leaves of 1 and 2 items take up to twice as long,
+/// and leaves of twice as many items about as long.
 constexpr std::size_t trianglesPerLeaf = 4, pointsPerLeaf = 16;
 
 std::vector<Eigen::Vector3d> centersOf(const Surface& surface, double scale, Executor& executor)

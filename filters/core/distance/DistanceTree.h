@@ -18,7 +18,7 @@ namespace winding
  * The triangles of a surface or the points of a cloud in a hierarchy of boxes, to find the one that
  * is nearest to a sample. Immutable once built; all queries may run on several threads at once.
  *
- * Coordinates are those of the source times scale(), which changes nothing but exponents. Nothing
+ * Coordinates are the source's times scale(), which changes nothing but exponents. Nothing
  * depends on the order of the triangles or points, and on which corner a triangle begins with. The
  * tree takes about bytesFor() of memory.
  */
@@ -29,7 +29,7 @@ public:
   DistanceTree(const Surface& surface, Executor& executor);
   DistanceTree(const PointCloud& cloud, Executor& executor);
 
-  /// The approximate memory of a tree of so many primitives.
+  /// Returns the approximate memory of a tree over `primitives` primitives, in bytes.
   static std::size_t bytesFor(bool areTriangles, std::size_t primitives);
 
   double scale() const { return scale_; }

@@ -12,10 +12,10 @@ namespace winding
 
 /**
  * Distances of the samples of a grid, found for cells of samples rather than one by one: from large
- * cells down to those of a few samples, each with a list of what may be nearest to any of its
+ * cells down to a few samples, each with a list of what may be nearest to any of its
  * samples (CellDescent.h).
  *
- * Blocks are those of the whole grid, whatever part of it is asked for. Guaranteed: the bits of a
+ * Blocks belong to the whole grid, whatever part of it is asked for. Guaranteed: the bits of a
  * distance depend on the source and the sample only.
  *
  * A task is a block of samples. Where lists stay long, as about the centre of a sphere, it ends

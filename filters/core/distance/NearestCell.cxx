@@ -38,7 +38,7 @@ void NearestRounding::setNearest(NearestCell& cell, const Nearest& nearest) cons
 
 double NearestRounding::of(const NearestCell& cell) const
 {
-  // Four distances are rounded: those of the nearest item and of another one, each from a sample
+  // Four distances are rounded: from the nearest item and from another one, each from a sample
   // and from a corner of the cell.
   return cell.nearest.rounding + 4 * roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
 }

@@ -43,7 +43,7 @@ inline NearestCell cellOf(const Bounds& box)
  * within δ of the source (roundingOfOffset, and the rounding of its coordinates). So the source is
  * no farther from a sample q than |q − x'| + δ. A node or an item is dropped only where it is
  * farther than that from all q, and by ε more, the rounding of all distances that are compared. δ
- * and ε are relative to the whole source, not to the cell, which may lie beside a vertex and be as
+ * and ε are relative to the whole source, not to the cell, which may lie near a vertex and be as
  * small.
  */
 class NearestRounding
@@ -60,7 +60,7 @@ public:
   /// The most that it may add to a difference of squared distances.
   double slackOf(const NearestCell& cell) const;
 
-  /// By so much a thin triangle's computed square may be too large.
+  /// Error bound of a thin triangle's squared distance.
   double squareOfThin() const { return squareOfThin_; }
 
 private:

@@ -37,8 +37,8 @@ void NearestItems::findNearest(NearestCell* cells, std::size_t count, const Cand
   }
 }
 
-/// Sets places_ to those of the candidates that pass the test of Candidates, and of the one that
-/// the nearest point of the centre lies on.
+/// Sets places_ to the places of the candidates that pass the test of Candidates, and of the one
+/// that the nearest point of the centre lies on.
 void NearestItems::findPlaces(const NearestCell& cell, const Candidates& candidates)
 {
   const Eigen::Vector3d center = cell.center();

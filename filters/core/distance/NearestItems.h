@@ -22,14 +22,14 @@ public:
   /// Keeps a reference.
   explicit NearestItems(const DistanceTree& tree);
 
-  /// Sets `to` to those of the items of leaves that may be nearest to a sample of a cell.
+  /// Sets `to` to the indices of the leaves' items that may be nearest to a sample of a cell.
   void keep(const NearestCell& cell, const std::vector<NearItems>& runs, Candidates& to);
 
   /// Sets `nearest` and squaredReach of up to samplesAtOnce cells, from the candidates of a cell
-  /// around them, of which there is at least one.
+  /// around them, at least one.
   void findNearest(NearestCell* cells, std::size_t count, const Candidates& candidates);
 
-  /// Sets `to` to those of the candidates of a cell that may be nearest to a sample of a cell in
+  /// Sets `to` to the indices of a cell's candidates that may be nearest to a sample of a cell in
   /// it.
   void keep(const NearestCell& cell, const Candidates& candidates, Candidates& to);
 
@@ -37,7 +37,7 @@ public:
   /// some more than keep() finds, in less time, as large triangles are not looked at once more.
   const std::vector<std::uint32_t>& numbers(const NearestCell& cell, const Candidates& candidates);
 
-  /// The samples times items that have been looked at so far.
+  /// The samples times items that have been looked at.
   double work() const { return work_; }
 
 private:

@@ -47,7 +47,7 @@ HWY_INLINE Offsets<D> stepBack(
     hn::NegMulAdd(factor, along.z, from.z)};
 }
 
-/// Offsets of samples from the nearest points so far, and their squares.
+/// Offsets of samples from the nearest points found, and their squares.
 template <class D> struct NearestOffsets
 {
   hn::Vec<D> squared;
@@ -92,7 +92,7 @@ HWY_INLINE void takeNearer(
   const hn::Vec<D> v = product(d, ap, planeB), w = product(d, ap, planeC);
   Offsets<D> fromPlane = stepBack(d, stepBack(d, ap, v, ab), w, ac);
   // The weights of a thin triangle are inexact, by as many digits as it is thin. The rest that they
-  // leave in the offset is so much smaller that it can be found by the same weights and removed.
+  // leave in the offset is small enough to be found by the same weights and removed.
   const hn::Vec<D> restV = product(d, fromPlane, planeB), restW = product(d, fromPlane, planeC);
   fromPlane = stepBack(d, stepBack(d, fromPlane, restV, ab), restW, ac);
   // A triangle as thin as rounding has weights that are not even nearly right, so that the rest is

@@ -11,10 +11,10 @@
  * @file
  * The inner loops of distances, compiled once per instruction set and chosen at run time (Highway).
  *
- * The nearest point of a triangle abc to q is that of one of its sides, or where q projects to, if
+ * The nearest point of a triangle abc to q is that on one of its sides, or where q projects to, if
  * that is inside of it. All four are computed as points of the triangle, and the nearest is taken,
  * so that no case is decided on a small number: a needle costs few digits, a triangle without area
- * none, and a projection that is mistaken for one inside leads to a point beside the triangle by
+ * none, and a projection that is mistaken for one inside leads to a point off the triangle by
  * rounding at most.
  *
  * Squares must stay finite: coordinates are scaled to about unit size (UnitScale.h).
@@ -50,7 +50,7 @@ struct NearItems
   std::uint32_t first, last;
 };
 
-/// So many samples are compared with an item at once; with fewer samples it takes as long.
+/// Samples per kernel call; fewer take just as long.
 constexpr std::size_t samplesAtOnce = 8;
 
 ///@{
@@ -69,7 +69,7 @@ void lowerSquaredDistances(const NearPoint* points, const std::uint32_t* numbers
 bool isNearer(
   const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits);
 
-/// The nearest point found so far.
+/// The nearest point that was found.
 struct Nearest
 {
   double squared;         ///< square of its distance
@@ -83,7 +83,7 @@ struct Nearest
  * beginning has a length of at most r + s, the sides of at most s, and all that is taken from that
  * offset to get to the nearest point of at most 2s; each of these 3 sides, 3 products and 5
  * differences is rounded by half an epsilon of its length. The bound does not hold for triangles so
- * thin that their normal is inexact: there, points lie beside the triangle by as much as the normal
+ * thin that their normal is inexact: there, points lie off the triangle by as much as the normal
  * has lost.
  */
 inline double roundingOfOffset(double distance, double size)
@@ -92,7 +92,7 @@ inline double roundingOfOffset(double distance, double size)
 }
 
 ///@{
-/// Replaces the nearest point by that of an item, if that is nearer.
+/// Replaces the nearest point by that on an item, if it is nearer.
 void findNearest(
   const NearTriangle* triangles, const NearItems& run, const double* sample, Nearest& nearest);
 void findNearest(
@@ -100,7 +100,7 @@ void findNearest(
 ///@}
 
 ///@{
-/// Sets nearest[i] to the nearest point of the items of some numbers, of which there is at least
+/// Sets nearest[i] to the nearest point of the items with some indices, at least
 /// one, for each sample of a block of samplesAtOnce samples at most.
 void findNearestOfEach(const NearTriangle* triangles, const std::uint32_t* numbers,
   std::size_t count, const SampleBlock& samples, Nearest* nearest);

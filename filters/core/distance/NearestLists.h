@@ -9,7 +9,7 @@ namespace winding
 
 /**
  * The nodes of a DistanceTree that may be nearest to any sample of a cell, a box around samples,
- * from large cells down to small ones: those of a cell come from those of the cell that it lies in.
+ * from large cells down to small ones: the list of a cell comes from that of the cell around it.
  * The list is short because of this: let x be the point of the source nearest to the cell's centre.
  * A node can be dropped if x is nearer than it to every sample of the cell; and
  * dist²(q, box) − |q − x|² need only be looked at in the corners q of the cell, where it is
@@ -50,7 +50,7 @@ public:
   /// all of the source is beyond the limit.
   const std::vector<NearItems>& items(std::size_t firstNode);
 
-  /// The samples times items that have been looked at so far.
+  /// The samples times items that have been looked at.
   double work() const { return work_; }
 
 private:

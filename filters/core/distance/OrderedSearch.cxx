@@ -6,11 +6,11 @@ namespace winding
 namespace
 {
 
-/// A task ends when its searches have looked at so many items, in some hundredths of a second, and
-/// after one search at least.
+/// A task ends when its searches have looked at this number of items, in some hundredths of a
+/// second, and after one search at least.
 constexpr std::size_t mostItemsPerTask = 1 << 22;
 
-/// Parts of so few samples are not put in order.
+/// Parts with fewer samples are not put in order.
 constexpr std::size_t fewSamples = 8;
 
 } // namespace

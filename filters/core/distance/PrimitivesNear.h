@@ -11,7 +11,7 @@ namespace winding
 ///@{
 /**
  * The number of triangles of a surface, or of points of a cloud, that are no farther from a sample
- * than a distance. Distances are exact up to rounding, as those of NearestKernels.h are.
+ * than a distance. Distances are exact up to rounding, as in NearestKernels.h.
  *
  * The primitives are looked at one after the other, in linear time: a few samples are not worth a
  * DistanceTree.

@@ -27,7 +27,7 @@ std::size_t samplesPerTask(std::size_t samples)
 }
 
 /// Whether the samples of a part lie so far from each other that the list of what may be nearest to
-/// any of them is long beside their number. A place alone needs no list.
+/// any of them is long compared with their number. A place alone needs no list.
 bool areSparse(const DistanceTree& tree, double limit, const PlaceSamples::Part& part)
 {
   constexpr std::size_t itemsPerSample = 32;

@@ -15,7 +15,7 @@ namespace winding
 
 /**
  * Cells of a grid over a closed chain that no triangle reaches. The winding number is the same
- * everywhere in such a cell, and in a run of them along x: one ray tells it for all samples there,
+ * everywhere in such a cell, and in a run of them along x: one ray gives it for all samples there,
  * which are most samples. Outside of the grid it is 0.
  *
  * A triangle reaches the cells that its box overlaps; a triangle over several cells is halved for
@@ -34,7 +34,7 @@ public:
   /// A place in each run of clear cells.
   const std::vector<Eigen::Vector3d>& places() const { return places_; }
 
-  /// Tells the winding numbers of the places.
+  /// Sets the winding numbers of the places.
   void setWindings(std::vector<double> windings) { windings_ = std::move(windings); }
 
   /// The winding number of a sample, which must be finite, outside of the grid or in a clear cell;
@@ -56,7 +56,7 @@ private:
 
   class Marks;
 
-  /// The cell of a place in the box, or of the cells the nearest to a place beside it. No rounding
+  /// The cell of a place in the box, or of the cells the nearest to a place outside it. No rounding
   /// changes the order of places along an axis.
   Eigen::Array3i cellOf(const Eigen::Vector3d& place) const
   {

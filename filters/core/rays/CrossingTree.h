@@ -20,7 +20,7 @@ class CrossingTree
 public:
   /// Takes the number of its part for each triangle, and for each part its bounds, empty for parts
   /// that are left out. Keeps references, which must outlive this. Takes O(n log n) time, 4 bytes
-  /// per triangle and 64 per node, of which there is one for every 2 to 4 triangles.
+  /// per triangle and 64 per node; a node stands for 2 to 4 triangles.
   CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
     const std::vector<Bounds>& boundsOfPart);
 

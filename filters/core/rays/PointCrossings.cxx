@@ -23,7 +23,7 @@ namespace winding
 namespace
 {
 
-/// The number of samples in a block, so few that small inputs occupy several cores, too.
+/// The number of samples in a block: small inputs shall occupy several cores.
 constexpr std::size_t samplesPerBlock = 4096;
 
 /// A part of what the executor shows as progress, from `first` to `last` of 0 to 1.
@@ -218,8 +218,8 @@ EvaluationCost PointCrossings::expectedCost(std::size_t samples) const
   return costOfCrossings(chain_.size(), samples, rays_);
 }
 
-/// Tells whether finding clear cells, which takes about as long for a triangle as a ray does for a
-/// sample, saves more than that.
+/// Returns whether finding clear cells, which takes about as long for a triangle as a ray does for
+/// a sample, saves more than that.
 bool PointCrossings::isWorthClearing(std::size_t samples) const
 {
   constexpr std::size_t fewSamples = 4096;
@@ -259,7 +259,7 @@ void PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
 {
   const Bounds& bounds = bounds_;
   const double scale = unitScale(bounds);
-  // Rays that start beside or behind the surface cross nothing.
+  // Rays that start off or behind the surface cross nothing.
   const auto mayCross = [&bounds](const Eigen::Vector3d& q)
   {
     return q[1] >= bounds.min()[1] && q[1] <= bounds.max()[1] && q[2] >= bounds.min()[2] &&

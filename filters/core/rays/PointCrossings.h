@@ -19,7 +19,7 @@ class ClearCells;
  * the signs of the crossings of a ray from the sample along +x. RowCrossings does the same on
  * grids.
  *
- * Where there are many samples, most lie in cells that no triangle reaches, and those of a cell
+ * Where there are many samples, most lie in cells that no triangle reaches, and samples of a cell
  * share one ray (ClearCells.h).
  *
  * Seen along the rays, samples are points and triangles are triangles in the plane of y and z. Both
@@ -27,7 +27,7 @@ class ClearCells;
  * columns that it overlaps, not into all that its box overlaps. Columns that still hold many of
  * both are divided again, by a grid over their own samples: so it matters little how unevenly
  * either is distributed, and needles cost what they cross. Samples with the same y and z, such as
- * those of a line along x, are sorted along x, and each triangle is searched for among them.
+ * on a line along x, are sorted along x, and each triangle is searched for among them.
  *
  * Guaranteed: (1) every value is an integer, and the right one for all samples off the chain; (2) a
  * sample on the chain gets one of the values that occur around it, chosen by the same rule
@@ -61,7 +61,7 @@ public:
   PointCrossings(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
     const ChainView& cap, const Bounds& bounds);
 
-  /// The cost that evaluate() is expected to have for so many samples. The first call walks over
+  /// The cost that evaluate() is expected to have for `samples` samples. The first call walks over
   /// the triangles.
   EvaluationCost expectedCost(std::size_t samples) const;
 

@@ -27,9 +27,9 @@ int sideOfEdgeExactly(
 
 /**
  * The side of the plane of a triangle that q is on: +1 where the normal (b−a)×(c−a) points away
- * from q, −1 where it points towards q. The side is as exact as that of sideOfEdge(). A q in the
+ * from q, −1 where it points towards q. The side is as exact as sideOfEdge() is. A q in the
  * plane counts as moved by infinitesimal steps: one along y, an infinitely smaller one along z, and
- * one smaller still along x. The steps are those of sideOfEdge() where u, v are y, z. The side is 0
+ * one smaller still along x. The steps are sideOfEdge()'s where u, v are y, z. The side is 0
  * only for degenerate triangles.
  */
 int sideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,

@@ -29,7 +29,7 @@ struct Ray
   Eigen::Vector3d start() const { return {x, y, z}; }
 };
 
-/// The sides of a triangle's box that tell whether rays along +x may cross it.
+/// The sides of a triangle's box that decide whether rays along +x may cross it.
 struct TriangleBox
 {
   TriangleBox(
@@ -107,7 +107,7 @@ struct ColumnRange
 
 /**
  * A grid over a box of rays. Places are rounded, but never fall as a coordinate rises: all columns
- * that a triangle overlaps are between those of its corners.
+ * that a triangle overlaps are between the columns of its corners.
  */
 class Columns
 {
@@ -164,7 +164,7 @@ public:
     return (coordinate - low_[axis]) * scale_[axis];
   }
   /// The column of an axis that a coordinate in units of columns is in; the nearest one for a
-  /// coordinate beside the grid.
+  /// coordinate outside the grid.
   int place(int axis, double inUnits) const
   {
     return inUnits >= count_[axis] ? count_[axis] - 1 : inUnits > 0 ? static_cast<int>(inUnits) : 0;
@@ -195,7 +195,7 @@ private:
 class Footprint
 {
 public:
-  /// `range` is that of the triangle's box, or the part of it that is asked for. Keeps a reference
+  /// `range` covers the triangle's box, or the part of it that is asked for. Keeps a reference
   /// to the columns.
   Footprint(const Columns& columns, const ColumnRange& range, const Eigen::Vector3d& a,
     const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -213,7 +213,7 @@ public:
       v[i] = columns.inUnits(1 - along, (*corners[i])[2 - along]);
       size = std::max({size, std::abs(u[i]), std::abs(v[i])});
     }
-    // The places of corners and of rays are off by 2 roundings each, that of a cut by 11; the
+    // The places of corners and of rays are off by 2 roundings each, a cut by 11; the
     // margin is 32 roundings. The box must do for a triangle so much larger than columns that this
     // matters.
     margin_ = 16 * std::numeric_limits<double>::epsilon() * size;
@@ -222,7 +222,7 @@ public:
     {
       const int j = (i + 1) % 3;
       const int from = v[i] < v[j] ? i : j, to = v[i] < v[j] ? j : i;
-      if (v[from] < v[to]) // an edge along the runs has no ends but those of the other edges
+      if (v[from] < v[to]) // an edge along the runs ends where others end
       {
         const double slope = (u[to] - u[from]) / (v[to] - v[from]);
         isCertain_ = isCertain_ && std::isfinite(slope);

@@ -32,7 +32,7 @@ RaysInColumns RayCounter::sort(Ray* first, Ray* last, const Columns& columns)
 bool RayCounter::count(
   Ray* first, Ray* last, const TriangleIds& triangles, std::ptrdiff_t& steps) const
 {
-  constexpr std::size_t fewPairs = 2048; // so few pairs are not worth dividing
+  constexpr std::size_t fewPairs = 2048; // fewer pairs are not worth dividing
   constexpr std::size_t raysPerColumn = 4;
   constexpr std::size_t fullColumn = 64; // columns with more rays are divided again
 

@@ -61,7 +61,7 @@ private:
 class RayCounter
 {
 public:
-  /// Keeps a reference. `scale` makes the chain's coordinates those of the rays.
+  /// Keeps a reference. `scale` turns the chain's coordinates into the rays'.
   RayCounter(const CrossedChain& chain, double scale)
     : chain_(chain)
     , scale_(scale)

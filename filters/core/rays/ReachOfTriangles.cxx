@@ -11,7 +11,7 @@ namespace winding
 namespace
 {
 
-/// The number of triangles in a block, so few that small inputs occupy several cores, too.
+/// The number of triangles in a block: small inputs shall occupy several cores.
 constexpr std::size_t perBlock = 4096;
 
 /// The most entries per triangle that the lists for the columns of one round have.

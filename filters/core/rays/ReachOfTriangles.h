@@ -36,7 +36,7 @@ private:
   std::size_t count_;
 };
 
-/// Tells which of some triangles reach which columns of rays.
+/// Finds which of some triangles reach which columns of rays.
 class ReachOfTriangles
 {
 public:

@@ -74,7 +74,7 @@ private:
 
 /**
  * The triangles that reach into bands of rows, for all layers of an extent. A band is some rows of
- * a layer that stand beside each other; the first may begin before the extent.
+ * a layer that follow each other; the first may begin before the extent.
  */
 class Bands
 {
@@ -95,7 +95,8 @@ public:
     const std::vector<std::uint32_t> reaching =
       this->trianglesThatReachRows(places.data(), triangles, cap, executor);
     const std::size_t bands = static_cast<std::size_t>(extent[5] - extent[4] + 1) * perLayer_;
-    // A block counts what it has for each band; together the blocks have at most so many counts.
+    // A block counts what it has for each band; together the blocks have at most this number of
+    // counts.
     constexpr std::size_t mostCounts = 1 << 20;
     const std::size_t mostBlocks = std::max<std::size_t>(1, mostCounts / bands);
     const std::size_t perBlock =
@@ -153,7 +154,7 @@ private:
     return {VertexPlace::rowsOf(a, b, c, extent_[2]), VertexPlace::layersOf(a, b, c, extent_[4])};
   }
 
-  /// The numbers of the triangles that reach rows of the extent, those of the cap after the others.
+  /// The numbers of the triangles that reach rows of the extent, the cap's after the others.
   std::vector<std::uint32_t> trianglesThatReachRows(const VertexPlace* places,
     const ChainView& triangles, const ChainView& cap, Executor& executor) const
   {

@@ -47,12 +47,12 @@ struct RowBands
  * Nothing is computed at the samples themselves; a run of equal values is filled.
  *
  * Guaranteed: (1) every value is an integer, and the right one for all samples off the chain; (2) a
- * sample on the chain gets the value beside it that sideOfPlane() steps to: one of those that occur
- * around it, chosen by the same rule everywhere; (3) values depend on the grid as a whole, never on
- * the extent, the executor or its threads. The chain is taken in units of the grid, which rounds
- * the coordinates of its vertices once and for all, to 2⁻⁵² of their distance from the grid's first
- * sample; grids whose voxels are smaller than 1e-150 of that distance leave the range of the
- * predicates.
+ * sample on the chain gets the neighbouring value that sideOfPlane() steps to: one of those that
+ * occur around it, chosen by the same rule everywhere; (3) values depend on the grid as a whole,
+ * never on the extent, the executor or its threads. The chain is taken in units of the grid, which
+ * rounds the coordinates of its vertices once and for all, to 2⁻⁵² of their distance from the
+ * grid's first sample; grids whose voxels are smaller than 1e-150 of that distance leave the range
+ * of the predicates.
  *
  * The time is linear in the triangles, the crossings and the runs. The memory is 4 bytes per
  * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work; 24

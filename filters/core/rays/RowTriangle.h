@@ -6,7 +6,7 @@ namespace winding
 {
 
 /**
- * A triangle in units of a grid, where sample (i, j, k) is at (i, j, k). It tells which rows along
+ * A triangle in units of a grid, where sample (i, j, k) is at (i, j, k). It says which rows along
  * x cross it, in which direction, and between which samples. Every decision is exact for the given
  * coordinates (Predicates.h); rounded arithmetic only narrows down where to ask.
  */

@@ -44,7 +44,8 @@ OrderedTriangles inCoordinateOrder(
     const int order = compareCoordinates((p - middle).cwiseAbs(), (q - middle).cwiseAbs());
     return order != 0 ? order : compareCoordinates(p, q);
   };
-  // Nearly all comparisons end with the first distance, which stands beside the triangle therefore.
+  // Nearly all comparisons end with the first distance, which is therefore stored with the
+  // triangle.
   struct Keyed
   {
     double distance;

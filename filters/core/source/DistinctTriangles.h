@@ -17,10 +17,10 @@ struct DistinctTriangles
 
 /**
  * Takes triangles with the same three vertices together, so that each stands there once: as the
- * chain that n equal triangles are, n times one of them, of which an opposite one takes one off.
+ * chain that n equal triangles are, n times one of them; an opposite one takes one off.
  * Sums over the result cost what its distinct triangles cost, however many there were.
  *
- * `mayRepeat` tells by vertex where triangles may be equal: only triangles with three such vertices
+ * `mayRepeat` says by vertex where triangles may be equal: only triangles with three such vertices
  * are compared. Triangles that cancel entirely stay, with multiplicity 0, since distances are
  * measured to them, too. Triangles of equal multiplicity keep the order in which each occurs first.
  *

@@ -30,7 +30,7 @@ void checkBounds(const Bounds& bounds)
   }
 }
 
-/// An axis has at most so many voxels: one less than the largest int, so that the corners of voxels
+/// The most voxels of an axis: one less than the largest int, so that the corners of voxels
 /// can be counted, too.
 constexpr int mostVoxels = std::numeric_limits<int>::max() - 1;
 

@@ -94,7 +94,7 @@ Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 /// A user's wishes for a grid.
 struct GridRequest
 {
-  Bounds bounds;      ///< the box to cover: that of the source, or the user's own
+  Bounds bounds;      ///< the box to cover: the source's, or the user's own
   double padding = 0; ///< margin on each side, as a fraction of the longest side
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
   bool isCubic = false; ///< whether voxels are cubic even where dimensions are given

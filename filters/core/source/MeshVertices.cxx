@@ -100,13 +100,13 @@ int exponentOf(double number)
 
 /// A bound of the exponent of a triangle's area, from its two shortest sides, which takes less time
 /// than the area. It is far too large for nearly parallel sides only, whose area has lost those
-/// digits to rounding anyway. Nothing for triangles of which a side is not finite.
+/// digits to rounding anyway. Nothing for triangles with a side that is not finite.
 std::optional<int> largestExponent(const TrianglesView& view, const Ids& ids)
 {
   const Eigen::Vector3d a = view.points[ids[0]], b = view.points[ids[1]], c = view.points[ids[2]];
   const int ab = exponentOf((b - a).lpNorm<1>()), bc = exponentOf((c - b).lpNorm<1>());
   const int ca = exponentOf((a - c).lpNorm<1>());
-  constexpr int largest = 900; // sums of such areas are finite, too
+  constexpr int largest = 900; // sums of these areas are finite, too
   const int larger = std::max(ab, bc);
   return std::max(larger, ca) > 1023
            ? std::nullopt
@@ -149,7 +149,7 @@ public:
     exponent_ = std::max(exponent_ + 1 + digitsOfCount - digits, lowest);
   }
 
-  /// The sum with a number of which the last digit is the unit rounds all others away.
+  /// The sum with a number whose last digit is the unit rounds all others away.
   Sum rounded(const Sum& share) const
   {
     const double rounder = 1.5 * powerOfTwo(exponent_ + 52);

@@ -44,13 +44,13 @@ private:
   std::vector<Eigen::Array4d> normalsAndAreas_;
 };
 
-/// Normals and areas from triangles of several views over the same points, of which there are
+/// Normals and areas from triangles of several views over the same points; there are
 /// `points`. Triangles with invalid ids or corners that are not finite are left out. The bits
 /// depend on the set of oriented triangles around each point, not on their order nor on threads:
 /// shares are rounded such that their sums are exact, by 2⁻⁴⁸ of the product of the two shortest
 /// sides of a triangle around the point, times their number, at most. Areas beyond 2⁹⁰⁰ are summed
 /// without that. Takes linear time, on two threads at most, and 80 bytes per point while it runs,
-/// of which 32 stay. Throws Interrupted.
+/// and 32 of them stay. Throws Interrupted.
 MeshVertices meshVertices(
   const std::vector<TrianglesView>& views, std::size_t points, Executor& executor);
 

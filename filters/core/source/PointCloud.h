@@ -16,7 +16,7 @@ struct PointCloud
   std::vector<Eigen::Vector3d> normals; ///< as many as positions, or none when the input has none
   std::vector<double> areas;            ///< as many as positions, or none when the input has none
   /// Lengths over which points are spread (SolidAngle.h): one per point, or none for pure dipoles.
-  /// A point of length 0 is a pure dipole, too. The input has no such lengths: sanitize() leaves
+  /// A point of length 0 is a pure dipole, too. The input has no length 0: sanitize() leaves
   /// this empty.
   std::vector<double> regularizationLengths;
   Bounds bounds;

@@ -248,7 +248,7 @@ void checkSize(const Bounds& bounds)
   }
 }
 
-/// Throws Refusal for the first area that is too large for a cloud of such bounds.
+/// Throws Refusal for the first area that is too large for a cloud of these bounds.
 void checkAreas(const std::vector<OrientedPointsView>& views, const Bounds& bounds)
 {
   const double largest = largestArea(bounds);
@@ -283,7 +283,7 @@ bool allOrNone(
   return any;
 }
 
-/// The number of primitives of a block by their fault; the first number is that of those without.
+/// The number of primitives of a block by their fault; the first number counts those without.
 using FaultCounts = std::array<std::size_t, 5>;
 
 template <class Fault> std::size_t sumOf(const std::vector<FaultCounts>& blocks, Fault fault)

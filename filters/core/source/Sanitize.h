@@ -26,9 +26,9 @@ constexpr double largestCoordinate = 1e100;
 constexpr double smallestSize = 1e-100;
 
 /**
- * The largest area that a point of a cloud of such bounds may have: 1e30 times the square of their
+ * The largest area that a point of a cloud of these bounds may have: 1e30 times the square of their
  * longest side, but 1e210 at most and for a cloud that is one place. Areas of meshes of the largest
- * coordinates stay below 1e210, and a factor of 1e30 keeps w in the range of float but beside
+ * coordinates stay below 1e210, and a factor of 1e30 keeps w in the range of float except near
  * points.
  */
 double largestArea(const Bounds& bounds);
@@ -39,10 +39,11 @@ void checkLengths(const OrientedPointsView& view);
 /**
  * Makes one source of several views, in their order; the source is the same for every executor.
  * Takes linear time and, for a surface, 5 bytes per point of the input and 8 per point that
- * triangles use, beside the result. Throws Refusal when there was input and every primitive had to
- * be dropped, when a number is out of range (points that no triangle uses count for clouds only),
- * when a view's arrays differ in length, when there are more than 2³¹ − 1 triangles or vertices
- * remain, or for more than 2³² − 1 points; throws Interrupted when the executor was interrupted.
+ * triangles use, in addition to the result. Throws Refusal when there was input and every primitive
+ * had to be dropped, when a number is out of range (points that no triangle uses count for clouds
+ * only), when a view's arrays differ in length, when there are more than 2³¹ − 1 triangles or
+ * vertices remain, or for more than 2³² − 1 points; throws Interrupted when the executor was
+ * interrupted.
  */
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor);
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor);

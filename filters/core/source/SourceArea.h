@@ -26,9 +26,9 @@ double approximateAreaOf(
 std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
   const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles);
 
-/// The distance between samples, if so many are spread evenly over a box that is larger than the
-/// bounds by a twentieth of the longest side on each side, as grids usually are. 0 if there is
-/// none.
+/// The distance between samples, if `samples` of them are spread evenly over a box that is larger
+/// than the bounds by a twentieth of the longest side on each side, as grids usually are. 0 if
+/// there is none.
 double distanceBetweenSamples(const Bounds& bounds, std::size_t samples);
 
 } // namespace winding

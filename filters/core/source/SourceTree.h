@@ -28,7 +28,7 @@ struct SourceNode
  *
  * Tight boxes make the tree blind to scale: any number of sources any distance apart costs a few
  * levels, and n equal items are one leaf. Guaranteed: (1) the tree is the same for any executor and
- * number of threads; (2) every item lies in exactly one leaf, and a node's items are those of its
+ * number of threads; (2) every item lies in exactly one leaf, and a node's items are all of its
  * children; (3) leaves hold up to `leafSize` items, and more only if their centres are equal;
  * (4) parents stand before their children, and nodes of one depth stand together; (5) the items of
  * a leaf stand in the order of their centres (CompareCoordinates.h), and items with equal centres

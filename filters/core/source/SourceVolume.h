@@ -10,7 +10,7 @@ namespace winding
 /**
  * The size of the volume that a source encloses, in cubes of its coordinates' unit: that of the
  * cones from the middle of its bounds to its triangles, or to its points with their areas, which
- * must be there. It is that of the solid for a closed surface (divergence theorem), and about that
+ * must be there. It is the solid's for a closed surface (divergence theorem), and about that
  * for surfaces with small holes and for clouds. Components that are oriented inward count as
  * cavities.
  *

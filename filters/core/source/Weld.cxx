@@ -113,7 +113,7 @@ void Weld::forEachUsed(std::size_t first, std::size_t last, const Work& work) co
 
 void Weld::makeVertices(Surface& surface, Executor& executor)
 {
-  targets_.reset(new std::uint32_t[points_.size()]); // those of used points are written below
+  targets_.reset(new std::uint32_t[points_.size()]); // used points' are written below
   if (points_.size() > surface.inputTriangles)
   {
     this->weldBlocks(executor);

@@ -51,7 +51,7 @@ public:
 
   /// Evaluates as evaluate() does, and sets isSuspect[i] to whether sample i lies on a triangle
   /// within rounding, so that chance decides which of the values around it the sample gets. Returns
-  /// whether there is any such sample.
+  /// whether there is any.
   bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
 
 private:
@@ -67,8 +67,8 @@ private:
 };
 
 /**
- * The direct sum over all points of a cloud, in double, and that of their gradients; the guarantees
- * are those of TriangleSum, the order taking 4 bytes per point. Points are spread over the lengths
+ * The direct sum over all points of a cloud, in double, and over their gradients; the guarantees
+ * are TriangleSum's, the order taking 4 bytes per point. Points are spread over the lengths
  * that the cloud has, if any (SolidAngle.h). No point adds to the value at its own place, and a
  * point that is not spread adds nothing to the gradient there, either.
  */

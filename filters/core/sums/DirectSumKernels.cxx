@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "sums/DirectSumKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// These headers stand after highway.h, which tells them the instruction set.
+// These headers stand after highway.h, which sets the instruction set.
 #include "sums/SingleKernels-inl.h"
 #include <hwy/contrib/math/math-inl.h>
 
@@ -66,7 +66,7 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       const Vec c = hn::Sqrt(dot(cx, cy, cz, cx, cy, cz));
       const Vec height = dot(
         ax, ay, az, hn::Set(d, t->normal[0]), hn::Set(d, t->normal[1]), hn::Set(d, t->normal[2]));
-      // A height below the normal numbers is none: the product of two such would be 0, and has no
+      // A height below the normal numbers is none: the product of two would be 0, and has no
       // argument. It is +0 then, not −0: by a factor of 1 − 0i, a product at the branch cut would
       // change the sign of its imaginary part and so lose a turn. A sample at b or c has no height,
       // either, though rounding may give it one: the length is 0 there. Lengths are 0 or far above

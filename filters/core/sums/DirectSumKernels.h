@@ -18,8 +18,8 @@ namespace winding
 {
 
 /// The triangle of three corners in scaled coordinates. The cross product of any two of its sides
-/// is its normal; that of the shorter two cancels least. Where b and c are exchanged, the normal
-/// turns round to the bit, and it is exactly 0 where the shorter sides are exactly parallel.
+/// is its normal; the product of the shorter two cancels least. Where b and c are exchanged, the
+/// normal turns round to the bit, and it is exactly 0 where the shorter sides are exactly parallel.
 inline KernelTriangle kernelTriangle(
   const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -84,7 +84,7 @@ void addDipoles(
 /**
  * Adds what addDipoles() adds in single precision, from offsets in double; the shares are summed in
  * double every few dipoles. The relative error of each share is some 1e-7, however near the sample.
- * `moments` are those of the dipoles in single precision.
+ * `moments` are the dipoles' in single precision.
  */
 void addDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
   std::size_t count, const SampleBlock& samples, KernelSums& sums);

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "sums/GradientKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// This header stands after highway.h, which tells it the instruction set.
+// This header stands after highway.h, which sets the instruction set.
 #include "sums/KernelVectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,7 +28,7 @@ HWY_INLINE Vectors edgeGradient(const KernelEdge& edge, const Vectors& q)
     hn::IfThenElse(isNearA, a.z, b.z)};
   const Vectors c = cross(shorter, broadcast(edge.along));
   const Vec la = hn::Sqrt(aa), lb = hn::Sqrt(bb), product = hn::Mul(la, lb);
-  // The sum |a||b| + a·b would cancel beside the edge; there it is |a×b|² / (|a||b| − a·b).
+  // The sum |a||b| + a·b would cancel near the edge; there it is |a×b|² / (|a||b| − a·b).
   const auto isBeside = hn::Lt(ab, hn::Zero(d));
   const Vec numerator = hn::IfThenElse(isBeside, hn::Sub(product, ab), hn::Set(d, 1.0));
   const Vec denominator = hn::IfThenElse(isBeside, dot(c, c), hn::Add(product, ab));

@@ -13,7 +13,7 @@
 namespace winding
 {
 
-/// The most sources per call, so few that they stay in the first-level cache beside a block of
+/// The most sources per call, which fit into the first-level cache together with a block of
 /// samples.
 constexpr std::size_t kernelChunk = 128;
 
@@ -36,10 +36,11 @@ struct KernelEdge
   double weight;   ///< multiplicity / 4π
 };
 
-/// The product of all factors so far for each sample, up to a positive scale, and its lost turns.
+/// The product of all factors up to now for each sample, up to a positive scale, and its lost
+/// turns.
 struct AngleProducts
 {
-  /// Sets the products of so many samples, rounded up to whole vectors, to 1; the rest stays
+  /// Sets the products of `count` samples, rounded up to whole vectors, to 1; the rest stays
   /// uninitialised.
   explicit AngleProducts(std::size_t samples)
   {

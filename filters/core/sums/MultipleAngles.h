@@ -10,7 +10,7 @@ namespace winding
 {
 
 /// The sum of products of angles, each of which counts several times. The sum of a single product
-/// that counts once is that of sumAngles() to the bit.
+/// that counts once equals sumAngles() to the bit.
 class MultipleAngles
 {
 public:
@@ -27,7 +27,7 @@ public:
     }
   }
 
-  /// Adds the angles of a product so many times, and marks the samples that it found to lie on a
+  /// Adds the angles of a product `times` times, and marks the samples that it found to lie on a
   /// triangle.
   void add(const AngleProducts& products, std::int32_t multiplicity)
   {

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "sums/RegularizedKernels.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// These headers stand after highway.h, which tells them the instruction set.
+// These headers stand after highway.h, which sets the instruction set.
 #include "sums/KernelVectors-inl.h"
 #include "sums/SingleKernels-inl.h"
 #include <hwy/contrib/math/math-inl.h>
@@ -112,7 +112,7 @@ void addRegularizedDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles,
     Vec sum = hn::Load(d, sums.sum + s);
     for (std::size_t i = 0; i < count; ++i)
     {
-      // The operations are those of addDipoles(), so that pure dipoles get the same bits.
+      // The operations are addDipoles()'s, so that pure dipoles get the same bits.
       const Vectors r = broadcast(dipoles[i].position) - q;
       const Vec squared = dot(r, r), length = hn::Sqrt(squared);
       const Vec cube = hn::Mul(squared, length);
@@ -128,7 +128,7 @@ void addRegularizedDipolesLoop(const KernelDipole* HWY_RESTRICT dipoles,
 /// precision, 6.0e-8.
 constexpr float singlePureFrom = 4.3f;
 
-/// S(t) in single precision. The polynomials are those of shareOverCube() and restOverGaussian()
+/// S(t) in single precision. The polynomials are shareOverCube()'s and restOverGaussian()'s
 /// with degrees 7 and 6, fitted in the same way up to t = 4.3; errors are within 5.2e-8 of G,
 /// relatively, and 2.3e-9 of S.
 HWY_INLINE SingleVec singleShareAt(SingleVec t)
@@ -237,7 +237,7 @@ void addRegularizedDipoleGradientsLoop(const KernelDipole* HWY_RESTRICT dipoles,
     Vectors sum = {hn::Load(d, sums.x + s), hn::Load(d, sums.y + s), hn::Load(d, sums.z + s)};
     for (std::size_t i = 0; i < count; ++i)
     {
-      // The operations are those of addDipoleGradients(), so that pure dipoles get the same bits.
+      // The operations are addDipoleGradients()'s, so that pure dipoles get the same bits.
       const Vectors r = broadcast(dipoles[i].position) - q, m = broadcast(dipoles[i].moment);
       const Vec squared = dot(r, r), length = hn::Sqrt(squared);
       const GradientFactors of = gradientFactors(squared, length, hn::Set(d, inverseLengths[i]));

@@ -15,7 +15,7 @@
  * dipole of any direction gives there, and gradients to 1e-14 of S |m|/|d|³ (measured:
  * tests/core/sums/RegularizedKernelsTest.cxx);
  * (2) from t = pureFrom on values and gradients have the bits of addDipoles() and
- * addDipoleGradients(); (3) a sample's bits do not depend on the samples beside it.
+ * addDipoleGradients(); (3) a sample's bits do not depend on neighbouring samples.
  *
  * A vector of samples that all lie beyond pureFrom costs what it costs with pure dipoles, any other
  * vector up to five times as much.

@@ -73,7 +73,7 @@ HWY_INLINE void addInDouble(SingleVec values, double* HWY_RESTRICT sums)
 #endif
 }
 
-/// The least |d|² of which half is a normal number: inverseRoot() needs that, whether or not
+/// The least |d|² whose half is a normal number: inverseRoot() needs that, whether or not
 /// smaller numbers count as 0. Samples nearer than its root count as at the dipole itself.
 constexpr float leastSquare = 0x1p-125f;
 

@@ -69,9 +69,9 @@ Scalar dipoleSolidAngle(
  *   S(t) = erf t − 2t/√π exp(−t²),   S(t)/t³ = 4/√π Σ_k (−t²)^k / (k! (2k+3)).
  *
  * The product is the field of dipoles distributed like (e√π)^−3 exp(−|x|²/e²) around p, since the
- * field of a charge with this distribution is S(t) times that of a point (Gauss's law). So it is
+ * field of a charge with this distribution is S(t) times a point's (Gauss's law). So it is
  * smooth, odd in p−q and 0 at the point itself, and from t = 6.3 on, where 1 − S is below 1e-16, it
- * is that of the patch. A length of 0 spreads nothing.
+ * is the patch's. A length of 0 spreads nothing.
  */
 template <class Scalar>
 Scalar regularizedDipoleSolidAngle(

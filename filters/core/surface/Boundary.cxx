@@ -99,7 +99,7 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
 BoundaryEdges sortedByCoordinates(
   const BoundaryEdges& edges, const std::vector<Eigen::Vector3d>& vertices, Executor& executor)
 {
-  // Nearly all comparisons end with the first coordinate, which stands beside the edge therefore.
+  // Nearly all comparisons end with the first coordinate, which is therefore stored with the edge.
   struct Keyed
   {
     double x;
@@ -147,7 +147,7 @@ BoundaryEdges sortedByCoordinates(
     },
     executor);
   // Slices of x follow each other, so that each may be sorted by itself. Rounding is monotone: it
-  // puts no edge into a slice before that of an edge with a smaller x.
+  // puts no edge into a slice before one with an edge of smaller x.
   constexpr std::size_t wantedInSlice = 4096;
   const std::size_t slices = std::clamp<std::size_t>(edges.size() / wantedInSlice, 1, mostBuckets);
   const double slicesPerUnit = static_cast<double>(slices) / (most - least);

@@ -37,8 +37,8 @@ struct BoundaryChain
   std::size_t edgesOfOneTriangle = 0;
 
   /// The ends of all edges that more than two triangles use, or two in the same sense: each edge of
-  /// a triangle that is there more than once is one of these, but for two opposite triangles that
-  /// no other touches. A vertex may be listed several times.
+  /// a triangle that is there more than once is one of these, except for two opposite triangles
+  /// that no other touches. A vertex may be listed several times.
   std::vector<std::int32_t> crowdedVertices;
 };
 

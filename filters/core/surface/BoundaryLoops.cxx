@@ -13,8 +13,8 @@ namespace winding
 namespace
 {
 
-/// Vertices lie anywhere in memory, so that loops over edges ask for those of edges that come so
-/// much later.
+/// Vertices lie anywhere in memory, so that loops over edges prefetch the vertices of edges that
+/// come so much later.
 constexpr std::size_t edgesAhead = 16;
 
 constexpr std::size_t edgesPerBlock = 16384;

@@ -30,7 +30,7 @@ private:
   const std::int32_t *begin_, *end_;
 };
 
-/// Loops, whose vertices stand one behind the other: most loops of damaged meshes are those of one
+/// Loops, whose vertices stand one behind the other: most loops of damaged meshes go around one
 /// missing triangle, millions of them.
 class BoundaryLoops
 {

@@ -64,7 +64,7 @@ TriangleList fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& ver
       bounds.extend(vertices[vertex]);
       center += vertices[vertex] / static_cast<double>(loop.size());
     }
-    // The new vertex lies beside the loop's centre by π/18, e/12 and ln 2 · 3/8 of its size. These
+    // The new vertex lies off the loop's centre by π/18, e/12 and ln 2 · 3/8 of its size. These
     // are neither simple fractions nor, as sizes are, roots of such, which grids and CAD are full
     // of.
     const double size = bounds.diagonal().norm();

@@ -9,7 +9,7 @@ namespace winding
 /**
  * Makes a cap: a chain C of triangles over the vertices of M with ∂C = −∂M, which closes M. It may
  * cross anything, itself included; only its boundary matters, since w_M = χ_{M+C} − w_C with an
- * integer χ (Jacobson, Kavan, Sorkine-Hornung 2013 close open meshes so). `loops` are those of ∂M.
+ * integer χ (Jacobson, Kavan, Sorkine-Hornung 2013 close open meshes so). `loops` make up ∂M.
  *
  * Each loop loses every other vertex as an ear (v₀ v₁ v₂), (v₂ v₃ v₄), … and what is left of it
  * loses ears in the same way until nothing is left: a loop of n vertices gets n − 2 triangles,
@@ -27,7 +27,7 @@ inline std::size_t trianglesOfCap(const BoundaryLoop& loop)
 }
 
 /**
- * Makes another cap, a fan, by joining each loop to one new vertex beside it. It is used where a
+ * Makes another cap, a fan, by joining each loop to one new vertex near it. It is used where a
  * sample lies on the cap of capOf(): the new vertex is put where a second coincidence would be an
  * accident. `vertices` must hold the loops' vertices; the new ones are appended to it.
  */

@@ -81,7 +81,7 @@ std::vector<Bounds> boundsOf(const Surface& surface, const Components& component
   return bounds;
 }
 
-/// Tells for each vertex which closed component alone has it, if there is one.
+/// Finds for each vertex which closed component alone has it, if there is one.
 class Owners
 {
 public:
@@ -111,7 +111,7 @@ private:
   std::vector<std::int32_t> owners_;
 };
 
-/// Collects the crossings of a ray from a point, and tells which components wind round the point.
+/// Collects the crossings of a ray from a point, and finds which components wind round the point.
 class WindingComponents
 {
 public:

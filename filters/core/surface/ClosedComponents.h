@@ -24,14 +24,14 @@ struct ClosedComponent
   /// −1 for none.
   std::int32_t around;
 
-  /// Tells whether the component is oriented inward and lies inside an even number of others, so
+  /// Returns whether the component is oriented inward and lies inside an even number of others, so
   /// that it cannot be a cavity: w inside is −1, or one too small. Inward is right for the wall of
   /// a cavity, which lies inside an odd number of others.
   bool isInverted() const { return sense < 0 && depth % 2 == 0; }
 
-  /// Tells whether the component is oriented outward and lies inside an odd number of others. It is
-  /// a solid within a solid, where w is 2, or a cavity whose wall is turned round; nothing tells
-  /// which.
+  /// Returns whether the component is oriented outward and lies inside an odd number of others. It
+  /// is a solid within a solid, where w is 2, or a cavity whose wall is turned round; nothing
+  /// distinguishes which.
   bool isNestedSolid() const { return sense > 0 && depth % 2 == 1; }
 };
 

@@ -10,7 +10,7 @@ namespace winding
 namespace
 {
 
-/// Tells which triangles are of one set, and which sets have an edge that does not cancel within
+/// Finds which triangles are of one set, and which sets have an edge that does not cancel within
 /// them.
 class OpenSets
 {

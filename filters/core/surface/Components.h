@@ -25,7 +25,7 @@ struct Components
 };
 
 /**
- * Tells which triangles are parts of one polygon: an entry per triangle says whether it belongs to
+ * Finds which triangles are parts of one polygon: an entry per triangle says whether it belongs to
  * the polygon of the triangle before it. Without entries each triangle is a polygon of its own. The
  * triangles of a polygon are in one component, for they have their sense in common.
  */

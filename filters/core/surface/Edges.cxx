@@ -27,9 +27,9 @@ SortedTriangle sorted(const Triangle& triangle)
     ((a < b) ^ (b < c) ^ (c < a)) == 0};
 }
 
-/// Tells whether no two of `most` or fewer uses are equal and each has one in the other direction.
-/// All are compared with all, and the number of comparisons is fixed: so several of them run at a
-/// time, and no branch depends on the uses.
+/// Returns whether no two of `most` or fewer uses are equal and each has one in the other
+/// direction. All are compared with all, and the number of comparisons is fixed: so several of them
+/// run at a time, and no branch depends on the uses.
 template <std::size_t most> bool haveOpposites(const EdgeUse* uses, std::size_t count)
 {
   // No use has the high vertex 0, the lowest of all: that number fills the room that is left.
@@ -92,7 +92,7 @@ EdgeUses::EdgeUses(const Surface& surface, Executor& executor)
   : triangles_(surface.triangles)
   , vertices_(surface.vertices.size())
 {
-  // There are about 6 uses per vertex, so those of a range stay in a core's cache, and in memory
+  // There are about 6 uses per vertex, so the uses of a range stay in a core's cache, and in memory
   // that the next range gets again, while larger pieces would come fresh from the system each time.
   constexpr std::size_t wantedVertices = 1024;
   shift_ = bucketShift(vertices_, wantedVertices, mostBuckets / 2);

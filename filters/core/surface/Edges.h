@@ -37,7 +37,7 @@ private:
 /// Sorts uses of edges with the same low vertex. No two uses are equal.
 void sortUses(EdgeUse* first, EdgeUse* last);
 
-/// Tells whether uses of edges with the same low vertex pair up, one along each edge and one
+/// Returns whether uses of edges with the same low vertex pair up, one along each edge and one
 /// against it. It may say no though all edges cancel, if edges are used more than twice or there
 /// are more than 16 uses.
 bool pairUp(const EdgeUse* first, const EdgeUse* last);

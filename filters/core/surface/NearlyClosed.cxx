@@ -29,8 +29,8 @@ int senseOf(const Triangle& triangle, std::int32_t low, std::int32_t high)
   return -1;
 }
 
-/// Makes a cap that is the same whichever way the loop runs, but for the sense of its triangles: a
-/// component must not be judged by another cap once it is turned round.
+/// Makes a cap that is the same whichever way the loop runs, except for the sense of its triangles:
+/// a component must not be judged by another cap once it is turned round.
 TriangleList unsidedCapOf(const BoundaryLoop& loop)
 {
   std::vector<std::int32_t> rim(loop.begin(), loop.end());
@@ -166,7 +166,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
         capAreas[component] += areaOf(surface, triangle, scale);
       }
     });
-  // A larger cap makes w differ less between the two sides of the surface, so that the side tells
+  // A larger cap makes w differ less between the two sides of the surface, so that the side shows
   // less.
   constexpr double mostOfArea = 0.5;
   const auto isNearlyClosed = [&](std::int32_t component)

@@ -289,7 +289,7 @@ void decideByNesting(const Surface& surface, const Components& components,
   }
 }
 
-/// Tells for each component whether step 3 turns it.
+/// Finds for each component whether step 3 turns it.
 std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
   const Components& components, const std::vector<TurnedArea>& areas,
   const std::vector<char>& isFixed, Executor& executor)

@@ -20,7 +20,7 @@ struct Orientation
  * Finds an orientation in three steps:
  * 1. Triangles that share an edge with no third one are made to run along it in opposite
  *    directions, and those of a polygon keep the sense that they have in common. A patch, a
- *    connected set of such triangles, that admits this is turned as a whole from here on, at first
+ *    connected set of these triangles, that admits this is turned as a whole from here on, at first
  *    so that at most half of its area is turned. A patch that does not, a Möbius strip say, stays
  *    as it is.
  * 2. Where more than two triangles meet, patches are turned, small ones first, as long as that
@@ -32,8 +32,8 @@ struct Orientation
  *    at most half of their area is turned. Components with a patch that stays in step 1 stay as
  *    they are.
  *
- * So a surface whose triangles agree stays as it is, but for inverted components and nested solids.
- * The result is the same for every executor, and takes O(n log n) time. Throws Interrupted.
+ * So a surface whose triangles agree stays as it is, except for inverted components and nested
+ * solids. The result is the same for every executor, and takes O(n log n) time. Throws Interrupted.
  */
 Orientation orient(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor);

@@ -9,14 +9,14 @@
 namespace winding
 {
 
-/// Loops of which each stands there once, in ascending order of how often it was there.
+/// Distinct loops, by ascending multiplicity.
 struct RepeatedLoops
 {
   /// Takes loops as boundaryLoops() makes them: those that run along the same edges come one after
   /// the other.
   explicit RepeatedLoops(BoundaryLoops all);
 
-  /// The multiplicities of triangles, of which each loop has as many as trianglesOf(loop) says.
+  /// Returns the multiplicities of triangles; each loop has trianglesOf(loop) of them.
   template <class TrianglesOf> Multiplicities multiplicities(const TrianglesOf& trianglesOf) const
   {
     Multiplicities result;

@@ -15,7 +15,7 @@ namespace winding
  * oriented inward and lies in others, as the wall of a cavity does (ClosedComponents.h), taken
  * together with the innermost of these. Solids are numbered by their triangles, most first, and by
  * their lowest vertices where they have as many: the numbers do not depend on the order of the
- * triangles, but for solids that have both in common.
+ * triangles, except for solids that have both in common.
  */
 struct SolidParts
 {

@@ -46,7 +46,7 @@ struct SurfaceEdges
   std::vector<Rim> rims;
   std::vector<Pair> pairs;
   std::vector<Crowd> crowds;
-  std::vector<Use> crowdUses; ///< uses of all crowds, those of one in the order of the triangles
+  std::vector<Use> crowdUses; ///< uses of all crowds, each in the order of the triangles
 
   const Use* begin(const Crowd& crowd) const { return crowdUses.data() + crowd.firstUse; }
   const Use* end(const Crowd& crowd) const { return crowdUses.data() + crowd.endOfUses; }
