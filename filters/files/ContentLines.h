@@ -13,8 +13,8 @@ namespace winding
 {
 
 /**
- * The lines of a text file that have anything on them beside blanks and comments, numbered from 0
- * on: formats that promise so many items, one on a line, find each by its number.
+ * The lines of a text file with more on them than blanks and comments, numbered from 0
+ * on: formats that promise a number of items, one on a line, find each by its number.
  */
 class ContentLines
 {

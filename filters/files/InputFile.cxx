@@ -49,7 +49,7 @@ InputFile::InputFile(const char* name)
     this->refuse(isMissing ? "no such file" : "cannot be opened; check its permissions",
       isMissing ? FileFault::notFound : FileFault::cannotOpen);
   }
-  // The size is that of the file that was opened, which may be another one by now.
+  // The size belongs to the file that was opened, which may be another one by now.
   size_ = fstat(descriptor_, &about) == 0 && about.st_size > 0
             ? static_cast<std::size_t>(about.st_size)
             : 0;

@@ -11,7 +11,7 @@ namespace
 
 constexpr std::size_t bytesAtOnce = 1 << 12;
 
-/// The number of bytes before a line that tell whether it goes on the one before: a backslash and
+/// The number of bytes before a line that decide whether it goes on the one before: a backslash and
 /// the end of the line, which may have two bytes.
 constexpr std::size_t bytesBefore = 3;
 

@@ -55,7 +55,7 @@ public:
   explicit LineBlocks(const InputFile& file, std::size_t start = 0,
     std::size_t bytesPerBlock = usualBytes, Backslash backslash = Backslash::isLetter);
 
-  /// The blocks begin at these places, in their order, but for the last, which is the end of the
+  /// The blocks begin at these places, in their order, except for the last, which is the end of the
   /// last block.
   LineBlocks(const InputFile& file, std::vector<std::size_t> starts)
     : file_(&file)

@@ -12,7 +12,7 @@ namespace winding
  * more corners, lines (l) and points (p), whose cells may go on behind a backslash at the end of a
  * line. Corners name vertices from 1 on, or with negative numbers back from the last one before.
  *
- * Normals (vn) are those of vertices where there are as many of them as vertices, and no corner
+ * Normals (vn) belong to vertices where there are as many of them as vertices, and no corner
  * names the normal of another vertex; else they are left out. Texture coordinates (vt), colours,
  * groups and materials are passed over.
  *
@@ -21,8 +21,8 @@ namespace winding
  * that name what does not exist. Throws Interrupted. The result is the same for any number of
  * threads.
  *
- * The format is that of "Object Files (.obj)", Advanced Visualizer Manual, Wavefront Technologies,
- * appendix B1.
+ * The format is described in "Object Files (.obj)", Advanced Visualizer Manual, Wavefront
+ * Technologies, appendix B1.
  */
 MeshArrays readObj(const InputFile& file, Executor& executor);
 

@@ -20,7 +20,7 @@ constexpr std::size_t bytesPerFace = 4;
 struct Header
 {
   bool hasNormals = false;
-  std::size_t lines = 0; ///< those of the header
+  std::size_t lines = 0; ///< in the header
   std::size_t vertices = 0;
   std::size_t faces = 0;
 
@@ -143,7 +143,7 @@ std::size_t kindOf(std::size_t corners)
   return std::min<std::size_t>(corners, 3) - 1;
 }
 
-/// Reads the number of corners, of which each is a word on the line.
+/// Reads the number of corners, each of them a word on the line.
 std::size_t readSize(LineScanner& words)
 {
   const std::int64_t size = words.integer("the number of corners");
@@ -155,7 +155,7 @@ std::size_t readSize(LineScanner& words)
   return static_cast<std::size_t>(size);
 }
 
-/// The counts of faces before each block of lines, and, as the last one, those of all.
+/// The counts of faces before each block of lines, and, as the last one, of all.
 std::vector<FaceCounts> countFaces(
   const ContentLines& lines, const Header& header, Executor& executor)
 {

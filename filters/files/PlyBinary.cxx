@@ -45,7 +45,7 @@ public:
   {
   }
 
-  /// Arrays of so many of them, not set yet.
+  /// Arrays that are not set yet.
   VectorArrays arrays(std::size_t count) const
   {
     VectorArrays made;

@@ -11,7 +11,7 @@ namespace winding
  * Reads what is behind the header of a binary PLY file. Coordinates and normals are floats where
  * floats hold what the file has: floats and integers of two bytes at most.
  *
- * Items whose lists have the same lengths as those of the first one, as in meshes of triangles, are
+ * Items whose lists have the same lengths as the first one's, as in meshes of triangles, are
  * read at once by all threads. For others one thread finds the places of the items first.
  *
  * Throws FileRefusal where the file ends before its last item, for lists whose length is no

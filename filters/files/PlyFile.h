@@ -22,7 +22,7 @@ namespace winding
  * is allocated for items that the file cannot hold. Throws Interrupted. The result is the same for
  * any number of threads.
  *
- * The format is that of Greg Turk, "The PLY Polygon File Format", Stanford University, 1994.
+ * The format is described by Greg Turk, "The PLY Polygon File Format", Stanford University, 1994.
  */
 MeshArrays readPly(const InputFile& file, Executor& executor);
 

@@ -39,7 +39,7 @@ struct PlyProperty
   std::optional<PlyNumber> lengthType; ///< type of a list's length; none for single numbers
 };
 
-/// So many items with the same properties.
+/// A number of items with the same properties.
 struct PlyElement
 {
   std::string name;
@@ -98,7 +98,7 @@ PlyHeader readPlyHeader(const InputFile& file);
 /// Why a list of `length` numbers is refused, where that is no whole number from 0 on.
 std::string badPlyLength(double length);
 
-/// Why a corner at a vertex of this number is refused, where there are so many vertices.
+/// Why a corner at a vertex of this number is refused, where there are `vertices` vertices.
 std::string badPlyCorner(double id, std::int64_t vertices);
 
 } // namespace winding

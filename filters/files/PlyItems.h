@@ -111,7 +111,7 @@ private:
   PlyEncoding encoding_;
   const PlyElement& element_;
   const PlyProperty* list_;
-  PlyLayout first_; ///< that of the first item
+  PlyLayout first_; ///< of the first item
   bool hasLists_;
   bool areUniform_ = false;
   std::vector<Block> blocks_; ///< the last one is the end

@@ -6,7 +6,7 @@
 namespace winding
 {
 
-/// Whether the bytes of the numbers stand in the other order than those of this machine.
+/// Whether the bytes of the numbers stand in the other order than on this machine.
 inline bool isSwapped(PlyEncoding encoding)
 {
   return (encoding == PlyEncoding::bigEndian) != isBigEndianMachine;

@@ -68,7 +68,7 @@ void passOver(LineScanner& words, const PlyProperty& property)
   }
 }
 
-/// Where the numbers of a property of all items go: nowhere, or into every so many places of an
+/// Where the numbers of a property of all items go: nowhere, or into every n-th place of an
 /// array.
 class Column
 {
@@ -362,7 +362,7 @@ private:
     return takeCorners(words);
   }
 
-  /// Reads the present line. place(corners) gives the array for the ids of so many corners.
+  /// Reads the present line. place(corners) gives the array for the ids of its corners.
   template <class Place>
   void readFace(LineScanner& words, const PlyElement& face, const Place& place) const
   {

@@ -144,7 +144,7 @@ const char* RowScanner::skipBlanks(const char* at) const
   return at;
 }
 
-/// Ends a field where a separator, the end of the line or that of the text stands.
+/// Ends a field where a separator, the end of the line or of the text stands.
 void RowScanner::endField(const char* at)
 {
   state_ = at == end_ ? RowState::cut : *at == '\n' ? RowState::ended : RowState::hasMore;

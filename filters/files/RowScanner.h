@@ -27,7 +27,7 @@ public:
   /// The text must live as long as the scanner.
   RowScanner(std::string_view text, char separator);
 
-  /// Goes to the next row that has anything on it beside spaces, be it a separator; false if there
+  /// Goes to the next row with more on it than spaces, be it a separator; false if there
   /// is none. The row before must have ended.
   bool nextRow();
 

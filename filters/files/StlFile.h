@@ -10,7 +10,7 @@ namespace winding
 /**
  * Reads a surface of triangles from stereolithography files (.stl), binary ones or text, whose
  * words may be in small letters or capital ones, with any number of solids behind each other. A
- * file is binary where its size is that of a binary file of the number of triangles that it
+ * file is binary where it has the size of a binary file of the number of triangles that it
  * promises, or where it does not begin with "solid".
  *
  * Each triangle has three points of its own, in the order of the file, as floats from binary files
@@ -21,7 +21,7 @@ namespace winding
  * numbers, text without its end, and lines in an order that STL does not have. Throws Interrupted.
  * The result is the same for any number of threads.
  *
- * The format is that of the StereoLithography Interface Specification, 3D Systems, 1989.
+ * The format is described in the StereoLithography Interface Specification, 3D Systems, 1989.
  */
 MeshArrays readStl(const InputFile& file, Executor& executor);
 

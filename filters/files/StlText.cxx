@@ -32,7 +32,7 @@ enum State : unsigned char
   states
 };
 
-/// A word with which lines begin, and the states before and after such a line.
+/// A word with which lines begin, and the states before and after that line.
 struct Keyword
 {
   std::string_view word;

@@ -15,8 +15,8 @@ namespace winding
 namespace
 {
 
-/// Where the fields of a column go as numbers: the one of the first row, and every so many places
-/// behind it that of the next one.
+/// Where the fields of a column go as numbers: the one of the first row, and every n-th place
+/// behind it the next one's.
 struct Target
 {
   double* first = nullptr;

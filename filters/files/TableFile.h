@@ -31,7 +31,7 @@ public:
 struct TableOptions
 {
   char separator = ',';         ///< or a tab
-  bool normalsAndAreas = true;  ///< whether these columns are read as such, or are like all others
+  bool normalsAndAreas = true;  ///< whether these columns are read apart, or are like all others
   bool rowPlaces = false;       ///< whether the places of the rows in the file are wanted
   TextColumns* texts = nullptr; ///< null where columns that have no meaning are not wanted
   std::size_t bytesPerBlock = LineBlocks::usualBytes;
@@ -49,7 +49,7 @@ struct TableColumn
 /// The content of a table of points.
 struct PointTable
 {
-  MeshArrays points;                ///< with normals and areas where there are such columns
+  MeshArrays points;                ///< with normals and areas where there are these columns
   std::string header;               ///< the text of the first row, and the end of its last line
   std::vector<std::string> names;   ///< of all columns, as the header has them
   std::vector<TableColumn> columns; ///< those that have no meaning, if they are wanted
@@ -61,9 +61,9 @@ struct PointTable
 
 /**
  * Reads points from a table with a header row (.csv, .tsv): one point for each row, from the
- * columns x, y and z, normals from nx, ny and nz, areas from area, where there are such.
+ * columns x, y and z, normals from nx, ny and nz, areas from area, where there are any.
  * columnsOf() says which names mean these, and namesOfArrays() gives the other columns theirs;
- * those of normals and areas, "Normals" and "Area", are taken. Fields may be in quotation marks, as
+ * normals and areas, "Normals" and "Area", are taken. Fields may be in quotation marks, as
  * RFC 4180 has it, blank lines are passed over, and so is a byte order mark. All points are in one
  * vertex cell.
  *

@@ -20,7 +20,7 @@ constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   file.refuseLine(offset, "a quotation mark is not closed, or not at the end of its field");
 }
 
-/// The text from `first` on, of so many bytes, or to the end of the file, behind which an end of
+/// The text from `first` on, of `bytes` bytes, or to the end of the file, behind which an end of
 /// line is added.
 TextBlock textFrom(const InputFile& file, std::size_t first, std::size_t bytes)
 {
@@ -42,7 +42,7 @@ struct Stretch
   bool isBroken = false; ///< whether a quotation mark in the row there is not as it should be
 };
 
-/// Calls visit(rows) at the end of each whole row among so many bytes from `start` on, until it
+/// Calls visit(rows) at the end of each whole row among `bytes` bytes from `start` on, until it
 /// returns false.
 template <class Visit>
 Stretch visitWholeRows(

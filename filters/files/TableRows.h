@@ -28,7 +28,7 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
 /**
  * The rows of a table, numbered from 0 on, in blocks that any thread may read. Where no quotation
  * mark stands in them all threads find the rows; otherwise one goes through them, for only what
- * stands before tells whether an end of line is in a field. Blank lines are no rows.
+ * stands before decides whether an end of line is in a field. Blank lines are no rows.
  */
 class TableRows
 {
@@ -42,7 +42,7 @@ public:
   std::size_t count() const { return starts_.back(); }
 
   /// Throws FileRefusal where the rows ended before the file did. What is wrong with rows before
-  /// that one is to be told first.
+  /// that one is to be reported first.
   void checkEnd() const;
 
   /// The rows of a block.

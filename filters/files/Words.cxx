@@ -16,7 +16,7 @@ const char* withoutPlus(const char* first, const char* last)
 }
 
 /// Whether a number beyond the range of doubles is below the smallest one. The sign of the place of
-/// its first digit that counts tells.
+/// its first digit that counts decides.
 bool isTiny(std::string_view word)
 {
   const std::size_t end = std::min(word.find_first_of("eE"), word.size());

@@ -16,17 +16,17 @@ namespace winding
 /// Neighbours of the smallest planes, by which spacings and noise are measured.
 constexpr std::size_t fewNeighbors = 8;
 
-/// The distance of each place from others: the square root of its area, which is that of the circle
-/// through a near neighbour, for each place in it.
+/// The distance of each place from others: the square root of its area, which is the area of the
+/// circle through a near neighbour, for each place in it.
 std::vector<double> spacingsOf(const DistinctPoints& places, const NeighborGraph& graph);
 
 /// Whether points are scattered about their surface. Small planes of noisy points deviate by 0.3
-/// spacings and more nearly everywhere; those of clean ones do so in some places only, at edges and
-/// thin parts. Throws Interrupted.
+/// spacings and more nearly everywhere; places of clean ones do so in some places only, at edges
+/// and thin parts. Throws Interrupted.
 bool isNoisy(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<double>& spacings, Executor& executor);
 
-/// The deviation from planes, in spacings, that those of a share of all places are below.
+/// The deviation from planes, in spacings, that a share of all places stays below.
 double quantileInSpacings(
   std::vector<double> deviations, const std::vector<double>& spacings, double share);
 

@@ -26,9 +26,9 @@ struct CloudOrientation
 
   bool isInward() const { return inward > outward; }
 
-  /// Whether the field tells inside from outside nearly everywhere. The share of points with the
-  /// field that they should have is 0.95 to 1 among the vertices of scans with right normals, and
-  /// 0.82 for a coarse bunny and a teapot, where one estimated normal in ten is wrong.
+  /// Whether the field separates inside from outside nearly everywhere. The share of points with
+  /// the field that they should have is 0.95 to 1 among the vertices of scans with right normals,
+  /// and 0.82 for a coarse bunny and a teapot, where one estimated normal in ten is wrong.
   bool isClear() const { return std::max(outward, inward) >= clearShare; }
 
   static constexpr double clearShare = 0.85;

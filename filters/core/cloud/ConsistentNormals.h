@@ -35,7 +35,7 @@ struct ConsistentNormals
  * NormalEstimation.h among them; the result is the one with the least deviation. Where senses are
  * known, so are the two sheets of thin parts, and directions are taken again, from planes through
  * neighbours on one sheet only (sheetNormals()). The sides of noisy clouds are found by some of
- * their places; where that fits badly, sheets that noise makes nearly touch are told apart
+ * their places; where that fits badly, sheets that noise makes nearly touch are separated
  * (NoisySheets.h), and planes through more neighbours are tried. Then w of all places turns single
  * normals of noisy clouds, before their directions are taken again.
  *
@@ -43,12 +43,12 @@ struct ConsistentNormals
  * estimateNormals() gives for the same points and neighbours, in either sense as a whole, where
  * they are known already. Points at one place have one normal. All normals are finite. The bits are
  * the same for any executor and any order of the points. The work takes O(n log n) time and about
- * 350 bytes per point beside the points themselves. Throws Interrupted.
+ * 350 bytes per point in addition to the points. Throws Interrupted.
  */
 ConsistentNormals consistentNormals(const DistinctPoints& places, int neighbors, Executor& executor,
   std::vector<Eigen::Vector3d> byTree = {});
 
-/// Tells which normals of a cloud are to be turned round, where their directions are right but
+/// Finds which normals of a cloud are to be turned round, where their directions are right but
 /// their senses may not be: 1 for those. It is found by the same patches, and none is turned where
 /// w is about 1/2 already. positions and unit normals: as many. Throws Interrupted.
 std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,

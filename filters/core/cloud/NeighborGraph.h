@@ -69,11 +69,11 @@ std::vector<double> planeDeviations(
   const DistinctPoints& places, const NeighborGraph& graph, std::size_t count, Executor& executor);
 ///@}
 
-/// The normals of the planes through each place and those of its `count` nearest neighbours that
-/// are on its sheet: neighbours whose normals are similar to its own (areSimilar()). Given normals
-/// point outward, and so do the new ones. Planes through all neighbours are tilted where some of
-/// them lie on the other side of a thin part or around an edge. A place with less than three
-/// neighbours on its sheet keeps its normal. Throws Interrupted.
+/// The normals of the planes through each place and the ones among its `count` nearest neighbours
+/// that are on its sheet: neighbours whose normals are similar to its own (areSimilar()). Given
+/// normals point outward, and so do the new ones. Planes through all neighbours are tilted where
+/// some of them lie on the other side of a thin part or around an edge. A place with less than
+/// three neighbours on its sheet keeps its normal. Throws Interrupted.
 std::vector<Eigen::Vector3d> sheetNormals(const DistinctPoints& places, const NeighborGraph& graph,
   const std::vector<Eigen::Vector3d>& normals, std::size_t count, Executor& executor);
 

@@ -49,7 +49,7 @@ struct Results
   std::uint32_t firstPlace = 0; ///< number of the first place of the tree that is searched
 };
 
-/// The nearest places that a search has come to, but for one, in their order.
+/// The nearest places that a search has come to, except for one, in their order.
 class NearestPlaces : public Results
 {
 public:
@@ -99,7 +99,7 @@ private:
   std::vector<Neighbor>& neighbors_;
 };
 
-/// Puts all places within a distance into a ball, unless they are more than so many.
+/// Puts all places within a distance into a ball, up to `most` of them.
 class PlacesWithin : public Results
 {
 public:
@@ -241,7 +241,7 @@ bool NeighborSearch::findInBall(std::size_t place, std::size_t count, double atM
   return find();
 }
 
-/// Finds the neighbours in the trees. That of the place itself comes first, since what it finds
+/// Finds the neighbours in the trees. Its own tree comes first, since what it finds
 /// spares most of the others.
 void NeighborSearch::findInTrees(
   std::size_t place, std::size_t count, double atMost, std::vector<Neighbor>& neighbors) const
@@ -277,7 +277,7 @@ void NeighborSearch::fill(
     }
     box = larger;
   }
-  // Some neighbours are farther away than those of the place before.
+  // Some neighbours are farther away than the previous place's.
   constexpr double margin = 1.15;
   const double radius = margin * distance + 0.5 * box.diagonal().norm();
   const Eigen::Vector3d center = box.center();

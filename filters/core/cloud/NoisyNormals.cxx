@@ -17,7 +17,7 @@ namespace winding
 namespace
 {
 
-/// Every so manieth place of a noisy cloud, such that noise is no more than about half a spacing.
+/// Thins a noisy cloud so far that noise is no more than about half a spacing.
 std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
 {
   constexpr double wanted = 0.6;
@@ -33,7 +33,7 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
   return some;
 }
 
-/// Orients a noisy cloud by some of its places, where noise is small beside its parts.
+/// Orients a noisy cloud by some of its places, where noise is small compared with its parts.
 OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<double>& spacings,
   std::size_t neighbors, Normals byTree, Executor& executor)
 {
@@ -71,7 +71,7 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
 }
 
 /// The normals of noisy sheets that are close to each other: senses are found by the places moved
-/// onto their sheets, which tell them apart, and directions are smoothed along them. There are none
+/// onto their sheets, which separates them, and directions are smoothed along them. There are none
 /// where sheets do not come apart: then w of the moved places deviates by 0.22 and more, else by
 /// less than 0.07, measured.
 Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>& spacings,
@@ -152,9 +152,9 @@ OrientedPlaces orientInTheBestWay(const DistinctPoints& places, const std::vecto
 
 /// Finds senses and directions once more, where most senses are right. Senses have come from fields
 /// that are spread over three spacings and more, which mix the sides of thin parts; one that is
-/// spread over half as much tells more of them apart: it added 0.006 to what the noisy gantry of
+/// spread over half as much separates more of them: it added 0.006 to what the noisy gantry of
 /// clouds.md has in common with its solid. Directions have come from planes through neighbours of
-/// all sheets; those of twice as many neighbours on one sheet only added 0.003, and 0.008 for
+/// all sheets; planes of twice as many neighbours on one sheet only added 0.003, and 0.008 for
 /// bones.
 Normals foundAgain(const DistinctPoints& places, const std::vector<double>& spacings,
   std::size_t neighbors, Normals normals, Executor& executor)

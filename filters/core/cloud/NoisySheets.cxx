@@ -91,7 +91,7 @@ void forEachOffsets(const DistinctPoints& places, const NeighborGraph& graph,
     executor);
 }
 
-/// Follows a plane to the sheet that it is on, and tells how many of the points lie on it. A sheet
+/// Follows a plane to the sheet that it is on, and counts the points that lie on it. A sheet
 /// that passes far from the origin counts less.
 double followSheet(const std::vector<Eigen::Vector3d>& points, Plane& plane)
 {

@@ -32,13 +32,13 @@ SheetPlanes sheetPlanes(const DistinctPoints& places, const NeighborGraph& graph
   const std::vector<double>& spacings, const std::vector<std::size_t>& neighbors,
   Executor& executor);
 
-/// Smooths oriented normals along noisy sheets: each becomes the mean of those of neighbours whose
-/// planes pass near the place, and then that of the plane through neighbours that are near to this
-/// plane and have similar normals (Öztireli, Guennebaud, Gross, Feature preserving point set
-/// surfaces based on non-linear kernel regression, 2009). Near is 0.7 spacings. Neighbours on other
-/// sheets do not count, whose planes pass far away or whose normals are opposite. Senses may change
-/// where those of the neighbours contradict them. The result is the same for any executor. Throws
-/// Interrupted.
+/// Smooths oriented normals along noisy sheets: each becomes the mean of the normals of neighbours
+/// whose planes pass near the place, and then the normal of the plane through neighbours that are
+/// near to this plane and have similar normals (Öztireli, Guennebaud, Gross, Feature preserving
+/// point set surfaces based on non-linear kernel regression, 2009). Near is 0.7 spacings.
+/// Neighbours on other sheets do not count, whose planes pass far away or whose normals are
+/// opposite. Senses may change where the neighbours' contradict them. The result is the same for
+/// any executor. Throws Interrupted.
 std::vector<Eigen::Vector3d> smoothedAlongSheets(const DistinctPoints& places,
   const NeighborGraph& graph, const std::vector<double>& spacings,
   const std::vector<Eigen::Vector3d>& normals, Executor& executor);

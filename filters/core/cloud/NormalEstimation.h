@@ -30,7 +30,7 @@ const char* nameOf(NormalEstimation estimation);
  * neighbours: from one to the next with a similar normal (Hoppe et al., Surface reconstruction from
  * unorganized points, 1992) that lies across both normals, not along them. Each piece of the graph
  * starts at its highest point, whose normal is turned up, as is right for a solid. Thin parts and
- * sharp edges can fool this; CloudOrientation.h tells how much. (vtkPCANormalEstimation keeps the
+ * sharp edges can fool this; CloudOrientation.h says how much. (vtkPCANormalEstimation keeps the
  * first normal that it finds as it is, follows neighbours in any order, and takes quadratic time
  * where one point is far from all others.) Among the vertices of meshes, 0 to 1 in 2000 normals of
  * scans are wrong, and 1 in 10 of a thousand vertices of a bunny and of a teapot.

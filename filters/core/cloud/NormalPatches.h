@@ -20,7 +20,7 @@ public:
   NormalPatches(const DistinctPoints& places, const NeighborGraph& graph,
     const std::vector<Eigen::Vector3d>& normals, Executor& executor);
 
-  /// Joins all places that steps of up to so much doubt lead to.
+  /// Joins all places that steps of up to `doubt` lead to.
   void grow(float doubt);
 
   /// The largest patches of now, down to some places and up to some patches, and in order of size:
@@ -34,8 +34,8 @@ public:
   };
   Largest largest(std::size_t fewestPlaces, std::size_t mostPatches) const;
 
-  /// Whether each place has to be turned for the normals of its patch to agree with that of the
-  /// patch's first place.
+  /// Whether each place has to be turned for the normals of its patch to agree with the normal of
+  /// the patch's first place.
   std::vector<unsigned char> areOpposite() const;
 
   /// Hands senses on to all places: first from the patches that have one, along the steps in order

@@ -11,7 +11,7 @@
 
 /**
  * @file
- * Normals of places that are tried, and of which those are kept that w fits best. All of these
+ * Tries several orientations and keeps the one with the smallest deviation. All of these
  * functions throw Interrupted.
  */
 namespace winding
@@ -20,13 +20,13 @@ namespace winding
 /// The mean square of w − 1/2.
 double deviationOf(const Eigen::VectorXd& w);
 
-/// How much w deviates from 1/2, where areas are known but for a common factor, as those of noisy
+/// How much w deviates from 1/2, where areas are known except for a common factor, as for noisy
 /// points are: the least mean square of f w − 1/2 for any f that is not negative. It may be more
 /// than 1, for w is small all over where noise is thicker than parts, even with right normals: with
 /// no more than 1, one of three draws of the noisy tray of clouds.md fell from 0.46 to 0.27.
 double deviationUpToScale(const Eigen::VectorXd& w);
 
-/// The normals that fit best so far. Those that were tried for several turns are shared.
+/// The normals that fit best up to now. Those that were tried for several turns are shared.
 class BestNormals
 {
 public:

@@ -29,7 +29,7 @@ OrientedSites::OrientedSites(
   , siteOf_(cloud.positions.size())
 {
   // Each place's points are put into groups numbered from 0 first; the sums of the places' numbers
-  // of groups then tell where each place's sites begin.
+  // of groups then say where each place's sites begin.
   constexpr std::size_t placesPerBlock = 4096;
   runBlocks(
     places.size(), placesPerBlock,

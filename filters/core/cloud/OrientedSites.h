@@ -10,7 +10,7 @@ namespace winding
 {
 
 /// Whether two unit normals are within 70 degrees of each other. Neighbours on one side of a
-/// surface have such normals; points on the two sides of a thin part or around an edge have not.
+/// surface have similar normals; points on the two sides of a thin part or around an edge have not.
 inline bool areSimilar(const Eigen::Vector3d& normal, const Eigen::Vector3d& other)
 {
   return normal.dot(other) > 0.34202014332566873; // cos 70°
@@ -25,8 +25,8 @@ struct OrientedSite
 
 /**
  * The sites of an oriented cloud: each place has as many as its points have different orientations.
- * Every normal is similar to that of the first point of its site, and normals of first points are
- * not similar to each other, so that a place has nine sites at most. First is the point whose
+ * Every normal is similar to the normal of the first point of its site, and normals of first points
+ * are not similar to each other, so that a place has nine sites at most. First is the point whose
  * normal comes first by compareCoordinates(). Guaranteed: the sites are the same for any executor,
  * and do not depend on the order of the points.
  */

@@ -35,7 +35,7 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
   std::vector<Eigen::Vector3d> normals, bool hasOwnAreas, const PointAreaOptions& options,
   Executor& executor)
 {
-  // Areas and orientation are those of the unit vectors that come back once the rounded normals
+  // Areas and orientation belong to the unit vectors that come back once the rounded normals
   // have been stored.
   std::vector<Eigen::Vector3f> rounded(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -98,7 +98,7 @@ OutwardNormals giveOutwardNormals(
     found.orientation =
       takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor);
   }
-  // Parts of a tenth of all points may be the wrong way round where the field is clear beside the
+  // Parts of a tenth of all points may be the wrong way round where the field is clear near the
   // others. Where the spanning tree is right all the same, as for solids that overlap, its field is
   // the clearer one; where nothing is clear, as for noisy points, that says nothing.
   constexpr double sureShare = 0.98;

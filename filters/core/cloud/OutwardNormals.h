@@ -25,7 +25,7 @@ struct OutwardNormals
  * field that normals and areas make decides what is outward, as a whole.
  *
  * The normals are numbers of single precision, as files and VTK's filters have them, and unit
- * vectors to that precision. The areas are those of the unit vectors that sanitize() makes of them,
+ * vectors to that precision. The areas belong to the unit vectors that sanitize() makes of them,
  * so that points that were stored with their normals have the same areas when they come back.
  *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and else the way
@@ -39,7 +39,7 @@ struct OutwardNormals
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
   const PointAreaOptions& areas, Executor& executor);
 
-/// Tells users of estimated normals whose field is not clear what to do, with the figures.
+/// Says what to do about estimated normals whose field is not clear, with the figures.
 std::string adviceOnNormals(const CloudOrientation& orientation);
 
 } // namespace winding

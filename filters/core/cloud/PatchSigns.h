@@ -12,7 +12,7 @@ namespace winding
  * that are to be turned.
  *
  * The sum of squares of w − 1/2 is minimised over all real factors first, then over signs, from
- * those of the factors and from all 1: one sign or two at once are turned as long as the sum
+ * the signs of the factors and from all 1: one sign or two at once are turned as long as the sum
  * decreases. The result is a minimum in this sense, and need not be the least of all. It takes
  * O(#points · #patches² + #patches³) time.
  */

@@ -16,7 +16,7 @@ namespace
 {
 
 /// The deviation of clouds whose normals are right is mostly less than this: 0.001 to 0.01 of clean
-/// ones, and 0.013 to 0.021 of noisy ones up to scale, where that of wrong ones is 0.025 and more.
+/// ones, and 0.013 to 0.021 of noisy ones up to scale, where wrong ones have 0.025 and more.
 /// It is more where solids overlap, for w is 3/2 on the parts within others. Clouds beyond it are
 /// oriented by patches, too, which costs them time only.
 constexpr double smallDeviation = 0.02;
@@ -54,7 +54,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
     }
     return {turned(*best.normals, best.turns), best.deviation, false};
   }
-  // Small planes tell the sheets of thin parts apart, and large ones see through noise, and across
+  // Small planes separate the sheets of thin parts, and large ones see through noise, and across
   // sheets that are closer than the points.
   std::vector<std::size_t> sizes = {neighbors, 2 * neighbors};
   if (!isNoisy)

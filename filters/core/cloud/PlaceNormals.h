@@ -10,7 +10,7 @@
 
 /**
  * @file
- * Normals of a cloud's places that are found by trying all places in several ways, of which the one
+ * Normals of a cloud's places, found by trying all places in several ways; the one
  * with the least deviation is taken. All of these functions throw Interrupted.
  */
 namespace winding
@@ -25,8 +25,8 @@ struct OrientedPlaces
 };
 
 /// Orients a cloud by all ways and takes the one with the least deviation. The graph has at least
-/// so many neighbours; it is given up where it is needed no more. byTree: the normals that the
-/// spanning tree gives, by place, or none where they are not known.
+/// that number of neighbours; it is given up where it is needed no more. byTree: the normals that
+/// the spanning tree gives, by place, or none where they are not known.
 OrientedPlaces orientDensely(const DistinctPoints& places,
   std::unique_ptr<const NeighborGraph> graph, const std::vector<double>& spacings,
   std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor);

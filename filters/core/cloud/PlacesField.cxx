@@ -58,8 +58,8 @@ Eigen::VectorXd PlacesField::sharesOf(
 
 Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const Normals& at) const
 {
-  // Gradients are to tell senses only, which coarse ones do: points are taken for pure dipoles from
-  // where they have S = 0.88 of what those give (SolidAngle.h).
+  // Gradients are to decide senses only, which coarse ones do: points are taken for pure dipoles
+  // from where they have S = 0.88 of what those give (SolidAngle.h).
   constexpr double wider = 1.5;
   constexpr FarFieldAccuracy coarse = {3, 0.9f, 1e-2f, 1.7f};
   DividedShare share(executor_);

@@ -47,7 +47,7 @@ public:
   /// w at the places looked at.
   Eigen::VectorXd valuesOf(const Normals& normals, const Turns& turns) const;
 
-  /// The gradients of w at some places, which are scaled as those of the cloud are. Places are
+  /// The gradients of w at some places, which are scaled as the cloud is. Places are
   /// spread half as far again, which sees less of single points.
   Normals gradients(const Normals& normals, const Turns& turns, const Normals& at) const;
 

@@ -32,7 +32,7 @@ public:
   /**
    * Finds the `count` nearest other places of a place, in the order of isNearer(). Returns false
    * where others may be nearer that lie outside the ball. `likely` and `atMost` change no result:
-   * squared distances that are likely, and certain, to be at least those of all of them.
+   * squared distances that are likely, and certain, to be at least as large as all of theirs.
    */
   bool findNearest(std::uint32_t place, const Eigen::Vector3d& position, std::size_t count,
     double likely, double atMost, std::vector<Neighbor>& neighbors);

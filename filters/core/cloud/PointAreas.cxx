@@ -98,7 +98,7 @@ void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space
   };
   const auto similar = std::count_if(space.neighbors.begin(), space.neighbors.end(), isSimilar);
   // Fewer than a quarter are nearly none: only one point in 200 of thin parts, where half of the
-  // neighbours belong to the other side, has so few.
+  // neighbours belong to the other side, has fewer.
   const bool takesAll = 4 * static_cast<std::size_t>(similar) < space.neighbors.size();
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   space.around.clear();
@@ -111,7 +111,7 @@ void VoronoiAreas::flatten(std::size_t place, std::size_t site, Workspace& space
         places_.positions()[neighbor.place] - places_.positions()[place];
       const Eigen::Vector2d flat(offset.dot(u), offset.dot(v));
       // A neighbour straight above or below is put at the origin, where it cuts nothing: rounding
-      // alone would tell where it cuts.
+      // alone would decide where it cuts.
       constexpr double rounding = 1e-9;
       space.around.push_back(flat.squaredNorm() > rounding * rounding * neighbor.squaredDistance
                                ? flat
@@ -185,7 +185,7 @@ void VoronoiAreas::closeBorder(Workspace& space) const
       coveredAngle -= gap.to - gap.from;
     }
   }
-  // The distance is that of neighbours in a hexagonal lattice whose points have the area
+  // The distance is the one of neighbours in a hexagonal lattice whose points have the area
   // mostAreaOf().
   const double distance = std::sqrt(2 / std::sqrt(3.0) * this->mostAreaOf(space, coveredAngle));
   for (const auto& [from, to] : gaps)
@@ -199,8 +199,8 @@ void VoronoiAreas::closeBorder(Workspace& space) const
   }
 }
 
-/// Calls work(place, site, space) for the sites of some places, once so many neighbours are found
-/// and flattened.
+/// Calls work(place, site, space) for the sites of some places, once `neighbors` neighbours are
+/// found and flattened.
 template <class Work>
 void VoronoiAreas::forEachSiteOf(const std::vector<std::uint32_t>& places, std::size_t neighbors,
   const Work& work, Executor& executor)

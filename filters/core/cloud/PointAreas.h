@@ -19,7 +19,7 @@ enum class PointAreaMethod
 /// The number of neighbours of a point that are looked at unless the user says otherwise.
 constexpr int defaultNeighbors = 20;
 
-/// The way in which points get areas; meaning and ranges are those of FieldOptions.
+/// The way in which points get areas; meaning and ranges are FieldOptions'.
 struct PointAreaOptions
 {
   PointAreaMethod method = PointAreaMethod::voronoi;
@@ -29,9 +29,9 @@ struct PointAreaOptions
 
 /**
  * Finds the area that each point of an oriented cloud stands for: the area of its Voronoi cell in
- * its tangent plane, among those of its k nearest neighbours whose normals are similar to its own
- * (Barill et al., Fast winding numbers for soups and clouds, 2018). Neighbours on the other side of
- * a thin part have opposite normals and do not count.
+ * its tangent plane, among the cells of its k nearest neighbours whose normals are similar to its
+ * own (Barill et al., Fast winding numbers for soups and clouds, 2018). Neighbours on the other
+ * side of a thin part have opposite normals and do not count.
  *
  * A cell that neighbours do not close ends about half way to where the next point would be: at the
  * border of an open cloud it ends as far from the point as on its other sides. Points at equal
@@ -44,12 +44,12 @@ struct PointAreaOptions
  * 3; where k neighbours leave a cell open, or few of them are similar, four times as many are
  * looked at. Areas are in squared units of the positions, finite, and 0 or more: 0 where rounding
  * leaves nothing of a cell between its neighbours, and for all points of a cloud that has one place
- * only, for then nothing tells an area.
+ * only, for then nothing defines an area.
  *
  * The total area of spheres is within 0.3 %, also with ten times the density on one half; that of
  * the vertices of scans is 1 to 2 % too small, because neighbours that curve away from the tangent
  * plane are projected. Areas are rough where few points lie around sharp edges and thin parts: in
- * total, those of a teapot's vertices are 7 % too small, and those of an icosahedron's are far off.
+ * total, a teapot's vertices get 7 % too little, and an icosahedron's are far off.
  * Strays have large areas of their own.
  *
  * The work takes O(n log n) time, most of it on the executor's threads, and about 150 bytes per

@@ -11,11 +11,11 @@ namespace winding
 {
 
 /**
- * Tells whether some normals turn a region round that is cut out of smooth sheets, rather than
+ * Returns whether some normals turn a region round that is cut out of smooth sheets, rather than
  * whole parts of the surface. Where solids overlap, the walls of one inside the other see a winding
  * number of 3/2, and turning them round makes it 1/2; but the walls go on outside smoothly, and the
  * sheet is then cut where the surfaces cross. A cavity or a part that is the wrong way round has no
- * such cut.
+ * cut.
  *
  * `smooth` are normals that change their sense along no smooth sheet, and `turned` the same ones in
  * other senses. A cut is a place that has one of its six nearest neighbours on its sheet

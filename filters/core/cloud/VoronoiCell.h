@@ -102,8 +102,8 @@ public:
     return false;
   }
 
-  /// Appends the directions in which the cell is open, as angles in [0, 2π): those of the middles
-  /// of the sides that remain from the start.
+  /// Appends the directions in which the cell is open, as angles in [0, 2π): the angles of the
+  /// middles of the sides that remain from the start.
   void appendOpenDirections(std::vector<double>& angles) const
   {
     for (std::size_t i = 0; i < corners_.size(); ++i)

@@ -63,7 +63,7 @@ public:
   Complex& at(int n, int m) { return values_[static_cast<std::size_t>(n * n + n + m)]; }
   Complex at(int n, int m) const { return values_[static_cast<std::size_t>(n * n + n + m)]; }
 
-  /// Sets the coefficients of negative m from those of positive m.
+  /// Sets the coefficients of negative m from the ones of positive m.
   void mirror()
   {
     for (int n = 1; n <= order_; ++n)

@@ -43,7 +43,7 @@ constexpr int realPlace(int n, int m)
   return m == 0 ? n * n : n * n + 2 * m - 1;
 }
 
-/// Place of the imaginary part of coefficient (n, m), 0 < m ≤ n; that of (n, 0) is 0 and not
+/// Place of the imaginary part of coefficient (n, m), 0 < m ≤ n; the one of (n, 0) is 0 and not
 /// stored.
 constexpr int imaginaryPlace(int n, int m)
 {

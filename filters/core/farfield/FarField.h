@@ -29,7 +29,7 @@ struct FieldOutput;
  * double or, for coarser tolerances, in single precision from offsets in double.
  *
  * Guaranteed: (1) all values are within the accuracy's tolerance of the direct sum, those next to
- * sources included, plus some 1e-7 of the sum of all shares' sizes, which is large beside points;
+ * sources included, plus some 1e-7 of the sum of all shares' sizes, which is large near points;
  * (2) the bits of a sample's value depend on the sources and the grid as a whole, not on extents,
  * executor or threads; (3) finite values for finite samples. Nothing is locked, and nothing stored
  * per sample.
@@ -52,7 +52,7 @@ public:
   std::vector<FarFieldTask> tasks(
     const TargetCells& cells, int level, FarFieldWork* work = nullptr) const;
 
-  /// Evaluates the samples of a task and returns the work done. If watching, `cells` are told which
+  /// Evaluates the samples of a task and returns the work done. If watching, `cells` hear which
   /// samples lie on a source.
   FarFieldWork evaluate(const TargetCells& cells, const FarFieldTask& task, bool watching) const;
 
@@ -62,7 +62,7 @@ public:
     Executor& executor, FarFieldWork* work = nullptr) const;
 
   /// Hands the values of scattered samples to a sink; NaN at samples that are not finite. `work`
-  /// does not count samples too far away for cells. If watching, the sink is told which samples lie
+  /// does not count samples too far away for cells. If watching, the sink hears which samples lie
   /// on a source. Throws Interrupted.
   void evaluate(const VectorsView& samples, const PointSink& sink, bool watching,
     Executor& executor, FarFieldWork* work = nullptr) const;

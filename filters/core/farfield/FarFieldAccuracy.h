@@ -26,9 +26,9 @@ struct FarFieldAccuracy
    * The parameters for a tolerance, the largest absolute error of w over all samples, at least
    * `finest`. Measured on meshes and clouds of all kinds (tests/core/farfield/FarFieldTest.cxx has
    * the figures), the largest errors are mostly a tenth to a half of the tolerance, plus single
-   * precision's rounding of what is summed beside points. Points taken for pure dipoles lose
+   * precision's rounding of what is summed near points. Points taken for pure dipoles lose
    * 1 − S (SolidAngle.h) of their shares, at most a hundredth of the tolerance times the sum of
-   * these shares: that sum is one half for a surface, but hundreds beside a heap of points.
+   * these shares: that sum is one half for a surface, but hundreds near a heap of points.
    */
   static FarFieldAccuracy of(double tolerance)
   {

@@ -22,7 +22,7 @@ struct PolynomialDerivatives
 
   PolynomialDerivatives(int order, const float* coefficients)
   {
-    // The coefficient of x^i y^j z^k stands behind those of higher i, then of higher j, then of
+    // The coefficient of x^i y^j z^k stands behind the ones of higher i, then of higher j, then of
     // higher k.
     const auto place = [order](int i, int j, int k)
     {

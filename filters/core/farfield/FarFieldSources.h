@@ -34,7 +34,7 @@ inline std::size_t itemsIn(const std::vector<ItemRange>& ranges)
 
 /**
  * The sources of a far field: items that are summed exactly near by and are distributions of
- * dipoles far away. Coordinates are those of the caller times `scale`, a power of two that brings
+ * dipoles far away. Coordinates are the caller's times `scale`, a power of two that brings
  * the sources to about unit size.
  */
 class FarFieldSources
@@ -77,7 +77,7 @@ public:
   virtual double reach(ItemRange items, const Eigen::Vector3d& center) const = 0;
 
   /// The largest length over which one of the items is spread (SolidAngle.h), 0 if none is. An
-  /// item's value and gradient are those of the dipoles that stand for it only several of its
+  /// item's value and gradient are the dipoles' that stand for it only several of its
   /// lengths away.
   virtual double spread(ItemRange items) const = 0;
 
@@ -96,7 +96,7 @@ public:
   /// The approximate cost of one item at one sample.
   virtual double secondsPerPair() const = 0;
 
-  /// The cost of eight cells beyond that of the cell that they are cut from, for each coefficient
+  /// The cost of eight cells beyond the cell that they are cut from, for each coefficient
   /// of an expansion: the figure with which grids and scattered samples take the least time. A sum
   /// of triangles has more to begin and to end.
   virtual double secondsPerCutAndCoefficient() const = 0;

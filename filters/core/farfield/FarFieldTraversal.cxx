@@ -226,7 +226,7 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
     items += tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
   }
   // A leaf costs no more than the sum of the whole sources. Where it costs as much, smaller cells
-  // may save nothing, so that they must cost little beside it.
+  // may save nothing, so that they must cost little in comparison.
   constexpr double ofWhole = 0.25;
   const std::size_t whole = tree_.sources->wholeSize();
   const double saved = items < whole ? static_cast<double>(items) : ofWhole * whole;
@@ -236,7 +236,7 @@ bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t first
          seconds > tree_.sources->secondsPerCutAndCoefficient() * coefficientCount(tree_.order());
 }
 
-/// Tells whether the sum of the whole sources is cheaper than what collectNear() has collected: a
+/// Returns whether the sum of the whole sources is cheaper than what collectNear() has collected: a
 /// sample may be near to more pieces of large triangles than there are triangles. Few samples of an
 /// irregular cell leave the last vector of a sum half empty, but not where evaluateWhole() takes
 /// them together with others.

@@ -17,7 +17,7 @@ struct FarFieldWork
   std::uint64_t nodeTests = 0;          ///< tests of a node by classifyNodes()
   std::uint64_t translations = 0;       ///< nodes that act through a cell's local expansion
   std::uint64_t translationBatches = 0; ///< calls of translateMoments() for these nodes
-  std::uint64_t receivers = 0;          ///< cells whose local expansion such nodes act through
+  std::uint64_t receivers = 0;          ///< cells whose local expansion these nodes act through
   std::uint64_t shifts = 0;             ///< local expansions handed to children
   std::uint64_t leaves = 0;       ///< cells that were not cut: their expansions became polynomials
   std::uint64_t nearLeaves = 0;   ///< leaves with sources nearby

@@ -15,23 +15,24 @@ class RowSink
 public:
   virtual ~RowSink() = default;
 
-  /// Takes the values of samples (i, j, k) … (i + count − 1, j, k). isSuspect tells which of them
+  /// Takes the values of samples (i, j, k) … (i + count − 1, j, k). `isSuspect` says which of them
   /// lie on a source; it is null if none is known to.
   virtual void row(
     int i, int j, int k, std::size_t count, const float* values, const bool* isSuspect) const = 0;
 };
 
 /**
- * Tells whether a far field may have a grid: no sample may be so many lengths of the sources away
+ * Returns whether a far field may have a grid: no sample may be so many lengths of the sources away
  * from them that powers of its distance leave the range of single precision. Grids that reach
- * farther are for direct sums. The scale is that of the sources (UnitScale.h).
+ * farther are for direct sums. The scale is the sources' (UnitScale.h).
  */
 bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale);
 
 /**
  * The samples of a grid as a hierarchy of blocks: 8³ samples or, where voxels are not cubes, about
  * as many in a block as cubic as can be; eight of these make the next larger cell, and so on. Cells
- * are anchored at the grid's first sample, so those of an extent are the very cells of the whole.
+ * are anchored at the grid's first sample, so the cells of an extent are the very cells of the
+ * whole.
  */
 class GridCells final : public TargetCells
 {

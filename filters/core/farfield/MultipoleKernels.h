@@ -70,7 +70,7 @@ struct LocalSums
 };
 
 /**
- * Adds the local expansions of a batch of nodes to sums. moments: those of all nodes,
+ * Adds the local expansions of a batch of nodes to sums. `moments` holds all nodes',
  * paddedCoefficients(order) floats each. side: B of the cell. Entries beyond the batch's count are
  * overwritten.
  */

@@ -9,10 +9,10 @@
 /**
  * @file
  * The test of which nodes act on a cell through expansions. A node of radius r at distance d from
- * the centre of a cell of radius R (that of its samples) is accepted when
+ * the centre of a cell of radius R (its samples') is accepted when
  *
  *   d ≥ (r + R) / θ        the expansions of both converge fast,
- *   d ≥ R + (2/θ − 1) r    nodes larger than the cell converge no slower than those of its size,
+ *   d ≥ R + (2/θ − 1) r    nodes larger than the cell converge no slower than nodes of its size,
  *   d ≥ R + ρ              the moments leave out, in degrees above P, less than ε, and
  *   d ≥ r + τ T(R)         the local expansion leaves out less than ε.
  *
@@ -24,11 +24,11 @@
  *
  * Degree k of the moments gives |w_k(x)| ≤ p_k / |x|^{k+1} with p_k² = Σ_m (k+m)! (k−m)! |M_k^m|²
  * (Dehnen 2014), so ρ = (p_{P+1} / ε)^{1/(P+2)}, where the missing p_{P+1} is estimated from
- * p_{P−1} and p_P. The dipoles of a leaf may be so few that they cancel in these two degrees by
+ * p_{P−1} and p_P. The dipoles of a leaf may be few enough to cancel in these two degrees by
  * chance, and not in the next: n dipoles of strengths a_i at distances s_i from the centre have
  * p_{P+1} ≤ (P+1) Σ a_i s_i^P, and 1/√n of that is expected where their phases are random. The
- * larger estimate counts. Nodes of a few small clusters cancel in the same way and are not told
- * from others: measured, such nodes err by up to 4 ε, which is a tolerance of 1e-2.
+ * larger estimate counts. Nodes of a few small clusters cancel in the same way and are not
+ * recognised: measured, they err by up to 4 ε, which is a tolerance of 1e-2.
  *
  * For sources of degree 1 and strength p the local degrees above P are at most
  * (P+2) R^{P+1} p / (d−r)^{P+3}, so τ = (p/ε)^{1/(P+3)} and T = ((P+2) R^{P+1})^{1/(P+3)}.
@@ -47,11 +47,11 @@ struct NodeCriteria
 
   void resize(std::size_t nodes);
 
-  /// The numbers, beside its radius, that the errors of a node follow from.
+  /// The numbers, in addition to its radius, that the errors of a node follow from.
   struct Content
   {
     const float* moments; ///< scaled by its radius
-    double expectedNext;  ///< expected p_{P+1}, scaled likewise; 0 where the moments tell
+    double expectedNext;  ///< expected p_{P+1}, scaled likewise; 0 where the moments suffice
     double spread;        ///< distance within which its sources are no pure dipoles
   };
 

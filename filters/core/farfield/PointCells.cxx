@@ -30,10 +30,11 @@ std::uint32_t spread(std::uint32_t bits)
 constexpr int digit = 10; ///< bits of a key that one pass of a sort looks at
 constexpr std::size_t digits = std::size_t(1) << digit;
 
-/// Sorts by the lowest bits of the keys; equal keys keep their order, which is that of the numbers.
+/// Sorts by the lowest bits of the keys; equal keys keep their order, which is the order of the
+/// numbers.
 template <class Sample> void sortByKey(Sample* first, Sample* last, int bits)
 {
-  // A pass takes as long for few samples as for so many.
+  // A pass takes as long for fewer samples.
   constexpr std::ptrdiff_t few = digits / 4;
   if (last - first < few)
   {
@@ -156,7 +157,7 @@ PointCells::PointCells(const VectorsView& view, const Eigen::AlignedBox3d& regio
   {
     TargetLevel& level = levels_[static_cast<std::size_t>(number)];
     level.side = std::ldexp(side, number - depth_);
-    // The radius holds the whole cube, and samples that rounding may put beside it.
+    // The radius holds the whole cube, and samples that rounding may put outside it.
     level.radius = 0.5 * std::sqrt(3.0) * level.side * (1 + 1e-9);
     if (number < depth_)
     {
@@ -229,7 +230,7 @@ void PointCells::fill(const TargetCell& cell, std::size_t first, TargetBlock& bl
 {
   block.samples.count = std::min(SampleBlock::capacity, cell.samples - first);
   const Sample* const samples = this->samplesOf(cell) + first;
-  // Samples that stand behind those of this cell come next, so that they are asked for as well.
+  // The samples behind this cell's come next, so that they are prefetched, too.
   constexpr std::ptrdiff_t ahead = 24;
   const Sample* const end = samples_.begin(0) + this->size();
   const double inverse = 1 / this->level(cell.level).side;

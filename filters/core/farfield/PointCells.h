@@ -21,7 +21,7 @@ public:
   /// Asks memory for what point() will read and write for a sample soon.
   virtual void askFor(std::size_t sample) const = 0;
 
-  /// Takes the value of a sample, each once. isSuspect tells whether the sample lies on a source;
+  /// Takes the value of a sample, each once. `isSuspect` says whether the sample lies on a source;
   /// it is false unless the evaluation watches out for that.
   virtual void point(std::size_t sample, double value, bool isSuspect) const = 0;
 };
@@ -29,12 +29,12 @@ public:
 /**
  * Scattered samples as an octree of cubes, sorted along a Morton curve. Samples that are not
  * finite, or lie outside the given region, are left out; others() lists them. A single sample is
- * one cell of no size, so that cells cost little beside the sources that act on it.
+ * one cell of no size, so that cells cost little compared with the sources that act on it.
  */
 class PointCells final : public TargetCells
 {
 public:
-  /// Positions are those of the samples times scale. Keeps references to the samples and to the
+  /// Positions are the samples' times scale. Keeps references to the samples and to the
   /// sink, which may be null where nothing is stored. Throws Interrupted when the executor was
   /// interrupted, and Refusal for more than 2³¹ − 1 samples.
   PointCells(const VectorsView& samples, const Eigen::AlignedBox3d& region, double scale, int order,

@@ -17,8 +17,8 @@ namespace
 /// of smaller radii would leave single precision's range.
 constexpr double smallestRadius = 1e-6;
 
-/// Nodes of fewer items get their exact radius. Radii of larger nodes are taken from those of their
-/// children, which overestimates them.
+/// Nodes of fewer items get their exact radius. Radii of larger nodes are taken from the radii of
+/// their children, which overestimates them.
 constexpr std::uint32_t mostItemsForExactRadius = 2000;
 
 /// Builds the moments of nodes, one node after the other; children must come before their parents.

@@ -35,7 +35,7 @@ struct SplitRule
 };
 
 /**
- * The number of pieces that so many triangles may be cut in for so many samples. Twice the
+ * Returns the number of pieces that `triangles` may be cut in for `samples`. Twice the
  * triangles and 100 000 are enough for a surface across a grid of 512³, and cost a small source no
  * more memory than a far field of 100 000 triangles. A piece takes the tree as long as some 500
  * pairs of a sample and a triangle take the direct sum: pieces take no more than a quarter of its

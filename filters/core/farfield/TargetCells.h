@@ -15,7 +15,7 @@ namespace winding
 struct TargetCell
 {
   int level;             ///< 0 for the smallest cells
-  Eigen::Vector3i index; ///< tells the cell from others of its level
+  Eigen::Vector3i index; ///< distinguishes the cells of a level
   Eigen::Vector3d center;
   std::size_t samples;    ///< samples that are asked for
   std::size_t allSamples; ///< all samples, asked for or not: decisions are made by this number
@@ -45,7 +45,7 @@ struct TargetLevel
 {
   double side;   ///< B: the longest side of a cell
   double radius; ///< R: no sample is farther from the centre
-  /// Turns local expansions of parents into those of this level's cells; null at the top.
+  /// Turns local expansions of parents into this level's cells'; null at the top.
   std::shared_ptr<const LocalShifts> fromParent;
 };
 
@@ -92,8 +92,8 @@ public:
   /// Fills a block with samples first … first + block.samples.count − 1 of a cell, as many as fit.
   virtual void fill(const TargetCell& cell, std::size_t first, TargetBlock& block) const = 0;
 
-  /// Takes the values of samples first … first + count − 1 of a cell. isSuspect tells which of them
-  /// lie on a source; it may be null.
+  /// Takes the values of samples first … first + count − 1 of a cell. `isSuspect` says which of
+  /// them lie on a source; it may be null.
   virtual void store(const TargetCell& cell, std::size_t first, std::size_t count,
     const float* values, const bool* isSuspect) const = 0;
 

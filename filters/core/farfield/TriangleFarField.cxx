@@ -15,7 +15,7 @@ namespace
 constexpr double voxelsPerSide = 8;
 
 /// Sides shorter than this, in units of the surface, are not cut any further: where all samples are
-/// in one place, everything is large beside their distances.
+/// in one place, everything is large compared with their distances.
 constexpr double shortestSide = 1e-4;
 
 /// The box of the samples that lie in another one, and their number.
@@ -65,7 +65,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
   const Eigen::Vector3i last = grid.dimensions - Eigen::Vector3i::Ones();
   SplitRule rule;
   rule.region = Bounds(grid.firstSample, grid.sample(last));
-  // The voxel's side is the geometric mean of the spacings, those of axes with one sample excepted.
+  // The voxel's side is the geometric mean of the spacings, axes with one sample excepted.
   double logarithms = 0;
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis)

@@ -16,12 +16,12 @@ namespace winding
 /**
  * The far field of triangles for any samples. Large triangles are cut in pieces that suit the
  * distances between the samples, which takes a tree of its own for each set of samples. The last
- * such tree is kept; the tree of the whole triangles is kept for good.
+ * tree is kept; the tree of the whole triangles is kept for good.
  */
 class TriangleFarField
 {
 public:
-  /// Keeps references to the vertices and triangles. accuracy: that of all evaluations.
+  /// Keeps references to the vertices and triangles. `accuracy` holds for all evaluations.
   TriangleFarField(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
     const Bounds& bounds, const FarFieldAccuracy& accuracy);
 

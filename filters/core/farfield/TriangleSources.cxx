@@ -196,7 +196,7 @@ public:
   }
 
   /// Adds the gradients of the sides of all triangles. The two shares of a side between two
-  /// triangles are opposite, so that they cancel but for the order of the sum.
+  /// triangles are opposite, so that they cancel except for the order of the sum.
   void addGradients(const std::vector<ItemRange>& items, const SampleBlock& samples,
     GradientSums& sums) const override
   {

@@ -76,7 +76,7 @@ private:
 
 bool CappedSurface::usesFarFieldAtPoints(std::size_t samples) const
 {
-  // Sorting samples into cells takes as long as the sum of so few triangles.
+  // Sorting samples into cells takes as long as the sum of fewer triangles.
   constexpr std::size_t fewTriangles = 64;
   return cap_.size() > fewTriangles && this->usesFarField(samples);
 }

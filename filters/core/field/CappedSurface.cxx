@@ -53,7 +53,7 @@ CappedSurface::~CappedSurface() = default;
 class CappedSurface::Bar final : public RowSink
 {
 public:
-  /// rows is an extent of which only the ranges of j and k count: those of a band.
+  /// `rows` is an extent whose ranges of j and k count: a band's.
   Bar(const CappedSurface& surface, const RowCrossings::OnGrid& onGrid, const Grid& grid,
     const Extent& extent, const Extent& rows, std::size_t band, const FieldOutput& output)
     : surface_(surface)
@@ -103,7 +103,7 @@ public:
     output_.write(values, sampleNumber(extent_, i, j, k), count);
   }
 
-  /// Writes the values of samples on the cap, after those of all rows.
+  /// Writes the values of samples on the cap, after the values of all rows.
   void finish() const { surface_.resolveOnCap(grid_, extent_, onCap_, output_); }
 
 private:

@@ -37,7 +37,7 @@ class TriangleFarField;
  * side, another cap that lies elsewhere decides; (3) values have the same bits for any extent,
  * executor and number of threads, but that scattered samples depend on each other, within the
  * tolerance, where w_C comes from the far field. A sample on a closed surface gets the value of
- * one of the sides; a sample on an open surface gets a finite value, mostly that of one of the
+ * one of the sides; a sample on an open surface gets a finite value, mostly the value on one of the
  * sides.
  */
 class CappedSurface
@@ -65,7 +65,7 @@ public:
   /// The crossings of the surface and its cap, which give χ.
   const RowCrossings& rows() const { return rows_; }
 
-  /// Whether w_C comes from the far field on grids of so many samples.
+  /// Returns whether w_C comes from the far field on grids of `samples` samples.
   bool usesFarField(std::size_t samples) const;
 
   /// Whether it comes from there on a grid, which must not reach too far for single precision.
@@ -78,7 +78,7 @@ public:
   void evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
 
-  /// Whether w_C comes from the far field at so many scattered samples.
+  /// Returns whether w_C comes from the far field at `samples` scattered samples.
   bool usesFarFieldAtPoints(std::size_t samples) const;
 
   /// The cost that χ is expected to have at so many scattered samples.

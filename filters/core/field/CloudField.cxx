@@ -71,7 +71,7 @@ void CloudField::warn(const std::string& what)
 }
 
 /// Estimates normals where there are none, chooses areas, and warns where the field is 0 or does
-/// not tell inside from outside clearly.
+/// not separate inside from outside clearly.
 void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& executor)
 {
   checkPointArea(options.pointArea);
@@ -115,7 +115,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   }
 }
 
-/// Spreads every point over a length of so many of its spacings.
+/// Spreads every point over a length in units of its spacing.
 void CloudField::regularize(double spacings)
 {
   if (!(spacings >= 0 && spacings <= mostRegularization))
@@ -198,8 +198,8 @@ bool CloudField::usesFarField(const Grid& grid) const
          isInReachOfSingles(grid, info_.bounds, farField_->scale());
 }
 
-/// Tells whether so many samples take the far field, which was built with the cloud: the direct sum
-/// is faster for few samples, but a far field that the user asked for is used for any.
+/// Returns whether `samples` samples take the far field, which was built with the cloud: the direct
+/// sum is faster for few samples, but a far field that the user asked for is used for any.
 bool CloudField::usesFarField(std::size_t samples) const
 {
   return farField_ && (isAskedFor_ || !isCheaperDirectly(Primitive::point, info_.primitives,

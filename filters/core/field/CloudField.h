@@ -51,7 +51,7 @@ private:
   bool usesFarField(const Grid& grid) const;
 
   PointCloud cloud_;
-  int neighbors_;                ///< that tell the area and the normal of a point
+  int neighbors_;                ///< that define the area and the normal of a point
   bool hasVoronoiAreas_ = false; ///< whether areas were neither given nor set
   NormalWork normalWork_ = NormalWork::none;
   FieldInfo info_;

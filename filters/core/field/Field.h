@@ -41,7 +41,7 @@ enum class Method
 
 const char* nameOf(Method method);
 
-/// The largest regularization. Points that are spread farther have so many others near them, to be
+/// The largest regularization. Points that are spread farther have many others near them, to be
 /// summed one by one, that a far field saves little.
 constexpr double mostRegularization = 4;
 
@@ -93,14 +93,14 @@ struct FieldInfo
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;
-  CloudOrientation orientation;   ///< that of estimated normals, once turned outward
+  CloudOrientation orientation;   ///< of estimated normals, once turned outward
   Bounds bounds;                  ///< box of the vertices or points
-  bool isScattered = false;       ///< whether scattered samples were announced, not those of grids
+  bool isScattered = false;       ///< whether scattered samples were announced, not grids
   Method method = Method::direct; ///< method that was chosen, never automatic
   std::string why;                ///< reason for the choice of the method, for the user
   std::string warning;            ///< note on the input that the user should read; may be empty
 
-  /// Whether w changes at triangles only, as that of a closed surface does.
+  /// Whether w changes at triangles only, as for a closed surface.
   bool jumpsOnly() const { return isSurface && netBoundaryEdges == 0; }
 };
 
@@ -116,7 +116,7 @@ struct FieldInfo
  * other samples, if there are any; (3) a position has the same value as a sample of a grid and as a
  * scattered sample, up to rounding and the tolerance, and to the bit with method direct or parity;
  * (4) a field without primitives is 0 everywhere; (5) the source is the set of its primitives, each
- * as often as it is there: the bits on grids and at scattered samples, those of distances and
+ * as often as it is there: the bits on grids and at scattered samples, of distances and
  * gradients too, depend neither on the order of triangles, of points and of views, nor on the
  * corner that a triangle begins with, nor on whether triangles share points or have equal ones
  * (CoordinateOrder.h). A polygon that is cut into other triangles is another source. Estimates of
@@ -127,14 +127,14 @@ struct FieldInfo
  * triangles; one of 10 000 random soups still took 2 ms longer, where crossings had to be decided
  * exactly. Triangles that are there several times are summed once
  * (DistinctTriangles.h). A far field gives way to the direct sum where it would save nothing: as a
- * whole for few samples, and in those of its cells that are near to more pieces of large triangles
+ * whole for few samples, and in cells that are near to more pieces of large triangles
  * than there are triangles. Method rows gives way to a far field where its cap has a sixth of the
  * surface's triangles.
  *
  * Distances, where an output wants them, are measured to the nearest point of the triangles, or to
  * the nearest of the cloud's points: exact up to rounding (double), whatever the method and the
  * tolerance. Their bits depend on the source and on the sample's position only, and on a grid on
- * the grid as a whole. Their signs are those of `inside`; an output that has neither `inside` nor
+ * the grid as a whole. Their signs follow `inside`; an output that has neither `inside` nor
  * values takes one more byte of memory per sample for the signs. Without primitives every distance
  * is infinite.
  */
@@ -202,7 +202,7 @@ public:
   /// them; null for any other field.
   virtual const RowCrossings* integerRows() const { return nullptr; }
 
-  /// An estimate of what the values of so many samples take, from the input on: samples of a grid,
+  /// Estimates what the values of `samples` samples take, from the input on: samples of a grid,
   /// or scattered ones if those were announced (FieldOptions::scattered), spread over the source's
   /// bounds and a little beyond.
   EvaluationCost expectedCost(std::size_t samples) const;
@@ -210,7 +210,7 @@ public:
   /// The area of the source, in squares of its unit of length; equal triangles count once.
   virtual double area() const = 0;
 
-  /// The measures of the source and of so many samples that expected costs depend on.
+  /// Returns the measures of the source and of `samples` samples that costs depend on.
   SampledSource sampledSource(std::size_t samples) const;
 
   /// The part of expectedCost() that begins when the field is built.

@@ -23,7 +23,7 @@ enum class AmbiguousFaces
   outsideApart ///< around each outside corner
 };
 
-/// The patches of a cell; bit n of `inside` tells whether its corner n is inside, in the order of
+/// The patches of a cell; bit n of `inside` says whether its corner n is inside, in the order of
 /// VTK's hexahedra.
 const CellPatches& cellPatches(int inside, AmbiguousFaces rule);
 

@@ -14,7 +14,7 @@ struct CellTriangles
 
 /// Returns the triangles of all 256 cells; bit n of the index says whether corner n of the cell is
 /// inside, in the order of VTK's hexahedra. Triangles face outward. They make the patches of
-/// AmbiguousFaces::insideApart, so neighbouring cells fit together, and are those of VTK's filters.
+/// AmbiguousFaces::insideApart, so neighbouring cells fit together, and equal VTK's.
 const std::array<CellTriangles, 256>& cellTriangles();
 
 } // namespace winding

@@ -58,7 +58,7 @@ private:
   }
 
   const LevelEdges* edges_;
-  int reach_; ///< an edge belongs to so many more cells before its own
+  int reach_; ///< cells before its own that an edge belongs to
   std::size_t next_, end_;
   int nextSample_;
 };
@@ -66,7 +66,7 @@ private:
 /**
  * Visits the cells between the rows (j, k), (j + 1, k), (j, k + 1) and (j + 1, k + 1) that have
  * crossed edges, from `firstCell` to before `endOfCells`; cells without are stepped over. Calls
- * visit(i, inside, edges): bit n of `inside` tells whether corner n of the cell is inside, in the
+ * visit(i, inside, edges): bit n of `inside` says whether corner n of the cell is inside, in the
  * order of VTK's hexahedra.
  */
 template <class Visit>

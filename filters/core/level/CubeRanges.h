@@ -18,7 +18,7 @@ public:
     Number least, largest;
   };
 
-  /// The numbers are those of the samples of an extent, of which `brick` is a part. The pointer is
+  /// The numbers belong to the samples of an extent, and `brick` is a part of it. The pointer is
   /// kept.
   CubeRanges(const Number* numbers, const Extent& extent, const Extent& brick)
     : first_(numbers + sampleNumber(extent, brick[0], brick[2], brick[4]))

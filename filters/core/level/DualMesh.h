@@ -19,9 +19,9 @@ namespace winding
  * the vertices of the four patches around the edge.
  *
  * Where the corners of a face are inside and outside in turn, inside corners are kept apart. A
- * patch may come to such a face twice. If the patch of the neighbour does so, too, both are cut in
+ * patch may come to that face twice. If the patch of the neighbour does so, too, both are cut in
  * two by keeping outside corners apart instead (Wenger, Isosurfaces: Geometry, Topology, and
- * Algorithms, 2013): their vertices would share an edge of four quads. A cell with such a patch has
+ * Algorithms, 2013): their vertices would share an edge of four quads. A cell with that patch has
  * no other ambiguous face, so nothing else changes.
  *
  * Guaranteed: (1) an edge of the mesh is one of two quads, or of one at the border of the grid; (2)
@@ -48,7 +48,7 @@ public:
     std::array<int, 3> cell; ///< first corner of the cell
     bool isAlone;            ///< whether the cell has no other patch
     int size;                ///< number of edges, 3 to 12
-    CellEdges edges;         ///< of which `size` are valid
+    CellEdges edges;         ///< the first `size` are valid
   };
 
   /// Keeps references. The grid and its border together have two samples or more along each axis.
@@ -69,7 +69,7 @@ public:
   }
 
   ///@{
-  /// Vertices come by layers of cells. Calls visit(vertex, patch) for those of a layer, in order.
+  /// Vertices come by layers of cells. Calls visit(vertex, patch) for all of a layer, in order.
   std::size_t layers() const { return layerStarts_.size() - 1; }
   template <class Visit> void forVertices(std::size_t layer, const Visit& visit) const;
   ///@}
@@ -82,7 +82,7 @@ private:
   void addStarts(std::size_t firstEdge, std::size_t endOfEdges);
 
   const LevelEdges& edges_;
-  int first_;                            ///< first sample along each axis: that of the border, or 0
+  int first_;                            ///< first sample along each axis: the border's, or 0
   Eigen::Vector3i ends_;                 ///< behind the last cell along each axis
   std::vector<std::size_t> layerStarts_; ///< first vertex of each layer of cells
   std::vector<Quad> quads_;              ///< by edge

@@ -14,14 +14,14 @@ namespace winding
 namespace
 {
 
-/// The axis that follows another one after so many steps. Taking `axis` for x, turned(axis, 1) for
-/// y and turned(axis, 2) for z is a rotation, which keeps the orientation of triangles.
+/// Returns the axis that follows another one after `steps` steps. Taking `axis` for x, turned(axis,
+/// 1) for y and turned(axis, 2) for z is a rotation, which keeps the orientation of triangles.
 int turned(int axis, int by)
 {
   return (axis + by) % 3;
 }
 
-/// Up to so many rows are all asked, without narrowing them down before.
+/// Up to this number of rows are all asked, without narrowing them down before.
 constexpr int fewRows = 4;
 
 /// A triangle of a surface and how often it counts there.
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  /// Appends the crossings of a triangle, which counts so many times, with all edges. The corners
+  /// Appends the crossings of a triangle, which counts `times` times, with all edges. The corners
   /// are in units of the grid.
   void cross(const Eigen::Vector3d (&corners)[3], int multiplicity,
     std::vector<FoundCrossing>& crossings) const

@@ -33,7 +33,7 @@ public:
   EdgeCrossings(
     const Surface& surface, const Grid& grid, const LevelEdges& edges, Executor& executor);
 
-  /// A crossing within this fraction of an edge from a sample may lie on the sample but for
+  /// A crossing within this fraction of an edge from a sample may lie on the sample except for
   /// rounding.
   static constexpr double atSample = 1.0 / (1 << 20);
 
@@ -41,7 +41,7 @@ public:
   {
     double fraction;        ///< 0 at the edge's first sample, 1 at its second
     Eigen::Vector3f normal; ///< unit normal of the triangle, or 0 where rounding leaves none
-    int change;             ///< change of w along the edge; 0 as told for the class
+    int change;             ///< change of w along the edge; 0 as said for the class
   };
 
   ///@{

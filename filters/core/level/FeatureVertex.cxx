@@ -12,8 +12,8 @@ namespace
 
 constexpr double margin = 1.0 / (1 << 12);
 
-/// The error function's share, beside its largest eigenvalue, along directions that are dropped. It
-/// is there to choose among the points of a cell that are equally good otherwise.
+/// The error function's share, relative to its largest eigenvalue, along directions that are
+/// dropped. It is there to choose among the points of a cell that are equally good otherwise.
 constexpr double shareOfDropped = 1.0 / (1 << 20);
 
 /// A quadratic function by its minimum and its second derivatives.
@@ -63,7 +63,7 @@ PlaneSums sumsOf(const HermiteCrossing* crossings, std::size_t count)
   return sums;
 }
 
-/// Whether planes are so nearly parallel that no eigenvalue but the largest is kept, which is told
+/// Whether planes are so nearly parallel that no eigenvalue but the largest is kept, which is said
 /// without finding them, for most patches are flat. Sets the direction that is kept and its
 /// eigenvalue.
 bool isFlat(const HermiteCrossing* crossings, std::size_t count, const PlaneSums& sums,

@@ -21,12 +21,12 @@ struct HermiteCrossing
  * Schaefer, Warren, Dual contouring of Hermite data, 2002). On two planes it lies on their common
  * line, on three it is the corner.
  *
- * Directions in which the planes do not tell enough, where an eigenvalue of the function is less
+ * Directions in which the planes do not decide enough, where an eigenvalue of the function is less
  * than leastEigenvalue of the largest, are dropped: the point stays at the mean of the crossings
  * along them. Where the minimum is outside the cell, the point is the one of the cell with the
  * least error.
  *
- * The cell is a box that has all crossings on its edges, of which there are one or more. The point
+ * The cell is a box that has all crossings on its edges, one or more. The point
  * keeps 2⁻¹² of the cell's size away from its faces.
  */
 Eigen::Vector3d featureVertex(

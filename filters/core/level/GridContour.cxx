@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> GridContour::areasAround(
     return vector.template cast<double>() / unit;
   };
   const std::size_t layers = layerStarts_.size() - 1;
-  // The triangles of a layer share vertices with those of the next one, but with no others.
+  // The triangles of a layer share vertices with the next one's, but with no others.
   for (std::size_t parity = 0; parity < 2; ++parity)
   {
     runBlocks((layers + 1 - parity) / 2, 1,

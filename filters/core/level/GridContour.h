@@ -12,7 +12,7 @@ namespace winding
 
 /**
  * The triangles between the inside and the outside samples of a grid, by marching cubes: every edge
- * between two samples of which one is inside has a vertex. Triangles face outward. The result is
+ * between an inside sample and an outside one has a vertex. Triangles face outward. The result is
  * the same for every executor; every function that takes one throws Interrupted.
  *
  * Only cells with vertices are looked at. Arrays are the caller's: three coordinates for each

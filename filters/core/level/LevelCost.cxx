@@ -85,7 +85,7 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
   double count = 0;
   for (std::size_t n = 0; n < edges.size(); ++n)
   {
-    // One edge of the coarse grid stands for those of all rows beside it.
+    // One edge of the coarse grid stands for the edges of all rows next to it.
     count += factors.prod() / factors[edges[n].axis];
   }
   return count;

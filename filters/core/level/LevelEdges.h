@@ -36,7 +36,7 @@ struct GridEdge
  * Guaranteed: the edges are the same for every executor, and those that the field of the whole
  * grid, as floats, would give.
  *
- * Time: that of the field, but linear in the rows and edges where rows are integers. Memory: 13
+ * Time: as the field's, but linear in the rows and edges where rows are integers. Memory: 13
  * bytes per row, 16 or 24 per edge, and that of a slab.
  */
 class LevelEdges

@@ -183,7 +183,7 @@ void LevelRoots::chooseNext(Search& search) const
     search.next = before > search.low ? before : std::min(behind, 0.5 * (crossing + search.high));
     return;
   }
-  // The field changes beside one of the two samples, which lies on the surface.
+  // The field changes next to one of the two samples, which lies on the surface.
   const double beside = std::min(besideCrossing, 0.5 * (search.high - search.low));
   if (jumpsOnly_ && search.steps < 2)
   {

@@ -19,9 +19,9 @@ namespace winding
  * The field of a surface jumps at its triangles, so the crossings of an edge with them are asked
  * first. Where the surface is closed the field changes nowhere else: an edge with a single crossing
  * that explains the change from one sample to the other needs no evaluation. If none explains it, a
- * sample lies on the surface, and the field may change right beside that sample: it is evaluated
- * there, too. Where the surface is open, evaluations just before and behind a crossing tell whether
- * the level is there. All other roots, and those of clouds, are found by ITP (Oliveira, Takahashi,
+ * sample lies on the surface, and the field may change right next to that sample: it is evaluated
+ * there, too. Where the surface is open, evaluations just before and behind a crossing show whether
+ * the level is there. All other roots, and all of clouds, are found by ITP (Oliveira, Takahashi,
  * An enhancement of the bisection method average performance preserving minmax optimality, 2020),
  * which takes a round more than bisection at most, and far fewer where the field is smooth.
  *
@@ -35,7 +35,7 @@ namespace winding
 class LevelRoots
 {
 public:
-  /// Keeps references to field, grid and edges; tolerance is that of the field. Throws Interrupted.
+  /// Keeps references to field, grid and edges; `tolerance` is the field's. Throws Interrupted.
   LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges, InsideRule rule,
     double threshold, double tolerance, Executor& executor);
 

@@ -12,7 +12,7 @@ namespace
 /// Crossings that differ by less than this fraction of the edge are equally near.
 constexpr double equallyNear = 1e-6;
 
-/// Triangles stay so far away, as a share of the tetrahedra's sizes, from where they would leave
+/// Triangles stay this far away, as a share of the tetrahedra's sizes, from where they would leave
 /// them or lose their area: more than single precision rounds.
 constexpr double margin = 1.0 / (1 << 10);
 

@@ -31,7 +31,7 @@ struct QuadAroundEdge
  *
  * Triangles stay in the four tetrahedra that the edge spans with the sides of the quad (Ju, Udeshi,
  * Intersection-free contouring on an octree grid, 2006). These have no inner points in common with
- * those of other edges, if each cell has one vertex, so no two triangles of a surface pass through
+ * other edges', if each cell has one vertex, so no two triangles of a surface pass through
  * each other. A diagonal that would leave them, or come so near to it that rounding to single
  * precision might, is not taken; a fan always stays inside.
  */

@@ -36,7 +36,7 @@ public:
   /// Writes three coordinates for each vertex to `points`. `Real` is float or double.
   template <class Real> void place(Real* points, Executor& executor) const;
 
-  /// Writes the ids of all corners, and where those of each polygon begin: `offsets` has one more
+  /// Writes the ids of all corners, and where each polygon's begin: `offsets` has one more
   /// entry than there are polygons.
   void writePolygons(std::int64_t* offsets, std::int64_t* ids, Executor& executor) const;
 

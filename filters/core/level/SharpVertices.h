@@ -15,8 +15,8 @@ namespace winding
  * The places of the vertices of a dual mesh, where the planes through the crossings of their
  * patches meet (FeatureVertex.h): edges and corners of the surface stay sharp.
  *
- * The plane of a crossing is that of the triangle which LevelRoots found there. Where there is none
- * it is perpendicular to the gradient of the field; in the border of the grid, to the edge. A
+ * The plane of a crossing is the plane of the triangle which LevelRoots found there. Where there is
+ * none it is perpendicular to the gradient of the field; in the border of the grid, to the edge. A
  * crossing without either, where the gradient is 0, has no plane.
  *
  * Guaranteed: vertices lie in their cells, no nearer to other cells than 2⁻¹² of the cell; the bits

@@ -27,7 +27,7 @@ struct VoxelState
 struct VoxelTree
 {
   int levels = 0;
-  std::vector<bool> isParent; ///< of all vertices but those of the last level, which have none
+  std::vector<bool> isParent; ///< of all vertices except on the last level, which have none
   std::vector<bool> isBeyond; ///< whether a vertex lies beyond the grid
   std::vector<double> values; ///< winding numbers
   std::vector<std::uint8_t> inside;
@@ -36,7 +36,7 @@ struct VoxelTree
   std::size_t size() const { return values.size(); }
 };
 
-/// A cube of 2^level voxels a side; index counts such cubes from the first voxel of a brick.
+/// A cube of 2^level voxels a side; `index` counts these cubes from the first voxel of a brick.
 struct VoxelCube
 {
   int level;
@@ -49,7 +49,7 @@ struct VoxelCube
 class VoxelTreeBuilder
 {
 public:
-  /// The root has 2^depth voxels a side, of which those below `ends` lie in the grid.
+  /// The root has 2^depth voxels a side, and the ones below `ends` lie in the grid.
   VoxelTreeBuilder(int depth, const Eigen::Vector3i& ends);
 
   /// Makes the tree. Its leaves are single voxels, and larger cubes where isUniform(cube) is true;

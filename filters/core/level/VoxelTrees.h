@@ -17,7 +17,7 @@ namespace winding
 struct VoxelTreeOptions
 {
   bool withValues = true;    ///< whether the winding numbers are wanted
-  bool asDouble = false;     ///< whether they are those of an array of doubles, not of floats
+  bool asDouble = false;     ///< whether they belong to an array of doubles, not of floats
   bool withCoverage = false; ///< whether the shares that are inside are wanted
   bool byCenters = true;     ///< whether a voxel is inside where its centre is
   InsideRule rule = InsideRule::signedThreshold;
@@ -46,8 +46,8 @@ struct VoxelArrays
  * long as the tolerance, and the leaf has its middle, so that it differs from theirs by half the
  * tolerance at most; (4) the trees depend on the source, the grid and the options only.
  *
- * Where whole rows are integers and centres tell what is inside, leaves follow from the runs of
- * rows (RunsOfLayers.h), and no voxel is looked at: the time is that of the rows, and of the
+ * Where whole rows are integers and centres decide what is inside, leaves follow from the runs of
+ * rows (RunsOfLayers.h), and no voxel is looked at: the time is the rows', and of the
  * surface in voxels. Any other field is evaluated in extents of about 128 MB, or one brick where
  * that is more.
  */

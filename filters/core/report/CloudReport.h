@@ -45,13 +45,13 @@ struct CloudReport
    * there are no pairs.
    *
    * It is about ½ where normals point to either side at random, and 0 to a few per cent where they
-   * agree, since thin parts and sharp edges have such neighbours, too.
+   * agree, since thin parts and sharp edges have these neighbours, too.
    */
   double oppositeNeighbors = 0;
 
   Bounds bounds; ///< empty without finite points
 
-  /// The orientation that the field itself tells of the normals, with Voronoi areas; none where no
+  /// The orientation of the normals by their own field, with Voronoi areas; none where no
   /// point has a usable normal, and for less than two places.
   std::optional<CloudOrientation> orientation;
 };

@@ -27,21 +27,21 @@ struct Fidelity
   std::size_t selfIntersections = 0; ///< as SelfIntersections.h counts them in the surface
 };
 
-/// About the memory that a comparison takes, in bytes, with a surface of so many triangles.
+/// Estimates the memory of a comparison with a surface of `triangles` triangles, in bytes.
 double bytesForComparison(const Field& field, double triangles, double samples);
 
 /**
  * Compares a surface with the source of a field. Both are sampled evenly by area, or by points if
  * the source is a cloud; the draw depends on the seed, on both of them and on the order of their
  * triangles. Distances are those from the nearest point of the other one, exact up to rounding; the
- * largest is that of the samples, so a narrow spike may be missed.
+ * largest is the samples', so a narrow spike may be missed.
  *
  * A part of the source is lost if no corner and no middle of its triangles is as near to the
  * surface as half of `voxel`: it is smaller than the voxels see, or lies inside of another part.
- * Parts are those of Components.h. The volume of a source with solids that overlap counts what they
- * have in common as often as they do.
+ * Parts are defined in Components.h. The volume of a source with solids that overlap counts what
+ * they have in common as often as they do.
  *
- * Time: that of a distance for each sample and triangle, and of counting self-intersections. Throws
+ * Time: a distance for each sample and triangle, and of counting self-intersections. Throws
  * Interrupted.
  */
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,

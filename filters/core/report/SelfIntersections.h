@@ -10,11 +10,11 @@ namespace winding
 {
 
 /**
- * The number of pairs of triangles of which an edge of one passes through the other. Triangles that
- * share two vertices are no such pair; of two that share one, only the edges opposite to it are
+ * Counts pairs of triangles where an edge of one passes through the other. Triangles that
+ * share two vertices are no pair; of two that share one, only the edges opposite to it are
  * looked at.
  *
- * Decisions are exact, up to triangles that touch each other without passing through: such pairs
+ * Decisions are exact, up to triangles that touch each other without passing through: those pairs
  * may or may not count. Triangles in one plane never count.
  *
  * Time: linear in the triangles, if these are of about one size and not crowded. Memory: about 100

@@ -27,7 +27,7 @@ EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
 
 /// Counts of the components of a surface by their orientation (Components.h, ClosedComponents.h,
 /// Orientation.h). Open components have sides, too, where they are nearly closed (NearlyClosed.h):
-/// w beside them is about 1 inside and 0 outside, or −1 inside if they are inverted.
+/// w near them is about 1 inside and 0 outside, or −1 inside if they are inverted.
 struct OrientationCounts
 {
   std::size_t closed = 0;       ///< components whose edges cancel

@@ -73,7 +73,7 @@ std::vector<Eigen::Vector3i> drawNear(
 }
 
 /**
- * The distance up to which coordinates cannot tell a sample's side. The unit here is 2⁻⁵³ of the
+ * The distance up to which coordinates cannot decide a sample's side. The unit here is 2⁻⁵³ of the
  * largest coordinate. Along an axis, a sample is rounded by up to 3 units, and a vertex by up to 4
  * where rows move it into units of the grid (RowCrossings.h), which makes 12 in space. A distance
  * is rounded by up to 32 (roundingOfOffset()). The distance returned has 64.
@@ -101,10 +101,11 @@ double undecidedDistance(const Field& field, const Grid& grid)
 constexpr double mostBesideTheChoice = 0.1;
 
 /**
- * Whether an error is what a sample's place on the surface explains; jump is that of
- * Field::jumpWithin(). On one triangle, values are those of its sides or their mean, so errors are
- * 0, ½ or 1. On an edge or a vertex, rounding also decides about the solid angle of each triangle
- * there, which is any part of a half turn: errors are up to 1, and ½ more for each triangle.
+ * Whether an error is what a sample's place on the surface explains; jump comes from
+ * Field::jumpWithin(). On one triangle, values are the ones on its sides or their mean, so errors
+ * are 0, ½ or 1. On an edge or a vertex, rounding also decides about the solid angle of each
+ * triangle there, which is any part of a half turn: errors are up to 1, and ½ more for each
+ * triangle.
  */
 bool isChoiceOfSide(double error, double jump)
 {

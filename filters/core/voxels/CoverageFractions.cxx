@@ -137,8 +137,8 @@ EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int sampl
     voxels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis * samplesPerAxis);
   if (field.integerRows())
   {
-    // The finer grid has so many rows, each with its crossings and runs, but nothing is written at
-    // its samples.
+    // The finer grid has this number of rows, each with its crossings and runs, but nothing is
+    // written at its samples.
     constexpr double secondsPerRow = 100e-9;
     const double rows =
       samplesPerAxis * samplesPerAxis * std::pow(static_cast<double>(voxels), 2.0 / 3);

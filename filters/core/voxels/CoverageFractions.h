@@ -12,12 +12,12 @@ class RowCrossings;
  * The share of each voxel of an extent that is inside: the share of its k³ samples, evenly spaced,
  * that are inside by the rule. So it is a multiple of 1/k³.
  *
- * Samples are counted, not their w averaged: beside holes w fades outside of the solid, and where
+ * Samples are counted, not their w averaged: near holes w fades outside of the solid, and where
  * solids overlap it is 2, neither of which is a share of a voxel. For one closed surface, oriented
  * outward, count and average are the same.
  *
  * The samples are a grid k times as fine. Where the method is rows and the surface is closed, its
- * rows are added up without being written anywhere: the time is that of k² times as many rows. All
+ * rows are added up without being written anywhere: the time is as for k² times the rows. All
  * other fields are evaluated part by part, which costs about what a field of k³ times as many
  * samples does, and takes a byte for each sample of a part, 64 MiB at most unless one row of voxels
  * is more.

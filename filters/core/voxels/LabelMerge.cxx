@@ -114,7 +114,7 @@ void LabelMerge::add(const SolidVoxels& voxels, Executor& executor)
   hasInside_ |= any;
 }
 
-/// Adds a row of voxels from one place in a solid's arrays to one in those of labels.
+/// Adds a row of voxels from one place in a solid's arrays to one in the labels'.
 bool LabelMerge::addRow(
   const SolidVoxels& voxels, std::size_t from, std::size_t to, std::size_t count) const
 {

@@ -20,7 +20,7 @@ enum class OverlapRule
   smallestVolume
 };
 
-/// Arrays of the labels of an extent of samples; null pointers are left out, but for `labels`.
+/// Arrays of the labels of an extent of samples; null pointers are left out, except for `labels`.
 struct LabelArrays
 {
   Extent extent = {0, -1, 0, -1, 0, -1};
@@ -29,7 +29,7 @@ struct LabelArrays
   float* best = nullptr;            ///< w of the label's solid, for largestWindingNumber
   ///@{
   /// The two largest shares of a voxel, and the labels that have them, 0 for none. Of equal shares
-  /// that of the solid that came first is the larger one.
+  /// the one of the solid that came first is the larger.
   unsigned short* firstLabels = nullptr;
   unsigned short* secondLabels = nullptr;
   float* firstShares = nullptr;
@@ -37,7 +37,7 @@ struct LabelArrays
   ///@}
 };
 
-/// The findings about one solid for an extent of samples, within that of the arrays.
+/// The findings about one solid for an extent of samples, within the arrays' extent.
 struct SolidVoxels
 {
   Extent extent = {0, -1, 0, -1, 0, -1};

@@ -39,7 +39,7 @@ void SolidEvaluation::reserve(std::size_t samples)
   shares_.reset(options_.voxels.coverage == Coverage::fraction ? new float[samples] : nullptr);
 }
 
-/// The part of an extent outside of which no voxel can be inside.
+/// Finds the part of an extent that holds all voxels that can be inside.
 Extent SolidEvaluation::extentOf(const Field& field, const Grid& grid, const Extent& extent) const
 {
   const FieldOutput& output = options_.voxels.output;

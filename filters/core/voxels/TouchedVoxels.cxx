@@ -28,7 +28,7 @@ Range voxelsMeeting(double low, double high, int lowest, int highest)
   return first <= last ? Range{static_cast<int>(first), static_cast<int>(last)} : Range{0, -1};
 }
 
-/// The place on a segment from a to b at which a coordinate has a value between those of a and b.
+/// The place on a segment from a to b at which a coordinate has a value between a's and b's.
 Eigen::Vector3d placeAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis, double value)
 {
   if (value == a[axis] || value == b[axis])

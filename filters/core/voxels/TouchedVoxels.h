@@ -25,9 +25,9 @@ namespace winding
  * on the grid as a whole, not on the extent, the executor or its threads.
  *
  * A triangle is cut along the layers and then along the rows of the grid, and its part between two
- * rows covers one run of voxels: so its time is that of the rows that it reaches and of the voxels
- * that it marks, however large or thin it is, never that of its bounding box. Memory: 24 bytes per
- * vertex, 8 per primitive, and 4 per primitive and layer that it reaches.
+ * rows covers one run of voxels: so its time is linear in the rows that it reaches and of the
+ * voxels that it marks, however large or thin it is, never in its bounding box. Memory: 24 bytes
+ * per vertex, 8 per primitive, and 4 per primitive and layer that it reaches.
  */
 void markTouched(const Surface& surface, const Grid& grid, const Extent& extent,
   unsigned char* marks, Executor& executor);

@@ -9,16 +9,16 @@ namespace winding
 /**
  * Extends `inside` from the samples of an extent that are inside to all voxels that overlap the
  * solid or its surface: it adds the voxels that triangles or points touch (TouchedVoxels.h), and,
- * where w changes also beside the surface, those that have a corner inside.
+ * where w changes also off the surface, those that have a corner inside.
  *
  * The field of a closed surface has one value throughout a voxel that no triangle touches, so the
- * voxel's sample tells all. The field of an open surface or a cloud reaches the threshold between
- * triangles or points, too; where it does, a voxel's corners tell, unless the solid comes into the
- * voxel between them only.
+ * voxel's sample decides all. The field of an open surface or a cloud reaches the threshold between
+ * triangles or points, too; where it does, a voxel's corners decide, unless the solid comes into
+ * the voxel between them only.
  *
  * Guaranteed: (1) voxels that are inside stay so; (2) all parts of triangles and all usable points
  * that lie in the grid lie in voxels that are inside; (3) the bits are the same for any extent,
- * executor and number of threads. Memory: that of markTouched(), and a byte per sample where
+ * executor and number of threads. Memory: as markTouched() takes, and a byte per sample where
  * corners are asked. Throws Interrupted.
  */
 void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
