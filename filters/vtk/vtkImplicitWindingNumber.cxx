@@ -85,7 +85,7 @@ vtkSmartPointer<vtkDoubleArray> inDouble(vtkDataArray* array)
   return result;
 }
 
-/// The time of the function itself. That of GetMTime() counts the transform, which does not change
+/// The time of the function itself. GetMTime() also counts the transform, which does not change
 /// the field.
 vtkMTimeType ownTime(vtkObject* function)
 {

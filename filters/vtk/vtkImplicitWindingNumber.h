@@ -24,8 +24,8 @@
  *
  * Like other implicit functions it has no pipeline: the input is a data object, which its producer
  * must have updated. Nor has it ranks: in a parallel program it is the function of the input that
- * this process has, all of which must have been gathered before, if it is held in parts. An input
- * that its producer has made as one of several pieces is refused. GetMTime() tells when the input
+ * this process has, which must all have been gathered before, if it is held in parts. An input
+ * that its producer has made as one of several pieces is refused. GetMTime() says when the input
  * or a property was modified, and the next call works with their new state. SetTransform() has
  * points transformed first.
  *
@@ -92,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /// The way in which w is found. Meaning, values and defaults are those of the properties of the
+  /// The way in which w is found. Meaning, values and defaults are as for the properties of the
   /// same names of vtkWindingNumberAlgorithm, but ROWS is for grids and an error here.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);

@@ -19,16 +19,16 @@
  * source for the other filters: where scans overlap, their points share the area. In a pipeline
  * that asks for pieces, each piece is a cloud of its own, but not in a parallel program: there the
  * parts of all ranks are one cloud, and each rank gets the areas of its own points. An execution is
- * collective then, as that of vtkWindingNumberAlgorithm is.
+ * collective then, as for vtkWindingNumberAlgorithm.
  *
  * The output is of the input's type and shares its arrays. The array has as many tuples as there
  * are points. The area is 0, as is an estimated normal, for:
  * - points with NaN or infinite values or a normal of length 0; a warning counts them,
  * - ghost points, for which another piece of the data answers,
  * - the inner points of a mesh with volume cells. Points that its outer surface has several times,
- *   such as those on the edges of a structured grid, have the areas of all of them. Areas of points
- *   that only the outer surface has, as VTK makes them for Lagrange and Bézier cells, are left out,
- *   with a warning.
+ *   such as the points on the edges of a structured grid, have the areas of all of them. Areas of
+ *   points that only the outer surface has, as VTK makes them for Lagrange and Bézier cells, are
+ *   left out, with a warning.
  *
  * Errors leave the output empty. They are: points without normals, method MESH for points without
  * triangles, an array that is not there, no usable point at all, and a value of PointAreaMethod or
@@ -62,7 +62,7 @@ public:
   vtkTypeMacro(vtkPointAreas, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The ways in which points get their areas; the numbers are those of vtkWindingNumberAlgorithm.
+  /// The ways in which points get their areas; the numbers are vtkWindingNumberAlgorithm's.
   enum PointAreaMethodType
   {
     VORONOI = 0, ///< the area of each point's cell among its neighbours, in its tangent plane
@@ -77,7 +77,7 @@ public:
   ///@}
 
   ///@{
-  /// The number of neighbours that tell the area of a point, and its normal where that is
+  /// The number of neighbours that define the area of a point, and its normal where that is
   /// estimated. 3 to 1000, default 20.
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -100,15 +100,15 @@ public:
   ///@{
   /// Whether points without normals get estimated ones, which are added to the output. Where some
   /// data sets of a composite one have normals and others have none, all get estimated ones. A
-  /// warning says where their field tells no inside from outside. Points of meshes without normals
-  /// get those of their triangles then. Default off: points without normals are refused.
+  /// warning says where their field does not separate inside from outside. Points of meshes without
+  /// normals get their triangles' then. Default off: points without normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   ///@}
 
   ///@{
-  /// The way in which normals are estimated; meaning, values and default are those of
+  /// The way in which normals are estimated; meaning, values and default are as for
   /// vtkWindingNumberAlgorithm.
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
@@ -129,7 +129,7 @@ public:
 
   ///@{
   /// The controller of the ranks that hold the input, and the way in which they hold it; meaning,
-  /// values and defaults are those of vtkWindingNumberAlgorithm.
+  /// values and defaults are vtkWindingNumberAlgorithm's.
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   vtkSetMacro(SourceDistribution, int);

@@ -17,7 +17,7 @@
  * These names may have small letters or large ones. Positions and normals may also have the names
  * that ParaView gives to components when it saves data as a table, "Points:0" to "Points:2" and
  * "Normals:0" to "Normals:2"; where a table has both, ParaView's count. Of several columns with one
- * such name the first counts, and those behind it are like all others.
+ * such name the first counts, and the ones behind it are like all others.
  *
  * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
  * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
@@ -69,7 +69,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether columns other than those of positions, normals and areas are read, too. VTK looks
+  /// Whether columns other than positions, normals and areas are read, too. VTK looks
   /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
   /// on.
   vtkSetMacro(ReadAllColumns, bool);

@@ -20,7 +20,7 @@
  * text, and where PLY has numbers of type double or integers of four bytes. So are normals.
  *
  * The file is read by as many threads as vtkSMPTools has, and the result is the same for any number
- * of them. Beside the output it takes little memory.
+ * of them. It takes little memory in addition to the output.
  *
  * Errors, each one line through vtkErrorMacro with the name of the file, and its line where it is
  * text, with the error code set and the output empty: files that cannot be read, are empty,

@@ -14,8 +14,8 @@
  * Ghost cells and points pass through, but are not counted.
  *
  * The second output shows the faults of a surface. It is a multi-block dataset in which each kind
- * has its place, in this order, which is empty (null) where there is no such fault. Clouds have
- * none.
+ * has its place, in this order, which is empty (null) where there is no fault of its kind. Clouds
+ * have none.
  * - Caps: the triangles that the field closes the loops of the boundary with, with the cell data
  *   Loop.
  * - Boundary: these loops of edges that do not cancel, as closed polylines, with the cell data
@@ -71,7 +71,7 @@
  * - **inverted_components**: components with negative volume, except the walls of cavities, which
  *   lie inside an odd number of other components that wind round each of their vertices. Open
  *   components count where a cap of at most half their area closes them.
- * - **nested_solids**: such components with positive volume inside an odd number of others. w is
+ * - **nested_solids**: closed components with positive volume inside an odd number of others. w is
  *   2 there if it is a solid; it may also be a cavity that is inside out.
  * - **one_sided_components**: parts, connected through edges that two triangles share, that cannot
  *   be oriented.
@@ -84,9 +84,9 @@
  *   open surfaces.
  * - **area**: the sum of the triangles' areas.
  * - **fractional_share**: the share (0 to 1) of samples whose w is farther than 0.1 from an
- *   integer, which tells how open the surface is; 0 if it is closed. The samples are the centres of
+ *   integer, which shows how open the surface is; 0 if it is closed. The samples are the centres of
  *   cubic voxels, 32 along the longest side of the bounds with a twentieth added on each side; no
- *   tuple if the bounds admit no such grid.
+ *   tuple if the bounds admit no grid like that.
  * - **flipped_triangles**, with FixOrientation only: triangles that were turned round.
  * - **flipped_components**, with FixOrientation only: parts with a triangle that was turned round.
  *
@@ -103,7 +103,7 @@
  * - **w_behind**, **w_before**: the median of the field two spacings behind the points, against
  *   their normals, and two spacings before them. Closed clouds with outward normals have 1 and 0,
  *   with inward normals 0 and −1; no tuple without usable normals.
- * - **outward_share**, **inward_share**: the shares (0 to 1) of points that have such a field about
+ * - **outward_share**, **inward_share**: the shares (0 to 1) of points that have this field about
  *   them; no tuple without usable normals.
  * - **flipped_normals**, with FixOrientation only: normals that were turned round.
  *
@@ -111,7 +111,7 @@
  * filter works on the whole source: where several pieces are asked for, the first has everything.
  * In a parallel program every rank has the report on the parts of all, the first has the faults,
  * and the first output is the part of each. Orientation is not fixed there: faces are turned before
- * they are dealt out. An execution is collective, as that of vtkWindingNumberAlgorithm is.
+ * they are dealt out. An execution is collective, as for vtkWindingNumberAlgorithm.
  * When it is aborted, its outputs are empty.
  *
  * @sa vtkWindingNumberField
@@ -166,7 +166,7 @@ public:
 
   ///@{
   /// The controller of the ranks that hold the input, and the way in which they hold it; meaning,
-  /// values and defaults are those of vtkWindingNumberAlgorithm.
+  /// values and defaults are vtkWindingNumberAlgorithm's.
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   vtkSetMacro(SourceDistribution, int);
@@ -185,7 +185,7 @@ public:
   vtkFieldData* GetReport();
 
   ///@{
-  /// Single values of the report; 0, false or empty where the report has no such value.
+  /// Single values of the report; 0, false or empty where the report does not have the value.
   const char* GetAdvice();
   bool GetSourceIsSurface();
   bool GetClosed();

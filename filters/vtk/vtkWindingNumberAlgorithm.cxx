@@ -245,7 +245,7 @@ int vtkWindingNumberAlgorithm::RepeatRefusal(
 
 bool vtkWindingNumberAlgorithm::IsNewError()
 {
-  // The time of the pipeline, and not that of the input: sources run again for another piece.
+  // The time of the pipeline, and not the input's: sources run again for another piece.
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   const vtkMTimeType time = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
   return std::exchange(this->TimeOfLastError, time) != time;

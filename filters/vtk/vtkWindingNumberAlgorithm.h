@@ -3,8 +3,8 @@
  * @brief   base class of winding-number filters: source, method and result arrays
  *
  * The generalized winding number w says how often an oriented surface wraps around a point: 1
- * inside, 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It tells
- * inside from outside for input that ray tests fail on: open scans, triangle soups,
+ * inside, 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It
+ * separates inside from outside for input that ray tests fail on: open scans, triangle soups,
  * self-intersections, non-manifold pieces, oriented point clouds (Jacobson, Kavan, Sorkine-Hornung,
  * Robust inside-outside segmentation using generalized winding numbers, 2013).
  *
@@ -13,7 +13,8 @@
  *   vertex, which is exact for planar ones, convex or not. Orientation matters: counter-clockwise
  *   seen from outside gives w = +1 inside.
  * - any other vtkPointSet with cells of two or three dimensions, through its outer surface.
- * - a vtkPointSet without such cells, as a cloud of its points, which then need normals.
+ * - a vtkPointSet without cells of these dimensions, as a cloud of its points, which then need
+ * normals.
  * - composite data of the above: the leaves are one source. Surfaces and clouds do not mix.
  *
  * Primitives with NaN or infinite values or ids of points that do not exist are left out; a warning
@@ -22,7 +23,7 @@
  * The filter keeps what it built from a source (welded vertices, areas) until a source with other
  * points, cells, normals or areas comes in: threshold, grid, time steps or other attributes never
  * rebuild it. This holds for polydata; any change of another data set counts as a change of its
- * cells. Only triangles that are large beside the voxels, most often those of a cap, are cut anew
+ * cells. Only triangles that are large compared with the voxels, most often in a cap, are cut anew
  * for another grid.
  *
  * Work is shared among the threads of vtkSMPTools. Where its backend is Sequential only because VTK
@@ -31,12 +32,12 @@
  * threads, and for any order of the source's triangles, points and blocks.
  *
  * **In a parallel program** (MPI) the ranks of the controller hold the source in parts, as
- * SourceDistribution says: each asks upstream for its own piece, and gets those of all others. The
- * result has the same bits as that of one rank with the whole source, however its primitives are
+ * SourceDistribution says: each asks upstream for its own piece, and gets the pieces of all others.
+ * The result has the same bits as on one rank with the whole source, however its primitives are
  * dealt out; only scattered samples that a far field answers depend on the other samples of their
  * rank, within the tolerance. An execution is collective: all ranks must execute, with the same
  * properties. Where one refuses, all do, with the same line. Memory and threads are shared among
- * the ranks on a machine. docs/scale.md tells more.
+ * the ranks on a machine. docs/scale.md says more.
  *
  * **Data that contradicts itself is refused**, in one line through vtkErrorMacro, before any class
  * of VTK follows it out of its memory: offsets out of their list of ids, ids of points that do not
@@ -92,7 +93,7 @@ public:
   {
     AUTOMATIC = 0,    ///< the fastest method that keeps the tolerance
     ROWS = 1,         ///< surfaces: whole rows of a grid at once, or a ray from each scattered
-                      ///< sample; exact but for a cap over holes
+                      ///< sample; exact except for a cap over holes
     HIERARCHICAL = 2, ///< near primitives are summed, far ones act through expansions
     DIRECT = 3,       ///< the sum over all primitives, exact up to rounding
     PARITY = 4        ///< ray casting, the classic baseline: 0 or 1, for closed surfaces only
@@ -136,7 +137,7 @@ public:
   {
     NO_SOURCE = 0,   ///< a source without points, or one that is not there yet
     MESH_SOURCE = 1, ///< a source with cells of two or three dimensions
-    CLOUD_SOURCE = 2 ///< a source of points without such cells
+    CLOUD_SOURCE = 2 ///< a source of points without those cells
   };
 
   /// The ways in which an execution ends.
@@ -162,7 +163,7 @@ public:
   /// HIERARCHICAL, and ROWS for the values of a cap over holes. There are presets for 1e-2, 1e-3,
   /// 1e-4, 1e-5 and 1e-6; a tolerance between two of them takes the finer one. Below 1e-6, 0
   /// included, nothing is approximated. Single precision adds some 1e-7 of the sum of all shares'
-  /// sizes, which is large beside the points of a cloud. 0 or more, default 0.001.
+  /// sizes, which is large near the points of a cloud. 0 or more, default 0.001.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -185,8 +186,8 @@ public:
   ///@{
   /// Whether a cloud without normals gets estimated ones: found from the neighbours of each point,
   /// oriented consistently, and turned outward by the field that they give (NormalEstimation.h). A
-  /// warning says where that field tells no inside from outside. Default off: points without
-  /// normals are refused.
+  /// warning says where that field does not separate inside from outside. Default off: points
+  /// without normals are refused.
   vtkSetMacro(EstimateNormals, vtkTypeBool);
   vtkGetMacro(EstimateNormals, vtkTypeBool);
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
@@ -208,7 +209,7 @@ public:
   ///@}
 
   ///@{
-  /// The number of neighbours that tell the area of a cloud's point, and its normal where that is
+  /// The number of neighbours that define the area of a cloud's point, and its normal where that is
   /// estimated. 3 to 1000, default 20.
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -231,7 +232,7 @@ public:
   ///@{
   /// The length over which each point of a cloud is spread, in units of its spacing, which is the
   /// square root of its area. 0 is the winding number of points as it is defined, which grows
-  /// without bounds beside them. 1 keeps w about between 0 and 1 there, 0.5 within some tenths of
+  /// without bounds near them. 1 keeps w about between 0 and 1 there, 0.5 within some tenths of
   /// that, and both change nothing a few spacings away. A point adds 0 at its own position either
   /// way. Method HIERARCHICAL takes about 1.4, 4, 11 and 20 times as long with 1, 2, 3 and 4. 0 to
   /// 4, default 0.
@@ -346,8 +347,8 @@ public:
   ///@{
   /// Estimates, made before the last execution, of what the whole result would take in one piece,
   /// by the cost model that AUTOMATIC chooses by: the seconds from the source on, if all threads
-  /// are free, and the bytes beside the source, the result arrays included. In a parallel program
-  /// they are about the share of a rank.
+  /// are free, and the bytes in addition to the source, the result arrays included. In a parallel
+  /// program they are about the share of a rank.
   vtkGetMacro(ExpectedSeconds, double);
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}
@@ -369,7 +370,7 @@ public:
   /// which comes also where that holds for a hundredth of these samples: parts of a surface look
   /// inward then. It is known only where all samples are evaluated in one execution, and false
   /// after a piece of a grid that is streamed; with an array of w about 100 000 of its samples are
-  /// looked at, without one only a result without any inside is. Beside single points of clouds w
+  /// looked at, without one only a result without any inside is. Near single points of clouds w
   /// grows without bounds, of either sign: most normals must point inward there, too.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
@@ -433,9 +434,9 @@ protected:
   static void FillSourcePortInformation(vtkInformation* info);
 
   ///@{
-  /// The field of a source, built or kept, and prepared for the samples of a grid, of which this
-  /// rank evaluates so many, or for scattered ones; warns about faults of the source. Throws an
-  /// interruption if aborted. Collective.
+  /// The field of a source, built or kept, and prepared for the samples of a grid, for this
+  /// rank's `ownSamples` of them, or for scattered ones; warns about faults of the source. Throws
+  /// an interruption if aborted. Collective.
   const winding::Field& PrepareField(
     vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples);
   const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
@@ -444,11 +445,11 @@ protected:
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
 
-  /// Information on the field that facts are told of: the last one, unless a filter with several
+  /// Information on the field that facts are about: the last one, unless a filter with several
   /// sources says otherwise.
   virtual const winding::FieldInfo& GetSourceInfo() const;
 
-  /// Everything that the field of a source depends on beside the source.
+  /// Everything that the field of a source depends on apart from the source.
   winding::SourceOptions GetSourceOptions();
 
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
@@ -498,8 +499,8 @@ protected:
   /// says otherwise.
   virtual double GetDistanceLimit() const;
 
-  /// The bytes that the filter takes for the result at so many samples, for ExpectedMemory: those
-  /// of the result arrays, unless a filter says otherwise.
+  /// The bytes that the filter takes for the result at `samples` samples, for ExpectedMemory: the
+  /// result arrays', unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
   /// The cost of what the filter does beside the field and distances of so many samples, the result

@@ -46,7 +46,7 @@ const winding::ProbeWords& vtkWindingNumberClip::GetWords() const
   return winding::wordsOfClip;
 }
 
-/// The array of w tells whether the source is inside out.
+/// The array of w shows whether the source is inside out.
 winding::ResultOptions vtkWindingNumberClip::GetResultOptions() const
 {
   return {};

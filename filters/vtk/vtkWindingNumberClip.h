@@ -15,9 +15,9 @@
  * @endcode
  *
  * vtkTableBasedClipDataSet cuts the cells, so the output is a vtkUnstructuredGrid for every data
- * set, polydata included, as that of ParaView's Clip is. Cells without a table in it, such as
+ * set, polydata included, as for ParaView's Clip. Cells without a table in it, such as
  * polygons, polyhedra and cells of higher order, are cut by vtkClipDataSet, through simplices. All
- * arrays of the data set are kept; at new points those of points are interpolated. A data set
+ * arrays of the data set are kept; at new points point data are interpolated. A data set
  * without cells counts as points, and every point that is kept gets a vertex. The output for a
  * composite data set has the same structure.
  *
@@ -25,15 +25,15 @@
  * lies between the points is not seen. The cut meets an edge where distances from the end of what
  * is inside, taken with their signs and interpolated linearly between the two points, are 0. For a
  * closed surface they are the distances to its triangles: the cut is exact where the surface is
- * plane beside the edge, and off by some h²/R where it has the radius R of curvature and edges have
+ * plane near the edge, and off by some h²/R where it has the radius R of curvature and edges have
  * the length h. For open surfaces and clouds they are the smaller one of that distance and of |w −
  * WindingThreshold| / |∇w|, which is the distance from the level, to first order, across holes and
  * between points. Where another part of the source is nearer to one of the two points than what the
  * edge crosses, as at sharp edges, in parts and gaps that are thinner than a cell, and where
  * surfaces overlap, the cut may be off by as much as an edge. Measured on the edges of grids of 40
  * and 100 points along an axis, the mean error is 0.01 to 0.03 of an edge for closed meshes, 0.03
- * for open scans, 0.05 for a cloud, and on 24 points 0.13 for a truck of loose sheets, most of
- * which are thinner than a cell. Interpolating w, which jumps by 1 across the surface, gives 0.14
+ * for open scans, 0.05 for a cloud, and on 24 points 0.13 for a truck of loose sheets, most of them
+ * thinner than a cell. Interpolating w, which jumps by 1 across the surface, gives 0.14
  * to 0.26 for the same ones. The part inside and the part outside have the same points on the cut.
  *
  * The properties of vtkWindingNumberAlgorithm about result arrays (GenerateWindingNumber,
@@ -43,9 +43,9 @@
  * the result is empty. Points that are NaN or infinite are neither inside nor outside; cells that
  * have them are left out.
  *
- * **Pipeline.** w is evaluated at all points, distances and gradients at those of cells that are
+ * **Pipeline.** w is evaluated at all points, distances and gradients at points of cells that are
  * cut. It takes 23 bytes for each point, 24 more for a data set that stores no coordinates of float
- * or double, and beside that what vtkTableBasedClipDataSet takes. The abort flag is asked all the
+ * or double, and in addition what vtkTableBasedClipDataSet takes. The abort flag is asked all the
  * while, but not while VTK cuts the cells of one data set.
  *
  * @sa vtkWindingNumberProbe vtkImplicitWindingNumber vtkTableBasedClipDataSet

@@ -15,25 +15,25 @@
  *   voxels->SetInputConnection(field->GetOutputPort());
  * @endcode
  *
- * The grid is that of vtkWindingNumberGridAlgorithm, and the image that of
+ * The grid is laid by vtkWindingNumberGridAlgorithm, and the image by
  * vtkWindingNumberImageAlgorithm, which says how the filter streams.
  *
- * **Coverage.** "Inside" tells whether the centre of a voxel, which is the box of one spacing
+ * **Coverage.** "Inside" says whether the centre of a voxel, which is the box of one spacing
  * around its sample, is inside; or, so that nothing thin is lost, whether any of the voxel is; or
- * whether half of it is. The winding number is always that of the centre. ANY and FRACTION add
+ * whether half of it is. The winding number is always the centre's. ANY and FRACTION add
  * "Inside" even if GenerateInside is off, and FRACTION adds the array "Coverage", of floats: the
  * share of each voxel. vtkWindingNumberVoxels gives the surface of all voxels beyond another share
  * from that array.
  *
- * **On the surface.** Method ROWS gives a sample exactly on a closed surface the value beside it,
- * towards +y, or if that is on the surface too towards +z, or +x. Sums (method DIRECT, clouds, the
- * caps of open surfaces) give a sample exactly in the plane of a triangle the mean of both sides,
- * 0.5 on a face of a closed mesh, and a sample that lies there only up to rounding one of the
- * sides. Sums of triangles give a vertex of a closed mesh the share of directions that lead inside,
- * if no other triangle passes there.
+ * **On the surface.** Method ROWS gives a sample exactly on a closed surface the neighbouring
+ * value, towards +y, or if that is on the surface too towards +z, or +x. Sums (method DIRECT,
+ * clouds, the caps of open surfaces) give a sample exactly in the plane of a triangle the mean of
+ * both sides, 0.5 on a face of a closed mesh, and a sample that lies there only up to rounding one
+ * of the sides. Sums of triangles give a vertex of a closed mesh the share of directions that lead
+ * inside, if no other triangle passes there.
  *
  * Errors, each one line through vtkErrorMacro: properties or bounds that give no grid, clouds
- * without normals, sources of which no primitive is usable, and results larger than the free
+ * without normals, sources without a usable primitive, and results larger than the free
  * memory, which are refused before anything is allocated.
  *
  * @sa vtkWindingNumberSurface vtkWindingNumberProbe vtkWindingNumberVoxels vtkThreshold

@@ -23,7 +23,7 @@ winding::Bounds toBounds(const double (&b)[6])
   return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
-/// Whether bounds are those of a box. A user interface that follows an empty input has none.
+/// Returns whether bounds are a box. A user interface that follows an empty input has none.
 bool isBox(const winding::Bounds& bounds)
 {
   return !bounds.isEmpty() && bounds.sizes().allFinite();

@@ -8,7 +8,7 @@
  * says how many there are along each axis, and they fill the box exactly.
  *
  * **Time.** The grid follows a source that moves or grows with time: at every time step it lies
- * over the source as it is then. One grid for all times is that of SamplingBounds, with
+ * over the source as it is then. One grid for all times is laid by SamplingBounds, with
  * UseInputBounds off.
  *
  * Bounds that give no grid are refused in one line through vtkErrorMacro. SamplingBounds are
@@ -91,7 +91,7 @@ public:
   ///@{
   /// The findings of the last execution's verification: the largest and the root-mean-square error
   /// over the random samples, the largest over those near the source, and how many samples of each
-  /// kind were compared. When streaming, they are those of the extent that was executed last.
+  /// kind were compared. When streaming, they belong to the extent that was executed last.
   vtkGetMacro(MaxError, double);
   vtkGetMacro(RMSError, double);
   vtkGetMacro(NearMaxError, double);
@@ -101,7 +101,7 @@ public:
 
   ///@{
   /// The number of samples, of both kinds together, that the last execution's verification did not
-  /// compare. They lie on the surface as far as coordinates can tell, where the values of both
+  /// compare. They lie on the surface as far as coordinates can decide, where the values of both
   /// sides are right; or at a point of a cloud that is not regularized, where w has no value. A
   /// value that no side explains counts as an error even there.
   vtkGetMacro(NumberOfSamplesOnSurface, vtkIdType);
@@ -143,11 +143,11 @@ protected:
   void MoveGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
 
-  /// PrepareField() for that grid, of which each rank evaluates about its share, unless the first
+  /// PrepareField() for that grid; each rank evaluates about its share, unless the first
   /// does all.
   const winding::Field& PrepareGridField(vtkDataObject* source);
 
-  /// Throws a refusal if samples are to be verified and cannot be; hasValues tells whether there
+  /// Throws a refusal if samples are to be verified and cannot be; `hasValues` says whether there
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;
 
@@ -181,7 +181,7 @@ protected:
 private:
   winding::GridRequest GetGridRequest(vtkDataObject* source);
 
-  std::unique_ptr<winding::GridRequest> Request; ///< that of the last LayOutGrid()
+  std::unique_ptr<winding::GridRequest> Request; ///< of the last LayOutGrid()
   std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last LayOutGrid()
   std::unique_ptr<winding::Grid> Sampling;       ///< grid of LayOutGrid() or MoveGrid()
 };

@@ -19,11 +19,11 @@
  *
  * **Cells.** Values belong to cells. The smallest cells are the voxels of the grid, the boxes of
  * one spacing around the samples; larger ones are cubes of 8, 64, 512 … voxels. The grid is cut
- * into bricks, cubes with a power of two voxels a side, of which each is a tree with branch factor
+ * into bricks, cubes with a power of two voxels a side, each of them a tree with branch factor
  * 2. The last bricks may reach beyond the grid: what lies there is masked. Grids whose dimensions
  * are multiples of 32 need the fewest cells for that; grids of one voxel along an axis are welcome.
  *
- * **Values.** "Inside" and "Coverage" are those of vtkWindingNumberField at every voxel. So is w,
+ * **Values.** "Inside" and "Coverage" are vtkWindingNumberField's at every voxel. So is w,
  * bit for bit, where it is an integer everywhere: for a closed surface with method ROWS, which is
  * what AUTOMATIC takes for it. Elsewhere voxels share a cell where their w differ by MergeTolerance
  * at most, and lie on the same side of WindingThreshold by InsideRule; the cell has the middle, so
@@ -35,14 +35,14 @@
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
  * the whole: where several pieces are asked for, the first has everything. Progress, abort and the
- * behaviour on the surface are those of vtkWindingNumberField. The result has the same bits for any
- * number of threads. Memory is that of the result, and about 130 MB for voxels at work.
+ * behaviour on the surface are vtkWindingNumberField's. The result has the same bits for any
+ * number of threads. Memory is the result's, and about 130 MB for voxels at work.
  *
  * **Files.** vtkXMLHyperTreeGridWriter takes up to 16 bytes of memory for each vertex. Before VTK
  * 9.3 nobody can read what it writes of several arrays in appended mode, which is its default: call
  * SetDataModeToBinary(). Readers before VTK 9.4 leave the field data out.
  *
- * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField. Results larger
+ * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's. Results larger
  * than the free memory are refused by an estimate before anything is allocated.
  *
  * @sa vtkWindingNumberField vtkHyperTreeGridThreshold vtkXMLHyperTreeGridWriter
@@ -97,7 +97,7 @@ public:
 
   ///@{
   /// The numbers of the last result: cells that are not divided and not masked; and all vertices of
-  /// the trees, divided and masked ones included, each of which has a place in the arrays.
+  /// the trees, divided and masked ones included; each has a place in the arrays.
   vtkGetMacro(NumberOfLeaves, vtkIdType);
   vtkGetMacro(NumberOfVertices, vtkIdType);
   ///@}

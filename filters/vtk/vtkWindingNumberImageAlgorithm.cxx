@@ -72,7 +72,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // The pipeline hands on the grid of an image that the source was made of, such as a contour's.
-  // It would stay where this filter has no grid to tell of.
+  // It would stay where this filter has no grid.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
@@ -143,7 +143,7 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
-  // The source may be that of another time than the one at which the grid was laid.
+  // The source may belong to another time than the one at which the grid was laid.
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->MoveGrid(source);
   this->TellGrid(outInfo);

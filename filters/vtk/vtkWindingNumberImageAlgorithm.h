@@ -10,7 +10,7 @@
  * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
  * asked for, over the source as it is then. At other time steps the grid keeps its dimensions, so
  * that pieces fit together, and its origin and spacing follow the source.
- * Progress is that of the evaluation. Abort is obeyed within a fraction of a second, also while the
+ * Progress follows the evaluation. Abort is obeyed within a fraction of a second, also while the
  * filter prepares; the output is then empty.
  *
  * @sa vtkWindingNumberField vtkWindingNumberLabels
@@ -62,7 +62,7 @@ public:
     /**
      * At least half of the voxel is inside, by the share that is inside of CoverageSamples³
      * samples, evenly spaced in the voxel. Samples are counted, for a mean of w would be no share
-     * of the voxel beside holes, where w fades, or where solids overlap. It takes the time of a few
+     * of the voxel near holes, where w fades, or where solids overlap. It takes the time of a few
      * fields for closed surfaces, of a field of as many samples otherwise.
      */
     FRACTION = 2

@@ -244,7 +244,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[
   this->WarnOfSolids(solids);
 }
 
-/// Verifies the values of one more solid, and adds the findings to those of the solids before it.
+/// Verifies the values of one more solid, and adds the findings to the earlier solids'.
 void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const winding::Extent& extent)
 {
   const double maxError = this->MaxError, nearMaxError = this->NearMaxError;

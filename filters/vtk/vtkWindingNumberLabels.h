@@ -24,28 +24,29 @@
  * Each solid is a surface or a cloud as vtkWindingNumberAlgorithm says, and need not be closed: its
  * winding number decides.
  *
- * **Output.** Beside "Label", which is active, there are arrays by GenerateSolidCount and
+ * **Output.** In addition to "Label", which is active, there are arrays by GenerateSolidCount and
  * CoverageArrays. The field data has a row for each solid: "LabelValues" (unsigned short) and
  * "LabelNames" (strings), the names of the blocks, or "Block n" where there is none, or the region
  * array's name and the region, or "Part n". A name that occurs again gets a number. For a surface
  * of all labels that meets without gaps see vtkWindingNumberVoxels, or smooth vtkSurfaceNets3D.
  *
- * **Pipeline.** The image is that of vtkWindingNumberImageAlgorithm, which says how the filter
+ * **Pipeline.** The image is laid by vtkWindingNumberImageAlgorithm, which says how the filter
  * streams. One solid after the other is built, evaluated where it can be inside and forgotten, so
- * that the memory beside the input and the image is that of one solid, and of at most 16 million of
- * its voxels at a time (or one layer of the grid). Every piece builds all solids again. Results
- * have the same bits for any threads and pieces and for any order of the primitives within solids.
- * In a parallel program every rank has as many blocks, each of them a part of the solid or nothing;
- * or cells of any regions. For parts by connectivity one rank has the whole surface, or all do.
+ * that the memory in addition to the input and the image is one solid's, and that of at most 16
+ * million of its voxels at a time (or one layer of the grid). Every piece builds all solids again.
+ * Results have the same bits for any threads and pieces and for any order of the primitives within
+ * solids. In a parallel program every rank has as many blocks, each of them a part of the solid or
+ * nothing; or cells of any regions. For parts by connectivity one rank has the whole surface, or
+ * all do.
  *
  * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
  * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each
- * solid are compared, for which its values are made once more; the findings are those of all solids
- * together. LongestExpectedTime is compared with the sum of all solids so far. Facts about the
- * source are sums over all solids, and the method is that of the solid with the most primitives.
+ * solid are compared, for which its values are made once more; the findings are about all solids
+ * together. LongestExpectedTime is compared with the sum of all solids up to then. Facts about the
+ * source are sums over all solids, and the method is the one of the solid with the most primitives.
  *
- * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and labels that
- * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not tell
+ * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and labels that
+ * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not say
  * regions. Warnings, each one line, count solids that are empty, not closed or inside out, and
  * names that occur again.
  *
@@ -79,8 +80,8 @@ public:
   /// The rules by which a voxel that lies in several solids gets its label.
   enum OverlapRuleType
   {
-    FIRST = 0, ///< that of the first of them, in the order of the labels
-    LAST = 1,  ///< that of the last
+    FIRST = 0, ///< the label of the first of them, in the order of the labels
+    LAST = 1,  ///< the label of the last
     /// The label of the solid with the largest w at the centre, in float, or with the largest |w|
     /// for the inside rule ABSOLUTE; the first of equal ones.
     LARGEST_WINDING_NUMBER = 2,
@@ -108,7 +109,7 @@ public:
   {
     /// The two largest shares of each voxel, "FirstShare" and "SecondShare" (float), and the labels
     /// that have them, "FirstLabel" and "SecondLabel" (unsigned short), 0 for none. Of equal shares
-    /// that of the solid that comes first is the larger one.
+    /// the one of the solid that comes first is the larger.
     TWO_LARGEST = 0,
     /// An array of floats for each solid, "Coverage " and its label: the share of the voxel.
     EACH_LABEL = 1
@@ -130,7 +131,7 @@ public:
 
   ///@{
   /// The number that is added to a region to give its label: 1 for regions that begin with 0, as
-  /// those of vtkConnectivityFilter do. Default 0.
+  /// vtkConnectivityFilter's do. Default 0.
   vtkSetMacro(LabelOffset, int);
   vtkGetMacro(LabelOffset, int);
   ///@}

@@ -5,8 +5,8 @@
  * Port 0 takes the data set that says where to evaluate, any vtkDataSet or a composite of them.
  * Port 1 takes the source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm).
  * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for, "Inside"
- * and "SignedDistance"; ExtractInside keeps only the part of it that is inside. The ports are those
- * of vtkPointInterpolator. The filter does what vtkSelectEnclosedPoints does, but on surfaces that
+ * and "SignedDistance"; ExtractInside keeps only the part of it that is inside. The ports are as
+ * for vtkPointInterpolator. The filter does what vtkSelectEnclosedPoints does, but on surfaces that
  * need not be closed.
  *
  * @code
@@ -21,7 +21,7 @@
  * within the Tolerance, and not at all with method DIRECT or Tolerance 0. Points that are NaN or
  * infinite get NaN, as value and as distance, and are neither inside nor outside.
  *
- * The points or cells of an image that is not turned are evaluated as those of a grid, as
+ * The points or cells of an image that is not turned are evaluated as a grid, as
  * vtkWindingNumberField does: values are the same up to the Tolerance, and come ten times as fast.
  *
  * The output for a composite data set has the same structure. Every vtkDataSet in it gets its
@@ -189,7 +189,7 @@ protected:
   vtkTypeBool InsideOut = 0;
   vtkTypeBool ExtractInside = 0;
   bool QueriesRefused = false;
-  bool QueriesAreGrid = false; ///< those of an image, in the last execution
+  bool QueriesAreGrid = false; ///< of an image, in the last execution
   char* InsideArrayName = nullptr;
 
 private:

@@ -37,7 +37,7 @@
 namespace
 {
 
-/// About what rounds take beside the grid: much where there is something to search for.
+/// About what rounds take compared with the grid: much where there is something to search for.
 constexpr double progressOfGrid = 0.5;
 
 /// Makes points of single or double precision, and has `write` write their coordinates: it is
@@ -193,7 +193,7 @@ int vtkWindingNumberSurface::RequestData(
 
 /// The cost of the surface. Surfaces that do not fit into memory are refused. Where the source's
 /// area promises too many vertices, as it does for triangles one behind the other, a coarse grid
-/// tells more.
+/// says more.
 winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
   const winding::Field& field, vtkIdType)
 {
@@ -330,7 +330,7 @@ void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
   }
 }
 
-/// Tells why the surface is empty, where all samples are inside or all are outside, and what to do.
+/// Warns why the surface is empty, where all samples are inside or all are outside, and what to do.
 /// A source without primitives, or inside out, has been warned of before.
 void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
 {

@@ -24,7 +24,7 @@
  * edges and corners stay sharp, if the cell sees the faces that meet there. Where no triangle
  * crosses, planes follow the gradient of w. Every crossed edge of the grid has a quad between the
  * four vertices around it. The surface is 2-manifold, also where two pieces of surface pass one
- * cell; in such cells triangles may pass through each other, and in no others.
+ * cell; in these cells triangles may pass through each other, and in no others.
  *
  * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
  * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
@@ -36,12 +36,12 @@
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
  * the whole: where several pieces are asked for, the first has everything. Progress and abort are
- * those of vtkWindingNumberField. The result has the same bits for any number of threads, and for
+ * vtkWindingNumberField's. The result has the same bits for any number of threads, and for
  * any order of the source's triangles and points. It takes the memory of the triangles and 13 bytes
  * for each row of the grid. For a source that is not closed the field passes through memory in
  * slabs of about 100 MB; it is kept as a whole only to be verified.
  *
- * Errors, each one line through vtkErrorMacro, are those of vtkWindingNumberField, and grids with
+ * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and grids with
  * only one voxel along an axis.
  *
  * @sa vtkWindingNumberField vtkWindingNumberVoxels
@@ -110,7 +110,7 @@ public:
 
   ///@{
   /// The precision of the points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
-  /// DEFAULT_PRECISION, which takes double only where single could not tell places apart to a
+  /// DEFAULT_PRECISION, which takes double only where single could not separate places to a
   /// ten-thousandth of a voxel: far from the origin, on very fine grids, and beyond the range of
   /// single precision. Default DEFAULT_PRECISION.
   vtkSetMacro(OutputPointsPrecision, int);
@@ -119,9 +119,9 @@ public:
 
   ///@{
   /**
-   * How many points to draw from the source and from the surface, to tell how near they are to each
-   * other; 0, the default, tells nothing. The points are the same for every execution. The field
-   * data get these arrays of one number, lengths in the unit of the source:
+   * How many points to draw from the source and from the surface, to measure how near they are to
+   * each other; 0, the default, measures nothing. The points are the same for every execution. The
+   * field data get these arrays of one number, lengths in the unit of the source:
    *
    * - `LargestDistanceFromInput`, `MeanDistanceFromInput`: distances of points of the source from
    *   the surface;

@@ -11,16 +11,16 @@
  * InsideRule and WindingThreshold say which voxels are inside; NaN is outside. If the image has an
  * array "Coverage", each quad carries the value of its voxel, as cell data to colour it by.
  *
- * **Labels.** With ByLabel the array has labels, as that of vtkWindingNumberLabels: integers from
+ * **Labels.** With ByLabel the array has labels, as from vtkWindingNumberLabels: integers from
  * 0, outside, to 65535. There is one quad for every face between voxels of different labels. So the
  * surfaces of neighbours meet without gaps, and the surface of each label, of all quads that have
  * it on a side, is closed. A quad looks outside, or from the smaller label to the larger. Its cell
- * data tell both: "BoundaryLabels", the label that it looks away from and the one that it looks to,
+ * data give both: "BoundaryLabels", the label that it looks away from and the one that it looks to,
  * 0 outside; and "Label", the former alone, which is active. InsideRule and WindingThreshold have
  * no effect then.
  *
  * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
- * are taken, or else those of the cells. Time is linear in voxels and quads; working memory is a
+ * are taken, or else the cells'. Time is linear in voxels and quads; working memory is a
  * byte for each voxel and 9 for each quad, or with ByLabel 2 bytes and 10. The order of points and
  * quads depends on the input only. The filter works on the whole image: where several pieces are
  * asked for, the first has everything. When it is aborted, its output is empty.
@@ -82,8 +82,8 @@ protected:
   vtkTypeBool ByLabel = 0;
 
 private:
-  /// The array that tells inside from outside; sets whether it is of the points or of the cells.
-  /// Throws a refusal if there is none.
+  /// The array that separates inside from outside; sets whether it is of the points or of the
+  /// cells. Throws a refusal if there is none.
   vtkDataArray* FindValues(vtkImageData* image, int& association);
   void MakeSurface(vtkImageData* image, vtkPolyData* output);
   void WarnOfNegative(vtkDataArray* values);

@@ -20,13 +20,13 @@ RIDDLE = re.compile(rf"^\s*(///<?|//|/\*\*|\*) {OPENING} ")
 # Words to avoid in filters and apps (CONTRIBUTING.md), and how often they may still stand there.
 # Lower a number when you have made it fall; never raise one.
 MOST = {
-    r"(those|that) of": 279,
-    r"tells?|told|telling": 168,
-    r"beside": 95,
-    r"so (many|much|long|far|few)": 137,
-    r"of (which|whom)": 56,
-    r"but for": 15,
-    r"such": 81,
+    r"(those|that) of": 42,
+    r"tells?|told|telling": 37,
+    r"beside": 23,
+    r"so (many|much|long|far|few)": 50,
+    r"of (which|whom)": 16,
+    r"but for": 1,
+    r"such": 42,
 }
 COMMENT_MARK = re.compile(r"\s*\n\s*(///?<?|\*)?\s*")
 

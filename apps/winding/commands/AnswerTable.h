@@ -19,7 +19,7 @@ struct Queries
   vtkSmartPointer<vtkPointSet> points;
 };
 
-/// The rows of an answer, which are those of the queries as they came in, or the coordinates of
+/// The rows of an answer, which are the queries' as they came in, or the coordinates of
 /// points that came in otherwise, with a column more for each result.
 struct AnswerTable
 {

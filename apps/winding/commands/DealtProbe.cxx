@@ -34,7 +34,7 @@ void execute(vtkWindingNumberProbe& probe, const Options& options, Messages& mes
 }
 
 /// Refuses queries that a probe would refuse, such as cells that contradict themselves, for bare
-/// points no longer tell. The probe that looks at them has a triangle for its source.
+/// points no longer show that. The probe that looks at them has a triangle for its source.
 void checkQueries(vtkPointSet* queries, const Options& options, Messages& messages)
 {
   vtkNew<vtkPoints> corners;
@@ -56,7 +56,7 @@ void checkQueries(vtkPointSet* queries, const Options& options, Messages& messag
   checkFilter(probe->GetStatus(), options.queries, messages);
 }
 
-/// How many of the queries are those of a rank and of all ranks before it.
+/// How many of the queries belong to a rank and to all ranks before it.
 vtkIdType endOfDeal(vtkIdType queries, int rank)
 {
   return static_cast<vtkIdType>(static_cast<double>(queries) * (rank + 1.0) / parallel::count());

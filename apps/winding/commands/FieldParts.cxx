@@ -19,7 +19,7 @@ namespace
 {
 
 /// The memory in bytes that the machine can give without taking it from other programs; infinite
-/// where it does not tell.
+/// where it does not say.
 double freeMemory()
 {
   std::ifstream file("/proc/meminfo");
@@ -58,7 +58,7 @@ std::size_t bytesOf(vtkDataArray* array)
   return static_cast<std::size_t>(array->GetNumberOfValues()) * bytesOfValue(array);
 }
 
-/// An image of the whole with arrays like those of a slab, whose values are not set.
+/// An image of the whole with arrays like a slab's, whose values are not set.
 vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<SlabExtent>& slabs)
 {
   SlabExtent whole = slabs.front();
@@ -118,7 +118,7 @@ vtkSmartPointer<vtkImageData> gatheredImage(vtkImageData* own, const std::vector
       parallel::send(part->GetVoidPointer(0), bytesOf(part), 0);
       continue;
     }
-    // The layers of a slab follow those of the slab before it.
+    // The layers of a slab follow the previous slab's.
     auto* to = static_cast<unsigned char*>(arraysOf(whole)->GetArray(i)->GetVoidPointer(0));
     std::memcpy(to, part->GetVoidPointer(0), bytesOf(part));
     to += bytesOf(part);

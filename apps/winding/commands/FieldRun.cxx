@@ -269,7 +269,7 @@ void FieldRun::addExecution()
   evaluateSeconds_ += filter_->GetEvaluateSeconds();
   if (options_.verify > 0)
   {
-    // Verification is the only long work beside what the filter itself measures.
+    // Verification is the only long work apart from what the filter itself measures.
     verifySeconds_ +=
       std::max(0.0, seconds - filter_->GetPrepareSeconds() - filter_->GetEvaluateSeconds());
   }

@@ -55,7 +55,7 @@ public:
   /// but the first.
   void write(vtkPolyData* surface, OutputFile* file);
 
-  /// Writes the field that the filter gave as a hyper tree grid, which has so many leaves. The file
+  /// Writes the field that the filter gave as a hyper tree grid with `leaves` leaves. The file
   /// is null on all ranks but the first.
   void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file);
 

@@ -47,7 +47,7 @@ std::vector<std::string> resultNames(const Options& options)
   return names;
 }
 
-/// Throws Failure for queries that have columns of such names.
+/// Throws Failure for queries that have columns of these names.
 void checkColumns(const std::function<bool(const std::string&)>& isColumn, const Options& options)
 {
   for (const std::string& name : resultNames(options))

@@ -15,7 +15,7 @@ class vtkWindingNumberAlgorithm;
 /// Describes the source of an executed filter, which was read from a file.
 Json describeInput(const std::string& fileName, const vtkWindingNumberAlgorithm& filter);
 
-/// The most memory that the program, or a process that it reads files in, has held so far, in
+/// The most memory that the program, or a process that it reads files in, has held up to now, in
 /// bytes.
 long long peakMemory();
 

@@ -7,7 +7,7 @@
 /// The extent of points of an image, as VTK counts them.
 using SlabExtent = std::array<int, 6>;
 
-/// The grid cut into slabs along z, at most so many; no slab is empty. Slabs of samples that are
+/// Cuts the grid into slabs along z, at most `slabs`; no slab is empty. Slabs of samples that are
 /// points share a layer with the next one where `overlap` is wanted, as the pieces of VTK's images
 /// do, and otherwise have none in common. Cells are never shared.
 std::vector<SlabExtent> slabsOf(

@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 
 /**
- * A file that others read by its name, and parts of which are read again later. It stays open, so
+ * A file that others read by its name, and whose parts are read again later. It stays open, so
  * it may be removed or replaced when they have read it, touched or written to at its end. Parts
- * that are read again are what they were when the file was opened: checksums tell.
+ * that are read again are what they were when the file was opened: checksums show that.
  */
 class CheckedFile
 {
@@ -26,8 +26,9 @@ public:
   /// then what others have read may be something else, too.
   void checkName() const;
 
-  /// So many bytes from the place `offset` on, valid until the next call. Parts that follow each
-  /// other in the file are read many at once. Throws Failure where they are not what they were.
+  /// Returns `bytes` bytes from the place `offset` on, valid until the next call. Parts that follow
+  /// each other in the file are read many at once. Throws Failure where they are not what they
+  /// were.
   std::string_view read(std::size_t offset, std::size_t count);
 
 private:

@@ -2,7 +2,7 @@
 
 class vtkPointSet;
 
-/// Tells how well single precision holds the coordinates of points.
+/// Returns how well single precision holds the coordinates of points.
 enum class SinglePrecision
 {
   holds,           ///< rounding moves no point by more than 1/10000 of the longest side of all

@@ -110,7 +110,7 @@ void checkContentFits(const std::string& fileName)
   const Kind* announced = announcedKind(head);
   if (announced == &offKind && isTable(fileName))
   {
-    announced = nullptr; // a column may have such a name
+    announced = nullptr; // a column may have this name
   }
   if (announced && announced != promised)
   {

@@ -43,12 +43,12 @@ public:
     isText_ = endsWith(takeWord(body_), "ascii");
   }
 
-  /// Throws Failure where the file does not announce so many cells with so many ids, or does not
+  /// Throws Failure where the file does not announce `cells` cells with `ids` ids, or does not
   /// hold them.
   void requireCells(std::string_view keyword, vtkIdType cells, vtkIdType ids) const
   {
     // Before version 5 the second number counts the sizes of the cells, too; since then the first
-    // one counts the offsets, of which there is one more.
+    // one counts the offsets, one more than cells.
     const bool isFound = cells == 0 ? !this->announcesAny(keyword)
                                     : this->announces(keyword, {cells, cells + ids}, cells + ids) ||
                                         this->announces(keyword, {cells + 1, ids}, 0);

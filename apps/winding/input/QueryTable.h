@@ -16,7 +16,7 @@ class vtkPointTableReader;
 class QueryTable
 {
 public:
-  /// The things that are wanted beside the points.
+  /// The things that are wanted in addition to the points.
   enum class With
   {
     rows,   ///< texts of rows, to be handed on as they are; they stay in the file

@@ -10,17 +10,17 @@
 namespace
 {
 
-/// Buffers and all else that does not depend on the file take less than so many bytes.
+/// Buffers and all else that does not depend on the file take less than this number of bytes.
 constexpr std::uintmax_t fixedBytes = std::uintmax_t(1) << 28;
 
-/// A byte of a packed file holds less than so many bytes, unless they are constants.
+/// A byte of a packed file holds less than this number of bytes, unless they are constants.
 constexpr std::uintmax_t bytesPerByte = 256;
 
 /// The slowest readers take a tenth of these seconds, most of them much less.
 constexpr double fixedSeconds = 0.5;
 constexpr double secondsPerByte = 1e-6;
 
-/// The address space in use, in bytes; 0 where the system does not tell.
+/// The address space in use, in bytes; 0 where the system does not say.
 std::uintmax_t usedBytes()
 {
   std::uintmax_t pages = 0;

@@ -36,7 +36,7 @@ struct ReaderEnded
 };
 
 /// Asks that a child does not outlive its parent, and leaves to it signals from the terminal and
-/// the files that it has open, with their locks, but for the pipe between them.
+/// the files that it has open, with their locks, except for the pipe between them.
 void dependOn(pid_t parent, int pipe)
 {
 #ifdef __linux__
@@ -126,7 +126,7 @@ public:
     }
   }
 
-  /// Waits until the process has ended, and gives the status that waitpid() tells.
+  /// Waits until the process has ended, and gives the status that waitpid() gives.
   int waitForEnd()
   {
     int status = 0;
@@ -159,7 +159,7 @@ private:
   int pipe_ = -1;
 };
 
-/// Tells in words how a process ended that has sent no last message.
+/// Says in words how a process ended that has sent no last message.
 std::string endInWords(int status)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;

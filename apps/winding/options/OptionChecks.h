@@ -4,7 +4,7 @@
 
 struct Options;
 
-/// Tells whether the command line had an option, such as "--output".
+/// Returns whether the command line had an option, such as "--output".
 using WasGiven = std::function<bool(const char* option)>;
 
 /// Throws Failure(USAGE) for options that make no sense, alone or together. Those of bench are

@@ -7,7 +7,7 @@ class Messages;
 class vtkMultiBlockDataSet;
 
 /**
- * A .vtm file: an index of blocks, which are files of their own in a folder beside it that has its
+ * A .vtm file: an index of blocks, which are files of their own in a folder next to it that has its
  * name without the suffix. They take their names when all of them are complete (OutputFile.h), the
  * index last. Then files are removed that the index of an earlier run named and this one does not.
  */

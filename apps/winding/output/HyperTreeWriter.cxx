@@ -13,8 +13,8 @@
 namespace
 {
 
-/// The trees as a file of version 2 describes them: which vertices have children, those of each
-/// tree's last level left out, and how many vertices there are in each level of each tree.
+/// The trees as a file of version 2 describes them: which vertices have children, the vertices of
+/// each tree's last level left out, and how many vertices there are in each level of each tree.
 struct Topology
 {
   vtkNew<vtkBitArray> parents;

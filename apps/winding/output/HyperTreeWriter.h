@@ -4,7 +4,7 @@
 
 /**
  * Writes .htg files of hyper tree grids whose trees are breadth first and have their numbers one
- * behind the other, as those of vtkWindingNumberHyperTree are.
+ * behind the other, as vtkWindingNumberHyperTree's are.
  *
  * VTK's own writer brings any trees into that order, by a list that takes 8 bytes for each vertex
  * and as much again while it grows: 1 GB for 4096³ voxels, which are 0.2 GB themselves. It also

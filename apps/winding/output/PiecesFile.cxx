@@ -74,7 +74,7 @@ std::string describe(vtkDataSetAttributes* arrays, const std::string& element)
   return text + "    </" + element + ">\n";
 }
 
-/// The number of a piece by the name of its file, which is that of the folder and the number.
+/// The number of a piece by the name of its file, which is the folder's and the number.
 std::optional<std::size_t> numberOfPiece(
   const std::filesystem::path& file, const std::string& folderName)
 {
@@ -89,7 +89,7 @@ std::optional<std::size_t> numberOfPiece(
   return std::strtoul(digits.c_str(), nullptr, 10);
 }
 
-/// Whether a folder holds nothing but pieces, those of an earlier run.
+/// Returns whether a folder holds nothing but pieces of an earlier run.
 bool hasPiecesOnly(const std::filesystem::path& folder)
 {
   std::error_code error;
@@ -168,7 +168,7 @@ void PiecesFile::write(const Extent& whole, const std::vector<Extent>& pieces,
         indexFile->checkIsWhole();
         interrupt::check();
         std::error_code error;
-        std::filesystem::remove(name_, error); // commit() tells where that is not allowed
+        std::filesystem::remove(name_, error); // commit() reports where that is not allowed
       });
     parallel::agree(
       [&]

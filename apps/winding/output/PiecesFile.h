@@ -9,10 +9,10 @@ class Messages;
 class vtkImageData;
 
 /**
- * A .pvti file: an index of pieces, which are .vti files in a folder beside it that has its name
+ * A .pvti file: an index of pieces, which are .vti files in a folder next to it that has its name
  * without the suffix. All ranks write pieces (ParallelRun.h). They take their names when all are
  * complete, the index last; an index of an earlier run goes before that, so that none ever stands
- * beside pieces of another run. Functions are collective.
+ * among pieces of another run. Functions are collective.
  */
 class PiecesFile
 {
@@ -30,8 +30,8 @@ public:
   using MakePiece = std::function<vtkImageData*(std::size_t round)>;
 
   /// Writes an image of the whole extent in pieces. In each of `rounds` this rank makes and writes
-  /// the piece that has the number firstPiece + round. `pieces` are the extents of those of all
-  /// ranks. Throws Failure when that fails or the program is interrupted.
+  /// the piece that has the number firstPiece + round. `pieces` are the extents of the pieces of
+  /// all ranks. Throws Failure when that fails or the program is interrupted.
   void write(const Extent& whole, const std::vector<Extent>& pieces, std::size_t firstPiece,
     std::size_t rounds, const MakePiece& makePiece, Messages& messages) const;
 

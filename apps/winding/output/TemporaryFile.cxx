@@ -43,7 +43,7 @@ void removeIfLeftBehind(const std::filesystem::path& path)
   close(file);
 }
 
-/// The beginning of a text in UTF-8, of so many bytes at most; no character is cut.
+/// Returns the beginning of a text in UTF-8, at most `bytes` bytes; no character is cut.
 std::string beginning(const std::string& text, std::size_t bytes)
 {
   std::size_t size = std::min(bytes, text.size());

@@ -4,7 +4,7 @@
 #include <string>
 
 /**
- * A hidden file beside the one that it is to become: .<stem>.winding-<process>.part<suffix>. It is
+ * A hidden file next to the one that it is to become: .<stem>.winding-<process>.part<suffix>. It is
  * locked as long as the run lives. One without a lock was left behind by a run that was killed, and
  * the next run that writes into the folder removes it, whatever its output.
  */

@@ -16,7 +16,7 @@ class vtkPolyData;
  * caller. They throw Failure when the file cannot be written whole or the program is interrupted.
  */
 
-/// Writes an image (.vti), made and written in so many pieces. check is called at the end, and
+/// Writes an image (.vti), made and written in `pieces` pieces. `check` is called at the end, and
 /// throws where the pieces could not be made.
 void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
   const std::function<void()>& check);

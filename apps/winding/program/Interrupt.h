@@ -5,7 +5,7 @@
 /**
  * @file
  * SIGINT, SIGTERM and SIGHUP end the program; a SIGHUP that the caller ignores, as nohup does,
- * stays ignored. The first signal asks: running filters are told to abort (Progress.h), and the
+ * stays ignored. The first signal asks: running filters are aborted (Progress.h), and the
  * program leaves where it next looks. If that takes more than a second, or at a second signal, the
  * program leaves from the signal handler. Either way no half-written file stays.
  */
@@ -20,7 +20,7 @@ void install();
 /// unless the rank is the first.
 void joinRanks(bool isFirst);
 
-/// The program has told how it ends, and ends: signals do nothing from now on. mpirun sends them to
+/// The program has said how it ends, and ends: signals do nothing from now on. mpirun sends them to
 /// all ranks as soon as one has ended with a status other than 0.
 void ignore();
 

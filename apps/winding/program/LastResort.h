@@ -1,9 +1,9 @@
 #pragma once
 
 /// Lets an exception that nobody can catch (memory that runs out in a destructor, or while an error
-/// is being told) end the program in one line and with a status of ours, too.
+/// is being reported) end the program in one line and with a status of ours, too.
 void installLastResort();
 
-/// Tells on standard error that memory has run out, and leaves without unwinding. Asks for no
+/// Says on standard error that memory has run out, and leaves without unwinding. Asks for no
 /// memory.
 [[noreturn]] void leaveWithoutMemory();

@@ -48,7 +48,7 @@ std::string undecorated(const std::string& text)
   return line;
 }
 
-/// Whether this is the line that a pipeline adds after an algorithm in it has failed and told why.
+/// Whether this is the line that a pipeline adds after an algorithm in it has failed and said why.
 bool isEcho(const std::string& line)
 {
   return line.find("returned failure for request") != std::string::npos;

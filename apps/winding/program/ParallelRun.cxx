@@ -26,7 +26,7 @@ namespace
 vtkMultiProcessController* controller = nullptr; ///< null for a single rank
 int ranksOnHost = 1;
 
-/// A number that the launcher tells its programs by the environment; -1 where it does not.
+/// A number that the launcher sets in its programs' environment; -1 where it does not.
 int numberFromLauncher(std::initializer_list<const char*> names)
 {
   for (const char* name : names)
@@ -39,7 +39,7 @@ int numberFromLauncher(std::initializer_list<const char*> names)
   return -1;
 }
 
-/// Whether the program is one of several that a launcher of MPI has started. PMIx tells no size.
+/// Whether the program is one of several that a launcher of MPI has started. PMIx gives no size.
 bool isOneOfSeveral()
 {
   const int size = numberFromLauncher({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"});

@@ -12,5 +12,5 @@ using Json = nlohmann::ordered_json;
 void print(const std::string& text);
 void print(const Json& object);
 
-/// A number as people read it, with so many significant digits at most.
+/// Returns a number as people read it, with `digits` significant digits at most.
 std::string shown(double value, int digits = 6);

@@ -55,7 +55,7 @@ double wholeFraction(Phase phase, bool preparing, double fraction)
   const double ofPiece =
     phase == Phase::evaluating
       ? ofEvaluating * fraction
-      // The progress of a writer is that of all pieces.
+      // The progress of a writer covers all pieces.
       : ofEvaluating + (1 - ofEvaluating) * std::clamp(fraction * bar.pieces - piece, 0.0, 1.0);
   return afterPreparing + (1 - afterPreparing) * (piece + ofPiece) / bar.pieces;
 }

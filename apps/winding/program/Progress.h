@@ -17,7 +17,7 @@ enum class Phase
 
 /**
  * Follows an algorithm while this object lives: shows a bar of the whole run on standard error when
- * that is a terminal, unless quiet, and tells the algorithm to abort when the program is
+ * that is a terminal, unless quiet, and aborts the algorithm when the program is
  * interrupted. The bar never goes back.
  */
 class Progress
@@ -29,7 +29,7 @@ public:
   Progress(const Progress&) = delete;
   void operator=(const Progress&) = delete;
 
-  /// Says that evaluating and writing take turns, so many times.
+  /// Says that evaluating and writing take turns, `pieces` times.
   static void setPieces(int pieces);
 
   /// Takes the bar away from the terminal, if one stands there.

@@ -6,7 +6,7 @@
 class Stopwatch
 {
 public:
-  /// Seconds so far.
+  /// Returns the seconds since the start.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 private:

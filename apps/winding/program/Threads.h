@@ -1,6 +1,6 @@
 #pragma once
 
-/// Limits vtkSMPTools to so many threads, as far as the machine has them; 0 changes nothing.
+/// Limits vtkSMPTools to `threads` threads, as far as the machine has them; 0 changes nothing.
 void limitThreads(int threads);
 
 /// How many threads filters use after limitThreads() of the same number.

@@ -16,7 +16,7 @@ struct SideCounts
   std::size_t inside = 0;
   std::size_t negative = 0;
 
-  /// Counts one more value so many times. A threshold of 0 or less has no other side.
+  /// Counts one more value `times` times. A threshold of 0 or less has no other side.
   void add(double value, double threshold, std::size_t times = 1)
   {
     samples += times;
@@ -33,7 +33,8 @@ struct SideCounts
   }
 };
 
-/// Counts about 100 000 of so many values, evenly spread over them, or all where there are fewer.
+/// Counts about 100 000 of the `values` values, evenly spread over them, or all where there are
+/// fewer.
 template <class ValueAt>
 SideCounts countSides(std::size_t values, double threshold, const ValueAt& valueAt)
 {
@@ -48,17 +49,17 @@ SideCounts countSides(std::size_t values, double threshold, const ValueAt& value
 }
 
 /**
- * Tells whether faces or normals look inward, so that w is negative where it should be positive.
+ * Returns whether faces or normals look inward, so that w is negative where it should be positive.
  * For surfaces that is where a hundredth or more of the samples off the outside are negative.
- * Beside single points of a cloud w has any value; so for clouds most of these samples must be
+ * Near single points of a cloud w has any value; so for clouds most of these samples must be
  * negative, and most normals must point inward as well (CloudOrientation.h). Throws Interrupted.
  */
 bool looksInward(const Field& field, const SideCounts& sides, Executor& executor);
 
 ///@{
 /**
- * Counts the sides of samples of which no values are known, and none of which is inside, as far as
- * to the first that is negative. They are those of a grid, or scattered ones.
+ * Evaluates samples that are known to be outside, of a grid or scattered, and stops at the first
+ * that is negative.
  *
  * They take the time of the field, and less where one is negative. Memory: a byte for each sample;
  * a grid is looked at in slabs of at least one layer along z, and of 64 MB at most where one layer

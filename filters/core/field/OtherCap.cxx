@@ -137,7 +137,7 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
   fan_ = fanOf(loops, vertices_);
 }
 
-/// Writes to values what sums give: that of the surface, or −w of the fan at the places that are
+/// Writes to `values` what sums give: the surface's, or −w of the fan at the places that are
 /// returned, where χ of the surface and the fan is to be added.
 template <class PositionOf>
 Places OtherCap::sumsAt(

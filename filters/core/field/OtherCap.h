@@ -58,7 +58,7 @@ private:
     const std::vector<std::size_t>& places, std::vector<double>& values) const;
 
   const Surface& surface_;
-  std::vector<Eigen::Vector3d> vertices_; ///< those of the loops, and the fan's own
+  std::vector<Eigen::Vector3d> vertices_; ///< of the loops, and the fan's own
   TriangleList cap_, fan_;
   Multiplicities capMultiplicities_, fanMultiplicities_;
   RowCrossings capRows_, fanRows_;

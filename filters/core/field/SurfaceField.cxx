@@ -192,16 +192,16 @@ void SurfaceField::makeFarField(double tolerance)
   }
 }
 
-/// Tells whether so many samples are worth a tree; they always are where the user asked for it.
+/// Returns whether `samples` samples are worth a tree; they always are where the user asked for it.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
   return farField_ && (isFarFieldAskedFor_ ||
                         !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
 }
 
-/// Tells whether so many scattered samples of an open surface get their values by rays and the cap.
-/// A tolerance that admits no far field leaves the direct sum, unless rows are asked for: so values
-/// depend on the number of samples within the tolerance only.
+/// Returns whether `samples` scattered samples of an open surface get their values by rays and the
+/// cap. A tolerance that admits no far field leaves the direct sum, unless rows are asked for: so
+/// values depend on the number of samples within the tolerance only.
 bool SurfaceField::usesCapAtPoints(std::size_t samples) const
 {
   if (!capped_ || isRowsAskedFor_)

@@ -18,7 +18,7 @@ struct Bricks
   int side() const { return 1 << depth; }
   std::size_t size() const;
 
-  /// The bricks of a grid, as an extent of which each sample is a brick.
+  /// The bricks of a grid, as an extent whose samples are bricks.
   Extent whole() const;
 
   /// The voxels of the grid that lie in an extent of bricks.
@@ -29,7 +29,7 @@ struct Bricks
 };
 
 /**
- * The bricks that suit a grid: the smallest with at least 16 voxels a side of which there are at
+ * The bricks that suit a grid: the smallest with at least 16 voxels a side, if there are at
  * most 4096, but none with more than 1024 voxels a side. Trees of larger bricks have fewer vertices
  * in all; smaller bricks need less memory while their trees are made. Throws Refusal for grids of
  * more than a million of the largest bricks.

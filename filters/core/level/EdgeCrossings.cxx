@@ -14,7 +14,7 @@ namespace winding
 namespace
 {
 
-/// Returns the axis that follows another one after `steps` steps. Taking `axis` for x, turned(axis,
+/// Returns the axis that follows another one after `by` steps. Taking `axis` for x, turned(axis,
 /// 1) for y and turned(axis, 2) for z is a rotation, which keeps the orientation of triangles.
 int turned(int axis, int by)
 {
@@ -48,8 +48,8 @@ public:
   {
   }
 
-  /// Appends the crossings of a triangle, which counts `times` times, with all edges. The corners
-  /// are in units of the grid.
+  /// Appends the crossings of a triangle, which counts `multiplicity` times, with all edges. The
+  /// corners are in units of the grid.
   void cross(const Eigen::Vector3d (&corners)[3], int multiplicity,
     std::vector<FoundCrossing>& crossings) const
   {

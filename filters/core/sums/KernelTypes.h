@@ -40,7 +40,7 @@ struct KernelEdge
 /// turns.
 struct AngleProducts
 {
-  /// Sets the products of `count` samples, rounded up to whole vectors, to 1; the rest stays
+  /// Sets the products of `samples` samples, rounded up to whole vectors, to 1; the rest stays
   /// uninitialised.
   explicit AngleProducts(std::size_t samples)
   {

@@ -27,8 +27,8 @@ public:
     }
   }
 
-  /// Adds the angles of a product `times` times, and marks the samples that it found to lie on a
-  /// triangle.
+  /// Adds the angles of a product `multiplicity` times, and marks the samples that it found to lie
+  /// on a triangle.
   void add(const AngleProducts& products, std::int32_t multiplicity)
   {
     double angles[SampleBlock::capacity];

@@ -199,7 +199,8 @@ vtkSmartPointer<vtkPolyData> tubes(vtkPolyData* lines, double radius)
   return filter->GetOutput();
 }
 
-/// Every cell of a block gets the number of its kind, by which views colour unless told otherwise.
+/// Every cell of a block gets the number of its kind, by which views colour unless they are set
+/// otherwise.
 void addKind(vtkPolyData* block, int kind)
 {
   constexpr const char* name = "FaultKind";

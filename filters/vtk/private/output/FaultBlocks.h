@@ -23,7 +23,7 @@ struct FaultShape
 /**
  * The faults of a surface, as polydata to look at. Every kind has a place of its own among the
  * blocks, in this order, so that it has the same color in every view; the place is empty (null)
- * where there is no such fault:
+ * where there is no fault of the kind:
  * - Caps: the triangles that close the loops of the boundary (Cap.h), as the field takes them. Cell
  *   data: Loop, the loop's number.
  * - Boundary: the loops of the net boundary (Boundary.h) as closed polylines, which run along an

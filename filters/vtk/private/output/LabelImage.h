@@ -14,7 +14,7 @@ class vtkDataSetAttributes;
 namespace winding
 {
 
-/// The arrays of vtkWindingNumberLabels that are wanted beside the labels.
+/// The arrays of vtkWindingNumberLabels that are wanted in addition to the labels.
 struct LabelImageOptions
 {
   bool withCounts = false;
@@ -39,7 +39,7 @@ public:
   /// A new array for the shares of the solid of that label, all 0; null if they are not wanted.
   float* addSharesOf(unsigned short label);
 
-  /// Adds the arrays; that of the labels becomes the active scalars.
+  /// Adds the arrays; the labels become the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 
 private:

@@ -27,7 +27,7 @@ struct ResultOptions
   const char* remedy = "choose larger voxels or write it in pieces"; ///< where memory is short
 };
 
-/// The memory for each sample: that of the arrays, and that of the evaluation meanwhile.
+/// Returns the memory for each sample: for the arrays, and for the evaluation meanwhile.
 vtkIdType bytesPerSample(const ResultOptions& options);
 
 /// An array of one number for each sample, which are not set, in large pages of memory where the
@@ -58,7 +58,7 @@ public:
   /// Whether there is an array of what is inside, and it has no 1.
   bool hasNothingInside() const;
 
-  /// The sides of about 100 000 values of the array of w; of none if there is no such array.
+  /// The sides of about 100 000 values of the array of w; of none if there is no array of w.
   SideCounts countSides(double threshold) const;
 
   /// Adds the arrays; the first of them becomes the active scalars.

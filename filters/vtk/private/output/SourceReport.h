@@ -22,7 +22,7 @@ struct SourceReport
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report. fix tells how the polygons of the source have been turned before, and is null
+/// Makes the report. `fix` says how the polygons of the source have been turned before, and is null
 /// if that was not asked for. The core's exceptions pass through.
 SourceReport reportOn(
   InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor);

@@ -16,7 +16,7 @@ namespace winding
 void addFidelity(
   const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor);
 
-/// Throws OutOfMemory if there is not enough memory to compare a surface of so many triangles.
+/// Throws OutOfMemory if there is not enough memory to compare a surface of `triangles` triangles.
 void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::size_t samples);
 
 } // namespace winding

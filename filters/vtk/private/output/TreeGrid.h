@@ -14,8 +14,8 @@ namespace winding
 
 /**
  * A vtkHyperTreeGrid made of the trees of a grid's bricks, one after the other. Each tree is in
- * breadth-first order and has the numbers behind those of the tree before it, so that the order of
- * all vertices is that of VTK's files.
+ * breadth-first order and has the numbers behind the previous tree's, so that the order of
+ * all vertices is the order in VTK's files.
  */
 class TreeGrid
 {

@@ -8,8 +8,8 @@ class vtkObject;
 namespace winding
 {
 
-/// The ways in which work that may throw ends; the numbers are those by which filters tell them
-/// (vtkWindingNumberAlgorithm::StatusType).
+/// The ways in which work that may throw ends; the numbers are the ones by which filters report
+/// them (vtkWindingNumberAlgorithm::StatusType).
 enum class Outcome
 {
   done = 0,
@@ -20,7 +20,7 @@ enum class Outcome
 
 /**
  * Does work for a VTK object, and reports an exception as an error of this object, in one line. An
- * interruption is no error. `withoutMemory` is the line that tells of a failed allocation. Where
+ * interruption is no error. `withoutMemory` is the line about a failed allocation. Where
  * `isNew` is given, it is asked whether the error is to be reported.
  *
  * An algorithm answers the pipeline afterwards as if it had done its work, and leaves its output

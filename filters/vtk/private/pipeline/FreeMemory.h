@@ -22,9 +22,9 @@ struct HostMemory
 /// Asks the system.
 HostMemory hostMemory();
 
-/// Whether so many bytes are free for this process: the ranks of a program on the machine share
-/// what is free. `memory` tells what there is; less than 64 MiB is taken to be free without asking
-/// it.
+/// Returns whether `bytes` bytes are free for this process: the ranks of a program on the machine
+/// share what is free. `memory` says what there is; less than 64 MiB is taken to be free without
+/// asking it.
 bool isMemoryFree(double bytes, HostMemory (*memory)() = hostMemory);
 
 /// Throws OutOfMemory, with the numbers, if that many bytes are not free by isMemoryFree(). `what`

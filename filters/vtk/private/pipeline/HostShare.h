@@ -7,7 +7,7 @@ namespace winding
 /// share its cores and its memory. 1 until Ranks has met others.
 int ranksOnHost();
 
-/// Ranks tells the number.
+/// Sets the number; Ranks calls it.
 void setRanksOnHost(int ranks);
 
 } // namespace winding

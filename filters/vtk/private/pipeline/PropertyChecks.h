@@ -19,7 +19,7 @@ void checkRange(const char* property, double value, double low,
 /// Throws unless the value is finite.
 void checkFinite(const char* property, double value);
 
-/// Throws unless the value is the number of a choice. The choices, of which these are the names,
+/// Throws unless the value is the number of a choice. The choices, with these names,
 /// have the numbers from `first` on.
 void checkChoice(
   const char* property, int value, std::initializer_list<const char*> names, int first = 0);

@@ -40,7 +40,7 @@ enum Part
   parts
 };
 
-/// A number that tells this machine from others of the program.
+/// A number that distinguishes this machine from others of the program.
 Ranks::Number hostNumber()
 {
   static const Ranks::Number number = []

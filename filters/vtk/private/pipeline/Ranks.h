@@ -9,10 +9,10 @@ class vtkMultiProcessController;
 namespace winding
 {
 
-/// A number that ranks tell each other: a count, flags or a hash.
+/// A number that ranks exchange: a count, flags or a hash.
 using RankNumber = unsigned long long;
 
-/// Whether all ranks have told the same number.
+/// Whether all ranks have given the same number.
 bool areEqual(const std::vector<RankNumber>& numbers);
 
 /// Numbers of all ranks, rank by rank.
@@ -30,7 +30,7 @@ template <class T> struct OfRanks
 
 /**
  * The processes of a parallel program, through VTK's controller for them. All functions but those
- * that only tell something are collective: all ranks call them, in the same order. A process
+ * that only return something are collective: all ranks call them, in the same order. A process
  * without a controller, or alone in it, is a single rank, for which they cost nothing.
  *
  * A failure of one rank must not leave the others waiting, so failures travel with exchange(): work
@@ -42,7 +42,7 @@ class Ranks
 {
 public:
   /// `controller` may be null. `mostNumbers` is the largest number of numbers that one exchange
-  /// may have in sum: those of MPI are counted by ints, and several exchanges need a buffer of that
+  /// may have in sum: MPI's are counted by ints, and several exchanges need a buffer of that
   /// size.
   explicit Ranks(
     vtkMultiProcessController* controller, std::size_t mostNumbers = std::size_t{1} << 22);
@@ -57,7 +57,7 @@ public:
   /// OutOfMemory or Interrupted if it threw on any.
   std::vector<Number> exchange(const std::function<Number()>& work);
 
-  /// Waits for all ranks, and tells HostShare.h how many of them are on this machine.
+  /// Waits for all ranks, and reports to HostShare.h how many of them are on this machine.
   void meet();
 
   /// Does work on every rank, as exchange() does, and returns whether it returned true on all.

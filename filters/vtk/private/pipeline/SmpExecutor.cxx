@@ -22,7 +22,7 @@ namespace
 
 /// The active backend, or STDThread where Sequential is active though nobody asked for it. Where
 /// the environment asks for Sequential, that holds: two threads that choose a backend for their
-/// filters at a time may leave VTK with that of one of them.
+/// filters at a time may leave VTK with the backend of one of them.
 std::string backendToUse()
 {
   std::string active = vtkSMPTools::GetBackend();

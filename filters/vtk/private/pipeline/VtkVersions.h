@@ -35,7 +35,7 @@ template <class Algorithm> bool isAborted(Algorithm* filter)
 }
 
 ///@{
-/// Makes room for so many points or ids; newer versions of VTK have another name for it.
+/// Makes room for `count` points or ids; newer versions of VTK have another name for it.
 template <class List>
 auto reserve(List* list, vtkIdType count, int) -> decltype(list->Reserve(count), void())
 {

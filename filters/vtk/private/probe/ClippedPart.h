@@ -10,11 +10,11 @@ class vtkUnstructuredGrid;
 namespace winding
 {
 
-/// The bytes that clippedPart() takes for each point, beside its result and what VTK takes.
+/// The bytes that clippedPart() takes for each point, in addition to its result and what VTK takes.
 constexpr double bytesPerClippedPoint = 9;
 
 /// The seconds that clippedPart() takes for each cell of the data set, on one thread. Measured:
-/// 0.4 to 0.6 µs for images, hexahedra and tetrahedra of which a part is kept, 1.2 where all are.
+/// 0.4 to 0.6 µs for images, hexahedra and tetrahedra, kept in part, 1.2 where all are.
 constexpr double secondsPerClippedCell = 6e-7;
 
 /**
@@ -23,8 +23,8 @@ constexpr double secondsPerClippedCell = 6e-7;
  * is NaN or infinite are left out. A data set without cells counts as points with a vertex each.
  *
  * The cells of the data set were checked (CellChecks.h); `numbers` has an entry for each point, and
- * none is 0. Points are double where those of the data set are not stored as float. Throws
- * OutOfMemory, before VTK begins, where the part would not fit; `memory` tells what there is.
+ * none is 0. Points are double where the data set's are not stored as float. Throws
+ * OutOfMemory, before VTK begins, where the part would not fit; `memory` says what there is.
  */
 vtkSmartPointer<vtkUnstructuredGrid> clippedPart(
   vtkDataSet* data, const double* numbers, HostMemory (*memory)() = hostMemory);

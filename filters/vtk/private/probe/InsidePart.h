@@ -10,8 +10,8 @@ namespace winding
 
 /**
  * The part of a data set that is inside, with all of its arrays. The part of polydata is
- * vtkPolyData, that of any other data set vtkUnstructuredGrid. Cells keep their order, and points
- * that no kept cell uses are left out.
+ * vtkPolyData, the part of any other data set vtkUnstructuredGrid. Cells keep their order, and
+ * points that no kept cell uses are left out.
  *
  * `inside` has an entry for each point, or for each cell if atCells. With points, a cell is kept if
  * all of its points are inside; a data set without cells, or with poly-vertices only, counts as

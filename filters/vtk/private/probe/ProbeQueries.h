@@ -26,8 +26,8 @@ struct ProbeLeaf
 
 /**
  * The points or the cells of a data set, or of all data sets in a composite one, as one list of
- * samples, so that many small data sets cost no more than one large one. Those of an image are the
- * samples of a grid, which take a tenth of the time, and need no list.
+ * samples, so that many small data sets cost no more than one large one. The samples of an image
+ * are the samples of a grid, which take a tenth of the time, and need no list.
  */
 class ProbeQueries
 {
@@ -43,7 +43,7 @@ public:
   /// The grid that the samples are of; nothing where they are scattered.
   const std::optional<Grid>& grid() const { return grid_; }
 
-  /// Scattered samples; empty where they are those of a grid. They are valid as long as this object
+  /// Scattered samples; empty where they form a grid. They are valid as long as this object
   /// lives and the data stays as it is.
   VectorsView samples() const { return samples_; }
 

@@ -9,9 +9,9 @@ namespace winding
 int dimensionOf(int cellType);
 
 /**
- * Whether a cell of a type can have so many points. Polygons and the like can have any number,
- * Lagrange and Bézier cells those of their degrees along the three axes; null degrees are equal
- * ones.
+ * Returns whether a cell of a type can have `points` points. Polygons and the like can have any
+ * number, Lagrange and Bézier cells the number by their degrees along the three axes; null degrees
+ * are equal ones.
  */
 bool canHavePoints(int cellType, vtkIdType points, const double* degrees);
 

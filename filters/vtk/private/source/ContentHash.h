@@ -12,7 +12,7 @@
 namespace winding
 {
 
-/// A 64 bit hash of numbers, for telling sources apart that nobody tries to make collide.
+/// A 64 bit hash of numbers, for distinguishing sources that nobody tries to make collide.
 class ContentHash
 {
 public:

@@ -94,7 +94,7 @@ bool GatheredViews::gather(Ranks& ranks, const std::vector<TrianglesView>& own, 
         {
           for (std::size_t corner = 0; corner < 3; ++corner)
           {
-            // An id of no point must not become that of another part's.
+            // An id of no point must not become the id of another part's.
             const std::int64_t id = view.triangles(i, corner);
             ids.push_back(id >= 0 && id < count ? static_cast<int>(first + id) : -1);
           }

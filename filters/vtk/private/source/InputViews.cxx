@@ -109,7 +109,7 @@ std::uint64_t InputViews::fingerprint() const
   return hash.value();
 }
 
-/// Whether there are points without normals, and no triangles that could tell them either.
+/// Whether there are points without normals, and no triangles that could give them either.
 bool InputViews::lacksNormals() const
 {
   return std::any_of(leaves_.begin(), leaves_.end(),

@@ -24,7 +24,7 @@ namespace winding
 
 class Executor;
 
-/// The places in a source that tell the areas of its points.
+/// The places in a source that hold the areas of its points.
 enum class AreaSource
 {
   none,
@@ -88,8 +88,8 @@ public:
   bool areCopies() const { return areCopies_; }
 
   /// Brings the parts of all ranks together, on all of them or on the first, unless compare(),
-  /// which goes before, has found copies. From then on this is about the whole source, but for what
-  /// tells of data sets. Collective.
+  /// which goes before, has found copies. From then on this is about the whole source, except for
+  /// what describes data sets. Collective.
   void gather(Ranks& ranks, bool onlyOnFirst = false);
 
   /// A hash of all that a field is built from. Two sources with different identities may still have

@@ -18,7 +18,7 @@ namespace winding
 /**
  * The points of some data sets under one range of numbers. While it lives, the data sets have these
  * numbers as point data. Point data comes along when VTK makes outer surfaces or leaves out ghosts,
- * and so tells where a point comes from.
+ * and so says where a point comes from.
  */
 class NumberedPoints
 {
@@ -52,7 +52,7 @@ struct NumberedFindings
 };
 
 /// Brings the areas of a cloud, and its normals if they were estimated, to the points that they
-/// come from. views: those of the input on this rank, whose points begin in the cloud with `first`.
+/// come from. `views` are the input's on this rank, whose points begin in the cloud with `first`.
 NumberedFindings findingsByNumber(const NumberedPoints& points, const InputViews& input,
   const std::vector<OrientedPointsView>& views, const PointCloud& cloud, std::size_t first,
   bool withNormals);

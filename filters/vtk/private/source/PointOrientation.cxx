@@ -14,7 +14,7 @@ namespace winding
 namespace
 {
 
-/// The normals of a leaf that has points. Negative numbers are those of floating-point types.
+/// The normals of a leaf that has points. Negative numbers stand for floating-point types.
 vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
 {
   vtkDataArray* const normals = normalsOf(leaf, name);

@@ -113,7 +113,7 @@ OwnPolygons ownPolygonsOf(vtkPolyData* leaf)
   return own;
 }
 
-/// Turns those of a leaf's polygons that are named, in ascending order.
+/// Turns the polygons of a leaf that are named, in ascending order.
 vtkSmartPointer<vtkPolyData> withTurned(vtkPolyData* leaf, const std::vector<vtkIdType>& turned)
 {
   vtkNew<vtkCellArray> polygons;

@@ -36,7 +36,7 @@ template <class Visit> void forEachFace(vtkPolyData* surface, const Visit& visit
   }
 }
 
-/// Adds faces to another surface, whose points are those of these faces.
+/// Adds faces to another surface, whose points are these faces'.
 class FaceCopier
 {
 public:

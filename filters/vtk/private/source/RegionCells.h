@@ -24,10 +24,10 @@ std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data);
 std::vector<std::vector<vtkIdType>> solidCellsOf(vtkPolyData* surface, Executor& executor);
 
 /**
- * Some of the cells of a data set, in their order, with the points that they use. Those of polydata
- * are polygons and strips, and keep ids of points that do not exist. `newIds` is −1 for each point
- * between calls, or empty before the first: it is what makes many small regions of one surface take
- * no more time than one.
+ * Some of the cells of a data set, in their order, with the points that they use. The cells of
+ * polydata are polygons and strips, and keep ids of points that do not exist. `newIds` is −1 for
+ * each point between calls, or empty before the first: it is what makes many small regions of one
+ * surface take no more time than one.
  */
 vtkSmartPointer<vtkPointSet> cellsOf(
   vtkPointSet* data, const std::vector<vtkIdType>& cells, std::vector<vtkIdType>& newIds);

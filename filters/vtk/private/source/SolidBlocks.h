@@ -18,7 +18,7 @@ struct SolidBlock
   vtkSmartPointer<vtkDataObject> source;
 };
 
-/// The solids of composite data, as Solids.h tells them apart.
+/// The solids of composite data, as Solids.h separates them.
 std::vector<SolidBlock> solidBlocksOf(vtkDataObject* composite);
 
 /// Throws Refusal, by its name, for a block without a surface where others have one, and for data

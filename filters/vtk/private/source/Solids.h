@@ -36,16 +36,16 @@ struct SolidOptions
  *   one solid. Of a vtkPartitionedDataSetCollection every partitioned data set is one; of any other
  *   composite every leaf. Labels are their numbers, from 1 on.
  * - Of a single data set every region is a solid: the cells with one value of the array, whose
- *   label is the value and the offset. Regions of polydata are of polygons and strips; those of
+ *   label is the value and the offset. Regions of polydata are of polygons and strips; regions of
  *   other data sets have their own outer surfaces.
  * - Without an array the regions of a single data set are its solids by connectivity
  *   (SolidParts.h), with the labels 1, 2, ….
  *
- * Names are those of the blocks, "Block n" where there is none, or that of the array and the
+ * Names are the blocks', "Block n" where there is none, or the array's and the
  * region. A name that occurs again gets a number.
  *
  * The ranks of a parallel program have parts of all solids: as many blocks each, or any part of the
- * cells with their regions. Parts by connectivity are those of a surface that one rank has, or all
+ * cells with their regions. Parts by connectivity belong to a surface that one rank has, or all
  * have as a whole. Throws Refusal.
  */
 class Solids
@@ -61,7 +61,7 @@ public:
   /// The number of names that had to be changed.
   std::size_t repeatedNames() const { return repeatedNames_; }
 
-  /// The solid as a source. That of a region is made for each call.
+  /// The solid as a source. A region's is made for each call.
   vtkSmartPointer<vtkDataObject> source(std::size_t solid) const;
 
 private:

@@ -7,7 +7,7 @@ class vtkInformation;
 namespace winding
 {
 
-/// The ways in which ranks may hold a source; the numbers are those of the property
+/// The ways in which ranks may hold a source; the numbers are the property's
 /// SourceDistribution.
 enum class SourceDistribution
 {

@@ -10,7 +10,7 @@ class vtkDataObject;
 namespace winding
 {
 
-/// Everything that a field depends on beside the source itself.
+/// Everything that a field depends on apart from the source itself.
 struct SourceOptions
 {
   InputOptions input;
@@ -40,20 +40,20 @@ public:
   const Field& prepare(vtkDataObject* source, const SourceOptions& options, Executor& executor,
     Ranks& ranks, bool onlyOnFirst);
 
-  /// The bounds of the usable primitives of the source, those of all ranks, found without building
+  /// The bounds of the usable primitives of the source, on all ranks, found without building
   /// a field, and kept for as long as the source stays the same. The executor must not interrupt.
   /// Collective. Throws Refusal.
   const Bounds& bounds(
     vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks);
 
-  /// Information on the last field; before the first, that of an empty one.
+  /// Information on the last field; before the first, on an empty one.
   const FieldInfo& info() const;
 
   /// Whether the last prepare() had to build.
   bool wasBuilt() const { return wasBuilt_; }
 
 private:
-  /// Remembers a source, and tells whether the next one is the same.
+  /// Remembers a source, and finds out whether the next one is the same.
   class Memory
   {
   public:

@@ -6,7 +6,7 @@ namespace winding
 class InputViews;
 class Ranks;
 
-/// The memory that work on a source takes beside the source itself, in bytes.
+/// The memory that work on a source takes in addition to the source itself, in bytes.
 struct BytesOfWork
 {
   double perCell;  ///< of a mesh

@@ -67,7 +67,7 @@ template <class Object> void checkSourceProperties(Object& object)
   checkRange("Regularization", object.GetRegularization(), 0, mostRegularization);
 }
 
-/// The options that an object's properties are. FieldOptions tells what `scattered` is. The object
+/// The options that an object's properties are. FieldOptions says what `scattered` is. The object
 /// is not changed, but VTK's getters are not const.
 template <class Object> SourceOptions sourceOptions(Object& object, bool scattered)
 {
