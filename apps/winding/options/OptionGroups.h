@@ -26,7 +26,7 @@ void addInput(CLI::App* command, Options& options);
 void addInputs(CLI::App* command, Options& options);
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes);
 
-/// Adds what commands with outputs have: leave to replace the input.
+/// Adds `--overwrite`.
 void addOverwrite(CLI::App* command, Options& options);
 
 /// Adds the inputs of commands that work on points: a mesh is one of its points there.

@@ -33,8 +33,8 @@ public:
   /// it.
   void keep(const NearestCell& cell, const Candidates& candidates, Candidates& to);
 
-  /// The numbers of the candidates of a cell that may be nearest to a sample of a cell in it: of
-  /// some more than keep() finds, in less time, as large triangles are not looked at once more.
+  /// Returns the indices of the parent's candidates that may be nearest to a sample of `cell`.
+  /// Faster than keep(), but keeps a few more: large triangles are not tested again.
   const std::vector<std::uint32_t>& numbers(const NearestCell& cell, const Candidates& candidates);
 
   /// The samples times items that have been looked at.
