@@ -418,10 +418,6 @@ TEST_F(ProbeCommand, ExtractsCells)
 TEST(ProbeReference, EveryMesh)
 {
   const std::string shared = WINDING_SHARED_DATA;
-  if (!std::filesystem::exists(shared + "/REFERENCE_W.tsv"))
-  {
-    GTEST_SKIP() << "there is no " << shared << "/REFERENCE_W.tsv";
-  }
   const auto lines = split(contentsOf(shared + "/REFERENCE_W.tsv"), '\n');
   ASSERT_EQ(
     split(lines[0], '\t'), (std::vector<std::string>{"set", "name", "kind", "x", "y", "z", "w"}));
@@ -432,7 +428,7 @@ TEST(ProbeReference, EveryMesh)
     auto place = tables.try_emplace(name, lines[0] + "\n").first;
     place->second += lines[i] + "\n";
   }
-  EXPECT_GE(tables.size(), 16u);
+  EXPECT_GE(tables.size(), 3u);
   for (const auto& [name, table] : tables)
   {
     const TemporaryFolder folder;

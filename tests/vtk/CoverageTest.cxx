@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ProgressLog.h"
 #include "vtk/ReadMesh.h"
@@ -337,12 +338,7 @@ class CoverageOfSharedMeshes : public testing::TestWithParam<const char*>
 
 TEST_P(CoverageOfSharedMeshes, HoldsEveryVertexAndPointsOfEveryTriangle)
 {
-  const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
-  if (!std::ifstream(name))
-  {
-    GTEST_SKIP() << "there is no " << name;
-  }
-  const vtkSmartPointer<vtkPolyData> read = readMesh(name);
+  const vtkSmartPointer<vtkPolyData> read = readMesh(shapes::realMesh(GetParam()));
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(read);
   triangulate->Update();
@@ -418,9 +414,9 @@ TEST_P(CoverageOfSharedMeshes, HoldsEveryVertexAndPointsOfEveryTriangle)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CoverageOfSharedMeshes,
-  testing::Values("aneurysm_open.stl", "armadillo_86k.obj", "bunny_70k.obj",
+  testing::ValuesIn(shapes::present({"aneurysm_open.stl", "armadillo_86k.obj", "bunny_70k.obj",
     "bunny_res2_nonmanifold.ply", "fractures_dfn2.vtp", "kitten_points_normals.ply",
-    "maxplanck_open_90k.obj", "self_intersectA.obj", "tray_thin_cad.stl", "truck_soup.obj"),
+    "maxplanck_open_90k.obj", "self_intersectA.obj", "tray_thin_cad.stl", "truck_soup.obj"})),
   [](const auto& parameter)
   {
     const std::string name = parameter.param;

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ReadMesh.h"
 
@@ -300,16 +301,12 @@ TEST_F(Faults, AreTheSecondOutputInAPipeline)
 
 TEST_F(Faults, OfRealMeshesAreThoseOfOthers)
 {
-  if (!std::filesystem::exists(WINDING_SHARED_DATA "/bunny_res2_nonmanifold.ply"))
-  {
-    GTEST_SKIP() << "there are no meshes in " << WINDING_SHARED_DATA;
-  }
   // The points of these meshes are welded, as vtkFeatureEdges needs them.
-  for (const char* name :
-    {"bunny_res2_nonmanifold.ply", "truck_soup.obj", "maxplanck_open_90k.obj", "bunny_10k.obj"})
+  for (const char* name : shapes::present({"bunny_res2_nonmanifold.ply", "truck_soup.obj",
+         "maxplanck_open_90k.obj", "bunny_10k.obj", "self_intersectA.obj"}))
   {
     SCOPED_TRACE(name);
-    auto source = readMesh(std::string(WINDING_SHARED_DATA "/") + name);
+    auto source = readMesh(shapes::realMesh(name));
     this->reportOn(source);
     vtkNew<vtkFeatureEdges> edges;
     edges->SetInputData(source);

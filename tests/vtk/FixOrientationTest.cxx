@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/PointProbe.h"
 #include "vtk/ReadMesh.h"
@@ -457,32 +458,30 @@ double agreementWithParity(vtkPolyData* fixed, vtkPolyData* original)
 
 TEST_F(FixOrientation, MakesTheFieldOfRealMeshesRight)
 {
-  if (!std::filesystem::exists(WINDING_SHARED_DATA "/conrod_flipped.stl"))
-  {
-    GTEST_SKIP() << "there are no meshes in " << WINDING_SHARED_DATA;
-  }
   ErrorLog log(filter);
-  // A third of this mesh's triangles are flipped.
-  auto conrod = readMesh(WINDING_SHARED_DATA "/conrod_flipped.stl");
-  vtkPolyData* output = this->fixed(conrod);
-  EXPECT_TRUE(filter->GetClosed());
-  EXPECT_NEAR(filter->GetVolume(), 29.6, 0.01);
-  EXPECT_EQ(agreementWithParity(output, conrod), 1);
-  EXPECT_LT(agreementWithParity(conrod, conrod), 0.1); // nearly no w is an integer
-
-  for (const char* name : {"bunny_10k.obj", "teapot.obj", "sphere_quads.obj", "armadillo_86k.obj",
-         "tray_thin_cad.stl", "self_intersectA.obj", "icosahedron.stl"})
+  for (const char* name : shapes::present({"conrod_flipped.stl"}))
+  {
+    // A third of this mesh's triangles are flipped.
+    auto conrod = readMesh(shapes::realMesh(name));
+    vtkPolyData* output = this->fixed(conrod);
+    EXPECT_TRUE(filter->GetClosed());
+    EXPECT_NEAR(filter->GetVolume(), 29.6, 0.01);
+    EXPECT_EQ(agreementWithParity(output, conrod), 1);
+    EXPECT_LT(agreementWithParity(conrod, conrod), 0.1); // nearly no w is an integer
+  }
+  for (const char* name : shapes::present({"bunny_10k.obj", "teapot.obj", "sphere_quads.obj",
+         "armadillo_86k.obj", "tray_thin_cad.stl", "self_intersectA.obj", "icosahedron.stl"}))
   {
     SCOPED_TRACE(std::string(name) + ", seed 5");
-    auto right = readMesh(std::string(WINDING_SHARED_DATA "/") + name);
+    auto right = readMesh(shapes::realMesh(name));
     auto found = this->fixed(shuffled(right, 5));
     EXPECT_TRUE(filter->GetClosed());
     EXPECT_TRUE(polygonsOf(found->GetPolys()) == polygonsOf(right->GetPolys()));
   }
-  for (const char* name : {"maxplanck_open_90k.obj", "aneurysm_open.stl"})
+  for (const char* name : shapes::present({"maxplanck_open_90k.obj", "aneurysm_open.stl"}))
   {
     SCOPED_TRACE(std::string(name) + ", seed 6");
-    auto right = readMesh(std::string(WINDING_SHARED_DATA "/") + name);
+    auto right = readMesh(shapes::realMesh(name));
     auto found = this->fixed(shuffled(inverted(right), 6));
     EXPECT_TRUE(fromTheirLowestPoint(polygonsOf(found->GetPolys())) ==
                 fromTheirLowestPoint(polygonsOf(right->GetPolys())));

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/HyperTreeVoxels.h"
 #include "vtk/ProgressLog.h"
@@ -498,17 +499,15 @@ TEST_F(HyperTree, RealMeshesHaveTheFieldsValues)
     const char* file;
     bool insideOnly;
   };
-  for (const Case& c : {Case{"bunny_10k.obj", false}, Case{"bunny_10k.obj", true},
-         Case{"maxplanck_open_90k.obj", false}, Case{"maxplanck_open_90k.obj", true},
-         Case{"truck_soup.obj", true}})
+  const auto cases = shapes::present(
+    {Case{"bunny_10k.obj", false}, Case{"bunny_10k.obj", true},
+      Case{"maxplanck_open_90k.obj", false}, Case{"maxplanck_open_90k.obj", true},
+      Case{"truck_soup.obj", true}, Case{"teapot.obj", false}, Case{"teapot.obj", true}},
+    [](const Case& c) { return c.file; });
+  for (const Case& c : cases)
   {
     SCOPED_TRACE(c.file);
-    const std::string name = std::string(WINDING_SHARED_DATA "/") + c.file;
-    if (!std::ifstream(name))
-    {
-      GTEST_SKIP() << "there is no " << name;
-    }
-    setInput(readMesh(name));
+    setInput(readMesh(shapes::realMesh(c.file)));
     setBoth(
       [&c](auto* filter)
       {

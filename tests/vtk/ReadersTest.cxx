@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/FileReading.h"
 #include "vtk/ReadMesh.h"
@@ -284,16 +285,13 @@ vtkSmartPointer<vtkPolyData> readWithVtk(const std::string& path)
 /// corners have different normals.
 TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
 {
-  for (const std::string name : {"armadillo_86k.obj", "bunny_10k.obj", "bunny_1k.obj",
-         "bunny_70k.obj", "maxplanck_open_90k.obj", "self_intersectA.obj", "sphere_quads.obj",
-         "teapot.obj", "truck_soup.obj", "armadillo_346k_sub4.ply", "bunny_res2_nonmanifold.ply",
-         "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"})
+  for (const std::string name :
+    shapes::present({"armadillo_86k.obj", "bunny_10k.obj", "bunny_1k.obj", "bunny_70k.obj",
+      "maxplanck_open_90k.obj", "self_intersectA.obj", "sphere_quads.obj", "teapot.obj",
+      "truck_soup.obj", "armadillo_346k_sub4.ply", "bunny_res2_nonmanifold.ply",
+      "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"}))
   {
-    const std::string path = std::string(WINDING_SHARED_DATA) + "/" + name;
-    if (!std::filesystem::exists(path))
-    {
-      GTEST_SKIP() << path << " is not there";
-    }
+    const std::string path = shapes::realMesh(name);
     const auto expected = readWithVtk(path), found = readWith<Surface>(path);
     ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
     EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ReadMesh.h"
 
@@ -127,32 +128,15 @@ vtkSmartPointer<vtkPolyData> torn(vtkPolyData* mesh)
   return open;
 }
 
-class InsteadOfSelectEnclosedPoints : public testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    if (!std::filesystem::exists(WINDING_SHARED_DATA "/MANIFEST.tsv"))
-    {
-      GTEST_SKIP() << "there is no " << WINDING_SHARED_DATA;
-    }
-  }
-
-  static vtkSmartPointer<vtkPolyData> mesh(const std::string& name)
-  {
-    return readMesh(std::string(WINDING_SHARED_DATA "/") + name);
-  }
-};
-
 } // namespace
 
-TEST_F(InsteadOfSelectEnclosedPoints, SameAnswersForClosedMeshes)
+TEST(InsteadOfSelectEnclosedPoints, SameAnswersForClosedMeshes)
 {
-  for (const char* name : {"icosahedron.stl", "bunny_1k.obj", "bunny_10k.obj", "sphere_quads.obj",
-         "teapot.obj", "bunny_70k.obj", "armadillo_86k.obj"})
+  for (const char* name : shapes::present({"icosahedron.stl", "bunny_1k.obj", "bunny_10k.obj",
+         "sphere_quads.obj", "teapot.obj", "bunny_70k.obj", "armadillo_86k.obj"}))
   {
     SCOPED_TRACE(std::string(name) + ", seed 270");
-    const auto surface = mesh(name);
+    const auto surface = readMesh(shapes::realMesh(name));
     const auto points = randomPoints(surface, 2000, 270);
     const std::vector<int> ours = selected<vtkWindingNumberProbe>(points, surface, false);
     const std::vector<int> theirs = selected<vtkSelectEnclosedPoints>(points, surface, false);
@@ -164,13 +148,15 @@ TEST_F(InsteadOfSelectEnclosedPoints, SameAnswersForClosedMeshes)
   }
 }
 
-TEST_F(InsteadOfSelectEnclosedPoints, RightWhereThoseAreWrong)
+TEST(InsteadOfSelectEnclosedPoints, RightWhereThoseAreWrong)
 {
-  for (const char* name : {"truck_soup.obj", "maxplanck_open_90k.obj", "bunny_70k.obj"})
+  for (const std::string name :
+    shapes::present({"truck_soup.obj", "maxplanck_open_90k.obj", "bunny_70k.obj", "teapot.obj"}))
   {
-    SCOPED_TRACE(std::string(name) + ", seed 271");
-    auto surface = mesh(name);
-    surface = std::string(name) == "bunny_70k.obj" ? torn(surface) : surface;
+    SCOPED_TRACE(name + ", seed 271");
+    auto surface = readMesh(shapes::realMesh(name));
+    const bool isClosed = name == "bunny_70k.obj" || name == "teapot.obj";
+    surface = isClosed ? torn(surface) : surface;
     const auto points = randomPoints(surface, 2000, 271);
     const std::vector<int> expected = exactly(points, surface);
     EXPECT_EQ(differences(selected<vtkWindingNumberProbe>(points, surface, false), expected), 0);

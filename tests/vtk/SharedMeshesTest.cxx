@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ReadMesh.h"
 
 #include "vtkDoubleArray.h"
@@ -31,12 +32,13 @@ namespace
 
 const char* const manifestName = WINDING_SHARED_DATA "/MANIFEST.tsv";
 
-const char* const meshes[] = {"aneurysm_open.stl", "armadillo_346k_sub4.ply", "armadillo_86k.obj",
-  "bunny_10k.obj", "bunny_1k.obj", "bunny_70k.obj", "bunny_res2_nonmanifold.ply",
-  "conrod_flipped.stl", "fractures_dfn2.vtp", "icosahedron.stl", "maxplanck_open_90k.obj",
-  "self_intersectA.obj", "sphere_quads.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj"};
+const auto meshes = shapes::present(
+  {"aneurysm_open.stl", "armadillo_346k_sub4.ply", "armadillo_86k.obj", "bunny_10k.obj",
+    "bunny_1k.obj", "bunny_70k.obj", "bunny_res2_nonmanifold.ply", "conrod_flipped.stl",
+    "fractures_dfn2.vtp", "icosahedron.stl", "maxplanck_open_90k.obj", "self_intersectA.obj",
+    "sphere_quads.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj"});
 
-/// The meshes of the manifest, and whether they are closed; empty without a manifest.
+/// Returns the meshes of the manifest, and whether they are closed.
 std::map<std::string, bool> readManifest()
 {
   std::ifstream manifest(manifestName);
@@ -98,13 +100,9 @@ protected:
   void SetUp() override
   {
     const std::map<std::string, bool> manifest = readManifest();
-    if (manifest.empty())
-    {
-      GTEST_SKIP() << "there is no " << manifestName;
-    }
     ASSERT_EQ(manifest.count(GetParam()), 1u);
     isClosed_ = manifest.at(GetParam());
-    mesh_ = readMesh(std::string(WINDING_SHARED_DATA "/") + GetParam());
+    mesh_ = readMesh(shapes::realMesh(GetParam()));
     ASSERT_GT(mesh_->GetNumberOfCells(), 0);
     locator_->SetDataSet(mesh_);
     locator_->BuildLocator();

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/Backends.h"
 #include "vtk/ReadMesh.h"
 #include "vtk/SphereCloud.h"
@@ -366,13 +367,8 @@ class SharpSurfacesOfSharedData : public testing::TestWithParam<SharedCad>
 /// Inner faces of self_intersectA are in no surface of what it encloses.
 TEST_P(SharpSurfacesOfSharedData, AreClosedAndDoNotIntersectThemselves)
 {
-  const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam().name;
-  if (!std::ifstream(name))
-  {
-    GTEST_SKIP() << "there is no " << name;
-  }
   vtkNew<vtkWindingNumberSurface> filter;
-  filter->SetInputData(readMesh(name));
+  filter->SetInputData(readMesh(shapes::realMesh(GetParam().name)));
   filter->SetFeatures(vtkWindingNumberSurface::SHARP);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->SetResolution(128);
@@ -391,9 +387,11 @@ TEST_P(SharpSurfacesOfSharedData, AreClosedAndDoNotIntersectThemselves)
 
 // Measured: 0.0004 and 0.49, 0.0000 and 0.06, 0.0004 and 0.03, 0.1 and 6, 0.01 and 0.3.
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SharpSurfacesOfSharedData,
-  testing::Values(SharedCad{"tray_thin_cad.stl", 0.0008, 0.55},
-    SharedCad{"icosahedron.stl", 0.0001, 0.12}, SharedCad{"sphere_quads.obj", 0.0008, 0.06},
-    SharedCad{"self_intersectA.obj", 0.15, 8}, SharedCad{"bunny_70k.obj", 0.012, 0.4}),
+  testing::ValuesIn(shapes::present(
+    {SharedCad{"tray_thin_cad.stl", 0.0008, 0.55}, SharedCad{"icosahedron.stl", 0.0001, 0.12},
+      SharedCad{"sphere_quads.obj", 0.0008, 0.06}, SharedCad{"self_intersectA.obj", 0.15, 8},
+      SharedCad{"bunny_70k.obj", 0.012, 0.4}},
+    [](const SharedCad& mesh) { return mesh.name; })),
   [](const auto& mesh)
   {
     std::string name = mesh.param.name;

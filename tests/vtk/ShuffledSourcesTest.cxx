@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ReadMesh.h"
 
 #include "support/ShuffledNumbers.h"
@@ -146,12 +147,7 @@ class ShuffledSharedData : public testing::TestWithParam<const char*>
 protected:
   void SetUp() override
   {
-    const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
-    if (!std::ifstream(name))
-    {
-      GTEST_SKIP() << "there is no " << name;
-    }
-    original_ = readMesh(name);
+    original_ = readMesh(shapes::realMesh(GetParam()));
     isCloud_ = original_->GetPolys()->GetNumberOfCells() == 0;
     others_.push_back(shuffledCopyOf(original_, 2300));
     others_.push_back(shuffledCopyOf(original_, 2301));
@@ -273,9 +269,9 @@ TEST_P(ShuffledSharedData, GivesPointsTheSameAreas)
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, ShuffledSharedData,
-  testing::Values("bunny_10k.obj", "maxplanck_open_90k.obj", "truck_soup.obj", "conrod_flipped.stl",
-    "aneurysm_open.stl", "bunny_res2_nonmanifold.ply", "self_intersectA.obj", "tray_thin_cad.stl",
-    "teapot.obj", "kitten_points_normals.ply", "bunny_noised_points.ply"),
+  testing::ValuesIn(shapes::present({"bunny_10k.obj", "maxplanck_open_90k.obj", "truck_soup.obj",
+    "conrod_flipped.stl", "aneurysm_open.stl", "bunny_res2_nonmanifold.ply", "self_intersectA.obj",
+    "tray_thin_cad.stl", "teapot.obj", "kitten_points_normals.ply", "bunny_noised_points.ply"})),
   [](const auto& mesh)
   {
     std::string name = mesh.param;

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ProgressLog.h"
 #include "vtk/ReadMesh.h"
@@ -74,13 +75,8 @@ class SignedDistanceOf : public testing::TestWithParam<const char*>
 
 TEST_P(SignedDistanceOf, SharedMeshIsTheDistanceOfVTKWithTheSignOfInside)
 {
-  const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
-  if (!std::ifstream(name))
-  {
-    GTEST_SKIP() << "needs the shared meshes";
-  }
   vtkNew<vtkTriangleFilter> mesh;
-  mesh->SetInputData(readMesh(name));
+  mesh->SetInputData(readMesh(shapes::realMesh(GetParam())));
   mesh->Update();
   vtkNew<vtkWindingNumberField> field;
   field->SetInputConnection(mesh->GetOutputPort());
@@ -117,8 +113,9 @@ TEST_P(SignedDistanceOf, SharedMeshIsTheDistanceOfVTKWithTheSignOfInside)
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, SignedDistanceOf,
-  testing::Values("armadillo_86k.obj", "bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl",
-    "truck_soup.obj", "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"));
+  testing::ValuesIn(shapes::present(
+    {"armadillo_86k.obj", "bunny_10k.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj",
+      "conrod_flipped.stl", "fractures_dfn2.vtp", "bunny_res2_nonmanifold.ply"})));
 
 TEST_F(SignedDistance, IsOffUnlessAskedFor)
 {

@@ -1,3 +1,4 @@
+#include "support/RealMeshes.h"
 #include "vtk/ReadMesh.h"
 #include "vtk/SurfaceMeasures.h"
 
@@ -20,12 +21,7 @@ class SurfacesOfSharedData : public testing::TestWithParam<const char*>
 protected:
   void SetUp() override
   {
-    const std::string name = std::string(WINDING_SHARED_DATA "/") + GetParam();
-    if (!std::ifstream(name))
-    {
-      GTEST_SKIP() << "there is no " << name;
-    }
-    mesh = readMesh(name);
+    mesh = readMesh(shapes::realMesh(GetParam()));
     filter->SetInputData(mesh);
     filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   }
@@ -35,6 +31,7 @@ protected:
 };
 
 using SurfacesOfClosedMeshes = SurfacesOfSharedData;
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SurfacesOfOpenData); // a fresh clone has none
 
 TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
 {
@@ -54,7 +51,7 @@ TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfClosedMeshes,
-  testing::Values("bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"),
+  testing::ValuesIn(shapes::present({"bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"})),
   [](const auto& mesh)
   {
     std::string name = mesh.param;
@@ -75,8 +72,8 @@ TEST_P(SurfacesOfOpenData, LieAtTheLevelOrOnAJumpOverIt)
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfOpenData,
-  testing::Values(
-    "bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"),
+  testing::ValuesIn(shapes::present(
+    {"bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"})),
   [](const auto& mesh)
   {
     std::string name = mesh.param;
