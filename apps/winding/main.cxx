@@ -1,4 +1,3 @@
-#include "bench/BenchCommand.h"
 #include "commands/Commands.h"
 #include "files/Suffix.h"
 #include "options/CommandLine.h"

@@ -19,7 +19,6 @@ PARSERS = "filters/files"
 PROGRAM = "apps/winding"
 CLASSES = "filters/vtk"
 HELPERS = "filters/vtk/private"
-ROOM_WITH_CORE = "bench"  # the only room of the program that may include the core
 
 
 def floors_of_rooms(page):
@@ -138,15 +137,14 @@ def check_parsers(root, core):
 
 
 def check_program(program, core):
-    """The program knows itself, VTK and the public headers of the filters; bench knows the core."""
+    """The program knows itself, VTK and the public headers of the filters."""
     filters = core.folder.parent
     for path, room in program.files:
         for bracket, included in includes_of(path):
             if program.has(included):
                 program.add_arrow(path, room, included)
             elif core.has(included):
-                if room != ROOM_WITH_CORE:
-                    program.fault(f"{path.name} includes {included} of the core: only bench may")
+                program.fault(f"{path.name} includes {included} of the core")
             elif VTK_HEADER.fullmatch(included):
                 continue
             elif bracket == '"' or (filters / included).is_file():

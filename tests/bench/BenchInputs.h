@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/Shapes.h"
+#include "laboratory/Shapes.h"
 
 #include "base/Evaluator.h"
 #include "base/Executor.h"
@@ -12,7 +12,7 @@
 
 /**
  * @file
- * Threads, inputs and reports of the benchmarks, beside the shapes of `winding bench`.
+ * Threads, inputs and reports of the benchmarks; their shapes are in laboratory/Shapes.h.
  */
 
 /// Runs blocks on a number of threads.

@@ -286,7 +286,7 @@ COMMANDS = [
     "probe a.obj b.csv -o c.csv --extract --inside-out --estimate-normals",
     "probe a.obj b.csv -o c.csv --points --neighbors 8 --array w",
     "check a.vtu --fix-orientation -o b.vtp --blocks c.vtm --json",
-    "bench kernels --resolution 16 --tolerance 1e-3",
+    "bench a.off --resolution 16 32",
     "field --help",
     "--version",
 ]

@@ -5,8 +5,8 @@ struct Options;
 
 /**
  * @file
- * The commands of the program, each in a file of its own; bench/BenchCommand.h has one more. They
- * throw Failure for whatever keeps them from being done.
+ * The commands of the program, each in a file of its own. They throw Failure for whatever keeps
+ * them from being done.
  */
 void runField(const Options& options, Messages& messages);
 void runSurface(const Options& options, Messages& messages);
@@ -15,3 +15,4 @@ void runLabels(const Options& options, Messages& messages);
 void runProbe(const Options& options, Messages& messages);
 void runNormals(const Options& options, Messages& messages);
 void runCheck(const Options& options, Messages& messages);
+void runBench(const Options& options, Messages& messages);

@@ -220,44 +220,13 @@ void addBench(CLI::App& app, Options& options)
 {
   CLI::App* bench =
     app.add_subcommand("bench", "How long the methods take, and how exact they are");
-  bench
-    ->add_option("FILE", options.bench.subjects,
-      "Surfaces, each measured with every method; or: seed, the published tables | kernels, the "
-      "parts that the methods are made of | clouds FILE..., the vertices of surfaces as clouds, "
-      "with each kind of areas, beside the surfaces | vtk FILE..., VTK's own filters at the same "
-      "samples | expected FILE..., the times that users are told, of surfaces and clouds, beside "
-      "those taken | hierarchical FILE..., the far field of surfaces, of their vertices and of "
-      "their "
-      "caps, in its parts | hierarchical, the same of spheres with few and many sources | "
-      "orientation FILE..., points on surfaces with estimated normals, beside the surfaces")
+  bench->add_option("FILE", options.inputs, "Surfaces, each measured with every method")
     ->required()
     ->type_name("");
   bench
-    ->add_option("--resolution", options.bench.resolutions,
-      "Cubic voxels along the longest side, one or more (64 128 256; clouds: 128; vtk: 64; "
-      "expected and hierarchical: 64 128 256 512, 128 for spheres)")
+    ->add_option("--resolution", options.resolutions,
+      "Cubic voxels along the longest side, one or more (64 128 256)")
     ->type_name("N...")
-    ->group("Grid");
-  bench
-    ->add_option("--points", options.bench.points,
-      "vtk, expected: scattered points to ask about, one or more (1000 10000 100000, expected: "
-      "1000000, too); orientation: points on the surfaces (50000)")
-    ->type_name("N...")
-    ->group("Grid");
-  bench
-    ->add_option("--tolerance", options.bench.tolerances,
-      "hierarchical: largest absolute errors, 1e-6 or more, one or more (0.001)")
-    ->type_name("T...")
-    ->group("Method");
-  bench
-    ->add_option("--sources", options.bench.sources,
-      "hierarchical: triangles and points of the spheres, one or more (1000 10000 100000 1000000)")
-    ->type_name("N...")
-    ->group("Method");
-  bench
-    ->add_option(
-      "--data", options.bench.data, "seed, which needs it: the folder with the published meshes")
-    ->type_name("FOLDER")
     ->group("Grid");
   addThreads(bench, options);
   addReporting(bench, options);

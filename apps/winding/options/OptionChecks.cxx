@@ -200,6 +200,11 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
   if (options.command == "bench")
   {
+    for (const int resolution : options.resolutions)
+    {
+      requireUsage(resolution >= 1,
+        "--resolution is " + std::to_string(resolution) + "; give 1 or more voxels");
+    }
     return;
   }
   if (options.command == "normals")

@@ -3,25 +3,12 @@
 #include <string>
 #include <vector>
 
-/// The options of bench. An empty list stands for the values that suit the subject.
-struct BenchOptions
-{
-  /// Files; or "seed" or "kernels"; or "clouds", "vtk", "expected" or "orientation" with files
-  /// behind it; or "hierarchical" with files or without.
-  std::vector<std::string> subjects;
-  std::vector<int> resolutions;
-  std::vector<double> tolerances; ///< of the far fields of "hierarchical"
-  std::vector<int> points;        ///< how many scattered points "vtk" asks about
-  std::vector<int> sources; ///< how many triangles and points the spheres of "hierarchical" have
-  std::string data;         ///< the folder of the meshes of "seed"
-};
-
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
   std::string command; ///< field, surface, voxels, labels, probe, normals, check or bench
   std::string input;
-  std::vector<std::string> inputs; ///< all files that labels reads; `input` names them then
+  std::vector<std::string> inputs; ///< all files of labels and bench; `input` names them then
   std::string queries;
   std::string output;
   bool overwrite = false; ///< whether an output may replace a file that is read
@@ -76,7 +63,7 @@ struct Options
   bool fixOrientation = false;
   std::string faults; ///< the file of faulty edges and caps; empty if none is wanted
 
-  BenchOptions bench;
+  std::vector<int> resolutions; ///< the grids of bench, along the longest side
 
   // The run.
   int threads = 0;

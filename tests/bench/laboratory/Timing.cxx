@@ -1,4 +1,4 @@
-#include "bench/Timing.h"
+#include "laboratory/Timing.h"
 
 #include "program/Interrupt.h"
 

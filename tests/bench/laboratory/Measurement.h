@@ -34,8 +34,3 @@ Measurement measure(
 /// Errors of what was measured at so many random samples, and as many near the surface.
 winding::Verification verified(
   const Measurement& measured, const winding::Grid& grid, std::size_t samples);
-
-/// Seconds that one thread would take for the whole grid by work(sample), found from random samples
-/// of it in about a third of a second.
-double scaledSeconds(
-  const winding::Grid& grid, const std::function<void(const Eigen::Vector3d& sample)>& work);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/Triangles.h"
+#include "laboratory/Triangles.h"
 
 #include "vtkSmartPointer.h"
 
@@ -8,7 +8,7 @@
 #include <string>
 
 class Messages;
-struct Options;
+struct BenchOptions;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -21,7 +21,7 @@ Triangles trianglesOf(vtkPointSet* data);
 /// The triangles as a new data set.
 vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles);
 
-/// Calls measure(file, triangles) for each file among the subjects of bench, from firstSubject on.
-/// Throws Failure for a file without triangles, and where measure() throws Refusal.
-void forEachMesh(const Options& options, std::size_t firstSubject, Messages& messages,
+/// Calls measure(file, triangles) for each file. Throws Failure for a file without triangles, and
+/// where measure() throws Refusal.
+void forEachMesh(const BenchOptions& options, Messages& messages,
   const std::function<void(const std::string& file, const Triangles& triangles)>& measure);

@@ -29,3 +29,7 @@ private:
   std::vector<std::string> notes_;
   std::vector<Json> rows_;
 };
+
+/// Prints tables for people, or as JSON together with the number of threads that `threads` stands
+/// for.
+void printTables(const std::vector<BenchTable>& tables, int threads, bool asJson);

@@ -1,4 +1,4 @@
-#include "bench/BenchGrid.h"
+#include "laboratory/BenchGrid.h"
 
 #include <random>
 

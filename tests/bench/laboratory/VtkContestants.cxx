@@ -1,6 +1,6 @@
-#include "bench/VtkContestants.h"
+#include "laboratory/VtkContestants.h"
 
-#include "bench/BenchGrid.h"
+#include "laboratory/BenchGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

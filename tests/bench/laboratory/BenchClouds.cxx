@@ -1,10 +1,10 @@
-#include "bench/BenchGrid.h"
-#include "bench/BenchSubjects.h"
-#include "bench/Measurement.h"
-#include "bench/Meshes.h"
-#include "bench/NaiveSums.h"
-#include "bench/ThreadExecutor.h"
-#include "options/Options.h"
+#include "laboratory/BenchGrid.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/Measurement.h"
+#include "laboratory/Meshes.h"
+#include "laboratory/NaiveSums.h"
+#include "laboratory/ThreadExecutor.h"
 #include "program/Interrupt.h"
 #include "program/Threads.h"
 
@@ -139,7 +139,7 @@ void addRows(
 
 } // namespace
 
-std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
+std::vector<BenchTable> benchClouds(const BenchOptions& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
   const auto measureMesh = [&](const std::string& file, const Triangles& triangles)
@@ -158,12 +158,12 @@ std::vector<BenchTable> benchClouds(const Options& options, Messages& messages)
         "unlike: voxels on another side of w = 0.5 than in the field of the mesh; far: of those "
         "farther than a voxel from the surface",
         "median w inside: of the far ones inside the mesh"});
-    for (const int resolution : givenOr(options.bench.resolutions, {128}))
+    for (const int resolution : givenOr(options.resolutions, {128}))
     {
       addRows(table, triangles, surface, resolution);
     }
     tables.push_back(table);
   };
-  forEachMesh(options, 1, messages, measureMesh);
+  forEachMesh(options, messages, measureMesh);
   return tables;
 }

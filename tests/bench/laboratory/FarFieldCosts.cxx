@@ -1,6 +1,6 @@
-#include "bench/FarFieldCosts.h"
+#include "laboratory/FarFieldCosts.h"
 
-#include "bench/Timing.h"
+#include "laboratory/Timing.h"
 #include "program/Interrupt.h"
 
 #include "base/Bounds.h"

@@ -1,7 +1,7 @@
-#include "bench/FarFieldSubject.h"
+#include "laboratory/FarFieldSubject.h"
 
-#include "bench/NaiveSums.h"
-#include "bench/Timing.h"
+#include "laboratory/NaiveSums.h"
+#include "laboratory/Timing.h"
 
 #include "base/Views.h"
 #include "farfield/FarFieldCost.h"

@@ -1,4 +1,6 @@
-#include "bench/BenchTable.h"
+#include "program/BenchTable.h"
+
+#include "program/Threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,4 +91,22 @@ std::string BenchTable::text() const
 Json BenchTable::json() const
 {
   return {{"title", title_}, {"notes", notes_}, {"rows", rows_}};
+}
+
+void printTables(const std::vector<BenchTable>& tables, int threads, bool asJson)
+{
+  Json json = {{"threads", threadsUsed(threads)}, {"tables", Json::array()}};
+  std::string text;
+  for (const BenchTable& table : tables)
+  {
+    json["tables"].push_back(table.json());
+    text += (text.empty() ? "" : "\n") + table.text();
+  }
+  if (asJson)
+  {
+    print(json);
+    return;
+  }
+  text.pop_back(); // print() ends the line
+  print(text);
 }

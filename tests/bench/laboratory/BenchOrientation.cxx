@@ -1,8 +1,8 @@
-#include "bench/BenchSubjects.h"
-#include "bench/Meshes.h"
-#include "bench/ThreadExecutor.h"
-#include "bench/Timing.h"
-#include "options/Options.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/Meshes.h"
+#include "laboratory/ThreadExecutor.h"
+#include "laboratory/Timing.h"
 #include "program/Interrupt.h"
 #include "program/Threads.h"
 
@@ -161,7 +161,7 @@ private:
 
 } // namespace
 
-std::vector<BenchTable> benchOrientation(const Options& options, Messages& messages)
+std::vector<BenchTable> benchOrientation(const BenchOptions& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
   const auto measureMesh = [&](const std::string& file, const Triangles& triangles)
@@ -174,7 +174,7 @@ std::vector<BenchTable> benchOrientation(const Options& options, Messages& messa
         "inside of the mesh have in common, of what is in either, at random places in the bounds",
         "outward: the share of the points of automatic with w about 1 behind and 0 before them"});
     OrientationBench bench(surface, triangles);
-    for (const auto points : givenOr(options.bench.points, {50'000}))
+    for (const auto points : givenOr(options.points, {50'000}))
     {
       for (const double noise : {0.0, 0.005})
       {
@@ -186,6 +186,6 @@ std::vector<BenchTable> benchOrientation(const Options& options, Messages& messa
     }
     tables.push_back(table);
   };
-  forEachMesh(options, 1, messages, measureMesh);
+  forEachMesh(options, messages, measureMesh);
   return tables;
 }

@@ -1,11 +1,11 @@
-#include "bench/BenchGrid.h"
-#include "bench/BenchSubjects.h"
-#include "bench/FarFieldCosts.h"
-#include "bench/NaiveSums.h"
-#include "bench/Shapes.h"
-#include "bench/ThreadExecutor.h"
-#include "bench/Timing.h"
-#include "options/Options.h"
+#include "laboratory/BenchGrid.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/FarFieldCosts.h"
+#include "laboratory/NaiveSums.h"
+#include "laboratory/Shapes.h"
+#include "laboratory/ThreadExecutor.h"
+#include "laboratory/Timing.h"
 #include "program/Interrupt.h"
 #include "program/Threads.h"
 
@@ -224,7 +224,7 @@ void addFill(BenchTable& table, const winding::Grid& grid)
 
 } // namespace
 
-std::vector<BenchTable> benchKernels(const Options& options, Messages&)
+std::vector<BenchTable> benchKernels(const BenchOptions& options, Messages&)
 {
   const Triangles sphere = lumpySphere(224);
   const winding::TrianglesView view = sphere.view();

@@ -1,8 +1,8 @@
-#include "bench/BenchSubjects.h"
-#include "bench/Timing.h"
-#include "bench/VtkContestants.h"
 #include "input/ReadInput.h"
-#include "options/Options.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/Timing.h"
+#include "laboratory/VtkContestants.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
 #include "program/Threads.h"
@@ -42,7 +42,7 @@ template <class Make> Taken taken(const Make& make)
 }
 
 template <class Filter>
-vtkSmartPointer<Filter> filterFor(bool withDistances, const Options& options)
+vtkSmartPointer<Filter> filterFor(bool withDistances, const BenchOptions& options)
 {
   auto filter = vtkSmartPointer<Filter>::New();
   filter->SetEstimateNormals(true);
@@ -59,7 +59,7 @@ void addRow(BenchTable& table, const std::string& samples, bool withDistances, c
     {"expected / taken", run.expected / std::max(run.seconds, 1e-6)}});
 }
 
-BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& options)
+BenchTable tableOf(const std::string& file, vtkPointSet* source, const BenchOptions& options)
 {
   BenchTable table(file + ", " + std::to_string(threadsUsed(options.threads)) + " threads",
     {"expected: what users are told before a field is evaluated; taken: everything from a source "
@@ -68,7 +68,7 @@ BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& 
       "the grids have cubic voxels, so many along the longest side; the points lie in the bounds"});
   for (const bool withDistances : {false, true})
   {
-    for (const int resolution : givenOr(options.bench.resolutions, {64, 128, 256, 512}))
+    for (const int resolution : givenOr(options.resolutions, {64, 128, 256, 512}))
     {
       const auto make = [&]
       {
@@ -79,7 +79,7 @@ BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& 
       };
       addRow(table, "grid of " + std::to_string(resolution), withDistances, taken(make));
     }
-    for (const int points : givenOr(options.bench.points, {1000, 10'000, 100'000, 1'000'000}))
+    for (const int points : givenOr(options.points, {1000, 10'000, 100'000, 1'000'000}))
     {
       const double* const b = source->GetBounds();
       const winding::Bounds bounds(
@@ -100,12 +100,11 @@ BenchTable tableOf(const std::string& file, vtkPointSet* source, const Options& 
 
 } // namespace
 
-std::vector<BenchTable> benchExpected(const Options& options, Messages& messages)
+std::vector<BenchTable> benchExpected(const BenchOptions& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
-  for (std::size_t i = 1; i < options.bench.subjects.size(); ++i)
+  for (const std::string& file : options.files)
   {
-    const std::string& file = options.bench.subjects[i];
     const auto source = readInput(file, messages);
     tables.push_back(tableOf(file, source, options));
     messages.throwIfError(file);

@@ -1,12 +1,12 @@
-#include "bench/BenchGrid.h"
-#include "bench/BenchSubjects.h"
-#include "bench/FarFieldSubject.h"
-#include "bench/Measurement.h"
-#include "bench/Meshes.h"
-#include "bench/Shapes.h"
-#include "bench/ThreadExecutor.h"
-#include "bench/Timing.h"
-#include "options/Options.h"
+#include "laboratory/BenchGrid.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/FarFieldSubject.h"
+#include "laboratory/Measurement.h"
+#include "laboratory/Meshes.h"
+#include "laboratory/Shapes.h"
+#include "laboratory/ThreadExecutor.h"
+#include "laboratory/Timing.h"
 #include "program/Interrupt.h"
 #include "program/Threads.h"
 
@@ -197,7 +197,7 @@ void addAll(Tables& tables, const FarFieldSubject& subject, const std::vector<in
   }
 }
 
-void addSpheres(const Options& options, std::vector<BenchTable>& result)
+void addSpheres(const BenchOptions& options, std::vector<BenchTable>& result)
 {
   Tables tables("Lumpy spheres", threadsUsed(options.threads));
   const auto surfaceOf = [](const Triangles& sphere)
@@ -205,10 +205,9 @@ void addSpheres(const Options& options, std::vector<BenchTable>& result)
     ThreadExecutor executor;
     return winding::sanitize({sphere.view()}, executor);
   };
-  const std::vector<int> resolutions = givenOr(options.bench.resolutions, {128});
-  const std::vector<double> tolerances = givenOr(options.bench.tolerances, {usualTolerance});
-  const std::vector<int> counts =
-    givenOr(options.bench.sources, {1000, 10'000, 100'000, 1'000'000});
+  const std::vector<int> resolutions = givenOr(options.resolutions, {128});
+  const std::vector<double> tolerances = givenOr(options.tolerances, {usualTolerance});
+  const std::vector<int> counts = givenOr(options.sources, {1000, 10'000, 100'000, 1'000'000});
   for (const int sources : counts)
   {
     const Triangles sphere = lumpySphere(static_cast<int>(std::lround(std::sqrt(sources / 2.0))));
@@ -225,13 +224,13 @@ void addSpheres(const Options& options, std::vector<BenchTable>& result)
 
 } // namespace
 
-std::vector<BenchTable> benchHierarchical(const Options& options, Messages& messages)
+std::vector<BenchTable> benchHierarchical(const BenchOptions& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
   const auto measureMesh = [&](const std::string& file, const Triangles& triangles)
   {
-    const std::vector<int> resolutions = givenOr(options.bench.resolutions, {64, 128, 256, 512});
-    const std::vector<double> tolerances = givenOr(options.bench.tolerances, {usualTolerance});
+    const std::vector<int> resolutions = givenOr(options.resolutions, {64, 128, 256, 512});
+    const std::vector<double> tolerances = givenOr(options.tolerances, {usualTolerance});
     ThreadExecutor executor;
     const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
     Tables ofFile(file, threadsUsed(options.threads));
@@ -243,8 +242,8 @@ std::vector<BenchTable> benchHierarchical(const Options& options, Messages& mess
     }
     ofFile.appendTo(tables);
   };
-  forEachMesh(options, 1, messages, measureMesh);
-  if (options.bench.subjects.size() == 1)
+  forEachMesh(options, messages, measureMesh);
+  if (options.files.empty())
   {
     addSpheres(options, tables);
   }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "bench/Triangles.h"
+#include "laboratory/Triangles.h"
 
 #include "source/Surface.h"
 
 /**
  * @file
- * Shapes that measurements are made on, for `winding bench` and for the programs in tests/bench.
+ * Shapes that measurements are made on, by all programs of tests/bench.
  */
 
 /// A closed sphere of 2 n² triangles whose radius varies, without common points, as in a .stl file.

@@ -1,7 +1,7 @@
-#include "bench/Meshes.h"
+#include "laboratory/Meshes.h"
 
 #include "input/ReadInput.h"
-#include "options/Options.h"
+#include "laboratory/BenchOptions.h"
 #include "program/Failure.h"
 #include "program/Messages.h"
 
@@ -86,17 +86,16 @@ vtkSmartPointer<vtkPolyData> polyDataOf(const Triangles& triangles)
   return surface;
 }
 
-void forEachMesh(const Options& options, std::size_t firstSubject, Messages& messages,
+void forEachMesh(const BenchOptions& options, Messages& messages,
   const std::function<void(const std::string& file, const Triangles& triangles)>& measure)
 {
-  for (std::size_t i = firstSubject; i < options.bench.subjects.size(); ++i)
+  for (const std::string& file : options.files)
   {
-    const std::string& file = options.bench.subjects[i];
     const Triangles triangles = trianglesOf(readInput(file, messages));
     messages.throwIfError(file);
     if (triangles.triangles() == 0)
     {
-      throw Failure(REFUSED, file, "has no triangles; bench compares the methods for surfaces");
+      throw Failure(REFUSED, file, "has no triangles; the laboratory measures surfaces");
     }
     try
     {

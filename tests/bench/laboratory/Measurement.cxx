@@ -1,8 +1,8 @@
-#include "bench/Measurement.h"
+#include "laboratory/Measurement.h"
 
-#include "bench/BenchGrid.h"
-#include "bench/ThreadExecutor.h"
-#include "bench/Timing.h"
+#include "laboratory/BenchGrid.h"
+#include "laboratory/ThreadExecutor.h"
+#include "laboratory/Timing.h"
 #include "program/Interrupt.h"
 #include "program/Stopwatch.h"
 
@@ -56,32 +56,6 @@ std::optional<double> scaledIfLong(
 }
 
 } // namespace
-
-double scaledSeconds(
-  const winding::Grid& grid, const std::function<void(const Eigen::Vector3d& sample)>& work)
-{
-  const std::vector<double> samples = randomSamples(grid, 4096);
-  std::size_t next = 0;
-  double best = 0;
-  for (int round = 0; round < 3; ++round)
-  {
-    const Stopwatch stopwatch;
-    std::size_t done = 0;
-    double seconds = 0;
-    while (seconds < 0.1)
-    {
-      for (int i = 0; i < 4; ++i, ++done)
-      {
-        work(Eigen::Vector3d(&samples[3 * (next++ % 4096)]));
-      }
-      interrupt::check();
-      seconds = stopwatch.seconds();
-    }
-    const double perSample = seconds / static_cast<double>(done);
-    best = round == 0 ? perSample : std::min(best, perSample);
-  }
-  return best * static_cast<double>(winding::sampleCount(grid.wholeExtent()));
-}
 
 Measurement measure(
   const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,

@@ -1,4 +1,4 @@
-#include "bench/Shapes.h"
+#include "laboratory/Shapes.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bench/FarFieldCosts.h"
-#include "bench/Triangles.h"
+#include "laboratory/FarFieldCosts.h"
+#include "laboratory/Triangles.h"
 
 #include "base/Bounds.h"
 #include "base/Executor.h"

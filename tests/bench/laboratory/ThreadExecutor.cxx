@@ -1,4 +1,4 @@
-#include "bench/ThreadExecutor.h"
+#include "laboratory/ThreadExecutor.h"
 
 #include "program/Interrupt.h"
 

@@ -1,9 +1,9 @@
-#include "bench/BenchSubjects.h"
-#include "bench/Meshes.h"
-#include "bench/ThreadExecutor.h"
-#include "bench/Timing.h"
-#include "bench/VtkContestants.h"
-#include "options/Options.h"
+#include "laboratory/BenchOptions.h"
+#include "laboratory/BenchSubjects.h"
+#include "laboratory/Meshes.h"
+#include "laboratory/ThreadExecutor.h"
+#include "laboratory/Timing.h"
+#include "laboratory/VtkContestants.h"
 #include "program/Interrupt.h"
 #include "program/Threads.h"
 
@@ -91,7 +91,7 @@ void addRows(BenchTable& table, const Contest& contest, const Triangles& triangl
 
 } // namespace
 
-std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
+std::vector<BenchTable> benchVtk(const BenchOptions& options, Messages& messages)
 {
   std::vector<BenchTable> tables;
   const auto measureMesh = [&](const std::string& file, const Triangles& triangles)
@@ -114,7 +114,7 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
         "wrong: answers unlike w >= 0.5 of the direct sum, at so many samples checked",
         "inside: 0 or 1 for each sample; extract: the points that are inside; distance: signed "
         "ones, wrong where the sign is"});
-    const std::vector<int> points = givenOr(options.bench.points, {1000, 10'000, 100'000});
+    const std::vector<int> points = givenOr(options.points, {1000, 10'000, 100'000});
     std::vector<Contest> contests;
     contests.reserve(points.size() + 3);
     for (const int count : points)
@@ -124,7 +124,7 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
     const auto lastCount = static_cast<std::size_t>(points.back());
     contests.push_back(extractionContest(info.bounds, lastCount));
     contests.push_back(distanceContest(info.bounds, lastCount));
-    for (const int resolution : givenOr(options.bench.resolutions, {64}))
+    for (const int resolution : givenOr(options.resolutions, {64}))
     {
       contests.push_back(voxelContest(info.bounds, resolution));
     }
@@ -134,6 +134,6 @@ std::vector<BenchTable> benchVtk(const Options& options, Messages& messages)
     }
     tables.push_back(table);
   };
-  forEachMesh(options, 1, messages, measureMesh);
+  forEachMesh(options, messages, measureMesh);
   return tables;
 }
