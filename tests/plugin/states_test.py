@@ -1,4 +1,4 @@
-"""The states and scripts of data/examples/paraview, and recorded scripts: they run in a pvpython
+"""The state and scripts of data/examples/paraview, and recorded scripts: they run in a pvpython
 that loads the plugin by itself."""
 import importlib
 import os
@@ -17,6 +17,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "data" / "examples" / "
 # The results of each example, by the names in its pipeline.
 RESULTS = {"open_scan": ["Solid"], "cloud": ["Areas", "Surface"], "assembly": ["Cut", "Union"]}
 MODELS = {"open_scan": "scan.off", "cloud": "cloud.xyz", "assembly": "assembly.off"}
+STATES = ["open_scan"]  # the examples with a state
 
 sys.path.insert(0, str(EXAMPLES))
 
@@ -75,15 +76,16 @@ print(voxels.GetDataInformation().GetNumberOfCells())
 
 class TestStates(unittest.TestCase):
     def test_states_name_no_folder(self):
-        for name in RESULTS:
+        for name in STATES:
             text = (EXAMPLES / f"{name}.pvsm").read_text(encoding="utf-8")
             self.assertIn(f'value="{MODELS[name]}"', text)
             self.assertIsNone(re.search(r'value="[^"]*/[^"]*\.(off|xyz)"|value="/\w', text), name)
 
     @unittest.skipUnless(os.environ.get("DISPLAY"), "views need a display")
     def test_states_give_what_their_scripts_give(self):
-        for name, results in RESULTS.items():
+        for name in STATES:
             with self.subTest(name):
+                results = RESULTS[name]
                 simple.ResetSession()
                 load_plugin()
                 importlib.import_module(name).make()
