@@ -2,9 +2,9 @@
 
 #include "commands/FidelityReport.h"
 #include "commands/FieldParts.h"
+#include "commands/FilesOfFirstRank.h"
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
-#include "commands/ReadOnFirstRank.h"
 #include "commands/ReportParts.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"

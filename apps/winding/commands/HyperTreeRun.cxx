@@ -1,8 +1,8 @@
 #include "commands/HyperTreeRun.h"
 
 #include "commands/FieldRun.h"
+#include "commands/FilesOfFirstRank.h"
 #include "commands/FilterSettings.h"
-#include "commands/OpenOnFirstRank.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 

@@ -1,6 +1,6 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
-#include "commands/OpenOnFirstRank.h"
+#include "commands/FilesOfFirstRank.h"
 #include "files/Suffix.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"

@@ -1,9 +1,12 @@
-#include "commands/OpenOnFirstRank.h"
+#include "commands/FilesOfFirstRank.h"
 
 #include "commands/FilesToKeep.h"
+#include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/ParallelRun.h"
+
+#include "vtkPolyData.h"
 
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
 {
@@ -11,4 +14,11 @@ std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
   parallel::agreeOnFirst(
     [&] { file = std::make_unique<OutputFile>(options.output, filesToKeep(options)); });
   return file;
+}
+
+vtkSmartPointer<vtkPointSet> readOnFirstRank(const std::string& fileName, Messages& messages)
+{
+  vtkSmartPointer<vtkPointSet> data = vtkSmartPointer<vtkPolyData>::New();
+  parallel::agreeOnFirst([&] { data = readInput(fileName, messages); });
+  return data;
 }
