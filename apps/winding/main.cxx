@@ -8,6 +8,8 @@
 #include "program/ParallelRun.h"
 #include "program/Threads.h"
 
+#include "vtkWindingNumberAlgorithm.h"
+
 #include <algorithm>
 #include <csignal>
 #include <map>
@@ -92,6 +94,7 @@ void run(const Options& options)
     {"surface", runSurface}, {"voxels", runVoxels}, {"labels", runLabels}, {"probe", runProbe},
     {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
+  vtkWindingNumberAlgorithm::SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   limitThreads(options.threads);
   if (options.estimateNormals || options.command == "normals")
   {

@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/SourceProperties.h"
@@ -189,15 +190,15 @@ const winding::Field* vtkImplicitWindingNumber::GetField()
 const winding::Field* vtkImplicitWindingNumber::PrepareField()
 {
   const winding::Field* field = nullptr;
-  winding::reportErrors(this, "there is not enough memory for this input",
-    [this, &field]() { field = &this->MakeField(); });
+  winding::reportErrors(
+    this, {"not enough memory for this input"}, [this, &field]() { field = &this->MakeField(); });
   return field;
 }
 
 const winding::Field& vtkImplicitWindingNumber::MakeField()
 {
-  winding::checkFinite("WindingThreshold", this->WindingThreshold);
-  winding::checkChoice("InsideRule", this->InsideRule, {"SIGNED", "ABSOLUTE"});
+  winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
+  winding::checkProperty(winding::Parameter::insideRule, this->InsideRule, 2); // without ODD
   winding::SourceOptions options = winding::sourceOptions(*this, true);
   if (!this->Input)
   {
@@ -220,8 +221,9 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   }
   else if (options.field.method == winding::Method::rows)
   {
-    throw winding::Refusal("choose another method: rows needs all samples at once, and an implicit "
-                           "function gets them one by one");
+    throw winding::Refusal(winding::Message("rows needs all samples at once",
+      {{"", {{winding::Parameter::method, vtkWindingNumberAlgorithm::AUTOMATIC}}}},
+      "an implicit function gets them one by one"));
   }
   const auto executor = newExecutor();
   winding::Ranks alone(nullptr);
@@ -230,9 +232,9 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   const double anywhere[3] = {0, 0, 0};
   field.prepare(winding::VectorsView(anywhere, 1), *executor);
   const winding::FieldInfo& info = field.info();
-  if (!info.warning.empty())
+  if (!info.warnings.empty())
   {
-    vtkWarningMacro(<< info.warning);
+    vtkWarningMacro(<< winding::lineOf(info.warnings));
   }
   if (info.primitives == 0)
   {

@@ -4,6 +4,7 @@
 #include "base/Views.h"
 #include "cloud/OutwardNormals.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -173,7 +174,7 @@ int vtkPointAreas::RequestData(
   this->ClearShare = 0;
   this->NormalEstimationUsed = "";
   const winding::Outcome outcome =
-    winding::reportErrors(this, "there is not enough memory for the areas of so many points",
+    winding::reportErrors(this, {"not enough memory for the areas of the points"},
       [&]()
       {
         winding::Ranks ranks(this->Controller);
@@ -196,10 +197,11 @@ int vtkPointAreas::RequestData(
 
 void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
 {
-  winding::checkChoice("PointAreaMethod", this->PointAreaMethod, {"VORONOI", "MESH", "CONSTANT"});
+  winding::checkProperty(
+    winding::Parameter::pointAreaMethod, this->PointAreaMethod, 3); // without ARRAY
   winding::coreNormalEstimation(this->NormalEstimation);
   winding::checkCloudProperties(*this);
-  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
+  winding::checkProperty(winding::Parameter::numberOfThreads, this->NumberOfThreads);
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
   const winding::NumberedPoints points(pointSets);
   winding::InputOptions options;
@@ -273,8 +275,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   }
   if (this->TotalArea == 0 && !areas.empty())
   {
-    vtkWarningMacro(
-      << "set a point area (Point Area): points at one place tell none, so theirs are 0");
+    vtkWarningMacro(<< winding::lineOf(winding::missingPointArea("theirs are 0")));
   }
 }
 
@@ -295,7 +296,7 @@ void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Exe
       std::any_of(cloud.areas.begin(), cloud.areas.end(), [](double area) { return area > 0; });
     if (hasAreas && !found.orientation.isClear())
     {
-      vtkWarningMacro(<< winding::adviceOnNormals(found.orientation));
+      vtkWarningMacro(<< winding::lineOf(winding::adviceOnNormals(found.orientation)));
     }
   }
   else if (cloud.areas.empty())

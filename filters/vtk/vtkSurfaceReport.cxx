@@ -99,7 +99,7 @@ int vtkSurfaceReport::RequestData(
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   const winding::Outcome outcome = winding::reportErrors(this,
-    "there is not enough memory to look at this source; look at a part of it",
+    {"not enough memory for a report", {{"look at a part of the source", {}}}},
     [&]()
     {
       ranks.meet();
@@ -123,7 +123,7 @@ int vtkSurfaceReport::RequestData(
 
 void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
 {
-  winding::checkRange("FaultThickness", this->FaultThickness, 0, 1);
+  winding::checkProperty(winding::Parameter::faultThickness, this->FaultThickness);
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
@@ -131,8 +131,9 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   auto views = std::make_unique<winding::InputViews>(source, options, &executor);
   if (this->FixOrientation && !ranks.isAlone())
   {
-    throw winding::Refusal("fix the orientation (Fix Orientation) in a program of one rank, before "
-                           "the faces are dealt out: the parts of others are not at hand");
+    throw winding::Refusal(winding::Message("one rank has not all faces to turn",
+      {{"", {{winding::Parameter::fixOrientation, 0}}}},
+      "turn them in a program of one rank, before they are dealt out"));
   }
   winding::SourceOptions properties;
   properties.input = options;

@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -28,6 +29,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <string>
@@ -191,8 +193,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   int isAnswered = 1;
   const winding::Outcome outcome = winding::reportErrors(
     this,
-    "there is not enough memory for this source and grid; choose larger voxels or write the "
-    "result in pieces",
+    {"not enough memory for this source and grid", {winding::largerVoxels(), winding::inPieces()}},
     [&]()
     {
       *this->Ranks = winding::Ranks(isTogether ? this->Controller.Get() : nullptr);
@@ -260,12 +261,11 @@ int vtkWindingNumberAlgorithm::RequestDataObject(
 void vtkWindingNumberAlgorithm::CheckProperties()
 {
   winding::checkSourceProperties(*this);
-  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   winding::coreInsideRule(this->InsideRule);
-  winding::checkChoice(
-    "OutputScalarType", this->OutputScalarType, {"VTK_FLOAT", "VTK_DOUBLE"}, VTK_FLOAT);
-  winding::checkRange("NumberOfThreads", this->NumberOfThreads, 0);
-  winding::checkRange("LongestExpectedTime", this->LongestExpectedTime, 0);
+  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
+  winding::checkProperty(winding::Parameter::numberOfThreads, this->NumberOfThreads);
+  winding::checkProperty(winding::Parameter::longestExpectedTime, this->LongestExpectedTime);
   winding::sourceDistribution(this->SourceDistribution);
 }
 
@@ -360,14 +360,13 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
-  if (!info.warning.empty())
+  if (!info.warnings.empty())
   {
-    vtkWarningMacro(<< info.warning);
+    vtkWarningMacro(<< winding::lineOf(info.warnings));
   }
   if (info.primitives == 0)
   {
-    vtkWarningMacro(
-      << "give a surface or points: the source has none to sum over, so its field is 0");
+    vtkWarningMacro(<< "the source is empty, so its field is 0: give a surface or points");
   }
 }
 
@@ -508,9 +507,21 @@ void vtkWindingNumberAlgorithm::TellSides(
   if (this->InsideRule == SIGNED && winding::looksInward(field, sides, executor))
   {
     this->SourceIsInsideOut = sides.negative > sides.inside;
-    vtkWarningMacro(<< winding::insideOutAdvice(
-                      field.info().isSurface ? "faces" : "normals", sides, this->WindingThreshold));
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::insideOutAdvice(field.info().isSurface ? "faces" : "normals", sides,
+                        this->WindingThreshold)));
   }
+}
+
+void vtkWindingNumberAlgorithm::SetNamesInMessages(int names)
+{
+  winding::setFrontEnd(
+    static_cast<winding::FrontEnd>(std::clamp<int>(names, CXX_NAMES, PYTHON_NAMES)));
+}
+
+int vtkWindingNumberAlgorithm::GetNamesInMessages()
+{
+  return static_cast<int>(winding::frontEnd());
 }
 
 const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const

@@ -132,6 +132,22 @@ public:
     REPLICATED = 2              ///< as a whole, each of them
   };
 
+  /// The names that messages give properties.
+  enum NamesInMessagesType
+  {
+    CXX_NAMES = 0,      ///< setters, such as EstimateNormalsOn()
+    PARAVIEW_NAMES = 1, ///< labels of ParaView's panels
+    PROGRAM_NAMES = 2,  ///< options of the program winding
+    PYTHON_NAMES = 3    ///< keywords of the Python package's own functions
+  };
+
+  ///@{
+  /// The names that errors, warnings and advice of all classes of this module give properties in
+  /// this process, CXX_NAMES unless a front end has set its own. Any thread may call both.
+  static void SetNamesInMessages(int names);
+  static int GetNamesInMessages();
+  ///@}
+
   /// The kinds of sources.
   enum SourceKindType
   {

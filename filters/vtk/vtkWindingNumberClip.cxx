@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "field/Field.h"
 #include "private/output/ResultArrays.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/pipeline/VtkVersions.h"
 #include "private/probe/ClippedPart.h"
@@ -120,9 +121,10 @@ void vtkWindingNumberClip::TellEmpty()
 {
   if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
   {
-    vtkWarningMacro(<< "look whether the Input and the Source overlap, whether the Input is fine "
-                       "enough, and whether the Source is closed (filter Surface Report; winding "
-                       "check): no point of the Input is "
-                    << (this->InsideOut ? "outside" : "inside") << ", so the result is empty");
+    const std::string side = this->InsideOut ? "outside" : "inside";
+    vtkWarningMacro(
+      << winding::lineOf(winding::Message("no point is " + side + ", so the result is empty",
+           {{"look whether Input and Source overlap", {}}, {"take a finer Input", {}},
+             {"look whether the Source is closed", {winding::Parameter::surfaceReport}}})));
   }
 }

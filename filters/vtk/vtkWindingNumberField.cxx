@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkWindingNumberField);
 void vtkWindingNumberField::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkRange("DistanceBand", this->DistanceBand, 0);
+  winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
 }
 
 void vtkWindingNumberField::HashProperties(winding::ContentHash& hash)
@@ -84,7 +84,7 @@ void vtkWindingNumberField::EvaluateVoxels(
       this->GetResultBytes(static_cast<vtkIdType>(count)) +
         static_cast<double>(voxels.additionalCost(field, count).bytes),
       "the coverage of " + std::to_string(count) + " voxels",
-      "choose larger voxels or write it in pieces");
+      {winding::largerVoxels(), winding::inPieces()});
   }
   voxels.run(field, grid, extent, executor);
   if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)

@@ -63,17 +63,15 @@ int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
 void vtkWindingNumberGridAlgorithm::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkRange("Resolution", this->Resolution, 1);
-  winding::checkRange("VoxelSize", this->VoxelSize, 0);
+  winding::checkProperty(winding::Parameter::resolution, this->Resolution);
+  winding::checkProperty(winding::Parameter::voxelSize, this->VoxelSize);
   const int* dimensions = this->SamplingDimensions;
   if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
   {
-    winding::checkRange("SamplingDimensions[0]", dimensions[0], 1);
-    winding::checkRange("SamplingDimensions[1]", dimensions[1], 1);
-    winding::checkRange("SamplingDimensions[2]", dimensions[2], 1);
+    winding::checkDimensions(dimensions);
   }
-  winding::checkRange("Padding", this->Padding, 0);
-  winding::checkRange("VerifySamples", this->VerifySamples, 0);
+  winding::checkProperty(winding::Parameter::padding, this->Padding);
+  winding::checkProperty(winding::Parameter::verifySamples, this->VerifySamples);
 }
 
 void vtkWindingNumberGridAlgorithm::HashProperties(winding::ContentHash& hash)
@@ -113,8 +111,9 @@ winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject
     request.bounds = toBounds(this->SamplingBounds);
     if (this->UseInputBounds && !isBox(request.bounds))
     {
-      throw winding::Refusal("give an input with points, or a box (Sampling Bounds): the input is "
-                             "empty, and tells no bounds");
+      throw winding::Refusal(winding::Message("the input is empty, and has no bounds",
+        {{"give an input with points", {}},
+          {"give bounds", {winding::Parameter::samplingBounds}}}));
     }
   }
   request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
@@ -159,13 +158,14 @@ void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
 {
   if (this->VerifySamples > 0 && this->Method == PARITY)
   {
-    throw winding::Refusal(
-      "choose another method (Method; --method): parity is no winding number, so it cannot be "
-      "verified");
+    throw winding::Refusal(winding::Message("parity is no winding number to be verified",
+      {{"", {{winding::Parameter::method, AUTOMATIC}}},
+        {"verify no samples", {winding::Parameter::verifySamples}}}));
   }
   if (this->VerifySamples > 0 && !hasValues)
   {
-    throw winding::Refusal("turn Generate Winding Number on: only values can be verified");
+    throw winding::Refusal(winding::Message("only winding numbers can be verified",
+      {{"", {{winding::Parameter::generateWindingNumber, 1}}}}));
   }
 }
 

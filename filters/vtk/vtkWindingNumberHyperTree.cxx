@@ -53,13 +53,14 @@ int vtkWindingNumberHyperTree::RequestInformation(
 void vtkWindingNumberHyperTree::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkChoice("Coverage", this->Coverage, {"CENTER", "ANY", "FRACTION"});
-  winding::checkRange("CoverageSamples", this->CoverageSamples, 1, 10);
-  winding::checkRange("MergeTolerance", this->MergeTolerance, 0);
+  winding::checkProperty(winding::Parameter::coverage, this->Coverage);
+  winding::checkProperty(winding::Parameter::coverageSamples, this->CoverageSamples);
+  winding::checkProperty(winding::Parameter::mergeTolerance, this->MergeTolerance);
   if (this->GenerateSignedDistance)
   {
-    throw winding::Refusal("turn Generate Signed Distance off, or make an image (filter Winding "
-                           "Number Field): a hyper tree grid has no distances");
+    throw winding::Refusal(winding::Message("a hyper tree grid has no distances",
+      {{"", {{winding::Parameter::generateSignedDistance, 0}}},
+        {"make an image", {winding::Parameter::image}}}));
   }
 }
 
@@ -113,10 +114,10 @@ winding::EvaluationCost vtkWindingNumberHyperTree::GetAdditionalCost(
   winding::refuseBeyondFreeMemory(static_cast<double>(cost.bytes),
     "the hyper tree grid of " + std::to_string(samples) + " voxels",
     options.withValues && !field.integerRows()
-      ? "choose larger voxels, a larger tolerance of cells (Merge Tolerance; --merge-tolerance), "
-        "or "
-        "Inside alone (Generate Winding Number; --inside-only)"
-      : "choose larger voxels");
+      ? std::vector<winding::Remedy>{winding::largerVoxels(),
+          {"choose a larger tolerance of cells", {winding::Parameter::mergeTolerance}},
+          {"choose Inside alone", {{winding::Parameter::generateWindingNumber, 0}}}}
+      : std::vector<winding::Remedy>{winding::largerVoxels()});
   winding::VoxelEvaluation voxels;
   voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
   voxels.samplesPerAxis = this->CoverageSamples;

@@ -116,9 +116,9 @@ void vtkWindingNumberImageAlgorithm::TellGrid(vtkInformation* outInfo) const
 void vtkWindingNumberImageAlgorithm::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkChoice("OutputAssociation", this->OutputAssociation, {"POINTS", "CELLS"});
-  winding::checkChoice("Coverage", this->Coverage, {"CENTER", "ANY", "FRACTION"});
-  winding::checkRange("CoverageSamples", this->CoverageSamples, 1, 10);
+  winding::checkProperty(winding::Parameter::outputAssociation, this->OutputAssociation);
+  winding::checkProperty(winding::Parameter::coverage, this->Coverage);
+  winding::checkProperty(winding::Parameter::coverageSamples, this->CoverageSamples);
 }
 
 void vtkWindingNumberImageAlgorithm::HashProperties(winding::ContentHash& hash)

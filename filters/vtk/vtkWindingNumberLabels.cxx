@@ -5,12 +5,14 @@
 #include "field/InsideOut.h"
 #include "private/output/LabelImage.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SolidBlocks.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
+#include "report/InsideOutAdvice.h"
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
@@ -93,11 +95,9 @@ vtkWindingNumberLabels::~vtkWindingNumberLabels()
 void vtkWindingNumberLabels::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkChoice("OverlapRule", this->OverlapRule,
-    {"FIRST", "LAST", "LARGEST_WINDING_NUMBER", "SMALLEST_VOLUME"});
-  winding::checkChoice("CoverageArrays", this->CoverageArrays, {"TWO_LARGEST", "EACH_LABEL"});
-  winding::checkRange(
-    "LabelOffset", this->LabelOffset, -winding::largestLabel, winding::largestLabel);
+  winding::checkProperty(winding::Parameter::overlapRule, this->OverlapRule);
+  winding::checkProperty(winding::Parameter::coverageArrays, this->CoverageArrays);
+  winding::checkProperty(winding::Parameter::labelOffset, this->LabelOffset);
 }
 
 void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
@@ -171,7 +171,7 @@ winding::SolidEvaluationOptions vtkWindingNumberLabels::GetEvaluationOptions() c
   options.checkMemory = [](double bytes, std::size_t voxels)
   {
     winding::refuseBeyondFreeMemory(bytes, "the coverage of " + std::to_string(voxels) + " voxels",
-      "choose larger voxels or write it in pieces");
+      {winding::largerVoxels(), winding::inPieces()});
   };
   return options;
 }
@@ -201,7 +201,9 @@ const winding::Field& vtkWindingNumberLabels::PrepareSolid(
   }
   catch (const winding::Refusal& refusal)
   {
-    throw winding::Refusal(std::string(refusal.what()) + " (solid '" + name + "')");
+    winding::Message message = refusal.message();
+    message.facts += (message.facts.empty() ? "solid '" : ", solid '") + name + "'";
+    throw winding::Refusal(message);
   }
 }
 
@@ -258,7 +260,7 @@ void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const wind
   const std::size_t samples = winding::sampleCount(extent);
   winding::refuseBeyondFreeMemory(static_cast<double>(samples * sizeof(float)),
     "the verification of " + std::to_string(samples) + " voxels",
-    "verify fewer voxels at a time, in pieces");
+    {{"verify fewer voxels at a time", {winding::Parameter::pieces}}});
   std::vector<float> values(samples);
   winding::FieldOutput output;
   output.values = values.data();
@@ -343,37 +345,31 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   const std::size_t count = solids.size();
   if (count == 0 || facts.empty.count() == count)
   {
-    vtkWarningMacro(<< "give a surface or points: there is no solid, so all labels are 0");
+    vtkWarningMacro(<< "there is no solid, so all labels are 0: give a surface or points");
   }
   else if (facts.empty.count() > 0)
   {
-    vtkWarningMacro(
-      << "give each block a surface, or leave empty ones out: no voxel has the labels "
-         "of those that have none, "
-      << facts.empty.outOf(count));
+    vtkWarningMacro(<< "no voxel has the labels of empty blocks: leave them out; "
+                    << facts.empty.outOf(count));
   }
   if (facts.open.count() > 0)
   {
-    vtkWarningMacro(
-      << "close holes where labels are not what they should be: winding numbers decide "
-         "for those not closed, "
-      << facts.open.outOf(count));
+    vtkWarningMacro(<< "some solids have holes: close them where labels are not right; "
+                    << facts.open.outOf(count));
   }
   if (facts.insideOut.count() > 0)
   {
-    vtkWarningMacro(
-      << "turn the faces or normals (filter Surface Report with Fix Orientation; winding check "
-         "INPUT --fix-orientation -o FIXED.vtp), or use the inside rule absolute (Inside Rule; "
-         "--rule absolute): "
-      << facts.insideOut.outOf(count) << " look inward and have no label");
+    vtkWarningMacro(<< winding::lineOf({"some solids look inward and have no label",
+                      winding::waysOutOfInward("faces or normals"), facts.insideOut.outOf(count)}));
   }
   if (facts.warned.count() > 0)
   {
-    vtkWarningMacro(<< facts.warning << " (" << facts.warned.outOf(count) << ")");
+    vtkWarningMacro(<< winding::lineOf(facts.warnings) << " (" << facts.warned.outOf(count) << ")");
   }
   if (solids.repeatedNames() > 0)
   {
-    vtkWarningMacro(<< "give blocks different names: " << solids.repeatedNames() << " of " << count
+    vtkWarningMacro(<< "blocks have equal names: give them different ones; "
+                    << solids.repeatedNames() << " of " << count
                     << " occurred before, and have got a number");
   }
 }

@@ -177,7 +177,7 @@ const winding::ProbeWords& vtkWindingNumberProbe::GetWords() const
 void vtkWindingNumberProbe::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkChoice("ProbeAssociation", this->ProbeAssociation, {"POINTS", "CELLS"});
+  winding::checkProperty(winding::Parameter::probeAssociation, this->ProbeAssociation);
 }
 
 void vtkWindingNumberProbe::HashProperties(winding::ContentHash& hash)
@@ -197,13 +197,13 @@ int vtkWindingNumberProbe::RequestData(
   this->InsideFlags = nullptr;
   if (this->GetNumberOfInputConnections(1) == 0)
   {
-    throw winding::Refusal("choose a Source (SetSourceConnection, SetSourceData): the filter has "
-                           "none to tell winding numbers of");
+    throw winding::Refusal(winding::Message(
+      "there is no source of winding numbers", {{"give one", {winding::Parameter::source}}}));
   }
   this->AgreeOnProperties();
 
   winding::ResultOptions options = this->GetResultOptions();
-  options.remedy = this->GetWords().remedy;
+  options.remedies = this->GetWords().remedies;
   // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
   const std::string insideName = winding::textOf(this->InsideArrayName);
   options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;

@@ -11,6 +11,7 @@
 #include "private/output/ResultArrays.h"
 #include "private/output/SurfaceFidelity.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -108,10 +109,9 @@ int vtkWindingNumberSurface::RequestInformation(
 void vtkWindingNumberSurface::CheckProperties()
 {
   this->Superclass::CheckProperties();
-  winding::checkChoice("Features", this->Features, {"SMOOTH", "SHARP"});
-  winding::checkChoice("OutputPointsPrecision", this->OutputPointsPrecision,
-    {"SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"});
-  winding::checkRange("FidelitySamples", this->FidelitySamples, 0);
+  winding::checkProperty(winding::Parameter::features, this->Features);
+  winding::checkProperty(winding::Parameter::outputPointsPrecision, this->OutputPointsPrecision);
+  winding::checkProperty(winding::Parameter::fidelitySamples, this->FidelitySamples);
 }
 
 void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
@@ -142,8 +142,10 @@ void vtkWindingNumberSurface::CheckGrid() const
     const std::string along = std::string(" along ") + "xyz"[axis];
     if (dimensions[axis] < 2 && !this->CloseBorder)
     {
-      throw winding::Refusal("choose a finer grid or more padding: the grid has one voxel" + along +
-                             ", and a surface needs two or more");
+      throw winding::Refusal(winding::Message("the grid has one voxel" + along,
+        {{"choose smaller voxels", {winding::Parameter::resolution, winding::Parameter::voxelSize}},
+          {"choose more padding", {winding::Parameter::padding}}},
+        "a surface needs two or more"));
     }
   }
 }
@@ -211,7 +213,7 @@ winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
     cost.bytes = winding::costOfLevelSurface(field, grid, edges).bytes;
   }
   winding::refuseBeyondFreeMemory(
-    bytesOfGrid + static_cast<double>(cost.bytes), "the surface", "choose larger voxels");
+    bytesOfGrid + static_cast<double>(cost.bytes), "the surface", {winding::largerVoxels()});
   if (this->FidelitySamples > 0)
   {
     // The surface has about two triangles for each edge of the grid that it crosses.
@@ -251,7 +253,7 @@ void vtkWindingNumberSurface::FindEdges(
   winding::refuseBeyondFreeMemory(static_cast<double>(winding::costOfLevelSurface(
                                     field, this->GetSampling(), static_cast<double>(edges.size()))
                                                         .bytes),
-    "the surface", "choose larger voxels");
+    "the surface", {winding::largerVoxels()});
   this->TellSides(field, edges.sides(), executor);
   if (edges.size() == 0)
   {
@@ -336,16 +338,21 @@ void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
 {
   if (isAllInside)
   {
-    vtkWarningMacro("use a larger grid (Padding, Sampling Bounds; --padding, --bounds), or close "
-                    "the border (Close Border; --close-border): all samples are inside, so the "
-                    "surface is empty");
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::Message("all samples are inside, so the surface is empty",
+                        {{"close the border", {{winding::Parameter::closeBorder, 1}}},
+                          {"choose a larger grid",
+                            {winding::Parameter::padding, winding::Parameter::samplingBounds}}})));
     return;
   }
   if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
   {
-    vtkWarningMacro("use smaller voxels (Resolution, Voxel Size; --resolution, --voxel-size) or a "
-                    "grid around the source, or look whether the source is closed (filter Surface "
-                    "Report; winding check): no sample is inside, so the surface is empty");
+    vtkWarningMacro(
+      << winding::lineOf(winding::Message("no sample is inside, so the surface is empty",
+           {{"choose smaller voxels",
+              {winding::Parameter::resolution, winding::Parameter::voxelSize}},
+             {"choose a grid around the source", {winding::Parameter::samplingBounds}},
+             {"look whether the source is closed", {winding::Parameter::surfaceReport}}})));
   }
 }
 

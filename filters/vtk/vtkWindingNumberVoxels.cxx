@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/pipeline/VtkVersions.h"
 #include "private/source/SourceParts.h"
@@ -84,10 +85,11 @@ struct ReadLabels
       const auto number = static_cast<double>(value);
       if (!(number >= 0 && number <= largest && number == std::floor(number)))
       {
-        throw winding::Refusal("choose an array of labels (Array; SetInputArrayToProcess), or turn "
-                               "By Label off: labels are integers from 0 to 65535, and '" +
-                               winding::textOf(values->GetName()) + "' has the value " +
-                               std::to_string(number));
+        throw winding::Refusal(
+          winding::Message("'" + winding::textOf(values->GetName()) + "' is no array of labels",
+            {{"choose another array", {winding::Parameter::voxelArray}},
+              {"", {{winding::Parameter::byLabel, 0}}}},
+            "labels are integers from 0 to 65535, and it has the value " + std::to_string(number)));
       }
       labels.push_back(static_cast<unsigned short>(number));
     }
@@ -105,7 +107,8 @@ std::vector<unsigned short> labelsOf(vtkDataArray* values)
   return labels;
 }
 
-constexpr const char* memoryAdvice = "choose larger voxels, or extract a part of the image";
+const std::vector<winding::Remedy> lessMemory = {
+  {"choose larger voxels", {}}, {"extract a part of the image", {}}};
 
 /// Finds the continuous index of an image at which its first voxel begins.
 std::array<double, 3> firstIndexOf(vtkImageData* image, bool asCells)
@@ -134,13 +137,14 @@ winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, b
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
-    throw winding::Refusal("choose an array of the points or the cells (Scalars): '" +
-                           winding::textOf(values->GetName()) + "' has " +
-                           std::to_string(values->GetNumberOfTuples()) + " values for " +
-                           std::to_string(voxelCount) + " voxels");
+    throw winding::Refusal(winding::Message(
+      "'" + winding::textOf(values->GetName()) + "' is no array of points or cells",
+      {{"choose another array", {winding::Parameter::voxelArray}}},
+      "it has " + std::to_string(values->GetNumberOfTuples()) + " values for " +
+        std::to_string(voxelCount) + " voxels"));
   }
   winding::refuseBeyondFreeMemory(
-    static_cast<double>(voxelCount) * sizeof(Label), "telling inside from outside", memoryAdvice);
+    static_cast<double>(voxelCount) * sizeof(Label), "telling inside from outside", lessMemory);
   return sides;
 }
 
@@ -159,7 +163,7 @@ void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image,
 {
   using Surface = winding::BlockSurface<Label>;
   const std::size_t faces = Surface::countFaces(sides);
-  winding::refuseBeyondFreeMemory(Surface::bytesOf(faces), "the surface", memoryAdvice);
+  winding::refuseBeyondFreeMemory(Surface::bytesOf(faces), "the surface", lessMemory);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   winding::reserve(points.Get(), static_cast<vtkIdType>(faces) + 2);
@@ -261,7 +265,7 @@ int vtkWindingNumberVoxels::RequestData(
   {
     return 1;
   }
-  winding::reportErrors(this, "there is not enough memory for the surface of so many voxels",
+  winding::reportErrors(this, {"not enough memory for the surface", lessMemory},
     [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
   return 1;
 }
@@ -283,16 +287,17 @@ vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& assoc
   }
   if (!values || values->GetNumberOfComponents() != 1)
   {
-    throw winding::Refusal(
-      "compute a scalar array (filter Winding Number Field), or choose one (Array; "
-      "SetInputArrayToProcess): the image has none to tell inside from outside by");
+    throw winding::Refusal(winding::Message("the image has no scalar array",
+      {{"choose an array", {winding::Parameter::voxelArray}},
+        {"compute one", {winding::Parameter::image}}},
+      "it tells inside from outside"));
   }
   return values;
 }
 
 void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* output)
 {
-  winding::checkFinite("WindingThreshold", this->WindingThreshold);
+  winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
   if (image->GetNumberOfPoints() == 0)
   {
@@ -334,8 +339,8 @@ void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
     [values](std::size_t i) { return values->GetComponent(static_cast<vtkIdType>(i), 0); });
   if (counts.negative > 0)
   {
-    vtkWarningMacro(<< winding::insideOutAdvice(
-                      "faces or normals", counts, this->WindingThreshold));
+    vtkWarningMacro(<< winding::lineOf(winding::insideOutAdvice(
+                      "faces or normals", counts, this->WindingThreshold)));
   }
 }
 

@@ -10,6 +10,8 @@ import warnings
 
 from vtkmodules.vtkCommonCore import vtkObject
 
+from .vtkFiltersWinding import vtkWindingNumberAlgorithm as Filter
+
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -50,15 +52,18 @@ def run(algorithm, *, progress_bar=False, message=""):
 
 @contextlib.contextmanager
 def _errors_reported():
-    """Has VTK report errors and warnings, which it keeps to itself where its display is off.
+    """Has VTK report errors and warnings, which it keeps to itself where its display is off, and
+    filters name options by keywords.
 
-    The display is that of the whole process: it is as before when the last of several threads is
-    through. Messages of filters go to their observers, so nothing is shown.
+    Display and names are those of the whole process: they are as before when the last of several
+    threads is through. Messages of filters go to their observers, so nothing is shown.
     """
     with _display.lock:
         if _display.users == 0:
             _display.before = vtkObject.GetGlobalWarningDisplay()
+            _display.names_before = Filter.GetNamesInMessages()
             vtkObject.GlobalWarningDisplayOn()
+            Filter.SetNamesInMessages(Filter.PYTHON_NAMES)
         _display.users += 1
     try:
         yield
@@ -67,6 +72,7 @@ def _errors_reported():
             _display.users -= 1
             if _display.users == 0:
                 vtkObject.SetGlobalWarningDisplay(_display.before)
+                Filter.SetNamesInMessages(_display.names_before)
 
 
 class _Display:
@@ -74,6 +80,7 @@ class _Display:
         self.lock = threading.Lock()
         self.users = 0
         self.before = 1
+        self.names_before = Filter.CXX_NAMES
 
 
 _display = _Display()

@@ -84,7 +84,8 @@ TEST_F(Clouds, OnOnePlaceAreRefusedForTheirGridOrWarnedOf)
 {
   const Cloud equal{std::vector<Point>(50, {1, 1, 1}), std::vector<Point>(50, {0, 0, 1})};
   EXPECT_EQ(run(equal).status, 2);
-  expectField(equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place tell none");
+  expectField(
+    equal, {"--bounds", "0", "2", "0", "2", "0", "2"}, "points at one place have no areas");
 }
 
 TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
@@ -95,7 +96,7 @@ TEST_F(Clouds, OfTwoPointsOrOnALineHaveAField)
   {
     line.points.push_back({1.0 * i, 2.0 * i, 3.0 * i});
   }
-  expectField(line, {"--estimate-normals"}, "do not tell inside from outside");
+  expectField(line, {"--estimate-normals"}, "estimated normals are not right everywhere");
   line.normals.assign(100, {0, 0, 1});
   expectField(line, {}, "");
 }
@@ -130,7 +131,7 @@ TEST_F(Clouds, WithNormalsInwardAreMinusOne)
   {
     normal = {-normal[0], -normal[1], -normal[2]};
   }
-  expectField(cloud, {}, "turn the normals, or use the inside rule absolute");
+  expectField(cloud, {}, "normals look inward: use --rule absolute, or turn the normals");
 }
 
 TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
@@ -139,7 +140,8 @@ TEST_F(Clouds, WithoutNormalsAreRefusedOrGetThem)
   cloud.normals.clear();
   const Outcome refused = run(cloud);
   EXPECT_EQ(refused.status, 2) << refused;
-  EXPECT_TRUE(refused.saysInOneLine({"have normals estimated", "--estimate-normals"})) << refused;
+  EXPECT_TRUE(refused.saysInOneLine({"the points have no normals: use --estimate-normals"}))
+    << refused;
   const nlohmann::json report = expectField(cloud, {"--estimate-normals"}, "");
   EXPECT_EQ(report["input"]["normals_estimated"], true);
   EXPECT_EQ(report["input"]["normal_estimation"], "spanning tree");

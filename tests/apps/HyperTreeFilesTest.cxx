@@ -221,7 +221,7 @@ TEST_F(HyperTreeFiles, OptionsThatMakeNoSenseAreRefusedInOneLine)
   };
   refused({"--distance"}, {"--distance", ".vti"}, out);
   refused({"--pieces", "2"}, {"--pieces", "leave it out"}, out);
-  refused({"--merge-tolerance", "-1"}, {"--merge-tolerance is -1", "0 (none) or more"}, out);
+  refused({"--merge-tolerance", "-1"}, {"--merge-tolerance is -1", "give 0 or more"}, out);
   refused({"--merge-tolerance", "nan"}, {"--merge-tolerance is nan"}, out);
   refused(
     {"--merge-tolerance", "0.1", "--inside-only"}, {"--merge-tolerance", "leave one out"}, out);
@@ -242,7 +242,8 @@ TEST_F(HyperTreeFiles, OutputsFollowTheRulesOfAllOutputs)
   const Outcome large = runProgram(
     {"field", open, "-o", folder.path("a.htg"), "--resolution", "30000", "--merge-tolerance", "0"});
   EXPECT_EQ(large.status, 3) << large;
-  EXPECT_TRUE(large.saysInOneLine({"choose larger voxels", "GiB"})) << large;
+  EXPECT_TRUE(large.saysInOneLine({"choose larger voxels (--resolution, --voxel-size)", "GiB"}))
+    << large;
   EXPECT_EQ(folder.names().size(), 2u);
 }
 

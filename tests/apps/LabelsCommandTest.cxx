@@ -140,10 +140,14 @@ TEST_F(LabelsCommand, WarnsInOneLineOfWhatIsNotClosedOrHasOneName)
   left = folder.write("left.off", asOff(open));
   Outcome outcome = run({left, right});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("not closed, 1 of 2 solids ('left')"), std::string::npos) << outcome;
+  EXPECT_NE(outcome.err.find("close them where labels are not right; 1 of 2 solids ('left')"),
+    std::string::npos)
+    << outcome;
   outcome = run({right, right});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("give blocks different names: 1 of 2"), std::string::npos) << outcome;
+  EXPECT_NE(outcome.err.find("blocks have equal names: give them different ones; 1 of 2"),
+    std::string::npos)
+    << outcome;
   EXPECT_EQ(outcome.json()["labels"][1]["name"], "right (2)");
 }
 
@@ -152,7 +156,7 @@ TEST_F(LabelsCommand, RefusesInOneLine)
   EXPECT_TRUE(run({left, folder.path("none.stl")}).saysInOneLine({"none.stl"}));
   EXPECT_TRUE(run({left, right}, {"--region-array", "Part"}).saysInOneLine({"--region-array"}));
   EXPECT_TRUE(
-    run({left}, {"--region-array", "Part"}).saysInOneLine({"'Part' is none of the cells"}));
+    run({left}, {"--region-array", "Part"}).saysInOneLine({"'Part' is no array of the cells"}));
   EXPECT_TRUE(run({left}, {"--label-offset", "1"}).saysInOneLine({"--region-array"}));
   EXPECT_TRUE(run({left}, {"--shares", "each"}).saysInOneLine({"--coverage fraction"}));
   EXPECT_TRUE(run({left}, {"--overlap", "best"}).saysInOneLine({"first | last | largest"}));

@@ -123,7 +123,7 @@ TEST_F(NormalsCommand, AreDescribedForPeopleWhoAreWarnedWhereTheyAreUnsure)
   EXPECT_NE(clear.out.find("wrote " + folder.path("a.ply")), std::string::npos) << clear;
   const Outcome unsure = this->run(in, "a.ply", {"--normal-estimation", "tree"});
   EXPECT_EQ(unsure.status, 0) << unsure;
-  EXPECT_NE(unsure.err.find("estimated ones do not tell inside from outside"), std::string::npos)
+  EXPECT_NE(unsure.err.find("estimated normals are not right everywhere"), std::string::npos)
     << unsure;
 }
 
@@ -160,7 +160,9 @@ TEST_F(NormalsCommand, OfPointsOfMeshesAreThoseOfTheirFacesUnlessOthersAreAskedF
   const std::string bare = folder.write("bare.xyz", asBareXyz(shell(2)));
   const Outcome noMesh = this->run(bare, "c.csv", {"--areas", "mesh"});
   EXPECT_EQ(noMesh.status, 2) << noMesh;
-  EXPECT_TRUE(noMesh.saysInOneLine({"bare.xyz", "choose Voronoi areas"})) << noMesh;
+  EXPECT_TRUE(
+    noMesh.saysInOneLine({"bare.xyz", "areas from the mesh need triangles", "--areas voronoi"}))
+    << noMesh;
 }
 
 TEST_F(NormalsCommand, HaveTheAreasThatAreAskedForBesideThem)
@@ -205,7 +207,8 @@ TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
   EXPECT_TRUE(huge.saysInOneLine({"huge.xyz", "1e+200"})) << huge;
   const Outcome one = this->run(folder.write("one.xyz", "1 2 3\n"), "a.ply");
   EXPECT_EQ(one.status, 0) << one;
-  EXPECT_NE(one.err.find("points at one place tell none"), std::string::npos) << one;
+  EXPECT_NE(one.err.find("points at one place have no areas: use --area"), std::string::npos)
+    << one;
   EXPECT_FALSE(folder.names().empty());
 }
 

@@ -85,7 +85,10 @@ TEST_F(ProbeCommand, FacesThatLookInwardAreToldWhereNothingIsInside)
   for (const char* out : {"out.csv", "out.vtp"})
   {
     const Outcome run = probe(inside, out, {"--extract"});
-    EXPECT_NE(run.err.find("turn the faces (filter Surface Report"), std::string::npos) << run;
+    EXPECT_NE(
+      run.err.find("faces look inward: use --rule absolute, or turn the faces (winding check "),
+      std::string::npos)
+      << run;
     EXPECT_EQ(probe(inside, out, {"--extract", "--rule", "absolute"}).err, "");
     EXPECT_EQ(probe(outside, out, {"--extract"}).err, "");
   }

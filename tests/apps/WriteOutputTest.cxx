@@ -154,12 +154,12 @@ TEST_F(WriteOutput, LinksAreFollowed)
   EXPECT_TRUE(circle.saysInOneLine({"circle.vti", "leads to itself"})) << circle;
 }
 
-TEST_F(WriteOutput, CloudWithoutNormalsNamesTheFilterThatMakesThem)
+TEST_F(WriteOutput, CloudWithoutNormalsNamesTheCommandThatMakesThem)
 {
   const std::string cloud = folder.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   const Outcome run = runProgram({"field", cloud, "-o", folder.path("out.vti")});
   EXPECT_EQ(run.status, 2) << run;
-  EXPECT_TRUE(run.saysInOneLine({"cloud.xyz", "normals", "vtkPCANormalEstimation"})) << run;
+  EXPECT_TRUE(run.saysInOneLine({"cloud.xyz", "normals", "winding normals"})) << run;
 }
 
 TEST_F(WriteOutput, StandardOutputThatCannotBeWrittenIsAnError)

@@ -315,7 +315,7 @@ TEST(FieldOnRanks, OfPartsThatShouldBeCopiesIsRefusedOnAll)
   field->SetSourceDistribution(vtkWindingNumberField::REPLICATED);
   const ErrorLog log(field);
   updatePiece(field);
-  EXPECT_EQ(log.errors().find("the source is no replicated one") == std::string::npos, ranks() == 1)
+  EXPECT_EQ(log.errors().find("the source is not replicated") == std::string::npos, ranks() == 1)
     << log.errors();
 }
 

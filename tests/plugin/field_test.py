@@ -113,7 +113,7 @@ class TestField(unittest.TestCase):
             field.UpdatePipeline()
             self.assertTrue(errors)
             for error in errors:
-                self.assertIn("have normals estimated", error)
+                self.assertIn("the points have no normals: use Estimate Normals", error)
             self.assertEqual(information(field, "Status"), 1)
             errors.clear()
 
@@ -147,7 +147,7 @@ class TestField(unittest.TestCase):
             field.UpdatePipeline()
             self.assertTrue(errors)
             for error in errors:
-                self.assertIn("have normals estimated", error)
+                self.assertIn("the points have no normals: use Estimate Normals", error)
             field.EstimateNormals = 1
             image = result(field)
         self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)

@@ -122,13 +122,13 @@ def clicks():
 
 # Inputs for which a filter is refused, as the Python shell makes them: by what the error begins with.
 REFUSED = {
-    "give an input with points": (
+    "the input is empty": (
         "Winding Number Field",
         "simple.Threshold(Input=simple.Wavelet(), LowerThreshold=1e6, UpperThreshold=2e6)", ""),
-    "make a surface of the lines first": ("Winding Number Surface", "simple.Line()", ""),
-    "have normals estimated": (
+    "the input has only lines": ("Winding Number Surface", "simple.Line()", ""),
+    "the points have no normals": (
         "Winding Number Field", "simple.PointSource(NumberOfPoints=9, Radius=1)", ""),
-    "choose larger voxels: the surface": (
+    "not enough memory": (
         "Winding Number Surface", "simple.Sphere(PhiResolution=32)",
         "SamplingDimensions=(2000000000, 100, 100)"),
     "choose the method automatic": (

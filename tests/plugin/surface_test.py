@@ -36,7 +36,7 @@ class TestSurface(unittest.TestCase):
         errors = errors_of(surface)
         surface.UpdatePipeline()
         self.assertEqual(len(errors), 1)
-        self.assertIn("choose larger voxels: the surface needs", errors[0])
+        self.assertIn("not enough memory: choose larger voxels (Resolution, Voxel Size)", errors[0])
 
     def test_faces_that_look_inward_are_told(self):
         inverted = simple.ReverseSense(Input=unit_sphere())
@@ -44,7 +44,7 @@ class TestSurface(unittest.TestCase):
         warnings = warnings_of(surface)
         self.assertEqual(result(surface).GetNumberOfCells(), 0)
         self.assertEqual(len(warnings), 1)
-        self.assertIn("turn the faces (filter Surface Report with Fix Orientation", warnings[0])
+        self.assertIn("faces look inward: use Inside Rule: Absolute, or turn the faces", warnings[0])
 
     def test_panel_shows_the_level_and_no_result_arrays(self):
         surface = simple.WindingNumberSurface(Input=unit_sphere())

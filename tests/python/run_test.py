@@ -59,7 +59,7 @@ class ErrorTest(unittest.TestCase):
     def test_errors_are_raised_as_one_line(self):
         field = field_of(vtkSphereSource())
         field.SetResolution(-1)
-        with self.assertRaisesRegex(vtkwinding.WindingError, r"^Resolution is -1") as caught:
+        with self.assertRaisesRegex(vtkwinding.WindingError, r"^resolution is -1") as caught:
             _run.run(field)
         self.assertIsInstance(caught.exception, RuntimeError)
         self.assertNotIn("\n", str(caught.exception))

@@ -1,4 +1,5 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 #include "vtk/PointProbe.h"
 #include "vtk/SphereCloud.h"
 
@@ -29,7 +30,8 @@ TEST_F(Clouds, NormalsAreEstimatedOnRequestAndOutward)
   {
     ErrorLog log(probe);
     this->windingNumber(sphereCloud(2000, 0));
-    EXPECT_NE(log.errors().find("Estimate Normals"), std::string::npos) << log.errors();
+    EXPECT_NE(log.errors().find(howTo({winding::Parameter::estimateNormals, 1})), std::string::npos)
+      << log.errors();
   }
   probe->EstimateNormalsOn();
   ErrorLog log(probe);
@@ -103,7 +105,7 @@ TEST_F(Clouds, ThatEncloseNothingAreSaidToBeSo)
   probe->EstimateNormalsOn();
   ErrorLog log(probe);
   this->windingNumber(sheet);
-  EXPECT_NE(log.warnings().find("do not tell inside from outside"), std::string::npos)
+  EXPECT_NE(log.warnings().find("estimated normals are not right everywhere"), std::string::npos)
     << log.warnings();
   EXPECT_LT(probe->GetClearShare(), 0.1);
 }

@@ -286,7 +286,7 @@ TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)
   expectRefused("Padding is -0.1");
   field->SetPadding(0);
   field->SetSamplingDimensions(4, 0, 4);
-  expectRefused("SamplingDimensions[1] is 0");
+  expectRefused("SamplingDimensions is 0 along y");
   field->SetSamplingDimensions(0, 0, 0);
   field->UseInputBoundsOff();
   field->SetSamplingBounds(1, 0, 0, 1, 0, 1);

@@ -347,7 +347,7 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
       }
       fresh->SetResolution(isProperty ? 0 : 6);
       fresh->SetVoxelSize(isProperty ? 0 : 1e-10);
-      const char* const fault = isProperty ? "Resolution is 0" : "choose larger voxels";
+      const char* const fault = isProperty ? "Resolution is 0" : "too many voxels";
       {
         ErrorLog informationLog(fresh);
         fresh->UpdateInformation();

@@ -29,7 +29,7 @@ std::string refusalOf(double bytes, HostMemory (*memory)())
 {
   try
   {
-    refuseBeyondFreeMemory(bytes, "the result", "choose larger voxels", memory);
+    refuseBeyondFreeMemory(bytes, "the result", {largerVoxels()}, memory);
     return "";
   }
   catch (const OutOfMemory& refusal)
@@ -42,9 +42,9 @@ TEST(FreeMemory, UsedMemoryIsNotFree)
 {
   EXPECT_EQ(refusalOf(5.9 * gib, tenOfWhichFourAreUsed), "");
   EXPECT_EQ(refusalOf(7 * gib, tenOfWhichFourAreUsed),
-    "choose larger voxels: the result needs 7 GiB of memory and 6 GiB is free");
+    "not enough memory: choose larger voxels; the result needs 7 GiB, and 6 GiB is free");
   EXPECT_EQ(refusalOf(0.5 * gib, moreUsedThanThereIs),
-    "choose larger voxels: the result needs 0.5 GiB of memory and 0 GiB is free");
+    "not enough memory: choose larger voxels; the result needs 0.5 GiB, and 0 GiB is free");
 }
 
 TEST(FreeMemory, LittleIsNotRefused)

@@ -1,5 +1,6 @@
 #include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 #include "vtk/HyperTreeVoxels.h"
 #include "vtk/ProgressLog.h"
 #include "vtk/ReadMesh.h"
@@ -412,7 +413,8 @@ TEST_F(HyperTree, ValuesAreVerified)
   trees->GenerateWindingNumberOff();
   trees->GenerateInsideOn();
   trees->Update();
-  EXPECT_NE(log.errors().find("only values can be verified"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("only winding numbers can be verified"), std::string::npos)
+    << log.errors();
 }
 
 TEST_F(HyperTree, ProgressRisesAndAbortIsObeyed)
@@ -441,7 +443,7 @@ TEST_F(HyperTree, DistancesAreRefused)
   trees->GenerateSignedDistanceOn();
   ErrorLog log(trees);
   trees->Update();
-  EXPECT_NE(log.errors().find("turn Generate Signed Distance off"), std::string::npos);
+  EXPECT_NE(log.errors().find("a hyper tree grid has no distances"), std::string::npos);
   EXPECT_EQ(trees->GetStatus(), Filter::REFUSED);
 }
 
@@ -454,8 +456,9 @@ TEST_F(HyperTree, WhatDoesNotFitIntoMemoryIsRefusedAtOnce)
   ErrorLog log(trees);
   trees->Update();
   EXPECT_EQ(trees->GetStatus(), Filter::OUT_OF_MEMORY) << log.errors();
-  EXPECT_NE(log.errors().find("Merge Tolerance; --merge"), std::string::npos) << log.errors();
-  EXPECT_NE(log.errors().find("GiB of memory"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find(howTo(winding::Parameter::mergeTolerance)), std::string::npos)
+    << log.errors();
+  EXPECT_NE(log.errors().find(" GiB, and "), std::string::npos) << log.errors();
 }
 
 TEST_F(HyperTree, NothingAndInsideOutSourcesAreTold)

@@ -1,4 +1,5 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 #include "vtk/SphereCloud.h"
 
 #include "vtkAppendPolyData.h"
@@ -28,11 +29,14 @@
 namespace
 {
 
-const std::string rule = ", or use the inside rule absolute (Inside Rule; --rule absolute): ";
-const std::string inwardHere = " look inward here, for w is -0.5 or less at ";
-const std::string facesTurned = "turn the faces (filter Surface Report with Fix Orientation; "
-                                "winding check INPUT --fix-orientation -o FIXED.vtp)";
-const std::string advice = facesTurned + rule + "faces" + inwardHere;
+using winding::Parameter;
+
+const std::string rule = " look inward: use " +
+                         howTo({Parameter::insideRule, vtkWindingNumberAlgorithm::ABSOLUTE}) +
+                         ", or ";
+const std::string turned = " (" + howTo(Parameter::turnedFaces) + ")";
+const std::string inwardHere = "; w is -0.5 or less at ";
+const std::string advice = "faces" + rule + "turn the faces" + turned + inwardHere;
 
 class InsideOut : public testing::Test
 {
@@ -212,7 +216,7 @@ TEST_F(InsideOut, SourcesOfVoxels)
     return log.warnings();
   };
   const std::string adviceOnImage =
-    facesTurned + " or normals" + rule + "faces or normals" + inwardHere;
+    "faces or normals" + rule + "turn the faces or normals" + turned + inwardHere;
   EXPECT_NE(warnings().find(adviceOnImage), std::string::npos);
   EXPECT_EQ(voxels->GetOutput()->GetNumberOfCells(), 0);
   openTheSphere();
@@ -235,7 +239,7 @@ TEST_F(InsideOut, SourcesOfPointsHaveNormals)
   surface->Update();
   EXPECT_TRUE(surface->GetSourceIsInsideOut());
   EXPECT_NE(
-    log.warnings().find("turn the normals" + rule + "normals" + inwardHere), std::string::npos)
+    log.warnings().find("normals" + rule + "turn the normals" + inwardHere), std::string::npos)
     << log.warnings();
 }
 

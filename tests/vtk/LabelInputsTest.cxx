@@ -1,4 +1,5 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 #include "vtk/LabelScenes.h"
 
 #include "vtkAppendPolyData.h"
@@ -130,7 +131,9 @@ TEST_F(LabelInputs, CompositesOfEveryKindGiveTheSame)
   outer->SetBlock(1, asAssembly({balls[2], balls[3], balls[4]}));
   EXPECT_EQ(made(outer), expected);
   EXPECT_EQ(names()[3], "solid 1 (2)");
-  EXPECT_NE(warnings.find("give blocks different names: 2 of 5"), std::string::npos) << warnings;
+  EXPECT_NE(
+    warnings.find("blocks have equal names: give them different ones; 2 of 5"), std::string::npos)
+    << warnings;
 }
 
 TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
@@ -220,7 +223,7 @@ TEST_F(LabelInputs, EmptyBlocksKeepTheirLabelsAndAreCounted)
     (std::set<unsigned short>(label.begin(), label.end())), (std::set<unsigned short>{0, 2, 3, 5}));
   EXPECT_EQ(labels->GetNumberOfEmptySolids(), 2);
   EXPECT_NE(
-    warnings.find("that have none, 2 of 5 solids ('solid 0', 'solid 3')"), std::string::npos)
+    warnings.find("leave them out; 2 of 5 solids ('solid 0', 'solid 3')"), std::string::npos)
     << warnings;
   vtkNew<vtkMultiBlockDataSet> nothing;
   labels->SetUseInputBounds(false);
@@ -272,7 +275,7 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
   blocks->SetBlock(2, image);
-  expectRefused(blocks, "extract a surface first, for instance by Contour: block 'Block 3' is a ");
+  expectRefused(blocks, "block 'Block 3' is a ");
   vtkNew<vtkPolyData> points;
   points->SetPoints(balls[0]->GetPoints());
   blocks->SetBlock(2, points);
@@ -280,10 +283,11 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   expectRefused(points, "give blocks, one for each solid");
 
   labels->SetRegionArray("Nothing");
-  expectRefused(withRegions(balls, 1), "'Nothing' is none of the cells");
+  expectRefused(withRegions(balls, 1), "'Nothing' is no array of the cells");
   labels->SetRegionArray("Region");
-  expectRefused(withRegions(balls, 0), "choose another Label Offset (--label-offset): ");
-  expectRefused(withRegions(balls, 65532), "labels are 1 to 65535, and region 65536 of 'Region'");
+  expectRefused(withRegions(balls, 0), "labels are 1 to 65535: choose another offset (" +
+                                         howTo(winding::Parameter::labelOffset) + "); ");
+  expectRefused(withRegions(balls, 65532), "; region 65536 of 'Region'");
   const auto broken = withRegions(balls, 1);
   vtkNew<vtkFloatArray> numbers;
   numbers->SetName("Region");
@@ -296,7 +300,7 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   vtkNew<vtkMultiBlockDataSet> many;
   many->SetNumberOfBlocks(65536);
   many->SetBlock(0, balls[0]);
-  expectRefused(many, "extract fewer blocks: labels are 1 to 65535");
+  expectRefused(many, "labels are 1 to 65535: extract fewer blocks");
 }
 
 TEST_F(LabelInputs, ASoupOfLooseTrianglesIsTooManyParts)
@@ -314,7 +318,7 @@ TEST_F(LabelInputs, ASoupOfLooseTrianglesIsTooManyParts)
   }
   soup->SetPoints(points);
   soup->SetPolys(cells);
-  expectRefused(soup, "the surface is of 65536 parts by connectivity");
+  expectRefused(soup, "; it has 65536 by connectivity");
 }
 
 } // namespace

@@ -274,7 +274,8 @@ TEST_F(Labels, TellsFactsAboutAllSolids)
   EXPECT_EQ(labels->GetNumberOfOpenSolids(), 1);
   EXPECT_EQ(labels->GetNumberOfEmptySolids(), 0);
   EXPECT_STREQ(labels->GetMethodUsed(), "rows");
-  EXPECT_NE(log.warnings().find("not closed, 1 of 5 solids ('solid 2')"), std::string::npos)
+  EXPECT_NE(log.warnings().find("close them where labels are not right; 1 of 5 solids ('solid 2')"),
+    std::string::npos)
     << log.warnings();
   vtkFieldData* table = labels->GetOutput()->GetFieldData();
   ASSERT_TRUE(table->GetAbstractArray("LabelNames"));
@@ -333,7 +334,7 @@ TEST_F(Labels, RefuseWhatTheyCannotDoInOneLine)
   nowhere->GetData()->Fill(std::numeric_limits<double>::quiet_NaN());
   solids[2]->SetPoints(nowhere);
   labels->SetUseInputBounds(false);
-  expectRefused("(solid 'solid 2')");
+  expectRefused("; solid 'solid 2'");
 }
 
 TEST_F(Labels, ValuesOfAllSolidsAreVerified)
@@ -385,7 +386,7 @@ TEST_F(Labels, SolidsThatLookInwardAreCounted)
   labels->Update();
   EXPECT_EQ(labels->GetNumberOfInsideOutSolids(), 1);
   EXPECT_TRUE(labels->GetSourceIsInsideOut());
-  EXPECT_NE(log.warnings().find("1 of 5 solids ('solid 4') look inward"), std::string::npos)
+  EXPECT_NE(log.warnings().find("; 1 of 5 solids ('solid 4')"), std::string::npos)
     << log.warnings();
 }
 

@@ -1,5 +1,6 @@
 #include "private/pipeline/FreeMemory.h"
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -23,6 +24,8 @@
 namespace
 {
 
+using winding::Parameter;
+
 /// A sphere that says that it has far more points and cells than fit into any memory.
 class HugeSphere : public vtkPolyData
 {
@@ -39,6 +42,16 @@ template <class Filter> std::string errorsOf(Filter* filter)
   ErrorLog log(filter);
   filter->Update();
   return log.errors();
+}
+
+/// Expects that memory is short for `what`, and that the error names a parameter.
+template <class Filter>
+void expectRefused(Filter* filter, Parameter parameter, const std::string& what)
+{
+  const std::string errors = errorsOf(filter);
+  EXPECT_NE(errors.find("): not enough memory: "), std::string::npos) << errors;
+  EXPECT_NE(errors.find(what), std::string::npos) << errors;
+  EXPECT_NE(errors.find(howTo(parameter)), std::string::npos) << errors;
 }
 
 TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
@@ -99,8 +112,7 @@ TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(sphere->GetOutputPort());
   surface->SetSamplingDimensions(2'000'000'000, 100, 100);
-  EXPECT_NE(
-    errorsOf(surface.Get()).find("choose larger voxels: the surface needs"), std::string::npos);
+  expectRefused(surface.Get(), Parameter::voxelSize, "; the surface needs");
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
 }
 
@@ -116,11 +128,8 @@ TEST(MemoryOfWork, ComparisonsAreRefusedByTheirPoints)
   surface->SetInputConnection(sphere->GetOutputPort());
   surface->SetResolution(8);
   surface->SetFidelitySamples(most);
-  EXPECT_NE(
-    errorsOf(surface.Get())
-      .find("draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels: the "
-            "comparison of the surface with its source needs"),
-    std::string::npos);
+  expectRefused(surface.Get(), Parameter::fidelitySamples,
+    "; the comparison of the surface with its source needs");
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);
 }
 

@@ -1,4 +1,5 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
@@ -21,7 +22,9 @@
 namespace
 {
 
-/// Expects that a filter refuses its input in one line that begins with the remedy.
+using winding::Parameter;
+
+/// Expects that a filter refuses its input in one line that begins with these words.
 void expectRefused(vtkAlgorithm* filter, const std::string& words)
 {
   ErrorLog log(filter);
@@ -52,7 +55,9 @@ TEST(Messages, LinesAreCalledLines)
 {
   vtkNew<vtkWindingNumberField> field;
   field->SetInputData(polyline());
-  const std::string words = "make a surface of the lines first, for instance by Tube or Ribbon: ";
+  const std::string words =
+    "the input has only lines, which bound nothing: make a surface of them first (" +
+    howTo(Parameter::tube) + ")";
   expectRefused(field, words);
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(polyline()->GetPoints());
@@ -74,17 +79,21 @@ TEST(Messages, AnEmptyInputIsCalledEmpty)
     // ParaView fills the bounds of nothing in.
     const double bounds[6] = {1e299, -1e299, 1e299, -1e299, 1e299, -1e299};
     filter->SetSamplingBounds(bounds);
-    expectRefused(filter, "give an input with points, or a box (Sampling Bounds): ");
+    expectRefused(
+      filter, "the input is empty, and has no bounds: give an input with points, or give "
+              "bounds (" +
+                howTo(Parameter::samplingBounds) + ")");
     filter->Delete();
   }
 }
 
-TEST(Messages, PointsWithoutNormalsGetTheRemedyFirst)
+TEST(Messages, PointsWithoutNormalsGetTheEasiestRemedyFirst)
 {
   vtkNew<vtkPointSource> points;
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(points->GetOutputPort());
-  expectRefused(surface, "have normals estimated (Estimate Normals; --estimate-normals), or ");
+  expectRefused(
+    surface, "the points have no normals: use " + howTo({Parameter::estimateNormals, 1}) + ", or ");
 }
 
 TEST(Messages, AMissingSourceHasItsName)
@@ -92,7 +101,8 @@ TEST(Messages, AMissingSourceHasItsName)
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkWindingNumberProbe> probe;
   probe->SetInputConnection(sphere->GetOutputPort());
-  expectRefused(probe, "choose a Source (SetSourceConnection, SetSourceData): ");
+  expectRefused(
+    probe, "there is no source of winding numbers: give one (" + howTo(Parameter::source) + ")");
   EXPECT_EQ(probe->GetStatus(), vtkWindingNumberProbe::REFUSED);
   probe->SetSourceConnection(sphere->GetOutputPort());
   ErrorLog log(probe);
@@ -106,8 +116,9 @@ TEST(Messages, ImagesAreRefusedInOurWords)
   image->SetDimensions(3, 3, 3);
   vtkNew<vtkWindingNumberField> field;
   field->SetInputData(image);
-  const std::string words =
-    "extract a surface first, for instance by Contour: the source is a vtkImageData";
+  const std::string words = "the source is a vtkImageData, no surface or points: extract a surface "
+                            "first (" +
+                            howTo(Parameter::contour) + ")";
   expectRefused(field, words);
   vtkNew<vtkSurfaceReport> report;
   report->SetInputData(image);
@@ -119,7 +130,7 @@ TEST(Messages, OtherErrorsOfAnExecutiveArePassedOn)
   vtkNew<vtkPointSource> points;
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(points->GetOutputPort());
-  expectRefused(surface, "have normals estimated");
+  expectRefused(surface, "the points have no normals");
   testing::internal::CaptureStderr();
   surface->SetInputConnection(nullptr);
   surface->Update(); // a required port without a connection is the executive's own error

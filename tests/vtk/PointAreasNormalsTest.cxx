@@ -46,7 +46,7 @@ TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
 {
   auto input = cloud();
   input->GetPointData()->Initialize();
-  this->expectRefused(input, "have normals estimated");
+  this->expectRefused(input, "the points have no normals");
   filter->EstimateNormalsOn();
   this->areasOf(input);
   EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi);
@@ -230,5 +230,5 @@ TEST_F(PointAreas, EstimatedNormalsThatTellNoInsideComeWithAWarning)
   filter->EstimateNormalsOn();
   ErrorLog log(filter);
   this->areasOf(input);
-  EXPECT_NE(log.warnings().find("do not tell inside from outside"), std::string::npos);
+  EXPECT_NE(log.warnings().find("estimated normals are not right everywhere"), std::string::npos);
 }

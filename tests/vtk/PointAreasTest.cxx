@@ -1,3 +1,4 @@
+#include "vtk/HowTo.h"
 #include "vtk/PointAreasOfSpheres.h"
 #include "vtk/ProgressLog.h"
 
@@ -138,7 +139,7 @@ TEST_F(PointAreas, NeighborsAndNormalsAreThoseAskedFor)
 TEST_F(PointAreas, WhatCannotBeIsRefused)
 {
   filter->SetPointAreaMethod(vtkPointAreas::MESH);
-  this->expectRefused(cloud(), "choose Voronoi areas");
+  this->expectRefused(cloud(), "areas from the mesh need triangles");
   for (const int method : {-1, 3})
   {
     filter->SetPointAreaMethod(method);
@@ -209,7 +210,10 @@ TEST_F(PointAreas, PointsAtOnePlaceHaveNoneAndAWarning)
   ErrorLog log(filter);
   const std::vector<double> areas = this->areasOf(input);
   EXPECT_EQ(areas, std::vector<double>(areas.size(), 0.0));
-  EXPECT_NE(log.warnings().find("set a point area"), std::string::npos) << log.warnings();
+  EXPECT_NE(log.warnings().find(
+              "points at one place have no areas: use " + howTo(winding::Parameter::pointArea)),
+    std::string::npos)
+    << log.warnings();
 }
 
 TEST_F(PointAreas, OfNothingAreNone)

@@ -146,7 +146,7 @@ template <class Filter> void expectPropertiesOfGridsRefused(Filter* filter)
   filter->SetSamplingDimensions(4, 4, 0);
   filter->Update();
   EXPECT_NE(
-    log.errors().find("SamplingDimensions[2] is 0; it must be 1 or more"), std::string::npos)
+    log.errors().find("SamplingDimensions is 0 along z; it must be 1 or more"), std::string::npos)
     << log.errors();
   EXPECT_TRUE(isEmpty(filter));
   filter->SetSamplingDimensions(0, 0, 0);

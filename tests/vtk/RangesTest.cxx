@@ -133,7 +133,7 @@ TEST(Ranges, AreasOutOfRangeAreRefused)
   field->SetPointAreaMethod(vtkWindingNumberField::CONSTANT);
   field->SetPointArea(1e200);
   field->Update();
-  expectOneLine(log.errors(), "the point area is 1e+200;");
+  expectOneLine(log.errors(), "PointArea is 1e+200;");
 }
 
 TEST(Ranges, GridsOutOfRangeAreRefused)
@@ -144,7 +144,7 @@ TEST(Ranges, GridsOutOfRangeAreRefused)
   field->UseInputBoundsOff();
   field->SetSamplingBounds(-1, 1, -1e200, 1, -1, 1);
   field->Update();
-  expectOneLine(log.errors(), "the grid reaches to -7.8");
+  expectOneLine(log.errors(), "the grid reaches too far: scale the source down; it reaches to -7.8");
 }
 
 TEST(Ranges, SurfacesOfTheLargestSourcesHaveFinitePoints)

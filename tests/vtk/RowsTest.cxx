@@ -215,12 +215,12 @@ TEST_F(Rows, NothingToGenerateIsRefused)
   ErrorLog log(field);
   field->GenerateWindingNumberOff();
   field->Update();
-  EXPECT_NE(log.errors().find("turn on one of Generate Winding Number"), std::string::npos)
-    << log.errors();
+  EXPECT_NE(log.errors().find("nothing is to be generated"), std::string::npos) << log.errors();
   field->GenerateInsideOn();
   field->SetVerifySamples(5);
   field->Update();
-  EXPECT_NE(log.errors().find("only values can be verified"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("only winding numbers can be verified"), std::string::npos)
+    << log.errors();
 }
 
 TEST_F(Rows, TakeGridsAndScatteredSamplesAndNeedTriangles)

@@ -273,7 +273,9 @@ TEST_F(Surfaces, EndAtTheBorderOfTheGridOrAreClosedThere)
   filter->CloseBorderOff();
   ErrorLog log(filter);
   EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
-  EXPECT_NE(log.warnings().find("use a larger grid"), std::string::npos) << log.warnings();
+  EXPECT_NE(
+    log.warnings().find("all samples are inside, so the surface is empty"), std::string::npos)
+    << log.warnings();
   EXPECT_EQ(log.warnings().find("no sample is inside"), std::string::npos) << log.warnings();
 }
 
@@ -287,7 +289,9 @@ TEST_F(Surfaces, WithNoSampleInsideAreEmptyWithAWarning)
     filter->SetInsideRule(rule);
     ErrorLog log(filter);
     EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
-    EXPECT_NE(log.warnings().find("use smaller voxels"), std::string::npos) << log.warnings();
+    EXPECT_NE(
+      log.warnings().find("no sample is inside, so the surface is empty"), std::string::npos)
+      << log.warnings();
     EXPECT_EQ(log.warnings().find("all samples are inside"), std::string::npos) << log.warnings();
     filter->RemoveAllObservers();
   }
@@ -463,8 +467,9 @@ TEST_F(Surfaces, OfNothingAreEmptyWithAWarning)
   ErrorLog log(filter);
   EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
   EXPECT_EQ(log.errors(), "");
-  EXPECT_NE(log.warnings().find("none to sum over"), std::string::npos) << log.warnings();
-  EXPECT_EQ(log.warnings().find("use smaller voxels"), std::string::npos) << log.warnings();
+  EXPECT_NE(log.warnings().find("the source is empty"), std::string::npos) << log.warnings();
+  EXPECT_EQ(log.warnings().find("no sample is inside, so the surface is empty"), std::string::npos)
+    << log.warnings();
 }
 
 } // namespace

@@ -286,7 +286,7 @@ TEST(Voxels, ImageWithoutScalarsIsAnError)
   ErrorLog log(voxels);
   voxels->SetInputData(empty);
   voxels->Update();
-  EXPECT_NE(log.errors().find("compute a scalar array"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("the image has no scalar array"), std::string::npos) << log.errors();
 }
 
 } // namespace

@@ -290,6 +290,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   {
     options.input = nameOfAll(options.inputs);
   }
+  checkRanges(*command);
   checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
   return options;
 }

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,17 +21,49 @@ namespace
 
 using Filter = vtkWindingNumberField;
 
-/// The limit that the filters document for their property Regularization.
-constexpr double mostRegularization = 4;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The range of the numbers of an option.
+struct Range
+{
+  const char* option;
+  double lowest, highest;
+};
+
+// The names of the list's kinds, as what they mean here: whether an option has numbers.
+constexpr bool flag = false, choice = false, text = false;
+constexpr bool integer = true, number = true, integers = true, numbers = true;
+
+std::vector<Range> rangesOfList()
+{
+  std::vector<Range> ranges;
+#define OPTION(                                                                                    \
+  parameter, property, kind, standard, lowest, highest, unit, label, option, keyword, help)        \
+  if (kind && *option)                                                                             \
+  {                                                                                                \
+    ranges.push_back({option, lowest, highest});                                                   \
+  }
+#define CHOICE(...)
+#define OTHER(...)
+#include "Options.def"
+#undef OPTION
+#undef CHOICE
+#undef OTHER
+  return ranges;
+}
+
+std::string inWords(const Range& range)
+{
+  return range.lowest == -infinity   ? "a finite number"
+         : range.highest == infinity ? shown(range.lowest) + " or more"
+                                     : shown(range.lowest) + " to " + shown(range.highest);
+}
 
 const std::vector<std::string> surfaceSuffixes = {".vtp", ".ply", ".stl", ".obj"};
 
 void checkGrid(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(options.resolution >= 1,
-    "--resolution is " + std::to_string(options.resolution) + "; give 1 or more voxels");
-  requireUsage(
-    !wasGiven("--voxel-size") || (options.voxelSize > 0 && std::isfinite(options.voxelSize)),
+  requireUsage(!wasGiven("--voxel-size") || options.voxelSize > 0,
     "--voxel-size is " + shown(options.voxelSize) + "; give a length greater than 0");
   for (const int size : options.dimensions)
   {
@@ -39,41 +73,24 @@ void checkGrid(const Options& options, const WasGiven& wasGiven)
   for (std::size_t axis = 0; axis < options.bounds.size() / 2; ++axis)
   {
     const double low = options.bounds[2 * axis], high = options.bounds[2 * axis + 1];
-    requireUsage(low < high && std::isfinite(low) && std::isfinite(high),
-      std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) + " to " + shown(high) +
-        "; give the lower one first");
+    requireUsage(low < high, std::string("--bounds along ") + "xyz"[axis] + " are " + shown(low) +
+                               " to " + shown(high) + "; give the lower one first");
   }
-  requireUsage(options.padding >= 0 && std::isfinite(options.padding),
-    "--padding is " + shown(options.padding) + "; give 0 or more");
 }
 
 void checkPointAreas(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(options.area >= 0 && std::isfinite(options.area),
-    "--area is " + shown(options.area) + "; give 0 (estimate it) or more");
   requireUsage(options.areas == Filter::CONSTANT || !wasGiven("--area"),
     "--area is for --areas constant; say that, too, or leave it out");
-  requireUsage(options.neighbors >= 3 && options.neighbors <= 1000,
-    "--neighbors is " + shown(options.neighbors) + "; give 3 to 1000");
 }
 
 void checkMethod(const Options& options, const WasGiven& wasGiven)
 {
   checkPointAreas(options, wasGiven);
-  requireUsage(options.tolerance >= 0 && std::isfinite(options.tolerance),
-    "--tolerance is " + shown(options.tolerance) + "; give 0 or more");
-  requireUsage(options.longestExpectedTime >= 0 && std::isfinite(options.longestExpectedTime),
-    "--longest-expected-time is " + shown(options.longestExpectedTime) + "; give 0 or more");
   requireUsage(options.areas != Filter::MESH || options.asPoints,
     "--areas mesh is for meshes taken as points; say --points, too");
-  requireUsage(options.regularization >= 0 && options.regularization <= mostRegularization,
-    "--regularization is " + shown(options.regularization) + "; give 0 (none) to 4 spacings");
-  requireUsage(std::isfinite(options.threshold),
-    "--threshold is " + shown(options.threshold) + "; give a finite number");
   requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),
     "--rule odd has no threshold; leave --threshold out");
-  requireUsage(options.fidelity >= 0,
-    "--fidelity is " + shown(options.fidelity) + "; give a number of points, 0 (none) or more");
   requireUsage(!options.triangles || options.features == vtkWindingNumberSurface::SHARP,
     "--triangles is for --features sharp; say that, too, or leave it out");
 }
@@ -96,8 +113,6 @@ void checkOutput(const std::string& output, const std::string& whatWrites,
 void checkFieldOptions(const Options& options, const WasGiven& wasGiven)
 {
   checkGrid(options, wasGiven);
-  requireUsage(options.verify >= 0,
-    "--verify is " + std::to_string(options.verify) + "; give a number of samples");
   requireUsage(options.verify == 0 || options.method != Filter::PARITY,
     "--verify compares winding numbers, which --method parity does not give; leave one out");
   requireUsage(options.verify == 0 || !options.insideOnly,
@@ -135,17 +150,12 @@ void checkNormals(const Options& options, const WasGiven& wasGiven)
 
 void checkCoverage(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(options.coverageSamples >= 1 && options.coverageSamples <= 10,
-    "--coverage-samples is " + std::to_string(options.coverageSamples) + "; give 1 to 10");
   requireUsage(options.coverage == Filter::FRACTION || !wasGiven("--coverage-samples"),
     "--coverage-samples is for --coverage fraction; say that, too, or leave it out");
 }
 
 void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
 {
-  requireUsage(options.distanceBand >= 0 && std::isfinite(options.distanceBand),
-    "--distance-band is " + shown(options.distanceBand) +
-      "; give 0 (all distances) or more voxels");
   requireUsage(options.distance || !wasGiven("--distance-band"),
     "--distance-band is for --distance; say that, too, or leave it out");
 }
@@ -153,8 +163,6 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
 void checkHyperTree(const Options& options, const WasGiven& wasGiven)
 {
   const bool isHyperTree = suffixOf(options.output) == ".htg";
-  requireUsage(options.mergeTolerance >= 0 && std::isfinite(options.mergeTolerance),
-    "--merge-tolerance is " + shown(options.mergeTolerance) + "; give 0 (none) or more");
   requireUsage(isHyperTree || !wasGiven("--merge-tolerance"),
     "--merge-tolerance is for outputs .htg; leave it out");
   requireUsage(!options.insideOnly || !wasGiven("--merge-tolerance"),
@@ -180,14 +188,26 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
     "--region-array is for one input, and several are a solid each; leave it out");
   requireUsage(!wasGiven("--label-offset") || wasGiven("--region-array"),
     "--label-offset is for --region-array; say that, too, or leave it out");
-  requireUsage(options.labelOffset >= -65535 && options.labelOffset <= 65535,
-    "--label-offset is " + std::to_string(options.labelOffset) + "; give -65535 to 65535");
   const std::string suffix = suffixOf(options.output);
   requireUsage(suffix == ".vti" || suffix == ".pvti" || !wasGiven("--pieces"),
     "--pieces is for images; give the output the suffix .vti or .pvti, or leave it out");
 }
 
 } // namespace
+
+void checkRanges(const CLI::App& command)
+{
+  for (const Range& range : rangesOfList())
+  {
+    const CLI::Option* option = command.get_option_no_throw(range.option);
+    for (const std::string& word : option ? option->results() : std::vector<std::string>())
+    {
+      const double value = std::strtod(word.c_str(), nullptr);
+      requireUsage(value >= range.lowest && value <= range.highest && std::isfinite(value),
+        std::string(range.option) + " is " + shown(value) + "; give " + inWords(range));
+    }
+  }
+}
 
 void checkOptions(const Options& options, const WasGiven& wasGiven)
 {
@@ -196,8 +216,6 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     checkCheck(options, wasGiven);
     return;
   }
-  requireUsage(options.threads >= 0,
-    "--threads is " + std::to_string(options.threads) + "; give 1 or more, or 0 for all");
   if (options.command == "bench")
   {
     for (const int resolution : options.resolutions)

@@ -1,18 +1,36 @@
 #pragma once
 
+#include "base/Message.h"
+
 #include <stdexcept>
+#include <utility>
 
 namespace winding
 {
 
 /**
- * Thrown where input or parameters cannot be worked with. what() is one line for the user, which
- * says what is wrong, where, and what to do about it. Nothing is left allocated or changed.
+ * Thrown where input or parameters cannot be worked with. message() says what is wrong, what to do
+ * about it, and where; what() is its sentence without the names of parameters. Nothing is left
+ * allocated or changed.
  */
 class Refusal : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  explicit Refusal(Message message)
+    : std::runtime_error(sentenceOf(message))
+    , message_(std::move(message))
+  {
+  }
+
+  explicit Refusal(const std::string& sentence)
+    : Refusal(Message(sentence))
+  {
+  }
+
+  const Message& message() const { return message_; }
+
+private:
+  Message message_;
 };
 
 } // namespace winding

@@ -135,15 +135,22 @@ OutwardNormals giveOutwardNormals(
   return found;
 }
 
-std::string adviceOnNormals(const CloudOrientation& orientation)
+Message missingNormals()
+{
+  return {"the points have no normals",
+    {{"", {{Parameter::estimateNormals, 1}}},
+      {"compute oriented ones first", {Parameter::orientedNormals}}},
+    "without them nothing tells inside from outside"};
+}
+
+Message adviceOnNormals(const CloudOrientation& orientation)
 {
   char figures[200];
   std::snprintf(figures, sizeof figures,
     "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
     100 * orientation.outward, orientation.behind, orientation.before);
-  return std::string("take more points, or normals from where the points come from: estimated ones "
-                     "do not tell inside from outside everywhere, for ") +
-         figures;
+  return {"estimated normals are not right everywhere",
+    {{"take more points", {}}, {"take normals from where the points come from", {}}}, figures};
 }
 
 } // namespace winding

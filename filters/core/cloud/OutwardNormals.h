@@ -1,13 +1,12 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/Message.h"
 #include "cloud/CloudCost.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
 #include "source/PointCloud.h"
-
-#include <string>
 
 namespace winding
 {
@@ -39,7 +38,10 @@ struct OutwardNormals
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
   const PointAreaOptions& areas, Executor& executor);
 
-/// Says what to do about estimated normals whose field is not clear, with the figures.
-std::string adviceOnNormals(const CloudOrientation& orientation);
+/// Returns what users of a cloud without normals can do.
+Message missingNormals();
+
+/// Returns what users of estimated normals can do where their field is not clear, with figures.
+Message adviceOnNormals(const CloudOrientation& orientation);
 
 } // namespace winding

@@ -309,10 +309,14 @@ void checkPointArea(double pointArea)
 {
   if (!(pointArea >= 0) || !std::isfinite(pointArea))
   {
-    throw Refusal("give a point area of more than 0, or 0 to have it estimated (Point Area; "
-                  "--area): it is " +
-                  std::to_string(pointArea));
+    throw Refusal(Message(Parameter::pointArea,
+      "is " + std::to_string(pointArea) + "; it must be more than 0, or 0 to have it estimated"));
   }
+}
+
+Message missingPointArea(const std::string& consequence)
+{
+  return {"points at one place have no areas", {{"", {Parameter::pointArea}}}, consequence};
 }
 
 std::vector<double> pointAreas(
@@ -336,10 +340,9 @@ std::vector<double> pointAreas(const PointCloud& cloud, const DistinctPoints& pl
   const double largest = largestArea(cloud.bounds);
   if (pointArea > largest)
   {
-    std::ostringstream message;
-    message << "the point area is " << pointArea << "; in a cloud of this size it may be up to "
-            << largest;
-    throw Refusal(message.str());
+    std::ostringstream fault;
+    fault << "is " << pointArea << "; in a cloud of this size it may be up to " << largest;
+    throw Refusal(Message(Parameter::pointArea, fault.str()));
   }
   const double area =
     pointArea > 0 ? pointArea : meanPointArea(cloud, places, options.neighbors, executor);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/Message.h"
 #include "source/DistinctPoints.h"
 #include "source/PointCloud.h"
 
+#include <string>
 #include <vector>
 
 namespace winding
@@ -66,6 +68,9 @@ double meanPointArea(
 
 /// Throws Refusal unless pointArea is an area for all points, or 0 for the mean.
 void checkPointArea(double pointArea);
+
+/// Returns what users can do where points lie at one place, with what comes of it.
+Message missingPointArea(const std::string& consequence);
 
 ///@{
 /// Finds the area of each point. An area that is given for all points needs no normals. Throws

@@ -43,7 +43,6 @@ protected:
 
 private:
   void findNormalsAndAreas(const FieldOptions& options, Executor& executor);
-  void warn(const std::string& what);
   void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 

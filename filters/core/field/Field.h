@@ -4,6 +4,7 @@
 #include "base/EvaluationCost.h"
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "base/Message.h"
 #include "base/Views.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
@@ -16,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace winding
 {
@@ -98,7 +100,7 @@ struct FieldInfo
   bool isScattered = false;       ///< whether scattered samples were announced, not grids
   Method method = Method::direct; ///< method that was chosen, never automatic
   std::string why;                ///< reason for the choice of the method, for the user
-  std::string warning;            ///< note on the input that the user should read; may be empty
+  std::vector<Message> warnings;  ///< notes on the input that the user should read
 
   /// Whether w changes at triangles only, as for a closed surface.
   bool jumpsOnly() const { return isSurface && netBoundaryEdges == 0; }

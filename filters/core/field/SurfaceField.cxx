@@ -39,11 +39,11 @@ SurfaceField::SurfaceField(
   info_.isScattered = options.scattered;
   if (surface_.dropped() > 0)
   {
-    info_.warning =
+    info_.warnings.emplace_back(
       std::to_string(surface_.dropped()) + " of " + std::to_string(surface_.inputTriangles) +
       " triangles were unusable and left out (" + std::to_string(surface_.nonFiniteTriangles) +
       " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
-      " with ids of points that do not exist)";
+      " with ids of points that do not exist)");
   }
   BoundaryChain chain = boundaryChain(surface_, executor);
   info_.boundaryEdges = chain.edgesOfOneTriangle;

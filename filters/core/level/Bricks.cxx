@@ -54,9 +54,9 @@ Bricks bricksOf(const Grid& grid)
   }
   if (count > mostBricks)
   {
-    throw Refusal("choose larger voxels: a grid of " + std::to_string(grid.dimensions[0]) + " x " +
-                  std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2]) +
-                  " voxels has too many for a hyper tree grid");
+    throw Refusal(Message("too many voxels for a hyper tree grid", {largerVoxels()},
+      "the grid has " + std::to_string(grid.dimensions[0]) + " x " +
+        std::to_string(grid.dimensions[1]) + " x " + std::to_string(grid.dimensions[2])));
   }
   return bricks;
 }

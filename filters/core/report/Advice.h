@@ -1,21 +1,22 @@
 #pragma once
 
+#include "base/Message.h"
 #include "report/CloudReport.h"
 #include "report/SurfaceReport.h"
 #include "source/Surface.h"
 
-#include <string>
+#include <vector>
 
 /**
  * @file
- * Advice says in one line what a report means for winding numbers and what could be done; the most
- * important comes first. Options are named as the filters and the program have them.
+ * Advice says what a report means for winding numbers and what could be done; the most important
+ * comes first.
  */
 namespace winding
 {
 
-std::string adviceOn(const Surface& surface, const SurfaceReport& report);
+std::vector<Message> adviceOn(const Surface& surface, const SurfaceReport& report);
 
-std::string adviceOn(const CloudReport& report);
+std::vector<Message> adviceOn(const CloudReport& report);
 
 } // namespace winding

@@ -1,26 +1,30 @@
 #pragma once
 
+#include "base/InsideRule.h"
+#include "base/Message.h"
 #include "field/InsideOut.h"
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace winding
 {
 
-/// The warning where a source is inside out, as a whole or in part. It names the remedy first, by
-/// the names that filters, ParaView and the program have for it. what: "faces", "normals", or
-/// "faces or normals" where either may be the cause.
-inline std::string insideOutAdvice(
-  const std::string& what, const SideCounts& sides, double threshold)
+/// Returns what to do about faces or normals that look inward.
+inline std::vector<Remedy> waysOutOfInward(const std::string& what)
 {
-  const std::string faces = "faces";
-  std::string turned = what;
-  if (what.rfind(faces, 0) == 0)
-  {
-    turned.insert(faces.size(), " (filter Surface Report with Fix Orientation; winding check INPUT "
-                                "--fix-orientation -o FIXED.vtp)");
-  }
+  // Polygons alone have faces that a filter turns.
+  const bool hasFaces = what.rfind("faces", 0) == 0;
+  return {{"", {{Parameter::insideRule, static_cast<int>(InsideRule::absoluteThreshold)}}},
+    {"turn the " + what,
+      hasFaces ? std::vector<Setting>{Parameter::turnedFaces} : std::vector<Setting>{}}};
+}
+
+/// Returns the warning that a source is inside out, as a whole or in part. `what` is "faces",
+/// "normals", or "faces or normals" where either may be the cause.
+inline Message insideOutAdvice(const std::string& what, const SideCounts& sides, double threshold)
+{
   const auto percent = [&sides](std::size_t count)
   {
     return 100 * static_cast<double>(count) / static_cast<double>(sides.samples);
@@ -29,9 +33,7 @@ inline std::string insideOutAdvice(
   std::snprintf(shares, sizeof shares,
     "w is %.3g or less at %.2g %% of the samples, and %.3g or more at %.2g %%", -threshold,
     percent(sides.negative), threshold, percent(sides.inside));
-  return "turn the " + turned +
-         ", or use the inside rule absolute (Inside Rule; --rule absolute): " + what +
-         " look inward here, for " + shares;
+  return {what + " look inward", waysOutOfInward(what), shares};
 }
 
 } // namespace winding

@@ -43,15 +43,15 @@ private:
 /// Facts about the solids of one execution.
 struct LabelFacts
 {
-  FieldInfo source;         ///< sums over all solids; method, reason and kind of the largest
-  std::size_t largest = 0;  ///< primitives of the solid that has most
-  std::size_t expected = 0; ///< number of all solids
-  std::size_t solids = 0;   ///< number of those that were added
-  NamedSolids empty;        ///< solids without primitives
-  NamedSolids open;         ///< surfaces with net boundary edges
-  NamedSolids insideOut;    ///< those where w is negative and nothing is inside
-  NamedSolids warned;       ///< those with a warning
-  std::string warning;      ///< the first warning
+  FieldInfo source; ///< sums over all solids; method, reason and kind are those of the largest
+  std::size_t largest = 0;       ///< primitives of the solid that has most
+  std::size_t expected = 0;      ///< number of all solids
+  std::size_t solids = 0;        ///< number of those that were added
+  NamedSolids empty;             ///< solids without primitives
+  NamedSolids open;              ///< surfaces with net boundary edges
+  NamedSolids insideOut;         ///< those where w is negative and nothing is inside
+  NamedSolids warned;            ///< those with a warning
+  std::vector<Message> warnings; ///< those of the first solid that has some
 
   void add(const FieldInfo& info, const std::string& name)
   {
@@ -75,9 +75,9 @@ struct LabelFacts
     {
       open.add(name);
     }
-    if (!info.warning.empty())
+    if (!info.warnings.empty())
     {
-      warning = warned.count() == 0 ? info.warning : warning;
+      warnings = warned.count() == 0 ? info.warnings : warnings;
       warned.add(name);
     }
   }

@@ -12,11 +12,11 @@ namespace winding
 namespace
 {
 
-template <class... Parts> [[noreturn]] void refuse(const Parts&... parts)
+template <class... Parts> std::string text(const Parts&... parts)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw Refusal(message.str());
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
 }
 
 void checkBounds(const Bounds& bounds)
@@ -25,8 +25,10 @@ void checkBounds(const Bounds& bounds)
   if (!low.allFinite() || !high.allFinite() || (low.array() > high.array()).any() ||
       !(high - low).allFinite())
   {
-    refuse("give bounds with min <= max for each axis (Sampling Bounds; --bounds): ", low[0], " ",
-      high[0], " ", low[1], " ", high[1], " ", low[2], " ", high[2], " are inverted or not finite");
+    throw Refusal(Message("the bounds are inverted or not finite",
+      {{"give min <= max for each axis", {Parameter::samplingBounds}}},
+      text(
+        "they are ", low[0], " ", high[0], " ", low[1], " ", high[1], " ", low[2], " ", high[2])));
   }
 }
 
@@ -42,8 +44,9 @@ int countVoxels(double length, double voxelSize)
   const double count = std::max(1.0, std::ceil(exact * (1 - 1e-12)));
   if (!(count <= mostVoxels))
   {
-    refuse("choose larger voxels: a side of ", length, " needs ", count, " voxels of size ",
-      voxelSize, ", more than ", mostVoxels);
+    throw Refusal(Message("too many voxels", {largerVoxels()},
+      text("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
+        mostVoxels)));
   }
   return static_cast<int>(count);
 }
@@ -53,8 +56,9 @@ void checkSampleCount(const Grid& grid)
   const double samples = grid.dimensions.cast<double>().prod();
   if (samples > 9e18)
   {
-    refuse("choose larger voxels: a grid of ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
-      grid.dimensions[2], " voxels has more samples than can be counted");
+    throw Refusal(Message("too many voxels to be counted", {largerVoxels()},
+      text("the grid has ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
+        grid.dimensions[2])));
   }
 }
 
@@ -68,15 +72,17 @@ void checkRange(const Grid& grid)
   {
     if (!(grid.spacing[axis] >= smallestVoxel))
     {
-      refuse("choose larger voxels, or scale the source up: the voxels have a side of ",
-        grid.spacing[axis], ", and it must be ", smallestVoxel, " at least");
+      throw Refusal(
+        Message("the voxels are too small", {largerVoxels(), {"scale the source up", {}}},
+          text("they have a side of ", grid.spacing[axis], ", and it must be ", smallestVoxel,
+            " at least")));
     }
     for (const double face : {low[axis], low[axis] + sides[axis]})
     {
       if (!(std::abs(face) <= farthest))
       {
-        refuse("scale the source down: the grid reaches to ", face, ", and it may reach to ",
-          farthest, " at most");
+        throw Refusal(Message("the grid reaches too far", {{"scale the source down", {}}},
+          text("it reaches to ", face, ", and it may reach to ", farthest, " at most")));
       }
     }
   }
@@ -132,7 +138,8 @@ Grid layOutGrid(const GridRequest& request)
   checkBounds(request.bounds);
   if (!(request.padding >= 0) || !std::isfinite(request.padding))
   {
-    refuse("the padding is ", request.padding, "; it must be 0 or more");
+    throw Refusal(
+      Message(Parameter::padding, text("is ", request.padding, "; it must be 0 or more")));
   }
   const double longest = request.bounds.sizes().maxCoeff();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
@@ -145,14 +152,17 @@ Grid layOutGrid(const GridRequest& request)
   {
     if ((request.dimensions.array() < 1).any() || (request.dimensions.array() > mostVoxels).any())
     {
-      refuse("the dimensions are ", request.dimensions[0], " ", request.dimensions[1], " ",
-        request.dimensions[2], "; each must be at least 1 and at most ", mostVoxels);
+      throw Refusal(Message(Parameter::samplingDimensions,
+        text("is ", request.dimensions[0], " ", request.dimensions[1], " ", request.dimensions[2],
+          "; each must be at least 1 and at most ", mostVoxels)));
     }
     if (!((request.isCubic ? longest : sides.minCoeff()) > 0))
     {
-      refuse("give larger bounds (Sampling Bounds; --bounds) or a padding: the bounds have sides ",
-        sides[0], " ", sides[1], " ", sides[2],
-        ", and with given dimensions each must be more than 0");
+      throw Refusal(Message("the bounds are too flat for given dimensions",
+        {{"give larger ones", {Parameter::samplingBounds}},
+          {"give a padding", {Parameter::padding}}},
+        text("they have sides ", sides[0], " ", sides[1], " ", sides[2],
+          ", and each must be more than 0")));
     }
     grid.dimensions = request.dimensions;
     grid.spacing = sides.cwiseQuotient(grid.dimensions.cast<double>());
@@ -165,16 +175,19 @@ Grid layOutGrid(const GridRequest& request)
   {
     if (!(request.voxelSize >= 0) || !std::isfinite(request.voxelSize))
     {
-      refuse("the voxel size is ", request.voxelSize, "; it must be 0 (from resolution) or more");
+      throw Refusal(Message(Parameter::voxelSize,
+        text("is ", request.voxelSize, "; it must be 0 (from resolution) or more")));
     }
     if (request.voxelSize == 0 && request.resolution < 1)
     {
-      refuse("the resolution is ", request.resolution, "; it must be at least 1");
+      throw Refusal(
+        Message(Parameter::resolution, text("is ", request.resolution, "; it must be at least 1")));
     }
     if (request.voxelSize == 0 && !(longest > 0))
     {
-      refuse("give a voxel size (Voxel Size; --voxel-size) or larger bounds (Sampling Bounds; "
-             "--bounds): the bounds are a single point");
+      throw Refusal(Message(
+        "the bounds are a single point", {{"give a voxel size", {Parameter::voxelSize}},
+                                           {"give larger bounds", {Parameter::samplingBounds}}}));
     }
     const double size =
       request.voxelSize > 0 ? request.voxelSize : sides.maxCoeff() / request.resolution;
@@ -206,8 +219,10 @@ void checkGrid(const Grid& grid)
         !(grid.firstSample[axis] + grid.spacing[axis] > grid.firstSample[axis] &&
           last[axis] - grid.spacing[axis] < last[axis]))
     {
-      refuse("move the data towards the origin: voxels of size ", grid.spacing[axis],
-        " cannot be told apart at coordinate ", grid.firstSample[axis], " in double precision");
+      throw Refusal(Message("the voxels are too far from the origin",
+        {{"move the data towards it", {}}, largerVoxels()},
+        text("those of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
+          grid.firstSample[axis], " in double precision")));
     }
   }
 }

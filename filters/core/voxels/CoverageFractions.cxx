@@ -81,8 +81,8 @@ CoverageFractions::CoverageFractions(const Field& field, const Grid& grid, const
 {
   if (grid.dimensions.maxCoeff() > std::numeric_limits<int>::max() / perAxis_)
   {
-    throw Refusal("choose larger voxels: a side of " + std::to_string(grid.dimensions.maxCoeff()) +
-                  " voxels has too many " + "samples to tell how much of each is inside");
+    throw Refusal(Message("too many voxels for samples in each of them", {largerVoxels()},
+      "a side has " + std::to_string(grid.dimensions.maxCoeff())));
   }
   samples_.dimensions = perAxis_ * grid.dimensions;
   samples_.spacing = grid.spacing / perAxis_;

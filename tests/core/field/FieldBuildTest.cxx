@@ -5,6 +5,7 @@
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
 #include "sums/ReferenceSum.h"
+#include "support/Named.h"
 #include "support/Places.h"
 #include "support/Shapes.h"
 
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 // These tests look at what a field is made of: its information, its refusals, and the functions
 // that verify it.
@@ -53,7 +55,8 @@ double valueAt(const Field& field, const Point& sample)
 }
 
 template <class Source>
-void expectRefused(const Source& source, const FieldOptions& options, const std::string& mention)
+void expectRefused(const Source& source, const FieldOptions& options, const std::string& mention,
+  std::optional<winding::Parameter> parameter = {})
 {
   try
   {
@@ -66,6 +69,7 @@ void expectRefused(const Source& source, const FieldOptions& options, const std:
     const std::string message = refusal.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find(mention), std::string::npos) << message;
+    EXPECT_TRUE(!parameter || isNamed(refusal.message(), *parameter)) << message;
   }
 }
 
@@ -87,9 +91,10 @@ TEST(FieldInfo, DescribesASurface)
   EXPECT_EQ(info.boundaryEdges, 4u);
   EXPECT_EQ(info.netBoundaryEdges, 4u);
   EXPECT_EQ(info.bounds.max(), Point(1, 1, 1));
-  EXPECT_EQ(info.warning.rfind("2 of 13 ", 0), 0u) << info.warning;
+  ASSERT_EQ(info.warnings.size(), 1u);
+  EXPECT_EQ(info.warnings[0].fault.rfind("2 of 13 ", 0), 0u) << info.warnings[0].fault;
   EXPECT_FALSE(info.why.empty());
-  EXPECT_TRUE(fieldOf(cube())->info().warning.empty());
+  EXPECT_TRUE(fieldOf(cube())->info().warnings.empty());
 }
 
 TEST(FieldInfo, NamesTheMethodThatWasChosenAndNeverAutomatic)
@@ -208,7 +213,8 @@ TEST(Field, OfAPointWithoutAnAreaIsZeroAndWarns)
 {
   const auto field = fieldOf(Cloud{{{0, 0, 0}}, {{0, 0, 1}}});
   EXPECT_EQ(valueAt(*field, {0, 0, -1}), 0);
-  EXPECT_NE(field->info().warning.find("area"), std::string::npos);
+  ASSERT_EQ(field->info().warnings.size(), 1u);
+  EXPECT_TRUE(isNamed(field->info().warnings[0], winding::Parameter::pointArea));
 }
 
 TEST(Field, IsNoNumberWhereTheSampleIsNone)
@@ -230,12 +236,12 @@ TEST(Field, RefusesWhatItCannotServe)
 {
   FieldOptions parity;
   parity.method = Method::parity;
-  expectRefused(sphereCloud(10), parity, "parity");
+  expectRefused(sphereCloud(10), parity, "parity needs triangles", winding::Parameter::method);
   for (const double area : {-1.0, notANumber, std::numeric_limits<double>::infinity()})
   {
     FieldOptions options;
     options.pointArea = area;
-    expectRefused(sphereCloud(10), options, "point area");
+    expectRefused(sphereCloud(10), options, "is ", winding::Parameter::pointArea);
   }
   Mesh bad = cube();
   bad.points.assign(8, {notANumber, notANumber, notANumber});

@@ -4,10 +4,13 @@
 #include "base/Refusal.h"
 #include "support/Samples.h"
 
+#include "support/Named.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace
 {
@@ -17,6 +20,7 @@ using winding::Bounds;
 using winding::Grid;
 using winding::GridRequest;
 using winding::layOutGrid;
+using winding::Parameter;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,8 +37,10 @@ GridRequest overSome()
   return over({1, 2, 3}, {5, 4, 4});
 }
 
-/// Expects a refusal in one line that mentions a number or the name of the culprit.
-void expectRefused(const GridRequest& request, const std::string& mention)
+/// Expects a refusal in one line that mentions a number or the name of the culprit, and names a
+/// parameter, if one is given.
+void expectRefused(
+  const GridRequest& request, const std::string& mention, std::optional<Parameter> parameter = {})
 {
   try
   {
@@ -46,6 +52,7 @@ void expectRefused(const GridRequest& request, const std::string& mention)
     const std::string message = refusal.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find(mention), std::string::npos) << message;
+    EXPECT_TRUE(!parameter || isNamed(refusal.message(), *parameter)) << message;
   }
 }
 
@@ -149,45 +156,59 @@ TEST(LayOutGrid, ScalesWithTheUnitOfLength)
 
 TEST(LayOutGrid, RefusesBoundsThatAreNone)
 {
-  expectRefused(GridRequest(), "bounds");
-  expectRefused(over({0, 3, 0}, {1, 2, 1}), "3 2");
-  expectRefused(over({0, 0, notANumber}, {1, 1, 1}), "nan");
-  expectRefused(over({0, 0, 0}, {1, notANumber, 1}), "nan");
-  expectRefused(over({0, 0, 0}, {1, infinity, 1}), "inf");
-  expectRefused(over({-1.5e308, 0, 0}, {1.5e308, 1, 1}), "1.5e+308");
-  expectRefused(over({1, 1, 1}, {1, 1, 1}), "single point");
+  constexpr Parameter bounds = Parameter::samplingBounds;
+  expectRefused(GridRequest(), "bounds", bounds);
+  expectRefused(over({0, 3, 0}, {1, 2, 1}), "3 2", bounds);
+  expectRefused(over({0, 0, notANumber}, {1, 1, 1}), "nan", bounds);
+  expectRefused(over({0, 0, 0}, {1, notANumber, 1}), "nan", bounds);
+  expectRefused(over({0, 0, 0}, {1, infinity, 1}), "inf", bounds);
+  expectRefused(over({-1.5e308, 0, 0}, {1.5e308, 1, 1}), "1.5e+308", bounds);
+  expectRefused(over({1, 1, 1}, {1, 1, 1}), "single point", bounds);
 }
 
 TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
 {
-  const auto refuse = [](const std::string& mention, const auto& change)
+  const auto refuse = [](Parameter parameter, const std::string& mention, const auto& change)
   {
     GridRequest request = overSome();
     change(request);
-    expectRefused(request, mention);
+    expectRefused(request, mention, parameter);
   };
-  refuse("resolution is 0", [](GridRequest& r) { r.resolution = 0; });
-  refuse("resolution is -3", [](GridRequest& r) { r.resolution = -3; });
-  refuse("voxel size is -1", [](GridRequest& r) { r.voxelSize = -1; });
-  refuse("voxel size is nan", [](GridRequest& r) { r.voxelSize = notANumber; });
-  refuse("voxel size is inf", [](GridRequest& r) { r.voxelSize = infinity; });
-  refuse("padding is -0.1", [](GridRequest& r) { r.padding = -0.1; });
-  refuse("padding is nan", [](GridRequest& r) { r.padding = notANumber; });
-  refuse("padding is inf", [](GridRequest& r) { r.padding = infinity; });
-  refuse("4 0 4", [](GridRequest& r) { r.dimensions = {4, 0, 4}; });
-  refuse("at most 2147483646", [](GridRequest& r) { r.dimensions = {1, 1, 2147483647}; });
-  refuse("4 -1 4", [](GridRequest& r) { r.dimensions = {4, -1, 4}; });
-  refuse("1e-300", [](GridRequest& r) { r.voxelSize = 1e-300; });
-  refuse("2147483646", [](GridRequest& r) { r.voxelSize = 1e-9; });
-  refuse("2000000000", [](GridRequest& r) { r.dimensions = {2000000000, 2000000000, 3}; });
-  refuse("0", [](GridRequest& r) { r = over({0, 0, 5}, {4, 4, 5}), r.dimensions = {4, 4, 4}; });
+  constexpr Parameter resolution = Parameter::resolution;
+  constexpr Parameter voxelSize = Parameter::voxelSize;
+  constexpr Parameter padding = Parameter::padding;
+  constexpr Parameter dimensions = Parameter::samplingDimensions;
+  refuse(resolution, "is 0;", [](GridRequest& r) { r.resolution = 0; });
+  refuse(resolution, "is -3;", [](GridRequest& r) { r.resolution = -3; });
+  refuse(voxelSize, "is -1;", [](GridRequest& r) { r.voxelSize = -1; });
+  refuse(voxelSize, "is nan;", [](GridRequest& r) { r.voxelSize = notANumber; });
+  refuse(voxelSize, "is inf;", [](GridRequest& r) { r.voxelSize = infinity; });
+  refuse(padding, "is -0.1;", [](GridRequest& r) { r.padding = -0.1; });
+  refuse(padding, "is nan;", [](GridRequest& r) { r.padding = notANumber; });
+  refuse(padding, "is inf;", [](GridRequest& r) { r.padding = infinity; });
+  refuse(dimensions, "4 0 4", [](GridRequest& r) { r.dimensions = {4, 0, 4}; });
+  refuse(dimensions, "at most 2147483646",
+    [](GridRequest& r) {
+      r.dimensions = {1, 1, 2147483647};
+    });
+  refuse(dimensions, "4 -1 4", [](GridRequest& r) { r.dimensions = {4, -1, 4}; });
+  refuse(voxelSize, "1e-300", [](GridRequest& r) { r.voxelSize = 1e-300; });
+  refuse(voxelSize, "2147483646", [](GridRequest& r) { r.voxelSize = 1e-9; });
+  refuse(voxelSize, "2000000000",
+    [](GridRequest& r) {
+      r.dimensions = {2000000000, 2000000000, 3};
+    });
+  refuse(padding, "0",
+    [](GridRequest& r) {
+      r = over({0, 0, 5}, {4, 4, 5}), r.dimensions = {4, 4, 4};
+    });
 }
 
 TEST(LayOutGrid, RefusesVoxelsThatCannotBeToldApart)
 {
   GridRequest request = over({1e17, 0, 0}, {1e17 + 64, 64, 64});
   request.resolution = 64;
-  expectRefused(request, "told apart");
+  expectRefused(request, "told apart", Parameter::voxelSize);
 }
 
 TEST(SampleCount, IsTheProductOfTheRangesAndZeroForEmptyOnes)
@@ -251,5 +272,5 @@ TEST(LayOutGrid, RefusesGridsWhoseLengthsLeaveTheRange)
   EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
   request = over({0, 0, 0}, {1, 1, 1e-110});
   request.dimensions = {2, 2, 2};
-  expectRefused(request, "a side of 5e-111");
+  expectRefused(request, "a side of 5e-111", Parameter::voxelSize);
 }

@@ -26,8 +26,7 @@ LabelImage::LabelImage(const Extent& extent, const LabelImageOptions& options)
 {
   const std::size_t samples = sampleCount(extent);
   refuseBeyondFreeMemory(bytesPerSample(options) * static_cast<double>(samples),
-    "the labels of " + std::to_string(samples) + " voxels",
-    "choose larger voxels or write it in pieces");
+    "the labels of " + std::to_string(samples) + " voxels", {largerVoxels(), inPieces()});
   arrays_.extent = extent;
   arrays_.labels = this->add<unsigned short>(VTK_UNSIGNED_SHORT, "Label");
   if (options.withCounts)

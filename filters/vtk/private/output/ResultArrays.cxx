@@ -73,16 +73,16 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
-    throw Refusal(
-      "turn on one of Generate Winding Number, Generate Inside and Generate Signed Distance: "
-      "nothing is to be generated");
+    throw Refusal(Message("nothing is to be generated",
+      {{"", {{Parameter::generateWindingNumber, 1}}}, {"", {{Parameter::generateInside, 1}}},
+        {"", {{Parameter::generateSignedDistance, 1}}}}));
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},
     {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
   refuseBeyondFreeMemory(
     static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
-    "the result of " + std::to_string(samples) + " samples", options.remedy);
+    "the result of " + std::to_string(samples) + " samples", options.remedies);
   if (options.withValues)
   {
     values_ = makeResultArray(options.scalarType, name, samples);

@@ -24,7 +24,7 @@ struct ResultOptions
   int scalarType = VTK_FLOAT; ///< type of w and of distances: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< name of the array of w; empty for "WindingNumber"
   std::string insideName = "Inside";
-  const char* remedy = "choose larger voxels or write it in pieces"; ///< where memory is short
+  std::vector<Remedy> remedies = {largerVoxels(), inPieces()}; ///< where memory is short
 };
 
 /// Returns the memory for each sample: for the arrays, and for the evaluation meanwhile.

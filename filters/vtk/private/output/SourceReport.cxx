@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "field/Field.h"
 #include "private/output/FaultBlocks.h"
+#include "private/pipeline/Options.h"
 #include "private/source/InputViews.h"
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"
@@ -120,7 +121,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   writer.box("bbox", surface.bounds);
   writer.count("non_finite", surface.nonFiniteTriangles);
   writer.count("invalid_ids", surface.invalidIdTriangles);
-  writer.text("advice", adviceOn(surface, report));
+  writer.text("advice", lineOf(adviceOn(surface, report)));
   return faultBlocks(surface, edgeLists, shape, executor);
 }
 
@@ -149,7 +150,7 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
   writer.measure("outward_share", orientation(&CloudOrientation::outward));
   writer.measure("inward_share", orientation(&CloudOrientation::inward));
   writer.box("bbox", report.bounds);
-  writer.text("advice", adviceOn(report));
+  writer.text("advice", lineOf(adviceOn(report)));
 }
 
 } // namespace

@@ -43,7 +43,7 @@ void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::s
 {
   refuseBeyondFreeMemory(bytesForComparison(field, triangles, static_cast<double>(samples)),
     "the comparison of the surface with its source",
-    "draw fewer points (Fidelity Samples; --fidelity), or choose larger voxels");
+    {{"draw fewer points", {Parameter::fidelitySamples}}, largerVoxels()});
 }
 
 void addFidelity(

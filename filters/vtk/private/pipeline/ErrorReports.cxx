@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Options.h"
 
 #include "vtkObject.h"
 
@@ -10,7 +11,7 @@
 namespace winding
 {
 
-Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
+Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew)
 {
   const auto report = [object, &isNew](const std::string& text)
@@ -31,17 +32,17 @@ Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
   }
   catch (const OutOfMemory& refusal)
   {
-    report(refusal.what());
+    report(lineOf(refusal.message()));
     return Outcome::outOfMemory;
   }
   catch (const Refusal& refusal)
   {
-    report(refusal.what());
+    report(lineOf(refusal.message()));
     return Outcome::refused;
   }
   catch (const std::bad_alloc&)
   {
-    report(withoutMemory);
+    report(lineOf(withoutMemory));
     return Outcome::outOfMemory;
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/Message.h"
+
 #include <functional>
 #include <string>
 
@@ -20,14 +22,14 @@ enum class Outcome
 
 /**
  * Does work for a VTK object, and reports an exception as an error of this object, in one line. An
- * interruption is no error. `withoutMemory` is the line about a failed allocation. Where
+ * interruption is no error. `withoutMemory` tells of a failed allocation. Where
  * `isNew` is given, it is asked whether the error is to be reported.
  *
  * An algorithm answers the pipeline afterwards as if it had done its work, and leaves its output
  * empty. Where a request fails, the executive and filters behind add errors of their own, and
  * ParaView asks again with every picture.
  */
-Outcome reportErrors(vtkObject* object, const std::string& withoutMemory,
+Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew = {});
 
 } // namespace winding

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace winding
 {
@@ -43,12 +44,12 @@ bool isMemoryFree(double bytes, HostMemory (*memory)())
 }
 
 void refuseBeyondFreeMemory(
-  double bytes, const std::string& what, const std::string& advice, HostMemory (*memory)())
+  double bytes, const std::string& what, std::vector<Remedy> remedies, HostMemory (*memory)())
 {
   if (!isMemoryFree(bytes, memory))
   {
-    throw OutOfMemory(advice + ": " + what + " needs " + inGiB(bytes) + " of memory and " +
-                      inGiB(freeBytesOf(memory())) + " is free");
+    throw OutOfMemory(Message("not enough memory", std::move(remedies),
+      what + " needs " + inGiB(bytes) + ", and " + inGiB(freeBytesOf(memory())) + " is free"));
   }
 }
 

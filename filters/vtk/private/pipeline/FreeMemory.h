@@ -2,6 +2,9 @@
 
 #include "base/Refusal.h"
 
+#include <string>
+#include <vector>
+
 namespace winding
 {
 
@@ -27,9 +30,9 @@ HostMemory hostMemory();
 /// asking it.
 bool isMemoryFree(double bytes, HostMemory (*memory)() = hostMemory);
 
-/// Throws OutOfMemory, with the numbers, if that many bytes are not free by isMemoryFree(). `what`
-/// needs them; `advice` says what to do about it.
-void refuseBeyondFreeMemory(double bytes, const std::string& what, const std::string& advice,
+/// Throws OutOfMemory, with the numbers, if `bytes` are not free by isMemoryFree(). `what` needs
+/// them, and `remedies` are what to do about it.
+void refuseBeyondFreeMemory(double bytes, const std::string& what, std::vector<Remedy> remedies,
   HostMemory (*memory)() = hostMemory);
 
 } // namespace winding

@@ -1,7 +1,9 @@
 #include "private/pipeline/PropertyChecks.h"
 
 #include "base/Refusal.h"
+#include "private/pipeline/Options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -12,63 +14,71 @@ namespace winding
 namespace
 {
 
-[[noreturn]] void refuse(const char* property, double value, const std::string& range)
+[[noreturn]] void refuse(Parameter property, double value, const std::string& range)
 {
-  std::ostringstream line;
-  line.precision(10); // enough for every int
-  line << property << " is " << value << "; it must be " << range;
-  throw Refusal(line.str());
+  std::ostringstream fault;
+  fault.precision(10); // enough for every int
+  fault << "is " << value << range;
+  throw Refusal(Message(property, fault.str()));
 }
 
-} // namespace
-
-void checkRange(const char* property, double value, double low, double high)
+/// Returns the first `count` choices in words.
+std::string wordsOf(const std::vector<Choice>& choices, std::size_t count)
 {
-  if (value >= low && value <= high && std::isfinite(value))
+  std::string words;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    return;
+    const char* before = i == 0 ? "" : i + 1 == count ? " or " : ", ";
+    words +=
+      before + std::string(choices[i].constant) + " (" + std::to_string(choices[i].number) + ")";
+  }
+  return words;
+}
+
+std::string rangeOf(const Option& option, double value)
+{
+  if (!std::isfinite(option.lowest))
+  {
+    return "a finite number";
   }
   std::ostringstream range;
-  range << (std::isfinite(value) ? "" : "a finite number, ") << low;
-  if (std::isfinite(high))
+  range << (std::isfinite(value) ? "" : "a finite number, ") << option.lowest;
+  if (std::isfinite(option.highest))
   {
-    range << " to " << high;
+    range << " to " << option.highest;
   }
   else
   {
     range << " or more";
   }
-  refuse(property, value, range.str());
+  return range.str();
 }
 
-void checkFinite(const char* property, double value)
+} // namespace
+
+void checkProperty(Parameter property, double value, int choices)
 {
-  if (!std::isfinite(value))
+  const Option& option = *optionOf(property);
+  const std::size_t count =
+    std::min(option.choices.size(), static_cast<std::size_t>(std::max(choices, 0)));
+  const double highest = count > 0 ? option.choices[count - 1].number : option.highest;
+  if (!(value >= option.lowest && value <= highest && std::isfinite(value)))
   {
-    refuse(property, value, "a finite number");
+    refuse(property, value,
+      "; it must be " + (count > 0 ? wordsOf(option.choices, count) : rangeOf(option, value)));
   }
 }
 
-void checkChoice(
-  const char* property, int value, std::initializer_list<const char*> names, int first)
+void checkDimensions(const int dimensions[3])
 {
-  const auto count = static_cast<int>(names.size());
-  if (value >= first && value - first < count)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return;
-  }
-  std::string choices;
-  int number = first;
-  for (const char* name : names)
-  {
-    if (number > first)
+    if (dimensions[axis] < 1)
     {
-      choices += number == first + count - 1 ? " or " : ", ";
+      refuse(Parameter::samplingDimensions, dimensions[axis],
+        std::string(" along ") + "xyz"[axis] + "; it must be 1 or more");
     }
-    choices += std::string(name) + " (" + std::to_string(number) + ")";
-    ++number;
   }
-  refuse(property, value, choices);
 }
 
 } // namespace winding

@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/HostShare.h"
+#include "private/pipeline/Options.h"
 
 #include "vtkMultiProcessController.h"
 
@@ -109,12 +110,12 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
   catch (const OutOfMemory& refusal)
   {
     own[status] = outOfMemory;
-    text = refusal.what();
+    text = lineOf(refusal.message());
   }
   catch (const Refusal& refusal)
   {
     own[status] = refused;
-    text = refusal.what();
+    text = lineOf(refusal.message());
   }
   catch (const std::bad_alloc&)
   {

@@ -105,7 +105,7 @@ void refuseHugePart(vtkDataSet* data, const double* numbers, HostMemory (*memory
     }
   }
   refuseBeyondFreeMemory(
-    bytes, "the clipped part of " + std::to_string(cells) + " cells", wordsOfClip.remedy, memory);
+    bytes, "the clipped part of " + std::to_string(cells) + " cells", wordsOfClip.remedies, memory);
 }
 
 int precisionOf(vtkDataSet* data)

@@ -122,12 +122,11 @@ std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries
   const unsigned char* kept, InsideRule rule, double threshold, Executor& executor)
 {
   const auto size = static_cast<std::size_t>(queries.size());
-  const std::string advice = wordsOfClip.remedy;
   refuseBeyondFreeMemory(bytesPerSampleOfCuts * static_cast<double>(size),
-    "the clip of " + std::to_string(size) + " points", advice);
+    "the clip of " + std::to_string(size) + " points", wordsOfClip.remedies);
   const std::vector<std::size_t> cut = samplesOfCutCells(queries, kept);
   refuseBeyondFreeMemory(bytesPerCutSample * static_cast<double>(cut.size()),
-    "the clip at " + std::to_string(cut.size()) + " points", advice);
+    "the clip at " + std::to_string(cut.size()) + " points", wordsOfClip.remedies);
   std::vector<double> positions(3 * cut.size());
   for (std::size_t i = 0; i < cut.size(); ++i)
   {

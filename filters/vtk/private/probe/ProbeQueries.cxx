@@ -121,7 +121,7 @@ ProbeQueries::ProbeQueries(
   if (!grid_ && samples_.empty())
   {
     refuseBeyondFreeMemory(3.0 * sizeof(double) * static_cast<double>(size_),
-      "the positions of " + std::to_string(size_) + " samples", words.remedy);
+      "the positions of " + std::to_string(size_) + " samples", words.remedies);
     positions_.resize(3 * static_cast<std::size_t>(size_));
     for (const ProbeLeaf& leaf : leaves_)
     {

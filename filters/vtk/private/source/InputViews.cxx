@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "cloud/OutwardNormals.h"
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/FlatTriangles.h"
@@ -50,9 +51,8 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   auto* points = vtkPointSet::SafeDownCast(leaf);
   if (!points)
   {
-    throw Refusal("extract a surface first, for instance by Contour: " + name + " is a " +
-                  std::string(leaf->GetClassName()) +
-                  ", and a source is a surface or points (vtkPointSet)");
+    throw Refusal(Message(name + " is a " + leaf->GetClassName() + ", no surface or points",
+      {{"extract a surface first", {Parameter::contour}}}));
   }
   if (points->GetNumberOfPoints() == 0)
   {
@@ -125,7 +125,7 @@ vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
   }
   if (options_.areaArray.empty())
   {
-    throw Refusal("name the array of the areas (Area Array): there is no name");
+    throw Refusal(Message("the array of areas has no name", {{"", {Parameter::areaArray}}}));
   }
   return pointArray(leaf, options_.areaArray, 1);
 }
@@ -268,8 +268,8 @@ void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
       { return isSurface_ ? hashOf(this->ownTriangles()) : hashOf(this->ownOrientedPoints()); }));
   if (distribution == SourceDistribution::replicated && !areCopies_)
   {
-    throw Refusal("choose another Source Distribution: the source is no replicated one, for the "
-                  "ranks have different data");
+    throw Refusal(Message("the source is not replicated: the ranks have different data",
+      {{"", {{Parameter::sourceDistribution, 0}}}}));
   }
 }
 
@@ -326,12 +326,10 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
   {
     if (std::any_of(leaves_.begin(), leaves_.end(), hasLines))
     {
-      throw Refusal("make a surface of the lines first, for instance by Tube or Ribbon: the input "
-                    "has only lines, and they bound nothing");
+      throw Refusal(Message("the input has only lines, which bound nothing",
+        {{"make a surface of them first", {Parameter::tube}}}));
     }
-    throw Refusal("have normals estimated (Estimate Normals; --estimate-normals), or compute "
-                  "oriented ones first, for instance by vtkPCANormalEstimation: the points have "
-                  "none, and without them nothing tells inside from outside");
+    throw Refusal(missingNormals());
   }
   std::vector<OrientedPointsView> views;
   pointSets_.clear();
@@ -346,9 +344,8 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     }
     if (options_.areas == AreaSource::mesh && !isMesh)
     {
-      throw Refusal(
-        "choose Voronoi areas (Point Area Method; --areas): those from the mesh need triangles, "
-        "and these are points alone");
+      throw Refusal(Message("areas from the mesh need triangles, not points alone",
+        {{"", {{Parameter::pointAreaMethod, 0}}}}));
     }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());

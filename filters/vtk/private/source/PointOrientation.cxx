@@ -20,15 +20,15 @@ vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
   vtkDataArray* const normals = normalsOf(leaf, name);
   if (!normals)
   {
-    throw Refusal("leave the orientation as it is (Fix Orientation; --fix-orientation), or give "
-                  "normals: the points have none, and the filters estimate them themselves "
-                  "(Estimate Normals; --estimate-normals)");
+    throw Refusal(Message("the points have no normals to be turned",
+      {{"", {{Parameter::fixOrientation, 0}}}, {"give normals", {}}},
+      "the filters estimate them themselves"));
   }
   if (normals->GetDataType() != VTK_FLOAT && normals->GetDataType() != VTK_DOUBLE)
   {
-    throw Refusal("give normals of type float or double, or leave the orientation as it is (Fix "
-                  "Orientation; --fix-orientation): those of type " +
-                  std::string(normals->GetDataTypeAsString()) + " cannot all be turned round");
+    throw Refusal(Message(
+      "normals of type " + std::string(normals->GetDataTypeAsString()) + " cannot all be turned",
+      {{"give them as float or double", {}}, {"", {{Parameter::fixOrientation, 0}}}}));
   }
   return normals;
 }

@@ -92,9 +92,9 @@ public:
     auto* points = vtkPointSet::SafeDownCast(block);
     if (!points)
     {
-      throw Refusal("extract a surface first, for instance by Contour: " + name + " is a " +
-                    (block ? block->GetClassName() : "block of no data") +
-                    ", and a solid is a surface or points (vtkPointSet)");
+      throw Refusal(Message(name + " is a " + (block ? block->GetClassName() : "block of no data") +
+                              ", no surface or points",
+        {{"extract a surface first", {Parameter::contour}}}));
     }
     hasPoints_ |= points->GetNumberOfPoints() > 0;
     hasFaces_ |= hasFaces(points);

@@ -29,14 +29,20 @@ namespace winding
 namespace
 {
 
-unsigned short labelOf(double number, const std::string& what, const std::string& remedy)
+unsigned short labelOf(double number, const std::string& what, const Remedy& remedy)
 {
   if (!(number >= 1 && number <= largestLabel))
   {
-    throw Refusal(remedy + ": labels are 1 to 65535, and " + what + " would get " +
-                  std::to_string(static_cast<long long>(number)));
+    throw Refusal(Message("labels are 1 to 65535", {remedy},
+      what + " would get " + std::to_string(static_cast<long long>(number))));
   }
   return static_cast<unsigned short>(number);
+}
+
+/// Returns the refusal of an array of regions.
+Refusal refusedRegions(const std::string& fault)
+{
+  return Refusal(Message(fault, {{"choose another array of regions", {Parameter::regionArray}}}));
 }
 
 /// The array of regions. Throws Refusal if there is none of that name, or not for all cells.
@@ -46,15 +52,14 @@ vtkDataArray* regionsOf(vtkPointSet* data, const std::string& name)
   if (!regions)
   {
     const bool isOfPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
-    throw Refusal("choose another array of regions (Region Array; --region-array): '" + name +
-                  "' is " +
-                  (isOfPoints ? "one of the points, not of the cells" : "none of the cells"));
+    throw refusedRegions(
+      "'" + name + "' is " +
+      (isOfPoints ? "an array of the points, not of the cells" : "no array of the cells"));
   }
   if (regions->GetNumberOfComponents() != 1 ||
       regions->GetNumberOfTuples() < data->GetNumberOfCells())
   {
-    throw Refusal("choose another array of regions (Region Array; --region-array): '" + name +
-                  "' has not one value for each cell");
+    throw refusedRegions("'" + name + "' has not one value for each cell");
   }
   return regions;
 }
@@ -65,9 +70,9 @@ int regionOf(vtkDataArray* regions, vtkIdType cell)
   const double value = regions->GetComponent(cell, 0);
   if (!(std::abs(value) < 1e9) || value != std::floor(value))
   {
-    throw Refusal("choose another array of regions (Region Array; --region-array): '" +
-                  std::string(regions->GetName()) + "' has the value " + std::to_string(value) +
-                  " at cell " + std::to_string(cell) + ", and regions are integers");
+    throw refusedRegions("'" + std::string(regions->GetName()) + "' has the value " +
+                         std::to_string(value) + " at cell " + std::to_string(cell) +
+                         ", and regions are integers");
   }
   return static_cast<int>(value);
 }
@@ -163,7 +168,7 @@ void Solids::addBlocks(vtkDataObject* composite, Ranks& ranks)
   for (SolidBlock& block : blocks)
   {
     labels_.push_back(labelOf(static_cast<double>(labels_.size() + 1), "block '" + block.name + "'",
-      "extract fewer blocks"));
+      {"extract fewer blocks", {}}));
     names_.push_back(block.name);
     blocks_.push_back(block.source);
   }
@@ -195,7 +200,7 @@ void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& r
     const std::string name = options.regionArray + " " + std::to_string(region);
     labels_.push_back(labelOf(static_cast<double>(region) + options.labelOffset,
       "region " + std::to_string(region) + " of '" + options.regionArray + "'",
-      "choose another Label Offset (--label-offset)"));
+      {"choose another offset", {Parameter::labelOffset}}));
     names_.push_back(name);
     cells_.push_back(std::move(cells[region]));
   }
@@ -205,9 +210,9 @@ void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
 {
   if (!ranks.isAlone() && !isWhole(data, ranks))
   {
-    throw Refusal("name an array of regions (Region Array), or give blocks, or one rank the whole "
-                  "surface: several ranks cannot find the solids of a surface that each has a part "
-                  "of");
+    throw Refusal(Message("several ranks cannot find solids that are in parts",
+      {{"name an array of regions", {Parameter::regionArray}}, {"give blocks", {}},
+        {"give one rank the whole surface", {}}}));
   }
   const std::vector<Ranks::Number> counts = ranks.exchange(
     [&]() -> Ranks::Number
@@ -242,9 +247,10 @@ void Solids::findParts(vtkPointSet* data, Executor& executor)
   cells_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), executor);
   if (cells_.size() > largestLabel)
   {
-    throw Refusal("close the gaps between triangles, or name an array of regions (Region Array; "
-                  "--region-array): labels are 1 to 65535, and the surface is of " +
-                  std::to_string(cells_.size()) + " parts by connectivity");
+    throw Refusal(Message("the surface has too many parts for labels",
+      {{"name an array of regions", {Parameter::regionArray}},
+        {"close the gaps between triangles", {}}},
+      "it has " + std::to_string(cells_.size()) + " by connectivity, and labels are 1 to 65535"));
   }
 }
 

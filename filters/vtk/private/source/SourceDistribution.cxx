@@ -8,8 +8,7 @@ namespace winding
 
 SourceDistribution sourceDistribution(int number)
 {
-  checkChoice(
-    "SourceDistribution", number, {"DISTRIBUTION_AUTOMATIC", "DISTRIBUTED", "REPLICATED"});
+  checkProperty(Parameter::sourceDistribution, number);
   return static_cast<SourceDistribution>(number);
 }
 

@@ -27,7 +27,7 @@ void refuseHugeSource(const InputViews& source, const BytesOfWork& bytes, const 
       {
         refuseBeyondFreeMemory(static_cast<double>(all) * (isMesh ? bytes.perCell : bytes.perPoint),
           std::string(what) + " of " + std::to_string(all) + (isMesh ? " cells" : " points"),
-          "take a part of the source, or fewer and larger triangles or points");
+          {{"take a part of the source", {}}, {"take fewer and larger triangles or points", {}}});
       }
       return true;
     });

@@ -5,26 +5,25 @@ namespace winding
 
 Method coreMethod(int method)
 {
-  checkChoice("Method", method, {"AUTOMATIC", "ROWS", "HIERARCHICAL", "DIRECT", "PARITY"});
+  checkProperty(Parameter::method, method);
   return static_cast<Method>(method);
 }
 
 InsideRule coreInsideRule(int rule)
 {
-  checkChoice("InsideRule", rule, {"SIGNED", "ABSOLUTE", "ODD"});
+  checkProperty(Parameter::insideRule, rule);
   return static_cast<InsideRule>(rule);
 }
 
 PointAreasFrom pointAreasFrom(int pointAreaMethod)
 {
-  checkChoice("PointAreaMethod", pointAreaMethod, {"VORONOI", "MESH", "CONSTANT", "ARRAY"});
+  checkProperty(Parameter::pointAreaMethod, pointAreaMethod);
   return static_cast<PointAreasFrom>(pointAreaMethod);
 }
 
 NormalEstimation coreNormalEstimation(int estimation)
 {
-  checkChoice("NormalEstimation", estimation,
-    {"ESTIMATION_AUTOMATIC", "SPANNING_TREE", "WINDING_CONSISTENT"});
+  checkProperty(Parameter::normalEstimation, estimation);
   return static_cast<NormalEstimation>(estimation);
 }
 

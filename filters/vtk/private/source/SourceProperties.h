@@ -52,19 +52,19 @@ inline std::string textOf(const char* text)
 /// Throws unless the properties about the points of clouds are in range.
 template <class Object> void checkCloudProperties(Object& object)
 {
-  checkRange("NumberOfNeighbors", object.GetNumberOfNeighbors(), 3, 1000);
-  checkRange("PointArea", object.GetPointArea(), 0);
+  checkProperty(Parameter::numberOfNeighbors, object.GetNumberOfNeighbors());
+  checkProperty(Parameter::pointArea, object.GetPointArea());
 }
 
 /// Throws unless all properties that sourceOptions() takes are in range.
 template <class Object> void checkSourceProperties(Object& object)
 {
   coreMethod(object.GetMethod());
-  checkRange("Tolerance", object.GetTolerance(), 0);
+  checkProperty(Parameter::tolerance, object.GetTolerance());
   pointAreasFrom(object.GetPointAreaMethod());
   coreNormalEstimation(object.GetNormalEstimation());
   checkCloudProperties(object);
-  checkRange("Regularization", object.GetRegularization(), 0, mostRegularization);
+  checkProperty(Parameter::regularization, object.GetRegularization());
 }
 
 /// The options that an object's properties are. FieldOptions says what `scattered` is. The object

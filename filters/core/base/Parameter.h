@@ -1,0 +1,101 @@
+#pragma once
+
+namespace winding
+{
+
+/**
+ * The numbers by which messages name what a user can set or turn to. The core has no other names
+ * for them: each front end has its own, in one list (filters/Options.def).
+ */
+enum class Parameter
+{
+  // the method
+  method,
+  tolerance,
+  regularization,
+  numberOfThreads,
+  longestExpectedTime,
+
+  // the source
+  sourceAsPoints,
+  sourceDistribution,
+  normalsArray,
+  estimateNormals,
+  normalEstimation,
+  pointAreaMethod,
+  pointArea,
+  areaArray,
+  numberOfNeighbors,
+
+  // the grid
+  resolution,
+  voxelSize,
+  samplingDimensions,
+  useInputBounds,
+  samplingBounds,
+  padding,
+  outputAssociation,
+
+  // what is inside
+  windingThreshold,
+  insideRule,
+  insideOut,
+  coverage,
+  coverageSamples,
+
+  // the arrays of the result
+  generateWindingNumber,
+  generateInside,
+  generateSignedDistance,
+  distanceBand,
+  resultArrayName,
+  insideArrayName,
+  outputScalarType,
+  verifySamples,
+
+  // surfaces
+  features,
+  generateTriangles,
+  closeBorder,
+  generateNormals,
+  outputPointsPrecision,
+  fidelitySamples,
+
+  // hyper tree grids
+  mergeTolerance,
+  maskOutside,
+
+  // labels
+  overlapRule,
+  regionArray,
+  labelOffset,
+  generateSolidCount,
+  coverageArrays,
+  byLabel,
+
+  // probes
+  probeAssociation,
+  extractInside,
+
+  // reports
+  fixOrientation,
+  faultThickness,
+
+  // tables of points
+  readNormalsAndAreas,
+  readAllColumns,
+  generateRowPlaces,
+
+  // inputs, other filters and other ways of working
+  source,
+  voxelArray,
+  pieces,
+  surfaceReport,
+  turnedFaces,
+  image,
+  contour,
+  tube,
+  orientedNormals
+};
+
+} // namespace winding

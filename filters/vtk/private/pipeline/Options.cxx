@@ -1,0 +1,231 @@
+#include "private/pipeline/Options.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<Option> makeOptions()
+{
+  std::vector<Option> options;
+#define OPTION(                                                                                    \
+  parameter, property, kind, standard, lowest, highest, unit, label, option, keyword, help)        \
+  options.push_back({Parameter::parameter, property, OptionKind::kind, standard, lowest, highest,  \
+    label, option, keyword, {}});
+#define CHOICE(parameter, number, constant, entry, word)                                           \
+  options.back().choices.push_back({number, constant, entry, word});
+#define OTHER(parameter, cxx, label, option, keyword)
+#include "Options.def"
+#undef OPTION
+#undef CHOICE
+#undef OTHER
+  return options;
+}
+
+/// What has names and is no option.
+struct Other
+{
+  Parameter parameter;
+  std::array<const char*, 4> names; ///< by front end
+};
+
+constexpr Other others[] = {
+#define OPTION(...)
+#define CHOICE(...)
+#define OTHER(parameter, cxx, label, option, keyword)                                              \
+  {Parameter::parameter, {cxx, label, option, keyword}},
+#include "Options.def"
+#undef OPTION
+#undef CHOICE
+#undef OTHER
+};
+
+const char* nameOfOther(Parameter parameter, FrontEnd frontEnd)
+{
+  const auto* found = std::find_if(std::begin(others), std::end(others),
+    [parameter](const Other& other) { return other.parameter == parameter; });
+  return found == std::end(others) ? "" : found->names[static_cast<std::size_t>(frontEnd)];
+}
+
+const Choice* choiceOf(const Option& option, const Setting& setting)
+{
+  const auto found = std::find_if(option.choices.begin(), option.choices.end(),
+    [&setting](const Choice& choice) { return setting.value == choice.number; });
+  return found == option.choices.end() ? nullptr : &*found;
+}
+
+std::string inCxx(const Option& option, const Setting& setting)
+{
+  const std::string property = option.property;
+  if (const Choice* choice = choiceOf(option, setting))
+  {
+    return "Set" + property + "(" + choice->constant + ")";
+  }
+  return setting.value ? property + (*setting.value != 0 ? "On()" : "Off()")
+                       : "Set" + property + "()";
+}
+
+std::string inParaView(const Option& option, const Setting& setting)
+{
+  const std::string label = option.label;
+  if (const Choice* choice = choiceOf(option, setting))
+  {
+    const std::string entry = choice->entry;
+    return label + ": " + entry.substr(0, entry.find(' '));
+  }
+  return setting.value == 0 ? label + " off" : label;
+}
+
+std::string inProgram(const Option& option, const Setting& setting)
+{
+  const std::string name = option.option;
+  if (const Choice* choice = choiceOf(option, setting))
+  {
+    return *choice->word ? name + " " + choice->word : name;
+  }
+  return setting.value && std::to_string(*setting.value) == option.standard ? "no " + name : name;
+}
+
+std::string inPython(const Option& option, const Setting& setting)
+{
+  const std::string name = std::string(option.keyword) + "=";
+  if (const Choice* choice = choiceOf(option, setting))
+  {
+    return name + "'" + choice->word + "'";
+  }
+  return setting.value ? name + (*setting.value != 0 ? "True" : "False") : name;
+}
+
+/// The names of the settings that a front end has, with "and" between them.
+std::string namesOf(const std::vector<Setting>& settings, FrontEnd frontEnd)
+{
+  std::string names;
+  for (const Setting& setting : settings)
+  {
+    const std::string name = howTo(setting, frontEnd);
+    names += names.empty() || name.empty() ? name : ", " + name;
+  }
+  return names;
+}
+
+/// A remedy in words, or nothing where a front end does not have it.
+std::string textOf(const Remedy& remedy, FrontEnd frontEnd)
+{
+  const std::string names = namesOf(remedy.settings, frontEnd);
+  if (names.empty())
+  {
+    return remedy.words;
+  }
+  return remedy.words.empty() ? "use " + names : remedy.words + " (" + names + ")";
+}
+
+std::atomic<FrontEnd> frontEndOfProcess = FrontEnd::cxx;
+
+} // namespace
+
+const Option* optionOf(Parameter parameter)
+{
+  static const std::vector<Option> options = makeOptions();
+  const auto found = std::find_if(options.begin(), options.end(),
+    [parameter](const Option& option) { return option.parameter == parameter; });
+  return found == options.end() ? nullptr : &*found;
+}
+
+std::string nameOf(Parameter parameter, FrontEnd frontEnd)
+{
+  const Option* option = optionOf(parameter);
+  if (!option)
+  {
+    return nameOfOther(parameter, frontEnd);
+  }
+  switch (frontEnd)
+  {
+  case FrontEnd::paraview:
+    return option->label;
+  case FrontEnd::program:
+    return option->option;
+  case FrontEnd::python:
+    return option->keyword;
+  default:
+    return option->property;
+  }
+}
+
+std::string howTo(const Setting& setting, FrontEnd frontEnd)
+{
+  const Option* option = optionOf(setting.parameter);
+  const std::string name = nameOf(setting.parameter, frontEnd);
+  if (!option || name.empty())
+  {
+    return name;
+  }
+  switch (frontEnd)
+  {
+  case FrontEnd::paraview:
+    return inParaView(*option, setting);
+  case FrontEnd::program:
+    return inProgram(*option, setting);
+  case FrontEnd::python:
+    return inPython(*option, setting);
+  default:
+    return inCxx(*option, setting);
+  }
+}
+
+std::string lineOf(const Message& message, FrontEnd frontEnd)
+{
+  std::string line;
+  if (message.subject)
+  {
+    // A front end without the option cannot set it either, unless it reaches the property itself.
+    const std::string name = nameOf(*message.subject, frontEnd);
+    line = (name.empty() ? nameOf(*message.subject, FrontEnd::cxx) : name) + " ";
+  }
+  line += message.fault;
+  const char* before = ": ";
+  for (const Remedy& remedy : message.remedies)
+  {
+    const std::string text = textOf(remedy, frontEnd);
+    if (!text.empty())
+    {
+      line += before + text;
+      before = ", or ";
+    }
+  }
+  return message.facts.empty() ? line : line + "; " + message.facts;
+}
+
+FrontEnd frontEnd()
+{
+  return frontEndOfProcess;
+}
+
+void setFrontEnd(FrontEnd frontEnd)
+{
+  frontEndOfProcess = frontEnd;
+}
+
+std::string lineOf(const Message& message)
+{
+  return lineOf(message, frontEnd());
+}
+
+std::string lineOf(const std::vector<Message>& messages)
+{
+  std::string line;
+  for (const Message& message : messages)
+  {
+    line += (line.empty() ? "" : "; ") + lineOf(message);
+  }
+  return line;
+}
+
+} // namespace winding

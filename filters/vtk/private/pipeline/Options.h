@@ -1,0 +1,83 @@
+#pragma once
+
+#include "base/Message.h"
+
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * The options of all filters, of which Options.def is the list, and the words of messages in each
+ * front end.
+ */
+namespace winding
+{
+
+/// The ways in which people use the filters.
+enum class FrontEnd
+{
+  cxx,
+  paraview,
+  program,
+  python
+};
+
+enum class OptionKind
+{
+  flag,
+  integer,
+  number,
+  choice,
+  text,
+  integers,
+  numbers
+};
+
+/// A value of an option that is a choice.
+struct Choice
+{
+  int number;
+  const char* constant; ///< in C++
+  const char* entry;    ///< in ParaView
+  const char* word;     ///< in the program and in Python
+};
+
+/// What the list says of an option. Empty names are those that a front end does not have.
+struct Option
+{
+  Parameter parameter;
+  const char* property;
+  OptionKind kind;
+  const char* standard; ///< the default, as PrintSelf() prints it
+  double lowest, highest;
+  const char* label;
+  const char* option;
+  const char* keyword;
+  std::vector<Choice> choices;
+};
+
+/// Returns the option, or nullptr for what messages name beside options.
+const Option* optionOf(Parameter parameter);
+
+/// Returns what a front end calls a parameter, or "" where it does not have it.
+std::string nameOf(Parameter parameter, FrontEnd frontEnd);
+
+/// Returns what a user of a front end writes or chooses to make a setting, or "" where he cannot.
+std::string howTo(const Setting& setting, FrontEnd frontEnd);
+
+/// Returns the line of a message in the words of a front end.
+std::string lineOf(const Message& message, FrontEnd frontEnd);
+
+///@{
+/// The front end that this process speaks to. Any thread may ask and tell at any time.
+FrontEnd frontEnd();
+void setFrontEnd(FrontEnd frontEnd);
+///@}
+
+/// Returns the line of a message in the words of this process's front end.
+std::string lineOf(const Message& message);
+
+/// Returns the lines of several messages, as one.
+std::string lineOf(const std::vector<Message>& messages);
+
+} // namespace winding

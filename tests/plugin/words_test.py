@@ -1,0 +1,56 @@
+"""Messages name properties by the labels of the panels, in the words of tests/messages."""
+import os
+import pathlib
+import sys
+import unittest
+
+from paraview import simple
+
+from support import errors_of, information, run_tests, warnings_of
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from messages import FOLDER, messages_of
+
+
+def message_of(proxy):
+    """The only error or warning of a filter, without what VTK puts before it."""
+    errors, warnings = errors_of(proxy), warnings_of(proxy)
+    proxy.UpdatePipeline()
+    (text,) = errors + warnings
+    return text.split("): ", 1)[1].strip()
+
+
+def mesh(name):
+    return simple.GeomviewOFFReader(FileName=os.path.join(FOLDER, name))
+
+
+def points(name):
+    return simple.OrientedPointsReader(FileName=os.path.join(FOLDER, name))
+
+
+def field(source, **properties):
+    return message_of(simple.WindingNumberField(Input=source, **{"Resolution": 4, **properties}))
+
+
+class TestWords(unittest.TestCase):
+    def test_are_those_of_the_list(self):
+        report = simple.SurfaceReport(Input=mesh("inward.off"))
+        report.UpdatePipeline()
+        found = {
+            "points without normals": field(points("bare.xyz")),
+            "bounds of a single point": field(points("place.xyz")),
+            "a method that points do not have": field(points("place.xyz"), Method="Ray Parity",
+                UseInputBounds=0),
+            "a number out of range": field(mesh("cube.off"), Padding=-1),
+            "too many voxels": field(mesh("cube.off"), VoxelSize=1e-12),
+            "faces that look inward": field(mesh("inward.off")),
+            "the report on faces that look inward": information(report, "Advice"),
+            "a grid within the solid": message_of(simple.WindingNumberSurface(
+                Input=mesh("cube.off"), Resolution=4, UseInputBounds=0,
+                SamplingBounds=[0.4, 0.6] * 3)),
+        }
+        self.assertEqual(found, messages_of("ParaView"))
+
+
+if __name__ == "__main__":
+    run_tests()

@@ -1,0 +1,87 @@
+"""Messages name options by the keywords of this package, in the words of tests/messages."""
+
+import pathlib
+import sys
+import unittest
+import warnings
+
+import numpy as np
+
+import vtkwinding
+from vtkwinding import _run
+from vtkwinding.vtkFiltersWinding import (
+    vtkGeomviewOFFReader,
+    vtkOrientedPointsReader,
+    vtkSurfaceReport,
+    vtkWindingNumberField,
+)
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from messages import FOLDER, messages_of  # noqa: E402
+
+
+def mesh(name):
+    """Vertices and triangles of a file of quadrilaterals."""
+    lines = [line.split() for line in (FOLDER / name).read_text().splitlines()]
+    points = np.array([[float(word) for word in line] for line in lines[2:10]])
+    faces = np.array([[int(word) for word in line[1:]] for line in lines[10:]])
+    return points, np.concatenate([faces[:, :3], faces[:, [0, 2, 3]]])
+
+
+def message_of(call, *arguments, **options):
+    """What a call says, as an error or a warning."""
+    with warnings.catch_warnings(record=True) as notes:
+        warnings.simplefilter("always")
+        try:
+            call(*arguments, **options)
+        except (vtkwinding.WindingError, ValueError) as error:
+            return str(error)
+    return str(notes[0].message)
+
+
+class WordsTest(unittest.TestCase):
+    def test_are_those_of_the_list(self):
+        bare = np.loadtxt(FOLDER / "bare.xyz")
+        place = np.loadtxt(FOLDER / "place.xyz")
+        cloud = {"normals": place[:, 3:]}
+        cube, inward = mesh("cube.off"), mesh("inward.off")
+        field = vtkwinding.field
+        found = {
+            "points without normals": message_of(field, bare, resolution=4),
+            "bounds of a single point": message_of(field, place[:, :3], resolution=4, **cloud),
+            "a method that points do not have": message_of(
+                field, place[:, :3], method="parity", bounds=[0, 1] * 3, **cloud),
+            "a number out of range": message_of(field, *cube, padding=-1),
+            "too many voxels": message_of(field, *cube, spacing=1e-12),
+            "faces that look inward": message_of(field, *inward, resolution=4),
+            "a grid within the solid": message_of(
+                vtkwinding.surface, *cube, resolution=4, bounds=[0.4, 0.6] * 3),
+        }
+        report = vtkSurfaceReport()
+        reader = vtkGeomviewOFFReader()
+        reader.SetFileName(str(FOLDER / "inward.off"))
+        report.SetInputConnection(reader.GetOutputPort())
+        found["the report on faces that look inward"] = _run.run(report).GetAdvice()
+        self.assertEqual(found, messages_of("Python"))
+
+    def test_are_setters_outside_of_this_package(self):
+        reader = vtkOrientedPointsReader()
+        reader.SetFileName(str(FOLDER / "bare.xyz"))
+        field = vtkWindingNumberField()
+        field.SetInputConnection(reader.GetOutputPort())
+        self.assertIn("estimate_normals=True", message_of(_run.run, field))
+        texts = []
+
+        def note(_reporter, _event, text):
+            texts.append(text)
+
+        note.CallDataType = "string0"
+        field.AddObserver("ErrorEvent", note)
+        field.Modified()
+        field.Update()
+        self.assertEqual(len(texts), 1)
+        self.assertIn(messages_of("C++")["points without normals"], texts[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "private/pipeline/Options.h"
+
+#include <string>
+
+/// Returns what users of C++ do to make a setting, as messages say it.
+inline std::string howTo(const winding::Setting& setting)
+{
+  return winding::howTo(setting, winding::FrontEnd::cxx);
+}

@@ -1,0 +1,140 @@
+#include "support/MessageList.h"
+#include "vtk/ErrorLog.h"
+
+#include "vtkGeomviewOFFReader.h"
+#include "vtkNew.h"
+#include "vtkOrientedPointsReader.h"
+#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+// Every front end has its own names for the same properties. The list of messages holds the words of
+// all; these tests see the filters say them.
+
+namespace
+{
+
+using Filter = vtkWindingNumberAlgorithm;
+
+/// Returns the only error or warning of a filter that is executed, without VTK's decoration.
+std::string messageOf(vtkAlgorithm* filter)
+{
+  ErrorLog log(filter);
+  filter->Update();
+  const std::string text = log.errors() + log.warnings();
+  const std::size_t begin = text.find("): ");
+  return begin == std::string::npos ? text
+                                    : text.substr(begin + 3, text.find('\n', begin) - begin - 3);
+}
+
+template <class Reader> vtkSmartPointer<Reader> reading(const std::string& name)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName((WINDING_MESSAGES "/" + name).c_str());
+  return reader;
+}
+
+/// Returns the message of a field of a mesh or a cloud.
+std::string messageOfField(
+  const std::string& file, const std::function<void(vtkWindingNumberField*)>& change = {})
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetResolution(4);
+  if (file.find(".off") != std::string::npos)
+  {
+    field->SetInputConnection(reading<vtkGeomviewOFFReader>(file)->GetOutputPort());
+  }
+  else
+  {
+    field->SetInputConnection(reading<vtkOrientedPointsReader>(file)->GetOutputPort());
+  }
+  if (change)
+  {
+    change(field);
+  }
+  return messageOf(field);
+}
+
+/// Returns what the filters say in each of the cases of the list.
+std::map<std::string, std::string> allMessages()
+{
+  std::map<std::string, std::string> found;
+  found["points without normals"] = messageOfField("bare.xyz");
+  found["bounds of a single point"] = messageOfField("place.xyz");
+  found["a method that points do not have"] = messageOfField("place.xyz",
+    [](auto* field)
+    {
+      field->SetMethod(Filter::PARITY);
+      field->UseInputBoundsOff();
+    });
+  found["a number out of range"] =
+    messageOfField("cube.off", [](auto* field) { field->SetPadding(-1); });
+  found["too many voxels"] =
+    messageOfField("cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
+  found["faces that look inward"] = messageOfField("inward.off");
+  vtkNew<vtkSurfaceReport> report;
+  report->SetInputConnection(reading<vtkGeomviewOFFReader>("inward.off")->GetOutputPort());
+  report->Update();
+  found["the report on faces that look inward"] = report->GetAdvice();
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(reading<vtkGeomviewOFFReader>("cube.off")->GetOutputPort());
+  surface->SetResolution(4);
+  surface->UseInputBoundsOff();
+  surface->SetSamplingBounds(0.4, 0.6, 0.4, 0.6, 0.4, 0.6);
+  found["a grid within the solid"] = messageOf(surface);
+  return found;
+}
+
+class MessageWords : public testing::TestWithParam<std::pair<const char*, int>>
+{
+protected:
+  ~MessageWords() override { Filter::SetNamesInMessages(Filter::CXX_NAMES); }
+};
+
+TEST_P(MessageWords, AreThoseOfTheList)
+{
+  const auto [frontEnd, names] = GetParam();
+  Filter::SetNamesInMessages(names);
+  EXPECT_EQ(Filter::GetNamesInMessages(), names);
+  const auto expected = messagesOf(frontEnd);
+  EXPECT_EQ(expected.size(), allMessages().size());
+  for (const auto& [subject, message] : allMessages())
+  {
+    const auto line = expected.find(subject);
+    EXPECT_NE(line, expected.end()) << subject << "\n  " << frontEnd << ": " << message;
+    if (line == expected.end())
+    {
+      continue;
+    }
+    // Program and package check numbers before filters do, in words of their own.
+    if (subject != "a number out of range" || names <= Filter::PARAVIEW_NAMES)
+    {
+      EXPECT_EQ(message, line->second) << subject;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FrontEnds, MessageWords,
+  testing::Values(std::pair("C++", Filter::CXX_NAMES),
+    std::pair("ParaView", Filter::PARAVIEW_NAMES), std::pair("program", Filter::PROGRAM_NAMES),
+    std::pair("Python", Filter::PYTHON_NAMES)));
+
+/// ParaView shows about 80 characters of a message: what is wrong, and the first box to use.
+TEST(MessagesInParaView, BeginWithWhatIsWrongAndABox)
+{
+  for (const auto& [subject, line] : messagesOf("ParaView"))
+  {
+    const std::string fault = line.substr(0, line.find(": "));
+    EXPECT_LE(std::count(fault.begin(), fault.end(), ' '), 8) << line;
+    EXPECT_EQ(line.find("--"), std::string::npos) << line;
+    EXPECT_EQ(line.find("()"), std::string::npos) << line;
+  }
+}
+
+} // namespace
