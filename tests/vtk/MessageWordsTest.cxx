@@ -14,8 +14,8 @@
 #include <map>
 #include <string>
 
-// Every front end has its own names for the same properties. The list of messages holds the words of
-// all; these tests see the filters say them.
+// Every front end has its own names for the same properties. The list of messages holds the words
+// of all; these tests see the filters say them.
 
 namespace
 {

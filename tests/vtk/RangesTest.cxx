@@ -144,7 +144,8 @@ TEST(Ranges, GridsOutOfRangeAreRefused)
   field->UseInputBoundsOff();
   field->SetSamplingBounds(-1, 1, -1e200, 1, -1, 1);
   field->Update();
-  expectOneLine(log.errors(), "the grid reaches too far: scale the source down; it reaches to -7.8");
+  expectOneLine(
+    log.errors(), "the grid reaches too far: scale the source down; it reaches to -7.8");
 }
 
 TEST(Ranges, SurfacesOfTheLargestSourcesHaveFinitePoints)

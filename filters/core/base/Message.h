@@ -29,7 +29,7 @@ struct Setting
   }
 };
 
-/// What a user can do: in words, in settings, or both. A remedy without words is of no use to a
+/// A way out for the user: in words, in settings, or both. A remedy without words is of no use to a
 /// front end that has no name for its settings, which leaves it out.
 struct Remedy
 {
@@ -38,7 +38,7 @@ struct Remedy
 };
 
 /**
- * What went wrong and what to do about it, without any front end's names. A front end makes one
+ * The fault and what to do about it, without any front end's names. A front end makes one
  * line of it: "`subject` `fault`: `remedies`; `facts`", the subject and the settings by their names
  * there. A user may see no more than the beginning, so that `fault` has eight words at most.
  */

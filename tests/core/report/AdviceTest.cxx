@@ -192,7 +192,8 @@ TEST(Advice, OnCloudsSaysWhatTheFieldSaysOfTheirNormals)
 {
   CloudReport report = goodReport();
   report.orientation = {0, -1, 0, 0.9};
-  EXPECT_EQ(adviceOnCloud(report).rfind("oriented points, but inside out", 0), 0u) << adviceOnCloud(report);
+  EXPECT_EQ(adviceOnCloud(report).rfind("oriented points, but inside out", 0), 0u)
+    << adviceOnCloud(report);
   EXPECT_EQ(remediesOf(winding::adviceOn(report)), std::vector{Parameter::insideRule});
   report.orientation = {0.456, -0.543, 0.1, 0.2};
   const std::string unclear = "the field tells inside from outside at 20 % of the points (it is "

@@ -30,7 +30,7 @@ std::vector<Option> makeOptions()
   return options;
 }
 
-/// What has names and is no option.
+/// A thing with names that is no option.
 struct Other
 {
   Parameter parameter;

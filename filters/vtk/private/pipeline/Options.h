@@ -7,7 +7,7 @@
 
 /**
  * @file
- * The options of all filters, of which Options.def is the list, and the words of messages in each
+ * The options of all filters, as Options.def lists them, and the words of messages in each
  * front end.
  */
 namespace winding
@@ -42,7 +42,7 @@ struct Choice
   const char* word;     ///< in the program and in Python
 };
 
-/// What the list says of an option. Empty names are those that a front end does not have.
+/// An entry of the list. A name is empty where a front end has none.
 struct Option
 {
   Parameter parameter;
