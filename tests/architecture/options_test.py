@@ -1,0 +1,133 @@
+"""Properties, PrintSelf(), the program, Python and ParaView's panels agree with Options.def.
+
+Usage: options_test.py <root of the repository>. Reads filters/Options.def and the sources, prints one
+line for each fault, and fails if there is any.
+"""
+
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
+# Panels may begin with another value than a property, where a picture is what their users want.
+OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness")}
+# Several classes have properties of these names, which mean different things.
+AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
+
+
+class Option:
+    def __init__(self, text):
+        fields = STRING.findall(text)
+        self.name = text.split(",")[0].strip()
+        self.kind = text.split(",")[2].strip()
+        self.property, self.default, self.help = fields[0], fields[1], fields[-1]
+        self.label, self.option, self.keyword = fields[-4], fields[-3], fields[-2]
+        self.choices = {}
+
+
+def options_in(path):
+    options, text = [], re.sub(r"//.*", "", path.read_text())
+    for kind, body in re.findall(r"^(OPTION|CHOICE)\((.*?)\)$", text, re.MULTILINE | re.DOTALL):
+        if kind == "OPTION":
+            options.append(Option(body))
+        else:
+            name, number, rest = body.split(",", 2)
+            assert options[-1].name == name.strip(), body
+            options[-1].choices[number.strip()] = STRING.findall(rest)
+    return options
+
+
+def numbers(text):
+    return [float(number) for number in text.split()]
+
+
+def same(kind, a, b):
+    return a == b if kind == "text" else numbers(a) == numbers(b)
+
+
+def check_classes(root, options):
+    """Every property can be set, is printed, and has its default in a header."""
+    headers = {path: path.read_text() for path in sorted((root / "filters/vtk").glob("*.h"))}
+    sources = "".join(path.read_text() for path in sorted((root / "filters/vtk").rglob("*.cxx")))
+    printed = set(re.findall(r'"(\w+): "', sources))
+    printed |= set(re.findall(r'"(\w+): "', "".join(
+        path.read_text() for path in (root / "filters/vtk/private").rglob("*.h"))))
+    for option in options:
+        name = option.property
+        owners = [text for text in headers.values() if re.search(rf"\bSet{name}\(|Macro\({name}\b", text)]
+        if not owners:
+            yield f"{name}: no class has Set{name}()"
+        if name not in printed:
+            yield f"{name}: no PrintSelf() has it"
+        for text in owners:
+            found = re.search(rf"^  (?:int|double|vtkTypeBool)\s+{name}(?:\[\d\])? = ([^;]+);", text,
+                              re.MULTILINE)
+            if found is None or name in AMBIGUOUS:
+                continue
+            value = found[1].strip("{} ").replace(",", "")
+            value = {"VTK_FLOAT": "10", "VTK_DOUBLE": "11", "vtkAlgorithm::DEFAULT_PRECISION": "2",
+                     "DEFAULT_PRECISION": "2"}.get(value, value)
+            by_name = {names[0]: number for number, names in option.choices.items()}
+            value = by_name.get(value, value)
+            try:
+                right = same(option.kind, value, option.default)
+            except ValueError:
+                continue  # a default that another constant gives
+            if not right:
+                yield f"{name}: a header has {value}, the list {option.default}"
+
+
+def check_panels(root, options):
+    by_setter = {"Set" + option.property: option for option in options}
+    for path in sorted((root / "paraview-plugin").glob("*.xml")):
+        for proxy in ElementTree.parse(path).iter("SourceProxy"):
+            for element in proxy:
+                option = by_setter.get(element.get("command", ""))
+                if option is None or element.get("default_values") is None:
+                    continue
+                where = f"{path.name}: {proxy.get('name')}.{element.get('name')}"
+                label = element.get("label") or re.sub(
+                    r"(?<=[a-z])(?=[A-Z])", " ", element.get("name"))
+                label = re.sub("^Source As", "Input As", label)  # filters with a Source say so
+                if option.property not in AMBIGUOUS and option.label != label:
+                    yield f"{where}: the label is {label}, in the list {option.label}"
+                value = element.get("default_values")
+                value = "" if value == "None" else value  # no array has this name
+                other = (proxy.get("name"), option.property) in OTHER_DEFAULTS
+                if not other and option.property not in AMBIGUOUS and not same(
+                        option.kind, value, option.default):
+                    yield f"{where}: the default is {value}, in the list {option.default}"
+                for entry in element.iter("Entry"):
+                    names = option.choices.get(entry.get("value"))
+                    if option.property not in AMBIGUOUS and names and names[1] != entry.get("text"):
+                        yield f"{where}: {entry.get('text')} is {names[1]} in the list"
+
+
+def check_front_ends(root, options):
+    program = "".join(path.read_text() for path in (root / "apps/winding/options").glob("*.cxx"))
+    python = "".join(path.read_text() for path in (root / "python/vtkwinding").glob("*.py"))
+    for option in options:
+        if option.option and not re.search(rf'"{option.option}\b', program):
+            yield f"{option.property}: the program has no {option.option}"
+        if option.keyword and not re.search(rf"\b{option.keyword}\b", python):
+            yield f"{option.property}: Python has no keyword {option.keyword}"
+        for names in option.choices.values():
+            word = names[2]
+            takes_words = option.option and f'add_flag("{option.option}"' not in program
+            if word and takes_words and f'"{word}"' not in program:
+                yield f"{option.property}: the program does not have the word {word}"
+
+
+def main(root):
+    options = options_in(root / "filters" / "Options.def")
+    faults = [*check_classes(root, options), *check_panels(root, options),
+              *check_front_ends(root, options)]
+    print(f"{len(options)} options")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults or len(options) < 50 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))
