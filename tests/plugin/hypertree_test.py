@@ -67,7 +67,7 @@ class TestHyperTree(unittest.TestCase):
         self.trees.GenerateSignedDistance = 1
         self.trees.UpdatePipeline()
         self.assertEqual(len(errors), 1)
-        self.assertIn("turn Generate Signed Distance off", errors[0])
+        self.assertIn("use Generate Signed Distance off", errors[0])
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ class TestSurface(unittest.TestCase):
         warnings = warnings_of(surface)
         self.assertEqual(result(surface).GetNumberOfCells(), 0)
         self.assertEqual(len(warnings), 1)
-        self.assertIn("use a larger grid", warnings[0])
+        self.assertIn("choose a larger grid", warnings[0])
         surface.CloseBorder = 1
         self.assertAlmostEqual(volume_of(result(surface)), 0.008, delta=0.001)
 

@@ -12,9 +12,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from messages import FOLDER, messages_of
 
 
-def message_of(proxy):
-    """The only error or warning of a filter, without what VTK puts before it."""
+def message_of(proxy, **properties):
+    """The only error or warning of a filter once properties are set, without what VTK puts before
+    it. Nothing is printed, since the filter is observed before."""
     errors, warnings = errors_of(proxy), warnings_of(proxy)
+    for name, value in properties.items():
+        setattr(proxy, name, value)
     proxy.UpdatePipeline()
     (text,) = errors + warnings
     return text.split("): ", 1)[1].strip()
@@ -29,10 +32,13 @@ def points(name):
 
 
 def field(source, **properties):
-    return message_of(simple.WindingNumberField(Input=source, **{"Resolution": 4, **properties}))
+    good = simple.WindingNumberField(Input=mesh("cube.off"), Resolution=4)
+    return message_of(good, Input=source, **properties)
 
 
 class TestWords(unittest.TestCase):
+    maxDiff = None
+
     def test_are_those_of_the_list(self):
         report = simple.SurfaceReport(Input=mesh("inward.off"))
         report.UpdatePipeline()
@@ -40,11 +46,12 @@ class TestWords(unittest.TestCase):
             "points without normals": field(points("bare.xyz")),
             "bounds of a single point": field(points("place.xyz")),
             "a method that points do not have": field(points("place.xyz"), Method="Ray Parity",
-                UseInputBounds=0),
+                UseInputBounds=0, SamplingBounds=[0, 1] * 3),
             "a number out of range": field(mesh("cube.off"), Padding=-1),
             "too many voxels": field(mesh("cube.off"), VoxelSize=1e-12),
             "faces that look inward": field(mesh("inward.off")),
-            "the report on faces that look inward": information(report, "Advice"),
+            "the report on faces that look inward": " ".join(
+                information(report, "Advice").split()),
             "a grid within the solid": message_of(simple.WindingNumberSurface(
                 Input=mesh("cube.off"), Resolution=4, UseInputBounds=0,
                 SamplingBounds=[0.4, 0.6] * 3)),
