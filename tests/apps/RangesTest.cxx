@@ -75,7 +75,7 @@ TEST_F(Ranges, AreasOfACloud)
   const std::string in = folder.write("a.csv",
     "x,y,z,nx,ny,nz,area\n1,0,0,1,0,0,1\n-1,0,0,-1,0,0,1e250\n0,1,0,0,1,0,1\n0,-1,0,0,-1,0,1\n");
   expectRefused(in, "point 1 has the area 1e+250;", {"--areas", "array"});
-  expectRefused(in, "the point area is 1e+250;", {"--areas", "constant", "--area", "1e250"});
+  expectRefused(in, "--area is 1e+250;", {"--areas", "constant", "--area", "1e250"});
 }
 
 TEST_F(Ranges, FarQueriesGetNothing)

@@ -148,7 +148,7 @@ TEST(LabelsOnRanks, WhatOneRankCannotTellIsRefusedOnAll)
     return;
   }
   auto balls = fiveBalls();
-  expectRefusedOnAll(ownPart(balls[0]), "name an array of regions (Region Array)");
+  expectRefusedOnAll(ownPart(balls[0]), "several ranks cannot find solids that are in parts");
   if (rank() == 1)
   {
     balls.pop_back();
