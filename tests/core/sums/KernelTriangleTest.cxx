@@ -48,9 +48,9 @@ TEST(KernelTriangle, OfANeedleHasANormalRightToTheRoundingOfItsShortSide)
     const Exact sides[] = {b - a, c - b, a - c};
     const auto longest = std::max_element(sides, sides + 3,
       [](const Exact& u, const Exact& v) { return u.squaredNorm() < v.squaredNorm(); });
-    const auto other = [&](int i) -> const Exact&
+    const auto other = [&](int side) -> const Exact&
     {
-      return sides[(longest - sides + i) % 3];
+      return sides[(longest - sides + side) % 3];
     };
     const Exact exact = other(1).cross(other(2));
     const Exact error = normalOf(corners[0], corners[1], corners[2]).cast<long double>() - exact;

@@ -96,8 +96,8 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
   {
     return {work()};
   }
-  using Message = std::array<Number, parts>;
-  Message own = {done, 0, hostNumber()};
+  using Parts = std::array<Number, parts>;
+  Parts own = {done, 0, hostNumber()};
   std::string text;
   try
   {
@@ -132,17 +132,17 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
     fail(own[status], text); // the others know it from a call within this one
   }
 
-  std::vector<Message> all(static_cast<std::size_t>(this->count()));
+  std::vector<Parts> all(static_cast<std::size_t>(this->count()));
   controller_->AllGather(own.data(), all.data()->data(), parts);
   setRanksOnHost(static_cast<int>(std::count_if(all.begin(), all.end(),
-    [&own](const Message& message) { return message[host] == own[host]; })));
+    [&own](const Parts& message) { return message[host] == own[host]; })));
   const auto failed = std::find_if(
-    all.begin(), all.end(), [](const Message& message) { return message[status] != done; });
+    all.begin(), all.end(), [](const Parts& message) { return message[status] != done; });
   if (failed == all.end())
   {
     std::vector<Number> answers;
     std::transform(all.begin(), all.end(), std::back_inserter(answers),
-      [](const Message& message) { return message[answer]; });
+      [](const Parts& message) { return message[answer]; });
     return answers;
   }
   hasFailed_ = true;
