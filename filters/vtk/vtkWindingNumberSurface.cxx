@@ -20,6 +20,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -47,16 +48,21 @@ template <class Write>
 vtkSmartPointer<vtkPoints> pointsOf(std::size_t count, bool areDoubles, const Write& write)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataType(areDoubles ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
-  void* coordinates = points->GetVoidPointer(0);
+  const auto fill = [&](auto* coordinates)
+  {
+    coordinates->SetName("Points");
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    write(coordinates->GetPointer(0));
+    points->SetData(coordinates);
+  };
   if (areDoubles)
   {
-    write(static_cast<double*>(coordinates));
+    fill(vtkSmartPointer<vtkDoubleArray>::New().Get());
   }
   else
   {
-    write(static_cast<float*>(coordinates));
+    fill(vtkSmartPointer<vtkFloatArray>::New().Get());
   }
   return points;
 }
