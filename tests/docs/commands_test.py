@@ -15,10 +15,9 @@ import subprocess
 import sys
 import tempfile
 
-from pages import pages_of
-
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import inputs  # noqa: E402
+from pages import pages_of  # noqa: E402
 
 # Options of other programs that sentences speak of: of CMake, of ParaView and its examples, of mpirun.
 FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture", "--state",

@@ -7,7 +7,8 @@ import pathlib
 import re
 import sys
 
-from pages import pages_of
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from pages import pages_of  # noqa: E402
 
 LONGEST_LINE = 100
 MOST_WORDS_OF_README = 1250
