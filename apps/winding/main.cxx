@@ -29,7 +29,7 @@ namespace
 void tell(const Failure& failure)
 {
   const std::string message = failure.what();
-  printLine("winding: " + (failure.status == INTERRUPTED ? message : "error: " + message));
+  printLine("winding: " + (failure.status == EXIT_INTERRUPTED ? message : "error: " + message));
 }
 
 /// The end of a failure that all ranks know of.
@@ -106,7 +106,7 @@ void run(const Options& options)
   }
   catch (const std::bad_alloc&)
   {
-    throw Failure(NO_MEMORY, options.input, outOfMemoryAdvice());
+    throw Failure(EXIT_NO_MEMORY, options.input, outOfMemoryAdvice());
   }
 }
 
@@ -151,7 +151,7 @@ int main(int argc, char** argv)
       run(*options);
     }
     parallel::finish();
-    return DONE;
+    return EXIT_DONE;
   }
   catch (const AgreedFailure& failure)
   {
@@ -167,6 +167,6 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& error)
   {
-    return endAlone({REFUSED, std::string("unexpected: ") + error.what()});
+    return endAlone({EXIT_REFUSED, std::string("unexpected: ") + error.what()});
   }
 }

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const Failure& failure)
   {
-    if (failure.status != USAGE)
+    if (failure.status != EXIT_USAGE)
     {
       __builtin_trap();
     }

@@ -18,10 +18,10 @@
 namespace
 {
 
-/// The status and the line that agreeing on work fails with; DONE if it does not.
+/// The status and the line that agreeing on work fails with; EXIT_DONE if it does not.
 struct Failed
 {
-  ExitStatus status = DONE;
+  ExitStatus status = EXIT_DONE;
   std::string line;
 };
 
@@ -60,8 +60,8 @@ TEST(ParallelRun, TellsNumbersOfAllRanks)
 
 TEST(ParallelRun, AllFailWithTheStatusAndTheLineOfTheFirstThatDoes)
 {
-  EXPECT_EQ(failureOf([] {}).status, DONE);
-  for (const ExitStatus status : {USAGE, REFUSED, NO_MEMORY, INTERRUPTED})
+  EXPECT_EQ(failureOf([] {}).status, EXIT_DONE);
+  for (const ExitStatus status : {EXIT_USAGE, EXIT_REFUSED, EXIT_NO_MEMORY, EXIT_INTERRUPTED})
   {
     const Failed ofLast = failureOf(
       [status]
@@ -90,7 +90,7 @@ TEST(ParallelRun, TellsMissingMemoryFromOtherFaults)
         throw std::bad_alloc();
       }
     });
-  EXPECT_EQ(noMemory.status, NO_MEMORY);
+  EXPECT_EQ(noMemory.status, EXIT_NO_MEMORY);
   EXPECT_NE(noMemory.line.find("memory"), std::string::npos) << noMemory.line;
   const Failed other = failureOf(
     []
@@ -100,15 +100,15 @@ TEST(ParallelRun, TellsMissingMemoryFromOtherFaults)
         throw std::runtime_error("a bug");
       }
     });
-  EXPECT_EQ(other.status, REFUSED);
+  EXPECT_EQ(other.status, EXIT_REFUSED);
   EXPECT_EQ(other.line, "unexpected: a bug");
 }
 
 TEST(ParallelRun, WorkMayAgreeOnFailuresOfItsOwn)
 {
   const Failed inner =
-    failureOf([] { parallel::agreeOnFirst([] { throw Failure(USAGE, "the first"); }); });
-  EXPECT_EQ(inner.status, USAGE);
+    failureOf([] { parallel::agreeOnFirst([] { throw Failure(EXIT_USAGE, "the first"); }); });
+  EXPECT_EQ(inner.status, EXIT_USAGE);
   EXPECT_EQ(inner.line, "the first");
 }
 

@@ -96,7 +96,8 @@ private:
     checkFilter(filter->GetStatus(), file_, messages_);
     if (!filter->GetSourceIsSurface())
     {
-      throw Failure(REFUSED, file_, "has no triangles; bench compares the methods for surfaces");
+      throw Failure(
+        EXIT_REFUSED, file_, "has no triangles; bench compares the methods for surfaces");
     }
   }
 

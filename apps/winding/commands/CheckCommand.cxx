@@ -116,7 +116,7 @@ void requireSurface(bool isSurface, const Options& options)
   if (!isSurface && !options.faults.empty())
   {
     throw Failure(
-      REFUSED, options.input, "has no faces, and --blocks is for surfaces; leave it out");
+      EXIT_REFUSED, options.input, "has no faces, and --blocks is for surfaces; leave it out");
   }
 }
 

@@ -83,7 +83,7 @@ vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<S
   }
   if (bytes > freeMemory())
   {
-    throw Failure(NO_MEMORY,
+    throw Failure(EXIT_NO_MEMORY,
       "give the output the suffix .pvti, which every rank writes a part of: a .vti file needs " +
         shown(1e-9 * bytes, 3) + " GB on the first rank");
   }

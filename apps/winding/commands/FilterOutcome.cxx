@@ -16,10 +16,11 @@ void checkFilter(int status, const std::string& fileName, Messages& messages)
   catch (const Failure& failure)
   {
     throw Failure(
-      status == vtkWindingNumberAlgorithm::OUT_OF_MEMORY ? NO_MEMORY : REFUSED, failure.what());
+      status == vtkWindingNumberAlgorithm::OUT_OF_MEMORY ? EXIT_NO_MEMORY : EXIT_REFUSED,
+      failure.what());
   }
   if (status != vtkWindingNumberAlgorithm::DONE)
   {
-    throw Failure(REFUSED, fileName, "the winding field could not be made");
+    throw Failure(EXIT_REFUSED, fileName, "the winding field could not be made");
   }
 }

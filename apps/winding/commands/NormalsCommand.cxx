@@ -88,7 +88,7 @@ void checkNormals(vtkPointSet* input, const std::string& file)
   }
   if (normals)
   {
-    throw Failure(REFUSED, file, "has normals of length 0 only; --replace estimates others");
+    throw Failure(EXIT_REFUSED, file, "has normals of length 0 only; --replace estimates others");
   }
 }
 
@@ -176,7 +176,7 @@ void runNormals(const Options& options, Messages& messages)
     false, stopwatch.seconds(), 0, 0};
   if (figures.given == 0)
   {
-    throw Failure(REFUSED, options.input, "has no points; give a file that has some");
+    throw Failure(EXIT_REFUSED, options.input, "has no points; give a file that has some");
   }
   if (!options.replace)
   {

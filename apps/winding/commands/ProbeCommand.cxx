@@ -53,7 +53,7 @@ void checkColumns(const std::function<bool(const std::string&)>& isColumn, const
   {
     if (isColumn(name))
     {
-      throw Failure(REFUSED, options.queries,
+      throw Failure(EXIT_REFUSED, options.queries,
         "already has a column " + name + "; rename or remove it, or use --array");
     }
   }
@@ -67,7 +67,7 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
     const bool isHandedOn = isTable(options.output);
     if (isHandedOn && suffixOf(options.queries) != suffixOf(options.output))
     {
-      throw Failure(REFUSED, options.output,
+      throw Failure(EXIT_REFUSED, options.output,
         "the columns of the queries are kept as they are; give it their suffix " +
           suffixOf(options.queries));
     }

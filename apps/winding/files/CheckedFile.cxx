@@ -35,7 +35,7 @@ CheckedFile::CheckedFile(const std::string& name)
 {
   if (descriptor_ < 0 || fstat(descriptor_, &opened_) != 0)
   {
-    throw Failure(REFUSED, name_,
+    throw Failure(EXIT_REFUSED, name_,
       std::string("cannot be opened: ") + std::strerror(errno) + "; check its permissions");
   }
   size_ = static_cast<std::size_t>(opened_.st_size);
@@ -129,7 +129,7 @@ std::uint64_t CheckedFile::takeBlock(std::size_t block, char* bytes) const
     }
     if (taken < 0)
     {
-      throw Failure(REFUSED, name_, std::string("cannot be read: ") + std::strerror(errno));
+      throw Failure(EXIT_REFUSED, name_, std::string("cannot be read: ") + std::strerror(errno));
     }
     if (taken == 0)
     {
@@ -142,5 +142,5 @@ std::uint64_t CheckedFile::takeBlock(std::size_t block, char* bytes) const
 
 void CheckedFile::refuseChanged() const
 {
-  throw Failure(REFUSED, name_, "has changed since it was read; start again");
+  throw Failure(EXIT_REFUSED, name_, "has changed since it was read; start again");
 }

@@ -17,21 +17,21 @@ std::string read(const std::string& fileName, std::size_t most)
   std::error_code error;
   if (!std::filesystem::exists(fileName, error))
   {
-    throw Failure(REFUSED, fileName, "no such file; check its name and folder");
+    throw Failure(EXIT_REFUSED, fileName, "no such file; check its name and folder");
   }
   if (std::filesystem::is_directory(fileName, error))
   {
-    throw Failure(REFUSED, fileName, "is a folder; give a file");
+    throw Failure(EXIT_REFUSED, fileName, "is a folder; give a file");
   }
   if (!std::filesystem::is_regular_file(fileName, error))
   {
     // Opening a pipe would wait until somebody writes into it.
-    throw Failure(REFUSED, fileName, "is a pipe, a device or a socket; give a regular file");
+    throw Failure(EXIT_REFUSED, fileName, "is a pipe, a device or a socket; give a regular file");
   }
   std::ifstream file(fileName, std::ios::binary);
   if (!file)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       std::string("cannot be opened: ") + std::strerror(errno) + "; check its permissions");
   }
   const std::uintmax_t size = std::filesystem::file_size(fileName, error);
@@ -39,7 +39,7 @@ std::string read(const std::string& fileName, std::size_t most)
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (text.empty() || !file)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       text.empty() ? "is empty; give another file" : "cannot be read to its end");
   }
   return text;

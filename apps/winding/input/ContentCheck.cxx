@@ -103,7 +103,7 @@ void checkContentFits(const std::string& fileName)
   const std::string head = beginningOf(fileName, 1024);
   if (const char* compressed = compressedKind(head))
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + " but compressed with " + compressed + "; unpack it first");
   }
   const Kind* promised = promisedKind(suffix);
@@ -114,18 +114,18 @@ void checkContentFits(const std::string& fileName)
   }
   if (announced && announced != promised)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + ": it begins like " + announced->name + "; give it the suffix " +
         announced->suffix);
   }
   if (promised && announced != promised)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + ": it does not begin like " + promised->name +
         "; give the file a suffix that fits, or another file");
   }
   if (!promised && suffix != ".stl" && head.find('\0') != std::string::npos)
   {
-    throw Failure(REFUSED, fileName, "is not " + name + ": it is not text; give another file");
+    throw Failure(EXIT_REFUSED, fileName, "is not " + name + ": it is not text; give another file");
   }
 }

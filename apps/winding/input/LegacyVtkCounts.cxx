@@ -54,7 +54,7 @@ public:
                                         this->announces(keyword, {cells + 1, ids}, 0);
     if (!isFound)
     {
-      throw Failure(REFUSED, fileName_,
+      throw Failure(EXIT_REFUSED, fileName_,
         "does not hold the " + std::string(keyword) +
           " that it announces; it is truncated or damaged");
     }
@@ -64,7 +64,7 @@ public:
   {
     if (cells > 0 && !this->announces("cell_types", {cells}, cells))
     {
-      throw Failure(REFUSED, fileName_,
+      throw Failure(EXIT_REFUSED, fileName_,
         "does not have a type for each of its cells; it is truncated or damaged");
     }
   }

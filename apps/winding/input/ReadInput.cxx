@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
   const bool isOfModule = isMesh || suffix == ".off" || suffix == ".xyz" || suffix == ".pwn";
   if (!format && !isTable(fileName) && !isOfModule)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       "has a suffix that is not known; give one of .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn "
       ".csv");
   }

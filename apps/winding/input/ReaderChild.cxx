@@ -45,7 +45,7 @@ public:
       const ssize_t written = write(pipe_, next, count);
       if (written < 0)
       {
-        _exit(REFUSED); // nobody listens
+        _exit(EXIT_REFUSED); // nobody listens
       }
       next += written;
       count -= static_cast<std::size_t>(written);
@@ -81,7 +81,7 @@ public:
   {
     sink_->put(ReaderMessage::error);
     sink_->put(std::string(text));
-    _exit(REFUSED);
+    _exit(EXIT_REFUSED);
   }
   void DisplayWarningText(const char* text) override
   {
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPointSet> read(
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       std::string("cannot be read: ") +
         vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkPointSet> read(
   vtkSmartPointer<vtkPointSet> data = vtkPointSet::SafeDownCast(output);
   if (!data)
   {
-    throw Failure(REFUSED, fileName,
+    throw Failure(EXIT_REFUSED, fileName,
       std::string("holds ") + (output ? output->GetClassName() : "nothing") +
         "; a surface, an unstructured grid or points are needed");
   }
@@ -149,9 +149,9 @@ Failure outOfMemory(const std::string& fileName, std::uintmax_t fileSize)
 {
   // A small file that asks for all memory is not to be believed.
   const bool isSmall = fileSize < (std::uintmax_t(1) << 28);
-  return isSmall ? Failure(REFUSED, fileName,
+  return isSmall ? Failure(EXIT_REFUSED, fileName,
                      "its counts ask for more memory than there is; it is damaged")
-                 : Failure(NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
+                 : Failure(EXIT_NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
 }
 
 /// Reads with all exceptions as Failure.
@@ -168,7 +168,8 @@ vtkSmartPointer<vtkPointSet> readOrFail(
   }
   catch (const std::length_error&)
   {
-    throw Failure(REFUSED, fileName, "its counts ask for more than there can be; it is damaged");
+    throw Failure(
+      EXIT_REFUSED, fileName, "its counts ask for more than there can be; it is damaged");
   }
   catch (const std::bad_alloc&)
   {
@@ -201,5 +202,5 @@ void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
     sink.put(static_cast<int>(failure.status));
     sink.put(std::string(failure.what()));
   }
-  _exit(DONE); // without the ends of libraries, which belong to the program
+  _exit(EXIT_DONE); // without the ends of libraries, which belong to the program
 }

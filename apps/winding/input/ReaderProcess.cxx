@@ -47,7 +47,7 @@ void dependOn(pid_t parent, int pipe)
   interrupt::forgetTemporaryFiles();
   if (getppid() != parent)
   {
-    _exit(INTERRUPTED);
+    _exit(EXIT_INTERRUPTED);
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
@@ -140,7 +140,7 @@ public:
 private:
   [[noreturn]] static void refuse(const std::string& fileName)
   {
-    throw Failure(NO_MEMORY, fileName,
+    throw Failure(EXIT_NO_MEMORY, fileName,
       std::string("no process can be started to read it: ") + std::strerror(errno) +
         "; end other programs");
   }
@@ -225,15 +225,15 @@ vtkSmartPointer<vtkPointSet> readInProcess(
   catch (const ReaderEnded&)
   {
     const int status = process.waitForEnd();
-    if (WIFEXITED(status) && WEXITSTATUS(status) == NO_MEMORY)
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_NO_MEMORY)
     {
-      throw Failure(NO_MEMORY, fileName,
+      throw Failure(EXIT_NO_MEMORY, fileName,
         "takes more memory to read than there is; end other programs, or is it damaged?");
     }
-    throw Failure(REFUSED, fileName, endInWords(status));
+    throw Failure(EXIT_REFUSED, fileName, endInWords(status));
   }
   catch (const std::bad_alloc&)
   {
-    throw Failure(NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
+    throw Failure(EXIT_NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
   }
 }

@@ -282,7 +282,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    throw Failure(USAGE, explanation(app, error, argc > 1 ? argv[1] : ""));
+    throw Failure(EXIT_USAGE, explanation(app, error, argc > 1 ? argv[1] : ""));
   }
   const CLI::App* command = app.get_subcommands()[0];
   options.command = command->get_name();

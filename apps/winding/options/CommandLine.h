@@ -6,6 +6,6 @@
 
 /**
  * Parses the command line. Prints help where that is asked for, and then returns nothing. Throws
- * Failure(USAGE) for command lines that make no sense, whatever the input may be.
+ * Failure(EXIT_USAGE) for command lines that make no sense, whatever the input may be.
  */
 std::optional<Options> parseCommandLine(int argc, char** argv);

@@ -105,8 +105,8 @@ void checkOutput(const std::string& output, const std::string& whatWrites,
     {
       names += " " + suffix;
     }
-    throw Failure(
-      USAGE, output, whatWrites + " writes" + names + "; give the output one of these suffixes");
+    throw Failure(EXIT_USAGE, output,
+      whatWrites + " writes" + names + "; give the output one of these suffixes");
   }
 }
 

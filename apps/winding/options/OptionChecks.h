@@ -9,10 +9,10 @@ struct Options;
 /// Returns whether the command line had an option, such as "--output".
 using WasGiven = std::function<bool(const char* option)>;
 
-/// Throws Failure(USAGE) for a number of a command's options that is out of its range in
+/// Throws Failure(EXIT_USAGE) for a number of a command's options that is out of its range in
 /// Options.def.
 void checkRanges(const CLI::App& command);
 
-/// Throws Failure(USAGE) for options that make no sense together, or that filters do not have.
+/// Throws Failure(EXIT_USAGE) for options that make no sense together, or that filters do not have.
 /// Options of bench are checked where they are used.
 void checkOptions(const Options& options, const WasGiven& wasGiven);

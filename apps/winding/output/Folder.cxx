@@ -25,7 +25,7 @@ Folder::Folder(const std::string& folder, const std::string& file, const std::st
   isNew_ = std::filesystem::create_directory(folder, error);
   if (error || !std::filesystem::is_directory(folder))
   {
-    throw Failure(REFUSED, file,
+    throw Failure(EXIT_REFUSED, file,
       "needs the folder " + folder + " for its " + parts +
         ", which cannot be made: " + error.message() + "; give another name");
   }
@@ -46,7 +46,7 @@ void Folder::refuseInputs(const std::vector<std::string>& inputs) const
   {
     if (isInFolder(input, folder_))
     {
-      throw Failure(REFUSED, file_,
+      throw Failure(EXIT_REFUSED, file_,
         "needs the folder " + folder_ + " for its " + parts_ + ", which holds the input " + input +
           "; give another name, or say --overwrite");
     }
@@ -55,7 +55,7 @@ void Folder::refuseInputs(const std::vector<std::string>& inputs) const
 
 void Folder::refuseOtherFiles() const
 {
-  throw Failure(REFUSED, file_,
+  throw Failure(EXIT_REFUSED, file_,
     "needs the folder " + folder_ + " for its " + parts_ +
       ", which is there and holds other files; give another name");
 }

@@ -43,7 +43,7 @@ std::filesystem::path behindLinks(const std::string& name)
     constexpr int most = 40; // systems follow no more, either
     if (links == most)
     {
-      throw Failure(REFUSED, name, "is a link that leads to itself; give another name");
+      throw Failure(EXIT_REFUSED, name, "is a link that leads to itself; give another name");
     }
     path = path.parent_path() / std::filesystem::read_symlink(path, error);
   }
@@ -77,21 +77,21 @@ void checkMayBeReplaced(const std::string& name, const std::filesystem::path& ta
   if (!S_ISREG(file.st_mode))
   {
     throw Failure(
-      REFUSED, name, "is there and is no file that could be replaced; give another name");
+      EXIT_REFUSED, name, "is there and is no file that could be replaced; give another name");
   }
   for (const std::string& input : inputs)
   {
     if (isSameFile(file, input))
     {
-      throw Failure(REFUSED, name,
+      throw Failure(EXIT_REFUSED, name,
         (input == name ? "is the input" : "is the input " + input) +
           ", which the result would replace; give another name, or say --overwrite");
     }
   }
   if (isWriteProtected(target, file))
   {
-    throw Failure(
-      REFUSED, name, "is there and is write-protected; give another name or allow writing to it");
+    throw Failure(EXIT_REFUSED, name,
+      "is there and is write-protected; give another name or allow writing to it");
   }
 }
 
@@ -113,7 +113,7 @@ decltype(auto) reporting(const std::string& name, const char* advice, const Work
   }
   catch (const std::system_error& error)
   {
-    throw Failure(REFUSED, name,
+    throw Failure(EXIT_REFUSED, name,
       std::string("cannot be written: ") + std::strerror(error.code().value()) + "; " + advice);
   }
 }
@@ -131,7 +131,7 @@ OutputFile::OutputFile(const std::string& name, const std::vector<std::string>& 
 
 void OutputFile::refuseWriting() const
 {
-  throw Failure(REFUSED, name_,
+  throw Failure(EXIT_REFUSED, name_,
     canGrow(temporary_.name()) ? "cannot be written; choose another folder"
                                : "cannot be written: no space left; make room or choose another "
                                  "disk");

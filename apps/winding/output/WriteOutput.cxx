@@ -70,11 +70,11 @@ void checkSinglePrecision(vtkPolyData* surface, const OutputFile& file, Messages
                   "move by more than a ten-thousandth of the size; .vtp keeps what they are");
     return;
   case SinglePrecision::collapsesPoints:
-    throw Failure(REFUSED, file.name(),
+    throw Failure(EXIT_REFUSED, file.name(),
       "the format keeps single precision, in which points so far from the origin fall together; "
       "give it the suffix .vtp");
   case SinglePrecision::isExceeded:
-    throw Failure(REFUSED, file.name(),
+    throw Failure(EXIT_REFUSED, file.name(),
       "the format keeps single precision, which coordinates of this size are beyond; give it the "
       "suffix .vtp");
   }
@@ -204,7 +204,7 @@ void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
   if (!surface)
   {
     throw Failure(
-      REFUSED, file.name(), "cannot hold the cells of the queries; give it the suffix .vtu");
+      EXIT_REFUSED, file.name(), "cannot hold the cells of the queries; give it the suffix .vtu");
   }
   writeSurface(surface, file, messages);
 }

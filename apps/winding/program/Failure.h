@@ -7,11 +7,11 @@
 // NOLINTBEGIN(readability-identifier-naming)
 enum ExitStatus
 {
-  DONE = 0,
-  USAGE = 1,        ///< the command line makes no sense
-  REFUSED = 2,      ///< a file cannot be read, worked with or written
-  NO_MEMORY = 3,    ///< the result does not fit into memory
-  INTERRUPTED = 130 ///< an end by SIGINT, as shells report it
+  EXIT_DONE = 0,
+  EXIT_USAGE = 1,        ///< the command line makes no sense
+  EXIT_REFUSED = 2,      ///< a file cannot be read, worked with or written
+  EXIT_NO_MEMORY = 3,    ///< the result does not fit into memory
+  EXIT_INTERRUPTED = 130 ///< an end by SIGINT, as shells report it
 };
 // NOLINTEND(readability-identifier-naming)
 
@@ -35,11 +35,11 @@ public:
   ExitStatus status;
 };
 
-/// Throws Failure(USAGE) with the message where a condition on the command line does not hold.
+/// Throws Failure(EXIT_USAGE) with the message where a condition on the command line does not hold.
 inline void requireUsage(bool condition, const std::string& message)
 {
   if (!condition)
   {
-    throw Failure(USAGE, message);
+    throw Failure(EXIT_USAGE, message);
   }
 }

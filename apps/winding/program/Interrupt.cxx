@@ -35,7 +35,7 @@ void leave(int)
     static_cast<void>(ignored);
   }
   removeTemporaryFiles(); // another thread may just have opened, and made, one of them again
-  _exit(INTERRUPTED);
+  _exit(EXIT_INTERRUPTED);
 }
 
 void ask(int number)
@@ -95,7 +95,7 @@ void check()
 {
   if (requested())
   {
-    throw Failure(INTERRUPTED, "interrupted");
+    throw Failure(EXIT_INTERRUPTED, "interrupted");
   }
 }
 

@@ -46,7 +46,7 @@ bool hasMemoryRunOut()
   }
   interrupt::removeTemporaryFiles();
   tell("winding: error: unexpected end; please report it\n");
-  _exit(REFUSED);
+  _exit(EXIT_REFUSED);
 }
 
 } // namespace
@@ -60,5 +60,5 @@ void leaveWithoutMemory()
 {
   interrupt::removeTemporaryFiles();
   tell("winding: error: not enough memory; end other programs, or choose a coarser grid\n");
-  _exit(NO_MEMORY);
+  _exit(EXIT_NO_MEMORY);
 }

@@ -85,7 +85,7 @@ void Messages::throwIfError(const std::string& file)
   {
     const std::string error = about(file, error_);
     error_.clear();
-    throw Failure(REFUSED, error);
+    throw Failure(EXIT_REFUSED, error);
   }
 }
 

@@ -55,7 +55,7 @@ double hostNumber()
 
 struct Outcome
 {
-  int status = DONE;
+  int status = EXIT_DONE;
   std::string line;
 };
 
@@ -77,11 +77,11 @@ Outcome outcomeOf(const std::function<void()>& work)
   }
   catch (const std::bad_alloc&)
   {
-    return {NO_MEMORY, outOfMemoryAdvice()};
+    return {EXIT_NO_MEMORY, outOfMemoryAdvice()};
   }
   catch (const std::exception& error)
   {
-    return {REFUSED, std::string("unexpected: ") + error.what()};
+    return {EXIT_REFUSED, std::string("unexpected: ") + error.what()};
   }
 }
 
@@ -123,9 +123,9 @@ void start(int& argc, char**& argv)
   if (numberFromLauncher({"OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "PMIX_RANK"}) >
       0)
   {
-    _exit(USAGE);
+    _exit(EXIT_USAGE);
   }
-  throw Failure(USAGE, "start it without mpirun: this program was built without MPI");
+  throw Failure(EXIT_USAGE, "start it without mpirun: this program was built without MPI");
 #endif
 }
 
@@ -177,8 +177,8 @@ void agree(const std::function<void()>& work)
   }
   const Outcome own = outcomeOf(work);
   const std::vector<double> statuses = ofAll(own.status);
-  const auto failed =
-    std::find_if(statuses.begin(), statuses.end(), [](double status) { return status != DONE; });
+  const auto failed = std::find_if(
+    statuses.begin(), statuses.end(), [](double status) { return status != EXIT_DONE; });
   if (failed == statuses.end())
   {
     return;

@@ -10,7 +10,7 @@ void print(const std::string& text)
   std::cout << text << std::endl;
   if (!std::cout)
   {
-    throw Failure(REFUSED, "standard output cannot be written to; is the disk full?");
+    throw Failure(EXIT_REFUSED, "standard output cannot be written to; is the disk full?");
   }
 }
 

@@ -95,7 +95,7 @@ void forEachMesh(const BenchOptions& options, Messages& messages,
     messages.throwIfError(file);
     if (triangles.triangles() == 0)
     {
-      throw Failure(REFUSED, file, "has no triangles; the laboratory measures surfaces");
+      throw Failure(EXIT_REFUSED, file, "has no triangles; the laboratory measures surfaces");
     }
     try
     {
@@ -103,7 +103,7 @@ void forEachMesh(const BenchOptions& options, Messages& messages,
     }
     catch (const winding::Refusal& refusal)
     {
-      throw Failure(REFUSED, file, refusal.what());
+      throw Failure(EXIT_REFUSED, file, refusal.what());
     }
   }
 }

@@ -102,13 +102,13 @@ int main(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    return app.exit(error) == 0 ? DONE : USAGE;
+    return app.exit(error) == 0 ? EXIT_DONE : EXIT_USAGE;
   }
   options.subject = app.get_subcommands()[0]->get_name();
   try
   {
     measure(options);
-    return DONE;
+    return EXIT_DONE;
   }
   catch (const Failure& failure)
   {
