@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
+#include "base/Stopwatch.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/Options.h"
@@ -30,6 +31,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <string>
@@ -345,8 +347,8 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  this->EstimateCost(field, static_cast<vtkIdType>(count), executor.threads());
-  this->CheckExpectedTime(field, static_cast<vtkIdType>(count));
+  this->SamplesOfResult = count;
+  this->ExpectMemory(field, static_cast<vtkIdType>(count));
   field.prepare(samples, executor);
   if (this->WantsDistances())
   {
@@ -370,45 +372,106 @@ void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
   }
 }
 
-void vtkWindingNumberAlgorithm::EstimateCost(
-  const winding::Field& field, vtkIdType samples, int threads)
+void vtkWindingNumberAlgorithm::ExpectMemory(const winding::Field& field, vtkIdType samples)
 {
   const auto count = static_cast<std::size_t>(samples);
-  winding::EvaluationCost cost = field.expectedCost(count);
+  std::size_t bytes = field.expectedBytes(count) + this->GetAdditionalBytes(field, samples);
   if (this->WantsDistances())
   {
-    cost += field.expectedCostOfDistances(count, this->GetDistanceLimit());
+    bytes += field.expectedBytesOfDistances(count);
   }
-  cost += this->GetAdditionalCost(field, samples);
-  // The pipeline's request and the start of threads take as long for the smallest field.
-  constexpr double secondsToStart = 0.3e-3;
-  this->ExpectedSeconds = this->EarlierExpectedSeconds + secondsToStart + cost.seconds / threads;
   this->ExpectedMemory =
-    static_cast<vtkIdType>(static_cast<double>(cost.bytes) + this->GetResultBytes(samples));
+    static_cast<vtkIdType>(static_cast<double>(bytes) + this->GetResultBytes(samples));
 }
 
-void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field, vtkIdType samples)
+std::size_t vtkWindingNumberAlgorithm::GetAdditionalBytes(const winding::Field&, vtkIdType)
+{
+  return 0;
+}
+
+void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType samples,
+  winding::SmpExecutor& executor, const std::function<void()>& work)
+{
+  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  const Clock::time_point start = Clock::now();
+  const double before = this->EarlierSeconds + this->PrepareSeconds;
+  const double pieces = static_cast<double>(this->SamplesOfResult) /
+                        static_cast<double>(std::max<vtkIdType>(samples, 1));
+  const double limit = this->LongestExpectedTime;
+  const std::array<double, 4> timesOfLooks = {limit > 0 ? std::min(limit, 1.0) : 1, 2, 4, 8};
+  std::size_t looks = 0;
+  // Returns whether any rank is at work. Those that are done, and expect 0, look with the others.
+  const auto look = [&](double expected)
+  {
+    ++looks;
+    const double seconds = this->LongestOfRanks(expected);
+    if (seconds > 0)
+    {
+      this->ExpectedSeconds = seconds;
+      this->CheckExpectedTime(field);
+    }
+    return seconds > 0;
+  };
+  this->LongTimeIsTold = this->LongTimeIsTold && this->EarlierSeconds > 0;
+  if (this->EarlierSeconds > 0)
+  {
+    const bool isKnown = this->EarlierSeconds > timesOfLooks[0] && this->EarlierPart > 0;
+    this->ExpectedSeconds =
+      this->LongestOfRanks(isKnown ? this->EarlierSeconds / this->EarlierPart : before);
+    this->CheckExpectedTime(field);
+  }
+  executor.setClock(
+    [&](double elapsed, double expected)
+    {
+      while (looks < timesOfLooks.size() && elapsed >= timesOfLooks[looks])
+      {
+        look(before + expected * pieces);
+      }
+    });
+  work();
+  executor.setClock({});
+  while (looks < timesOfLooks.size() && look(0))
+  {
+  }
+  if (looks <= 1)
+  {
+    this->ExpectedSeconds = before + secondsSince(start) * pieces;
+  }
+}
+
+/// Returns the largest of the seconds that ranks which evaluate together give.
+double vtkWindingNumberAlgorithm::LongestOfRanks(double seconds)
+{
+  if (this->WorksOnFirstRank())
+  {
+    return seconds;
+  }
+  constexpr double perSecond = 1e6, most = 1e18; // ranks exchange integers
+  const auto number = static_cast<winding::Ranks::Number>(std::min(seconds * perSecond, most));
+  const auto numbers = this->Ranks->exchange([number] { return number; });
+  return static_cast<double>(*std::max_element(numbers.begin(), numbers.end())) / perSecond;
+}
+
+/// Refuses what is expected to take longer than LongestExpectedTime. Warns once of more than a
+/// minute.
+void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
 {
   constexpr double longEnoughToTell = 60;
-  const double seconds = this->ExpectedSeconds;
-  const bool isRefused = this->LongestExpectedTime > 0 && seconds > this->LongestExpectedTime;
-  if (isRefused || seconds > longEnoughToTell)
+  const bool isRefused =
+    this->LongestExpectedTime > 0 && this->ExpectedSeconds > this->LongestExpectedTime;
+  if (!isRefused && (this->LongTimeIsTold || this->ExpectedSeconds <= longEnoughToTell))
   {
-    const std::string text = winding::expectedTimeAdvice(
-      field.info(), seconds, static_cast<std::size_t>(samples), this->Tolerance);
-    if (isRefused)
-    {
-      throw winding::Refusal(text + "; to have it all the same, raise Longest Expected Time "
-                                    "(--longest-expected-time), or set it to 0");
-    }
-    vtkWarningMacro(<< text);
+    return;
   }
-}
-
-winding::EvaluationCost vtkWindingNumberAlgorithm::GetAdditionalCost(
-  const winding::Field&, vtkIdType)
-{
-  return {};
+  this->LongTimeIsTold = true;
+  winding::Message advice = winding::expectedTimeAdvice(
+    field.info(), this->ExpectedSeconds, this->SamplesOfResult, this->Tolerance);
+  if (isRefused)
+  {
+    advice.remedies.push_back({"allow more seconds", {winding::Parameter::longestExpectedTime}});
+    throw winding::Refusal(advice);
+  }
+  vtkWarningMacro(<< winding::lineOf(advice));
 }
 
 bool vtkWindingNumberAlgorithm::WantsDistances() const

@@ -58,6 +58,7 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkSmartPointer.h"         // for the controller
 
+#include <functional>
 #include <memory> // for the field of the source, which is kept
 
 namespace winding
@@ -67,9 +68,9 @@ class Executor;
 class Field;
 class Ranks;
 class ResultArrays;
+class SmpExecutor;
 class SourceField;
 class VectorsView;
-struct EvaluationCost;
 struct FieldInfo;
 struct FieldOutput;
 struct Grid;
@@ -333,10 +334,10 @@ public:
   ///@}
 
   ///@{
-  /// The longest time that an execution may be expected to take, in seconds, by ExpectedSeconds;
-  /// longer ones are refused with what would be faster, before the work begins. An execution that
-  /// is expected to take more than a minute says so in a warning. 0 stands for no limit. 0 or more,
-  /// default 600.
+  /// The longest time that an execution may be expected to take, in seconds, by ExpectedSeconds.
+  /// Longer ones are refused after a second of evaluating, with what would be faster. An execution
+  /// that is expected to take more than a minute says so in a warning. 0 stands for no limit. 0 or
+  /// more, default 600.
   vtkSetMacro(LongestExpectedTime, double);
   vtkGetMacro(LongestExpectedTime, double);
   ///@}
@@ -361,10 +362,11 @@ public:
   ///@}
 
   ///@{
-  /// Estimates, made before the last execution, of what the whole result would take in one piece,
-  /// by the cost model that AUTOMATIC chooses by: the seconds from the source on, if all threads
-  /// are free, and the bytes in addition to the source, the result arrays included. In a parallel
-  /// program they are about the share of a rank.
+  /// Expectations of the last execution about the whole result in one piece. The seconds, from the
+  /// source on, are what the clock said 1, 2, 4 or 8 s after evaluating began, or what shorter work
+  /// took. The bytes, in addition to the source and with the result arrays, are known before
+  /// anything is evaluated. In a parallel program the seconds are the slowest rank's, and the bytes
+  /// about the share of a rank.
   vtkGetMacro(ExpectedSeconds, double);
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}
@@ -519,9 +521,15 @@ protected:
   /// result arrays', unless a filter says otherwise.
   virtual double GetResultBytes(vtkIdType samples) const;
 
-  /// The cost of what the filter does beside the field and distances of so many samples, the result
-  /// arrays left out: nothing, unless a filter says otherwise. It may throw a refusal.
-  virtual winding::EvaluationCost GetAdditionalCost(const winding::Field& field, vtkIdType samples);
+  /// Returns the memory that the filter takes in addition to the field, distances and result arrays
+  /// of `samples` samples: none, unless a filter says otherwise. May throw a Refusal.
+  virtual std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples);
+
+  /// Does `work`, which evaluates `samples` samples of the field by the executor, and sets
+  /// EvaluateSeconds and ExpectedSeconds. Throws a Refusal in the first seconds of work that is
+  /// expected to take longer than LongestExpectedTime. Collective unless WorksOnFirstRank().
+  void Evaluate(const winding::Field& field, vtkIdType samples, winding::SmpExecutor& executor,
+    const std::function<void()>& work);
 
   /// Warns where sides say that the source is inside out, as a whole or in part, and sets
   /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
@@ -556,14 +564,16 @@ protected:
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;
   vtkIdType ExpectedMemory = 0;
-  double EarlierExpectedSeconds = 0; ///< those of sources before this one in the same execution
+  double EarlierSeconds = 0; ///< taken by sources before this one in the same execution
+  double EarlierPart = 0;    ///< the part of the work that these were
 
 private:
   template <class Samples>
   const winding::Field& PrepareFieldFor(
     vtkDataObject* source, const Samples& samples, std::size_t count);
-  void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
-  void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
+  void ExpectMemory(const winding::Field& field, vtkIdType samples);
+  double LongestOfRanks(double seconds);
+  void CheckExpectedTime(const winding::Field& field);
   int RepeatRefusal(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
   bool IsNewError();
@@ -571,6 +581,8 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<winding::Ranks> Ranks;
   std::unique_ptr<winding::SourceField> Source;
+  bool LongTimeIsTold = false;
+  std::size_t SamplesOfResult = 0;  ///< of this rank's share of the whole result
   int InformationStatus = DONE;     ///< how the last request for information ended
   vtkMTimeType TimeOfLastError = 0; ///< of the pipeline when an error was reported; 0: none
 };

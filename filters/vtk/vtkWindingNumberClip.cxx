@@ -61,15 +61,9 @@ double vtkWindingNumberClip::GetResultBytes(vtkIdType samples) const
            static_cast<double>(samples);
 }
 
-winding::EvaluationCost vtkWindingNumberClip::GetAdditionalCost(
-  const winding::Field& field, vtkIdType samples)
+std::size_t vtkWindingNumberClip::GetAdditionalBytes(const winding::Field& field, vtkIdType samples)
 {
-  winding::EvaluationCost cost =
-    winding::costOfCutDistances(field, static_cast<std::size_t>(samples));
-  // VTK cuts cells on one thread, and the sum is divided by all of them.
-  const int threads = winding::SmpExecutor(this, this->NumberOfThreads).threads();
-  cost.seconds += winding::secondsPerClippedCell * static_cast<double>(this->CellsToCut) * threads;
-  return cost;
+  return winding::bytesOfCutDistances(field, static_cast<std::size_t>(samples));
 }
 
 void vtkWindingNumberClip::FinishSamples(
@@ -104,7 +98,6 @@ int vtkWindingNumberClip::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->CutDistances = {};
-  this->CellsToCut = vtkDataObject::GetData(inputs[0])->GetNumberOfElements(vtkDataObject::CELL);
   const int isDone = this->Superclass::RequestData(request, inputs, outputs);
   const bool hadSamples = !this->CutDistances.empty();
   this->CutDistances = {};

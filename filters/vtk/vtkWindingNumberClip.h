@@ -79,8 +79,7 @@ protected:
   const winding::ProbeWords& GetWords() const override;
   winding::ResultOptions GetResultOptions() const override;
   double GetResultBytes(vtkIdType samples) const override;
-  winding::EvaluationCost GetAdditionalCost(
-    const winding::Field& field, vtkIdType samples) override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
 
   vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const override;
   double GetProgressOfSamples() const override;
@@ -94,7 +93,6 @@ private:
   void TellEmpty();
 
   std::vector<double> CutDistances; ///< one for each sample, while the output is made
-  vtkIdType CellsToCut = 0;         ///< cells of the input
   vtkIdType SamplesDone = 0;        ///< samples of the data sets that have been cut
 };
 

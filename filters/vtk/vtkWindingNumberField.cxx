@@ -1,7 +1,6 @@
 #include "vtkWindingNumberField.h"
 
 #include "base/Executor.h"
-#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/FreeMemory.h"
@@ -68,7 +67,6 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
 void vtkWindingNumberField::EvaluateVoxels(
   const winding::Field& field, const int samples[6], const winding::ResultArrays& results)
 {
-  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
   voxels.output = this->OutputTo(results);
@@ -77,27 +75,30 @@ void vtkWindingNumberField::EvaluateVoxels(
   const winding::Grid& grid = this->GetSampling();
   winding::Extent extent;
   std::copy_n(samples, 6, extent.begin());
+  const std::size_t count = winding::sampleCount(extent);
   if (voxels.coverage != winding::Coverage::center)
   {
-    const std::size_t count = winding::sampleCount(extent);
-    winding::refuseBeyondFreeMemory(
-      this->GetResultBytes(static_cast<vtkIdType>(count)) +
-        static_cast<double>(voxels.additionalCost(field, count).bytes),
+    winding::refuseBeyondFreeMemory(this->GetResultBytes(static_cast<vtkIdType>(count)) +
+                                      static_cast<double>(voxels.additionalBytes(field, count)),
       "the coverage of " + std::to_string(count) + " voxels",
       {winding::largerVoxels(), winding::inPieces()});
   }
-  voxels.run(field, grid, extent, executor);
-  if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)
-  {
-    executor.setShare(1, 1);
-    const double threshold = this->WindingThreshold;
-    winding::SideCounts sides = results.countSides(threshold);
-    if (!results.values() && results.hasNothingInside())
+  this->Evaluate(field, static_cast<vtkIdType>(count), executor,
+    [&]
     {
-      sides = winding::countNegative(field, grid, threshold, executor);
-    }
-    this->TellSides(field, sides, executor);
-  }
+      voxels.run(field, grid, extent, executor);
+      if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)
+      {
+        executor.setShare(1, 1);
+        const double threshold = this->WindingThreshold;
+        winding::SideCounts sides = results.countSides(threshold);
+        if (!results.values() && results.hasNothingInside())
+        {
+          sides = winding::countNegative(field, grid, threshold, executor);
+        }
+        this->TellSides(field, sides, executor);
+      }
+    });
 }
 
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,9 +1,8 @@
 #include "vtkWindingNumberHyperTree.h"
 
 #include "base/Refusal.h"
-#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
-#include "level/VoxelTreesCost.h"
+#include "level/VoxelTreesMemory.h"
 #include "private/output/TreeGrid.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/PropertyChecks.h"
@@ -96,33 +95,29 @@ winding::VoxelTreeOptions vtkWindingNumberHyperTree::GetTreeOptions() const
   return options;
 }
 
-/// Everything that the result takes is estimated by its cost.
+/// Returns 0: GetAdditionalBytes() has everything that the result takes.
 double vtkWindingNumberHyperTree::GetResultBytes(vtkIdType) const
 {
   return 0;
 }
 
-winding::EvaluationCost vtkWindingNumberHyperTree::GetAdditionalCost(
+std::size_t vtkWindingNumberHyperTree::GetAdditionalBytes(
   const winding::Field& field, vtkIdType samples)
 {
   const winding::Grid& grid = this->GetSampling();
   const winding::VoxelTreeOptions options = this->GetTreeOptions();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(0, 0);
-  winding::EvaluationCost cost = winding::costOfVoxelTrees(
+  const std::size_t bytes = winding::bytesOfVoxelTrees(
     field, grid, options, winding::expectedVertices(field, grid, options, executor));
-  winding::refuseBeyondFreeMemory(static_cast<double>(cost.bytes),
+  winding::refuseBeyondFreeMemory(static_cast<double>(bytes),
     "the hyper tree grid of " + std::to_string(samples) + " voxels",
     options.withValues && !field.integerRows()
       ? std::vector<winding::Remedy>{winding::largerVoxels(),
           {"choose a larger tolerance of cells", {winding::Parameter::mergeTolerance}},
           {"choose Inside alone", {{winding::Parameter::generateWindingNumber, 0}}}}
       : std::vector<winding::Remedy>{winding::largerVoxels()});
-  winding::VoxelEvaluation voxels;
-  voxels.coverage = static_cast<winding::Coverage>(this->Coverage);
-  voxels.samplesPerAxis = this->CoverageSamples;
-  cost.seconds += voxels.additionalCost(field, static_cast<std::size_t>(samples)).seconds;
-  return cost;
+  return bytes;
 }
 
 int vtkWindingNumberHyperTree::RequestData(
@@ -171,29 +166,30 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
     });
   winding::TreeGrid made(
     grid, trees.bricks(), this->GetResultOptions(), this->MaskOutside != 0, output);
-  {
-    const winding::Stopwatch stopwatch(this->EvaluateSeconds);
-    while (!trees.isDone())
-    {
-      executor.setShare(trees.progress(), trees.nextProgress());
-      for (const winding::VoxelTree& tree : trees.advance(executor))
-      {
-        made.add(tree);
-      }
-    }
-    made.finish();
-    this->NumberOfVertices = made.size();
-    this->NumberOfLeaves = made.leaves();
-    executor.setShare(1, 1);
-    winding::SideCounts sides = trees.sides();
-    if (sides.samples == 0 && !trees.hasInside() && this->InsideRule == SIGNED)
-    {
-      sides = winding::countNegative(field, grid, options.threshold, executor);
-    }
-    this->TellSides(field, sides, executor);
-    this->UpdateProgress(1);
-  }
   const winding::Extent extent = grid.wholeExtent();
+  this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(extent)), executor,
+    [&]
+    {
+      while (!trees.isDone())
+      {
+        executor.setShare(trees.progress(), trees.nextProgress());
+        for (const winding::VoxelTree& tree : trees.advance(executor))
+        {
+          made.add(tree);
+        }
+      }
+      made.finish();
+      this->NumberOfVertices = made.size();
+      this->NumberOfLeaves = made.leaves();
+      executor.setShare(1, 1);
+      winding::SideCounts sides = trees.sides();
+      if (sides.samples == 0 && !trees.hasInside() && this->InsideRule == SIGNED)
+      {
+        sides = winding::countNegative(field, grid, options.threshold, executor);
+      }
+      this->TellSides(field, sides, executor);
+      this->UpdateProgress(1);
+    });
   this->Verify(field, extent.data(),
     [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
 }

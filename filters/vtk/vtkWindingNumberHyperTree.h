@@ -124,8 +124,7 @@ protected:
   bool WantsDistances() const override { return false; }
   bool WorksOnFirstRank() const override { return true; }
   double GetResultBytes(vtkIdType samples) const override;
-  winding::EvaluationCost GetAdditionalCost(
-    const winding::Field& field, vtkIdType samples) override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   winding::ResultOptions GetResultOptions() const override;
 
   int Coverage = 0;

@@ -1,6 +1,5 @@
 #include "vtkWindingNumberImageAlgorithm.h"
 
-#include "base/EvaluationCost.h"
 #include "base/Refusal.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/source/ContentHash.h"
@@ -176,10 +175,10 @@ winding::VoxelEvaluation vtkWindingNumberImageAlgorithm::GetVoxelEvaluation() co
   return voxels;
 }
 
-winding::EvaluationCost vtkWindingNumberImageAlgorithm::GetAdditionalCost(
+std::size_t vtkWindingNumberImageAlgorithm::GetAdditionalBytes(
   const winding::Field& field, vtkIdType samples)
 {
-  return this->GetVoxelEvaluation().additionalCost(field, static_cast<std::size_t>(samples));
+  return this->GetVoxelEvaluation().additionalBytes(field, static_cast<std::size_t>(samples));
 }
 
 void vtkWindingNumberImageAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -103,8 +103,7 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   bool InformationNeedsSource() const override { return true; }
-  winding::EvaluationCost GetAdditionalCost(
-    const winding::Field& field, vtkIdType samples) override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
 
   /// The type of the active scalars that the image will have.
   virtual int GetActiveScalarType() const = 0;

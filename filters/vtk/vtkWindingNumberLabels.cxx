@@ -1,7 +1,6 @@
 #include "vtkWindingNumberLabels.h"
 
 #include "base/Refusal.h"
-#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
 #include "private/output/LabelImage.h"
 #include "private/pipeline/FreeMemory.h"
@@ -292,25 +291,35 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   SharedProgress progress(this);
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
-  this->EarlierExpectedSeconds = this->ExpectedSeconds = 0;
+  vtkIdType cells = 0, earlierCells = 0;
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
+    cells += solids.cells(i);
+  }
+  this->EarlierSeconds = 0;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    // A solid takes time for its cells and for the grid. What promises the least is believed.
+    this->EarlierPart = std::max(static_cast<double>(i) / static_cast<double>(solids.size()),
+      static_cast<double>(earlierCells) / static_cast<double>(std::max<vtkIdType>(cells, 1)));
+    earlierCells += solids.cells(i);
     progress.set(i, solids.size());
     const winding::Field& field = this->PrepareSolid(solids, i);
     prepareSeconds += this->PrepareSeconds;
-    this->EarlierExpectedSeconds = this->ExpectedSeconds;
     memory = std::max(memory, this->ExpectedMemory);
-    {
-      const winding::Stopwatch stopwatch(this->EvaluateSeconds);
-      merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
-        labels.addSharesOf(solids.label(i)));
-      executor.setShare(0, 1);
-      evaluation.run(field, grid, extent, merge, executor);
-      if (looksInside && !merge.hasInside() && field.info().primitives > 0)
+    this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(extent)), executor,
+      [&]
       {
-        this->LookInside(field, solids.name(i));
-      }
-    }
+        merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
+          labels.addSharesOf(solids.label(i)));
+        executor.setShare(0, 1);
+        evaluation.run(field, grid, extent, merge, executor);
+        if (looksInside && !merge.hasInside() && field.info().primitives > 0)
+        {
+          this->LookInside(field, solids.name(i));
+        }
+      });
+    this->EarlierSeconds += this->PrepareSeconds + this->EvaluateSeconds;
     evaluateSeconds += this->EvaluateSeconds;
     if (this->VerifySamples > 0 && field.info().primitives > 0)
     {
@@ -320,7 +329,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;
   this->ExpectedMemory = memory;
-  this->EarlierExpectedSeconds = 0;
+  this->EarlierSeconds = 0;
 }
 
 void vtkWindingNumberLabels::DescribeSolids(

@@ -2,7 +2,6 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "base/Stopwatch.h"
 #include "base/Views.h"
 #include "field/Field.h"
 #include "field/InsideOut.h"
@@ -233,22 +232,25 @@ int vtkWindingNumberProbe::RequestData(
 void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
   const winding::ProbeQueries& queries, const winding::ResultArrays& results)
 {
-  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const double progress = this->GetProgressOfSamples();
   executor.setShare(0, progress);
   const winding::FieldOutput output = this->OutputTo(results);
   const std::optional<winding::Grid>& grid = queries.grid();
-  if (grid)
-  {
-    field.evaluate(*grid, grid->wholeExtent(), output, executor);
-  }
-  else
-  {
-    field.evaluate(queries.samples(), output, executor);
-  }
-  executor.setShare(progress, progress);
-  this->LookAtSides(field, queries, results, executor);
+  this->Evaluate(field, queries.size(), executor,
+    [&]
+    {
+      if (grid)
+      {
+        field.evaluate(*grid, grid->wholeExtent(), output, executor);
+      }
+      else
+      {
+        field.evaluate(queries.samples(), output, executor);
+      }
+      executor.setShare(progress, progress);
+      this->LookAtSides(field, queries, results, executor);
+    });
 }
 
 /// Finds out whether the source is inside out, so that what is asked for is not what is meant.

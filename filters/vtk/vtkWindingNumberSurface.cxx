@@ -2,10 +2,9 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "base/Stopwatch.h"
 #include "field/InsideOut.h"
 #include "level/GridContour.h"
-#include "level/LevelCost.h"
+#include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
 #include "level/SharpContour.h"
 #include "private/output/ResultArrays.h"
@@ -199,52 +198,55 @@ int vtkWindingNumberSurface::RequestData(
   return 1;
 }
 
-/// The cost of the surface. Surfaces that do not fit into memory are refused. Where the source's
-/// area promises too many vertices, as it does for triangles one behind the other, a coarse grid
-/// says more.
-winding::EvaluationCost vtkWindingNumberSurface::GetAdditionalCost(
-  const winding::Field& field, vtkIdType)
+/// Returns the memory of the surface, and refuses one that does not fit. Where the source's area
+/// promises too many vertices, as it does for triangles one behind the other, a coarse grid says
+/// more.
+std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
   const winding::Grid& grid = this->GetSampling();
   const double bytesOfGrid = this->GetResultBytes(0);
   double edges = winding::levelEdgesByArea(field, grid);
-  winding::EvaluationCost cost = winding::costOfLevelSurface(field, grid, edges);
-  if (!winding::isMemoryFree(bytesOfGrid + static_cast<double>(cost.bytes)))
+  std::size_t bytes = winding::bytesOfLevelSurface(field, edges);
+  if (!winding::isMemoryFree(bytesOfGrid + static_cast<double>(bytes)))
   {
     winding::SmpExecutor executor(this, this->NumberOfThreads);
     executor.setShare(0, 0);
     edges = std::min(
       edges, winding::levelEdgesByCoarseGrid(field, grid, winding::coreInsideRule(this->InsideRule),
                this->WindingThreshold, this->CloseBorder != 0, executor));
-    cost.bytes = winding::costOfLevelSurface(field, grid, edges).bytes;
+    bytes = winding::bytesOfLevelSurface(field, edges);
   }
   winding::refuseBeyondFreeMemory(
-    bytesOfGrid + static_cast<double>(cost.bytes), "the surface", {winding::largerVoxels()});
+    bytesOfGrid + static_cast<double>(bytes), "the surface", {winding::largerVoxels()});
   if (this->FidelitySamples > 0)
   {
     // The surface has about two triangles for each edge of the grid that it crosses.
     winding::refuseFidelityBeyondFreeMemory(
       field, 2 * edges, static_cast<std::size_t>(this->FidelitySamples));
   }
-  return cost;
+  return bytes;
 }
 
 void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
 {
-  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+  const winding::Grid& grid = this->GetSampling();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  winding::LevelEdges edges(field, this->GetSampling(), winding::coreInsideRule(this->InsideRule),
-    this->WindingThreshold, this->CloseBorder != 0);
-  this->FindEdges(edges, field, executor);
-  if (this->Features == SHARP)
-  {
-    this->MakeSharp(field, edges, executor, output);
-  }
-  else
-  {
-    this->MakeSmooth(field, edges, executor, output);
-  }
-  this->UpdateProgress(1);
+  this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent())), executor,
+    [&]
+    {
+      winding::LevelEdges edges(field, grid, winding::coreInsideRule(this->InsideRule),
+        this->WindingThreshold, this->CloseBorder != 0);
+      this->FindEdges(edges, field, executor);
+      if (this->Features == SHARP)
+      {
+        this->MakeSharp(field, edges, executor, output);
+      }
+      else
+      {
+        this->MakeSmooth(field, edges, executor, output);
+      }
+      this->UpdateProgress(1);
+    });
 }
 
 void vtkWindingNumberSurface::FindEdges(
@@ -256,9 +258,8 @@ void vtkWindingNumberSurface::FindEdges(
     edges.advance(executor);
   }
   // The edges are counted now, however many the source's area promised.
-  winding::refuseBeyondFreeMemory(static_cast<double>(winding::costOfLevelSurface(
-                                    field, this->GetSampling(), static_cast<double>(edges.size()))
-                                                        .bytes),
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(winding::bytesOfLevelSurface(field, static_cast<double>(edges.size()))),
     "the surface", {winding::largerVoxels()});
   this->TellSides(field, edges.sides(), executor);
   if (edges.size() == 0)

@@ -156,8 +156,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
   bool WorksOnFirstRank() const override { return true; }
   bool WantsDistances() const override { return false; }
-  winding::EvaluationCost GetAdditionalCost(
-    const winding::Field& field, vtkIdType samples) override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 
   int Features = SMOOTH;

@@ -60,27 +60,9 @@ TEST_F(Laboratory, BesideTheFiltersOfVtk)
   }
 }
 
-TEST_F(Laboratory, ExpectedTimesBesideThoseTaken)
+TEST_F(Laboratory, AsksForFiles)
 {
-  const nlohmann::json found = tables({"expected", in, folder.write("cloud.xyz", asXyz(sphere(2))),
-    "--resolution", "8", "16", "--points", "100"});
-  ASSERT_EQ(found.size(), 2u);
-  for (const nlohmann::json& table : found)
-  {
-    const nlohmann::json& rows = table["rows"];
-    ASSERT_EQ(rows.size(), 6u) << "two grids and points, without distances and with them";
-    for (std::size_t i = 0; i < rows.size(); ++i)
-    {
-      EXPECT_EQ(rows[i]["arrays"], i < 3 ? "w" : "w, distance");
-      EXPECT_EQ(rows[i]["samples"], i % 3 == 0   ? "grid of 8"
-                                    : i % 3 == 1 ? "grid of 16"
-                                                 : "100 points");
-      EXPECT_GT(rows[i]["expected s"], 0);
-      EXPECT_GT(rows[i]["taken s"], 0);
-    }
-  }
-  EXPECT_EQ(found[0]["rows"][0]["method"], "rows");
-  const Outcome none = runProgram({"expected"});
+  const Outcome none = runProgram({"orientation"});
   EXPECT_EQ(none.status, 1) << none;
   EXPECT_NE(none.err.find("FILE is required"), std::string::npos) << none;
 }

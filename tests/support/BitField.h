@@ -23,7 +23,7 @@ public:
     std::fill_n(gradients, 3 * samples.size(), 0.0);
   }
   double area() const override { return 0; }
-  winding::EvaluationCost expectedCostOfValues(std::size_t) const override { return {}; }
+  std::size_t expectedBytes(std::size_t) const override { return 0; }
   double reference(const Eigen::Vector3d&) const override { return 0; }
   double jumpWithin(const Eigen::Vector3d&, double) const override { return 0; }
   PointOnSource pointOnSource() const override { return {}; }
@@ -39,7 +39,6 @@ protected:
     const std::vector<double> values(inside.begin(), inside.end());
     output.write(values.data(), 0, values.size());
   }
-  double expectedSecondsOfBuilding() const override { return 0; }
   std::unique_ptr<const winding::DistanceTree> makeDistanceTree(winding::Executor&) const override
   {
     throw std::logic_error("a field of bits has no source");

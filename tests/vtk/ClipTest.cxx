@@ -439,19 +439,6 @@ TEST_F(Clip, EmptyResultsAreAnnounced)
   EXPECT_EQ(clip->GetStatus(), vtkWindingNumberAlgorithm::REFUSED);
 }
 
-TEST_F(Clip, TimeThatCellsTakeIsExpected)
-{
-  // Tetrahedra are five for each voxel, at the same points. The image must be no grid, of which
-  // fewer seconds are expected.
-  const vtkSmartPointer<vtkImageData> image = imageOf(41, 1);
-  clip->SetNumberOfThreads(1);
-  image->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
-  this->clipped(image);
-  const double secondsOfVoxels = clip->GetExpectedSeconds();
-  this->clipped(tetrahedraOf(image));
-  EXPECT_NEAR(clip->GetExpectedSeconds() - secondsOfVoxels, (5 - 1) * 64'000 * 6e-7, 0.001);
-}
-
 TEST_F(Clip, PartsThatDoNotFitAreRefusedBeforeTheyAreCut)
 {
   const auto noneFree = []()

@@ -1,8 +1,11 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 #include "vtk/LabelScenes.h"
 #include "vtk/ProgressLog.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -13,8 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 namespace
 {
@@ -360,14 +365,16 @@ TEST_F(Labels, LongWorkIsRefusedByTheSumOfAllSolids)
 {
   labels->SetMethod(Filter::DIRECT);
   labels->SetResolution(12);
-  labels->Update();
-  const double seconds = labels->GetExpectedSeconds();
-  labels->SetLongestExpectedTime(seconds * 0.7);
-  labels->Modified();
+  vtkNew<vtkCallbackCommand> wait;
+  wait->SetCallback([](vtkObject*, unsigned long, void*, void*)
+    { std::this_thread::sleep_for(std::chrono::milliseconds(20)); });
+  labels->AddObserver(vtkCommand::ProgressEvent, wait);
+  labels->SetLongestExpectedTime(0.07); // each of five solids takes 20 ms or more
   const ErrorLog log(labels);
   labels->Update();
   EXPECT_EQ(labels->GetStatus(), Filter::REFUSED);
-  EXPECT_NE(log.errors().find("Longest Expected Time"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find(howTo(winding::Parameter::longestExpectedTime)), std::string::npos)
+    << log.errors();
 }
 
 TEST_F(Labels, SolidsThatLookInwardAreCounted)

@@ -95,8 +95,8 @@ TEST_F(Rows, AndOtherMethodsSayWhatTheyAreExpectedToTake)
          vtkWindingNumberField::DIRECT})
   {
     auto image = this->output(method);
-    EXPECT_GT(field->GetExpectedSeconds(), 0);
-    EXPECT_LT(field->GetExpectedSeconds(), 1);
+    EXPECT_GE(field->GetExpectedSeconds(), field->GetEvaluateSeconds())
+      << "what took less than a second took what it took";
     EXPECT_GT(field->GetExpectedMemory(), image->GetNumberOfPoints() * 8) << "doubles, and a field";
     EXPECT_LT(field->GetExpectedMemory(), image->GetNumberOfPoints() * 8 + 1'000'000);
   }

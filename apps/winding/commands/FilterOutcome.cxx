@@ -19,6 +19,10 @@ void checkFilter(int status, const std::string& fileName, Messages& messages)
       status == vtkWindingNumberAlgorithm::OUT_OF_MEMORY ? EXIT_NO_MEMORY : EXIT_REFUSED,
       failure.what());
   }
+  if (status == vtkWindingNumberAlgorithm::ABORTED)
+  {
+    throw Failure(EXIT_INTERRUPTED, "interrupted"); // on another rank
+  }
   if (status != vtkWindingNumberAlgorithm::DONE)
   {
     throw Failure(EXIT_REFUSED, fileName, "the winding field could not be made");

@@ -266,7 +266,7 @@ void addLongestTime(CLI::App* command, Options& options)
 {
   command
     ->add_option("--longest-expected-time", options.longestExpectedTime,
-      "Refuse at once what is expected to take more seconds than this; 0: no limit (0)")
+      "Refuse, after a second, what is expected to take more than this; 0: no limit (0)")
     ->group("Run");
 }
 

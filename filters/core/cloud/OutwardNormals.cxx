@@ -117,7 +117,6 @@ OutwardNormals giveOutwardNormals(
   ConsistentNormals consistent =
     consistentNormals(places, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;
-  found.work = consistent.triedPatches ? NormalWork::patches : NormalWork::tree;
   share.set(0.9, 0.98);
   found.orientation =
     takeOutward(cloud, places, std::move(consistent.normals), hasOwnAreas, areas, executor);
@@ -130,7 +129,7 @@ OutwardNormals giveOutwardNormals(
   {
     cloud.normals = normals;
     cloud.areas = areasByTree;
-    return {NormalEstimation::spanningTree, ofTree, found.work};
+    return {NormalEstimation::spanningTree, ofTree};
   }
   return found;
 }

@@ -2,7 +2,6 @@
 
 #include "base/Executor.h"
 #include "base/Message.h"
-#include "cloud/CloudCost.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
@@ -16,7 +15,6 @@ struct OutwardNormals
 {
   NormalEstimation estimation = NormalEstimation::spanningTree; ///< never automatic
   CloudOrientation orientation;                                 ///< once turned outward
-  NormalWork work = NormalWork::tree;                           ///< that was done
 };
 
 /**

@@ -1,6 +1,6 @@
 #include "base/DividedShare.h"
 #include "base/UninitializedVector.h"
-#include "farfield/FarFieldCost.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/PointCells.h"
 #include "farfield/TriangleFarField.h"
 #include "field/CappedSurface.h"

@@ -1,6 +1,6 @@
 #include "field/CappedSurface.h"
 
-#include "farfield/FarFieldCost.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
 #include "farfield/TriangleFarField.h"
 #include "source/SourceArea.h"

@@ -29,7 +29,7 @@ class TriangleFarField;
  * sample (PointCrossings.h); w_C is the winding number of the
  * cap (Cap.h), which has about as many triangles as the surface has boundary edges, and none if it
  * is closed. Without a tolerance w_C is the direct sum; with one, and for caps of more than a few
- * triangles, it comes from the far field (isCheaperDirectly() in FarFieldCost.h decides).
+ * triangles, it comes from the far field (isCheaperDirectly() in FarFieldChoice.h decides).
  *
  * Guaranteed: (1) values of a closed surface are integers, and exact off the surface; (2) values of
  * an open surface are equal to the direct sum up to its rounding or the tolerance, also next to the
@@ -81,11 +81,8 @@ public:
   /// Returns whether w_C comes from the far field at `samples` scattered samples.
   bool usesFarFieldAtPoints(std::size_t samples) const;
 
-  /// The cost that χ is expected to have at so many scattered samples.
-  EvaluationCost expectedCostOfCrossings(std::size_t samples) const
-  {
-    return points_.expectedCost(samples);
-  }
+  /// The crossings that give χ at scattered samples.
+  const PointCrossings& points() const { return points_; }
 
   /// Builds what scattered samples need beforehand, as Field::prepare() does.
   void prepare(const VectorsView& samples, Executor& executor) const;

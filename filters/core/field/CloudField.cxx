@@ -5,11 +5,10 @@
 #include "cloud/PointAreas.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
-#include "farfield/FarFieldCost.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
 #include "source/Sanitize.h"
 #include "source/UnitNormal.h"
-#include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
 
 #include <algorithm>
@@ -22,7 +21,6 @@ namespace winding
 CloudField::CloudField(
   const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
   : cloud_(sanitize(views, executor))
-  , neighbors_(options.neighbors)
 {
   if (options.method == Method::parity || options.method == Method::rows)
   {
@@ -72,8 +70,6 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
-  hasVoronoiAreas_ = !areAreasGiven && (options.pointAreaMethod == PointAreaMethod::voronoi ||
-                                         options.pointArea == 0);
   const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
   if (info_.normalsAreEstimated)
   {
@@ -81,7 +77,6 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
       giveOutwardNormals(cloud_, options.normalEstimation, areas, executor);
     info_.normalEstimation = found.estimation;
     info_.orientation = found.orientation;
-    normalWork_ = found.work;
     // Normals that were stored and come back are made unit vectors in the same way.
     for (Eigen::Vector3d& normal : cloud_.normals)
     {
@@ -118,9 +113,6 @@ void CloudField::regularize(double spacings)
     throw Refusal(Message(Parameter::regularization,
       "is " + std::to_string(spacings) + " spacings; it must be 0 (none) to 4"));
   }
-  // The figures were measured on 43 000 points at 128³: 1, 2 and 3 spacings take 1.35, 3.6 and 11
-  // times as long as 0.
-  slowdown_ = 1 + 0.35 * spacings * spacings * spacings;
   if (spacings == 0)
   {
     return;
@@ -201,21 +193,11 @@ bool CloudField::usesFarField(std::size_t samples) const
                                         samples, farField_->order(), FarFieldState::built));
 }
 
-EvaluationCost CloudField::expectedCostOfValues(std::size_t samples) const
+std::size_t CloudField::expectedBytes(std::size_t samples) const
 {
-  const SampledSource source = this->sampledSource(samples);
-  if (!this->usesFarField(samples))
-  {
-    return costOfDirectSum(source);
-  }
-  EvaluationCost cost = costOfFarField(source, farField_->order());
-  cost.seconds *= slowdown_;
-  return cost;
-}
-
-double CloudField::expectedSecondsOfBuilding() const
-{
-  return secondsToPrepareCloud(info_.inputPrimitives, neighbors_, hasVoronoiAreas_, normalWork_);
+  return this->usesFarField(samples)
+           ? bytesOfFarField(Primitive::point, info_.primitives, farField_->order())
+           : bytesPerPrimitive * info_.primitives;
 }
 
 double CloudField::area() const

@@ -2,7 +2,6 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
-#include "cloud/CloudCost.h"
 #include "farfield/FarField.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
@@ -25,7 +24,7 @@ public:
   void gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   const PointCloud* cloud() const override { return &cloud_; }
-  EvaluationCost expectedCostOfValues(std::size_t samples) const override;
+  std::size_t expectedBytes(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
@@ -36,7 +35,6 @@ protected:
     Executor& executor) const override;
   void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
-  double expectedSecondsOfBuilding() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *sum_; }
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
@@ -50,11 +48,7 @@ private:
   bool usesFarField(const Grid& grid) const;
 
   PointCloud cloud_;
-  int neighbors_;                ///< that define the area and the normal of a point
-  bool hasVoronoiAreas_ = false; ///< whether areas were neither given nor set
-  NormalWork normalWork_ = NormalWork::none;
   FieldInfo info_;
-  double slowdown_ = 1;                      ///< factor by which regularization slows the far field
   bool isAskedFor_ = false;                  ///< whether the user chose the method
   std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical
   std::unique_ptr<const DipoleSum> sum_;

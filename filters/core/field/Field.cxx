@@ -2,8 +2,8 @@
 
 #include "base/DividedShare.h"
 #include "base/Evaluator.h"
-#include "distance/DistanceCost.h"
 #include "distance/GridDistances.h"
+#include "distance/PlaceBuckets.h"
 #include "distance/SampleDistances.h"
 #include "source/SourceArea.h"
 
@@ -143,7 +143,6 @@ SampledSource Field::sampledSource(std::size_t samples) const
   source.kind = info.isSurface ? Primitive::triangle : Primitive::point;
   source.primitives = info.distinct;
   source.samples = samples;
-  source.isGrid = !info.isScattered;
   const double step = distanceBetweenSamples(info.bounds, samples);
   // Areas beyond the range of doubles come to a finite number of samples, too.
   constexpr double most = 1e15;
@@ -151,18 +150,11 @@ SampledSource Field::sampledSource(std::size_t samples) const
   return source;
 }
 
-EvaluationCost Field::expectedCost(std::size_t samples) const
+std::size_t Field::expectedBytesOfDistances(std::size_t samples) const
 {
-  EvaluationCost cost = this->expectedCostOfValues(samples);
-  cost.seconds += this->expectedSecondsOfBuilding();
-  return cost;
-}
-
-EvaluationCost Field::expectedCostOfDistances(std::size_t samples, double limit) const
-{
-  const double step = distanceBetweenSamples(this->info().bounds, samples);
-  return costOfDistances(this->sampledSource(samples),
-    step > 0 ? limit / step : std::numeric_limits<double>::infinity());
+  const FieldInfo& info = this->info();
+  return DistanceTree::bytesFor(info.isSurface, info.distinct) +
+         (info.isScattered ? sizeof(Place) * samples : 0);
 }
 
 /// Evaluates values first, then distances, whose signs come from the values or sides.
@@ -182,9 +174,8 @@ void Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
     inside.resize(samples);
     signedOutput.inside = inside.data();
   }
-  const double ofValues = this->expectedCostOfValues(samples).seconds;
-  const double ofDistances = this->expectedCostOfDistances(samples, output.distanceLimit).seconds;
-  const double share = ofValues > 0 ? ofValues / (ofValues + ofDistances) : 0;
+  // Rows of a closed surface take no time to speak of.
+  const double share = this->integerRows() ? 0.05 : 0.5;
   DividedShare divided(executor);
   divided.set(0, share);
   evaluateValues(signedOutput);

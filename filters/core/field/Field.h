@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/Bounds.h"
-#include "base/EvaluationCost.h"
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "base/Message.h"
+#include "base/SampledSource.h"
 #include "base/Views.h"
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
@@ -204,24 +204,18 @@ public:
   /// them; null for any other field.
   virtual const RowCrossings* integerRows() const { return nullptr; }
 
-  /// Estimates what the values of `samples` samples take, from the input on: samples of a grid,
-  /// or scattered ones if those were announced (FieldOptions::scattered), spread over the source's
-  /// bounds and a little beyond.
-  EvaluationCost expectedCost(std::size_t samples) const;
-
   /// The area of the source, in squares of its unit of length; equal triangles count once.
   virtual double area() const = 0;
 
-  /// Returns the measures of the source and of `samples` samples that costs depend on.
+  /// Returns the measures of the source and of `samples` samples that choices depend on.
   SampledSource sampledSource(std::size_t samples) const;
 
-  /// The part of expectedCost() that begins when the field is built.
-  virtual EvaluationCost expectedCostOfValues(std::size_t samples) const = 0;
+  /// Returns the memory that the field and its values at `samples` samples are expected to take: at
+  /// those of a grid, or at scattered ones if these were announced (FieldOptions::scattered).
+  virtual std::size_t expectedBytes(std::size_t samples) const = 0;
 
-  /// An estimate of what the distances of so many samples take, beside expectedCost(); limit: how
-  /// far they are wanted (FieldOutput::distanceLimit).
-  EvaluationCost expectedCostOfDistances(
-    std::size_t samples, double limit = std::numeric_limits<double>::infinity()) const;
+  /// Returns the expected memory of the distances of `samples` samples, beside expectedBytes().
+  std::size_t expectedBytesOfDistances(std::size_t samples) const;
 
   /// The value by definition: an independent, slow sum in double (ReferenceSum.h).
   virtual double reference(const Eigen::Vector3d& sample) const = 0;
@@ -248,9 +242,6 @@ protected:
   virtual void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   ///@}
-
-  /// An estimate of the seconds that build() takes on one thread.
-  virtual double expectedSecondsOfBuilding() const = 0;
 
   /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;

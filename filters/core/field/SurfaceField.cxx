@@ -2,9 +2,8 @@
 
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
-#include "farfield/FarFieldCost.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
-#include "rays/CrossingCost.h"
 #include "rays/RayParity.h"
 #include "source/CoordinateOrder.h"
 #include "source/DistinctTriangles.h"
@@ -12,9 +11,7 @@
 #include "source/SourceArea.h"
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
-#include "sums/DirectSumCost.h"
 #include "sums/ReferenceSum.h"
-#include "surface/SurfaceCost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,10 +24,6 @@ SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
 {
-  for (const TrianglesView& view : views)
-  {
-    inputPoints_ += view.points.size();
-  }
   info_.inputPrimitives = surface_.inputTriangles;
   info_.primitives = surface_.triangles.size();
   info_.dropped = surface_.dropped();
@@ -208,25 +201,17 @@ bool SurfaceField::usesCapAtPoints(std::size_t samples) const
   {
     return capped_ != nullptr;
   }
-  SampledSource source;
-  source.primitives = info_.distinct;
-  source.samples = samples;
-  source.isGrid = false;
-  return farField_ && samples > 1 &&
-         this->costOfCapAtPoints(samples).seconds < costOfDirectSum(source).seconds;
-}
-
-EvaluationCost SurfaceField::costOfCapAtPoints(std::size_t samples) const
-{
-  EvaluationCost cost = capped_->expectedCostOfCrossings(samples);
+  if (!farField_ || samples <= 1)
+  {
+    return false;
+  }
   SampledSource cap = this->sampledSource(samples);
-  cap.isGrid = false;
   cap.primitives = info_.capTriangles;
   cap.area = this->area() > 0 ? cap.area / this->area() * capped_->capArea() : 0;
-  cost +=
-    capped_->usesFarFieldAtPoints(samples) ? costOfFarField(cap, order_) : costOfDirectSum(cap);
-  cost.bytes += sizeof(float) * samples;
-  return cost;
+  const double ofCap = capped_->usesFarFieldAtPoints(samples)
+                         ? weightOfFarField(cap, order_)
+                         : weightOfDirectSum(cap.primitives, samples);
+  return capped_->points().weight(samples) + ofCap < weightOfDirectSum(info_.distinct, samples);
 }
 
 bool SurfaceField::usesFarField(const Grid& grid) const
@@ -240,36 +225,30 @@ const RowCrossings* SurfaceField::integerRows() const
   return capped_ && capped_->capTriangles() == 0 ? &capped_->rows() : nullptr;
 }
 
-EvaluationCost SurfaceField::expectedCostOfValues(std::size_t samples) const
+std::size_t SurfaceField::expectedBytes(std::size_t samples) const
 {
+  const auto bytesOf = [this](std::size_t triangles, bool usesFarField)
+  {
+    return usesFarField ? bytesOfFarField(Primitive::triangle, triangles, order_)
+                        : bytesPerPrimitive * triangles;
+  };
   if (info_.method == Method::rows && !capped_)
   {
-    return crossings_->expectedCost(samples);
+    return crossings_->bytes(samples);
   }
   if (info_.isScattered && this->usesCapAtPoints(samples))
   {
-    return this->costOfCapAtPoints(samples);
+    return capped_->points().bytes(samples) +
+           bytesOf(info_.capTriangles, capped_->usesFarFieldAtPoints(samples)) +
+           sizeof(float) * samples;
   }
-  const SampledSource source = this->sampledSource(samples);
   if (info_.method == Method::rows && !info_.isScattered)
   {
-    SampledSource closed = source, cap = source;
-    closed.primitives += info_.capTriangles;
-    cap.primitives = info_.capTriangles;
-    cap.area = this->area() > 0 ? source.area / this->area() * capped_->capArea() : 0;
-    EvaluationCost cost = costOfRows(closed);
-    if (cap.primitives > 0)
-    {
-      cost += capped_->usesFarField(samples) ? costOfFarField(cap, order_) : costOfDirectSum(cap);
-    }
-    return cost;
+    constexpr std::size_t bytesOfRows = bytesPerPrimitive + 20;
+    return bytesOfRows * (info_.distinct + info_.capTriangles) +
+           bytesOf(info_.capTriangles, info_.capTriangles > 0 && capped_->usesFarField(samples));
   }
-  return this->usesFarField(samples) ? costOfFarField(source, order_) : costOfDirectSum(source);
-}
-
-double SurfaceField::expectedSecondsOfBuilding() const
-{
-  return secondsToPrepareSurface(info_.inputPrimitives, inputPoints_, info_.capTriangles);
+  return bytesOf(info_.distinct, this->usesFarField(samples));
 }
 
 double SurfaceField::area() const

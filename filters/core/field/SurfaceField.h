@@ -30,7 +30,7 @@ public:
   const Surface* surface() const override { return &surface_; }
   const Surface* distinctSurface() const override { return distinct_; }
   const RowCrossings* integerRows() const override;
-  EvaluationCost expectedCostOfValues(std::size_t samples) const override;
+  std::size_t expectedBytes(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
   PointOnSource pointOnSource() const override;
@@ -41,7 +41,6 @@ protected:
     Executor& executor) const override;
   void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
-  double expectedSecondsOfBuilding() const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
@@ -54,10 +53,8 @@ private:
 
   bool usesFarField(std::size_t samples) const;
   bool usesCapAtPoints(std::size_t samples) const;
-  EvaluationCost costOfCapAtPoints(std::size_t samples) const;
   bool usesFarField(const Grid& grid) const;
 
-  std::size_t inputPoints_ = 0;
   Surface surface_;
   Surface merged_;                      ///< the surface with equal triangles taken together, if any
   const Surface* distinct_ = &surface_; ///< the one of the two that is summed

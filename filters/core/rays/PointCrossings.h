@@ -3,7 +3,6 @@
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "base/Views.h"
-#include "rays/CrossingCost.h"
 #include "rays/RayCounter.h"
 #include "source/Surface.h"
 
@@ -13,6 +12,14 @@ namespace winding
 {
 
 class ClearCells;
+
+/// How triangles lie across rays along x, in the box of all of them.
+struct RaysThroughTriangles
+{
+  double layers = 0; ///< triangles on a line along x, on average
+  /// The sums of the longer and the shorter sides of the triangles' own boxes, as parts of the box.
+  double lengths = 0, widths = 0;
+};
 
 /**
  * The exact integer winding numbers of a closed chain of triangles at scattered samples: the sum of
@@ -61,9 +68,12 @@ public:
   PointCrossings(const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles,
     const ChainView& cap, const Bounds& bounds);
 
-  /// The cost that evaluate() is expected to have for `samples` samples. The first call walks over
-  /// the triangles.
-  EvaluationCost expectedCost(std::size_t samples) const;
+  /// Weighs the work of evaluate() for `samples` samples spread over the triangles' box, as
+  /// weightOfFarField() does. The first call walks over the triangles.
+  double weight(std::size_t samples) const;
+
+  /// Returns the expected memory of evaluate(), with that of the triangles.
+  std::size_t bytes(std::size_t samples) const;
 
   /// Evaluates scattered samples. Divides the executor's share of progress and restores it in the
   /// end. Throws Interrupted.

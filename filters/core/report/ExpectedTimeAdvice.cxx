@@ -10,7 +10,7 @@ namespace winding
 namespace
 {
 
-/// A time in the unit in which people would say it.
+/// Returns a time in the unit in which people would say it.
 std::string inWords(double seconds)
 {
   constexpr double minute = 60, hour = 60 * minute, day = 24 * hour;
@@ -31,29 +31,31 @@ std::string inWords(double seconds)
   return std::to_string(static_cast<int>(seconds)) + " seconds";
 }
 
-/// The change of the settings that makes the field faster.
-std::string fasterThan(const FieldInfo& info, double tolerance)
+std::vector<Remedy> fasterThan(const FieldInfo& info, double tolerance)
 {
-  const std::string fewer = info.isScattered ? "fewer samples" : "larger voxels";
+  std::vector<Remedy> remedies;
   const bool sumsAll = info.method == Method::direct || info.method == Method::parity;
-  if (sumsAll && tolerance < FarFieldAccuracy::finest)
+  if (sumsAll)
   {
-    return "choose a tolerance of 1e-6 or more (Tolerance; --tolerance) with the method automatic, "
-           "or " +
-           fewer;
+    constexpr int automatic = static_cast<int>(Method::automatic);
+    remedies.push_back({"", {{Parameter::method, automatic}}});
   }
-  return sumsAll ? "choose the method automatic (Method; --method), or " + fewer
-                 : "choose " + fewer + " or a larger tolerance (Tolerance; --tolerance)";
+  if (!sumsAll || tolerance < FarFieldAccuracy::finest)
+  {
+    remedies.push_back({"choose a larger tolerance", {Parameter::tolerance}});
+  }
+  remedies.push_back(info.isScattered ? Remedy{"choose fewer samples", {}} : largerVoxels());
+  return remedies;
 }
 
 } // namespace
 
-std::string expectedTimeAdvice(
+Message expectedTimeAdvice(
   const FieldInfo& info, double seconds, std::size_t samples, double tolerance)
 {
-  return fasterThan(info, tolerance) + ": method " + nameOf(info.method) + " takes about " +
-         inWords(seconds) + " for " + std::to_string(samples) + " samples of " +
-         std::to_string(info.primitives) + (info.isSurface ? " triangles" : " points");
+  return {"this takes about " + inWords(seconds), fasterThan(info, tolerance),
+    std::to_string(samples) + " samples of " + std::to_string(info.primitives) +
+      (info.isSurface ? " triangles" : " points") + " by the method " + nameOf(info.method)};
 }
 
 } // namespace winding

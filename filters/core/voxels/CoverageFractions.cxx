@@ -131,25 +131,14 @@ Extent CoverageFractions::samplesOf(const Extent& voxels) const
   return samples;
 }
 
-EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis)
+std::size_t bytesOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis)
 {
-  const std::size_t samples =
-    voxels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis * samplesPerAxis);
   if (field.integerRows())
   {
-    // The finer grid has this number of rows, each with its crossings and runs, but nothing is
-    // written at its samples.
-    constexpr double secondsPerRow = 100e-9;
-    const double rows =
-      samplesPerAxis * samplesPerAxis * std::pow(static_cast<double>(voxels), 2.0 / 3);
-    EvaluationCost cost = field.expectedCostOfValues(voxels);
-    cost.seconds += secondsPerRow * rows;
-    cost.bytes = 0; // no memory is taken beyond what the field took before
-    return cost;
+    return 0; // no memory is taken beyond what the field took before
   }
-  EvaluationCost cost = field.expectedCostOfValues(samples);
-  cost.bytes = std::min(samples, mostBytes);
-  return cost;
+  return std::min(
+    voxels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis * samplesPerAxis), mostBytes);
 }
 
 float CoverageFractions::share(int samples) const

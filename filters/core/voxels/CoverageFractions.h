@@ -62,7 +62,7 @@ private:
   int rowsPerPart_ = 0, layersPerPart_ = 0;
 };
 
-/// The expected cost of CoverageFractions for so many voxels.
-EvaluationCost costOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis);
+/// Returns the expected memory of CoverageFractions for `voxels` voxels.
+std::size_t bytesOfFractions(const Field& field, std::size_t voxels, int samplesPerAxis);
 
 } // namespace winding

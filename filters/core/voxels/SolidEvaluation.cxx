@@ -92,8 +92,7 @@ void SolidEvaluation::run(
     VoxelEvaluation voxels = options_.voxels;
     if (voxels.coverage != Coverage::center)
     {
-      options_.checkMemory(
-        static_cast<double>(voxels.additionalCost(field, samples).bytes), samples);
+      options_.checkMemory(static_cast<double>(voxels.additionalBytes(field, samples)), samples);
     }
     this->reserve(samples);
     voxels.output.inside = inside_.get();

@@ -9,16 +9,16 @@
 namespace winding
 {
 
-EvaluationCost VoxelEvaluation::additionalCost(const Field& field, std::size_t voxels) const
+std::size_t VoxelEvaluation::additionalBytes(const Field& field, std::size_t voxels) const
 {
   switch (coverage)
   {
   case Coverage::any:
-    return costOfOverlap(field, voxels);
+    return bytesOfOverlap(field, voxels);
   case Coverage::fraction:
-    return costOfFractions(field, voxels, samplesPerAxis);
+    return bytesOfFractions(field, voxels, samplesPerAxis);
   default:
-    return {};
+    return 0;
   }
 }
 

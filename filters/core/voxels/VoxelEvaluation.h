@@ -21,8 +21,8 @@ struct VoxelEvaluation
   FieldOutput output;         ///< values at the centres, and inside for whole voxels
   float* fractions = nullptr; ///< shares of the voxels; set for fractions only
 
-  /// The cost that is expected in addition to that of the field of so many voxels.
-  EvaluationCost additionalCost(const Field& field, std::size_t voxels) const;
+  /// Returns the memory that is expected beside that of the field of `voxels` voxels.
+  std::size_t additionalBytes(const Field& field, std::size_t voxels) const;
 
   /// Takes the executor's progress through its share. Throws Interrupted.
   void run(const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;

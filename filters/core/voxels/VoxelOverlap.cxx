@@ -76,19 +76,11 @@ void addOverlap(const Field& field, const Grid& grid, const Extent& extent, Insi
   }
 }
 
-EvaluationCost costOfOverlap(const Field& field, std::size_t samples)
+std::size_t bytesOfOverlap(const Field& field, std::size_t samples)
 {
-  constexpr double secondsPerPrimitive = 150e-9;
   constexpr std::size_t bytesPerMark = 32;
-  EvaluationCost cost;
-  if (!changesAtTrianglesOnly(field.info()))
-  {
-    cost = field.expectedCostOfValues(samples);
-    cost.bytes = samples;
-  }
-  const std::size_t primitives = field.info().distinct;
-  cost += {secondsPerPrimitive * static_cast<double>(primitives), bytesPerMark * primitives};
-  return cost;
+  return (changesAtTrianglesOnly(field.info()) ? 0 : samples) +
+         bytesPerMark * field.info().distinct;
 }
 
 } // namespace winding

@@ -24,7 +24,7 @@ namespace winding
 void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
   double threshold, unsigned char* inside, Executor& executor);
 
-/// The expected cost of addOverlap() for so many samples, beside that of their field.
-EvaluationCost costOfOverlap(const Field& field, std::size_t samples);
+/// Returns the expected memory of addOverlap() for `samples` samples, beside that of their field.
+std::size_t bytesOfOverlap(const Field& field, std::size_t samples);
 
 } // namespace winding

@@ -14,7 +14,6 @@ struct BenchOptions;
  */
 std::vector<BenchTable> benchKernels(const BenchOptions& options, Messages& messages);
 std::vector<BenchTable> benchClouds(const BenchOptions& options, Messages& messages);
-std::vector<BenchTable> benchExpected(const BenchOptions& options, Messages& messages);
 std::vector<BenchTable> benchVtk(const BenchOptions& options, Messages& messages);
 std::vector<BenchTable> benchOrientation(const BenchOptions& options, Messages& messages);
 std::vector<BenchTable> benchHierarchical(const BenchOptions& options, Messages& messages);

@@ -4,7 +4,7 @@
 #include "laboratory/Timing.h"
 
 #include "base/Views.h"
-#include "farfield/FarFieldCost.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
 #include "farfield/TriangleFarField.h"
 #include "field/CappedSurface.h"

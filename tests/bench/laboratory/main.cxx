@@ -38,8 +38,6 @@ const Subject subjects[] = {
     nullptr},
   {benchVtk, "vtk", "VTK's own filters at the same samples", true, true,
     "Scattered points to ask about (1000 10000 100000)"},
-  {benchExpected, "expected", "The times that users are told, and those taken", true, true,
-    "Scattered points to ask about (1000 10000 100000 1000000)"},
   {benchOrientation, "orientation", "Points on surfaces with estimated normals", true, true,
     "Points on the surfaces (50000)"}};
 

@@ -219,5 +219,5 @@ TEST(DistanceTasks, TreeIsMadeOnceAndBeforeIfAskedFor)
   EXPECT_GT(preparing.runs, 1);
   field->prepareDistances(again);
   EXPECT_EQ(again.runs, 0);
-  EXPECT_GT(field->expectedCostOfDistances(1000).bytes, 320 * sizeof(winding::NearTriangle));
+  EXPECT_GT(field->expectedBytesOfDistances(1000), 320 * sizeof(winding::NearTriangle));
 }

@@ -193,21 +193,6 @@ TEST_P(OverlappingTriangles, HaveTheirValuesByEveryMethod)
   }
 }
 
-TEST_P(OverlappingTriangles, AreNotExpectedToTakeMuchMoreThanTheDirectSum)
-{
-  const Mesh& mesh = GetParam().second;
-  for (const std::size_t samples : {1'000u, 32'768u, 262'144u})
-  {
-    const double direct =
-      fieldOf(mesh, Method::direct, false)->expectedCostOfValues(samples).seconds;
-    for (const Method method : {Method::automatic, Method::rows})
-    {
-      const double seconds = fieldOf(mesh, method, false)->expectedCostOfValues(samples).seconds;
-      EXPECT_LE(seconds, 1.5 * direct + 0.01) << winding::nameOf(method) << " " << samples;
-    }
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(, OverlappingTriangles, testing::ValuesIn(hostileSoups(triangles)),
   [](const auto& param)
   {

@@ -399,25 +399,25 @@ TEST(PointCrossings, DivideWhatThereIsMuchOf)
   EXPECT_NEAR(log.sharesOfRuns.back().second, 0.75, 1e-12);
 }
 
-TEST(PointCrossings, AreExpectedToTakeLongerWhereTrianglesOverlapAndForNeedles)
+TEST(PointCrossings, WeighMoreWhereTrianglesOverlapAndForNeedles)
 {
   SCOPED_TRACE("seeds 279, 280");
-  const auto seconds = [](const Mesh& mesh)
+  const auto weight = [](const Mesh& mesh)
   {
     const winding::Surface surface = clean(mesh);
-    return winding::PointCrossings(surface).expectedCost(100'000).seconds;
+    return winding::PointCrossings(surface).weight(100'000);
   };
   const Mesh sphere = icosphere(3); // 1280 triangles
-  EXPECT_GT(seconds(tetrahedra(320, 1, false, 279)), 2 * seconds(sphere));
-  EXPECT_GT(seconds(tetrahedra(320, 1e-3, true, 280)), 1.2 * seconds(sphere));
-  // The cost does not depend on the unit, and is less if there is no area across the rays at all.
+  EXPECT_GT(weight(tetrahedra(320, 1, false, 279)), 2 * weight(sphere));
+  EXPECT_GT(weight(tetrahedra(320, 1e-3, true, 280)), 1.2 * weight(sphere));
+  // The weight does not depend on the unit, and is less if there is no area across the rays at all.
   const auto flattened = [](const Point& p) -> Point
   {
     return {p[0], p[1], 0};
   };
-  EXPECT_EQ(seconds(scaled(sphere, 0x1p-300)), seconds(sphere));
-  EXPECT_LT(seconds(Mesh()), seconds(sphere));
-  EXPECT_LT(seconds(sphere.mapped(flattened)), seconds(sphere));
+  EXPECT_EQ(weight(scaled(sphere, 0x1p-300)), weight(sphere));
+  EXPECT_LT(weight(Mesh()), weight(sphere));
+  EXPECT_LT(weight(sphere.mapped(flattened)), weight(sphere));
 }
 
 TEST(PointCrossings, StopWhenInterrupted)

@@ -307,9 +307,9 @@ TEST(CoverageFractions, ManySamplesComeInParts)
 TEST(CoverageFractions, ExpectTheMemoryOfAPart)
 {
   const auto open = fieldOf(icosphere(1).part(0, 60)), closed = fieldOf(icosphere(1));
-  EXPECT_EQ(winding::costOfFractions(*open, 1000, 4).bytes, 64'000u) << "a byte for each sample";
-  EXPECT_EQ(winding::costOfFractions(*open, 1'000'000'000, 4).bytes, 64u << 20);
-  EXPECT_EQ(winding::costOfFractions(*closed, 1'000'000'000, 4).bytes, 0u) << "rows are added up";
+  EXPECT_EQ(winding::bytesOfFractions(*open, 1000, 4), 64'000u) << "a byte for each sample";
+  EXPECT_EQ(winding::bytesOfFractions(*open, 1'000'000'000, 4), 64u << 20);
+  EXPECT_EQ(winding::bytesOfFractions(*closed, 1'000'000'000, 4), 0u) << "rows are added up";
 }
 
 TEST(CoverageFractions, OneVoxelHasTheVolumeOfTheSource)

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 #include <thread>
 
@@ -19,6 +20,13 @@ namespace winding
 
 namespace
 {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// The active backend, or STDThread where Sequential is active though nobody asked for it. Where
 /// the environment asks for Sequential, that holds: two threads that choose a backend for their
@@ -89,7 +97,7 @@ void SmpExecutor::runBatch(
 bool SmpExecutor::runBatches(
   std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const
 {
-  using Clock = std::chrono::steady_clock;
+  const Clock::time_point startOfRun = Clock::now();
   std::size_t batch =
     static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t done = 0; done < count;)
@@ -101,16 +109,43 @@ bool SmpExecutor::runBatches(
     const std::size_t last = std::min(count, done + batch);
     const Clock::time_point start = Clock::now();
     this->runBatch(done, last, work);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = secondsSince(start);
     done = last;
     const double wanted = static_cast<double>(batch) * secondsPerBatch / std::max(seconds, 1e-6);
     batch = static_cast<std::size_t>(std::clamp(wanted, 1.0, 8.0 * static_cast<double>(batch)));
+    const double part = static_cast<double>(done) / static_cast<double>(count);
+    if (look_)
+    {
+      this->lookAtClock(startOfRun, part);
+    }
     if (filter_)
     {
-      this->tellProgress(static_cast<double>(done) / static_cast<double>(count), showsProgress);
+      this->tellProgress(part, showsProgress);
     }
   }
   return true;
+}
+
+/// Calls look_ when a part `done` of a run is done. Work before the run may have been slower than
+/// its share of progress says, and the first blocks of a run slower than the others: the smaller
+/// estimate counts.
+void SmpExecutor::lookAtClock(Clock::time_point startOfRun, double done) const
+{
+  const double elapsed = secondsSince(start_), ofRun = secondsSince(startOfRun) / done;
+  const double share = lastShare_ - firstShare_, progress = firstShare_ + share * done;
+  double expected = elapsed + ofRun * (1 - done);
+  if (share > 0)
+  {
+    expected =
+      std::max(expected, std::min(elapsed / progress, elapsed + ofRun * (1 - progress) / share));
+  }
+  look_(elapsed, expected);
+}
+
+void SmpExecutor::setClock(std::function<void(double elapsed, double expected)> look)
+{
+  look_ = std::move(look);
+  start_ = Clock::now();
 }
 
 void SmpExecutor::tellProgress(double done, bool showsProgress) const
@@ -147,9 +182,17 @@ void SmpExecutor::runOnBackend(
 {
   hasRun_ = true;
   bool isComplete = false;
+  std::exception_ptr failure;
   const auto runAll = [&]()
   {
-    isComplete = this->runBatches(count, work, showsProgress);
+    try
+    {
+      isComplete = this->runBatches(count, work, showsProgress);
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+    }
   };
   const std::string backend = backendToUse();
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
@@ -165,6 +208,10 @@ void SmpExecutor::runOnBackend(
     {
       vtkSMPTools::Initialize(before);
     }
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
   }
   if (!isComplete)
   {

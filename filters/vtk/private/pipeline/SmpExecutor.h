@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 
+#include <chrono>
 #include <utility>
 
 class vtkAlgorithm;
@@ -34,6 +35,11 @@ public:
   /// set the abort flag.
   void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
+  /// Calls `look` after each batch from now on, on the calling thread, with seconds since this
+  /// call: the `elapsed` ones, and the `expected` ones until progress is 1, by the clock. An
+  /// exception of `look` ends the run. An empty function ends the calls.
+  void setClock(std::function<void(double elapsed, double expected)> look);
+
   /// The approximate number of threads that it uses.
   int threads() const;
 
@@ -45,6 +51,7 @@ private:
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
+  void lookAtClock(std::chrono::steady_clock::time_point startOfRun, double done) const;
   void tellProgress(double done, bool showsProgress) const;
   void runBatch(
     std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
@@ -54,6 +61,8 @@ private:
   double firstShare_ = 0;
   double lastShare_ = 1;
   bool hasRun_ = false;
+  std::function<void(double, double)> look_;
+  std::chrono::steady_clock::time_point start_; ///< of look_
 };
 
 } // namespace winding

@@ -13,10 +13,6 @@ namespace winding
 /// The bytes that clippedPart() takes for each point, in addition to its result and what VTK takes.
 constexpr double bytesPerClippedPoint = 9;
 
-/// The seconds that clippedPart() takes for each cell of the data set, on one thread. Measured:
-/// 0.4 to 0.6 µs for images, hexahedra and tetrahedra, kept in part, 1.2 where all are.
-constexpr double secondsPerClippedCell = 6e-7;
-
 /**
  * The part of a data set in which numbers at its points, interpolated along edges, are more than 0,
  * with all arrays of the data set. Cells are cut by vtkTableBasedClipDataSet. Cells of a point that

@@ -96,26 +96,16 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
 
 } // namespace
 
-EvaluationCost costOfCutDistances(const Field& field, std::size_t samples)
+std::size_t bytesOfCutDistances(const Field& field, std::size_t samples)
 {
   constexpr double samplesPerArea = 4; // an area in squares of the distance between samples
-  constexpr double secondsPerBoundaryEdge = 8e-9;
   const double count =
     std::min(samplesPerArea * field.sampledSource(samples).area, static_cast<double>(samples));
   const auto cut = static_cast<std::size_t>(count);
-  EvaluationCost cost = field.expectedCostOfValues(cut);
-  cost += field.expectedCostOfDistances(cut);
-  if (field.info().isSurface)
-  {
-    cost.seconds +=
-      secondsPerBoundaryEdge * count * static_cast<double>(field.info().netBoundaryEdges);
-  }
-  else
-  {
-    cost += field.expectedCostOfValues(cut); // gradients come through the same hierarchy
-  }
-  cost.bytes += static_cast<std::size_t>(bytesPerCutSample * count);
-  return cost;
+  // Gradients of clouds come through the same hierarchy once more.
+  const std::size_t hierarchies = field.info().isSurface ? 1 : 2;
+  return hierarchies * field.expectedBytes(cut) + field.expectedBytesOfDistances(cut) +
+         static_cast<std::size_t>(bytesPerCutSample * count);
 }
 
 std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/EvaluationCost.h"
 #include "base/Executor.h"
 #include "base/InsideRule.h"
 
@@ -17,9 +16,9 @@ class ProbeQueries;
 /// samples of cells that are cut comes in addition.
 constexpr double bytesPerSampleOfCuts = 9;
 
-/// The cost that cutDistances() is expected to have in addition to the field at so many samples:
-/// those of cells that are cut are about as many as a surface meets in a grid of so many samples.
-EvaluationCost costOfCutDistances(const Field& field, std::size_t samples);
+/// Returns the memory that cutDistances() is expected to take in addition to the field at `samples`
+/// samples: cells that are cut have about as many as a surface crosses in a grid of that size.
+std::size_t bytesOfCutDistances(const Field& field, std::size_t samples);
 
 /**
  * Numbers at the points of data sets, more than 0 at those that are kept and less than 0 at the

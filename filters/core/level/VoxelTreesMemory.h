@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/EvaluationCost.h"
 #include "base/Executor.h"
 #include "level/VoxelTrees.h"
 
@@ -20,10 +19,9 @@ namespace winding
 double expectedVertices(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor);
 
-/// The expected cost of so many vertices in addition to the field itself. The bytes are those of a
-/// vtkHyperTreeGrid, and of what is at work while it is made. The seconds are less than 0 where the
-/// field is spared the writing of its values.
-EvaluationCost costOfVoxelTrees(
+/// Returns the expected memory of `vertices` vertices beside that of the field: of a
+/// vtkHyperTreeGrid, and of what is at work while it is made.
+std::size_t bytesOfVoxelTrees(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, double vertices);
 
 } // namespace winding

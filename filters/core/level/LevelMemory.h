@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/EvaluationCost.h"
 #include "base/Executor.h"
 #include "base/InsideRule.h"
 #include "field/Field.h"
@@ -21,12 +20,9 @@ double levelEdgesByArea(const Field& field, const Grid& grid);
 double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule rule,
   double threshold, bool withBorder, Executor& executor);
 
-/**
- * The cost that the level surface of a field on a grid is expected to have in addition to the field
- * itself (LevelEdges.h, EdgeCrossings.h, LevelRoots.h), if it crosses so many edges. The seconds
- * are less than 0 where the field of a closed surface is spared the writing of its values. The
- * bytes are those of everything that grows with the edges, among them the surface with its normals.
- */
-EvaluationCost costOfLevelSurface(const Field& field, const Grid& grid, double edges);
+/// Returns the memory that the level surface of a field takes beside the field if it crosses
+/// `edges` edges of the grid: of everything that grows with them, the surface with its normals
+/// included.
+std::size_t bytesOfLevelSurface(const Field& field, double edges);
 
 } // namespace winding

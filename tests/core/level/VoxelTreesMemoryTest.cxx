@@ -1,4 +1,4 @@
-#include "level/VoxelTreesCost.h"
+#include "level/VoxelTreesMemory.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ double ratioOf(const Field& field, const Grid& grid, const VoxelTreeOptions& opt
   return found / expectedVertices(field, grid, options, serial);
 }
 
-TEST(VoxelTreesCost, VerticesOfClosedSurfacesAreForetold)
+TEST(VoxelTreesMemory, VerticesOfClosedSurfacesAreForetold)
 {
   const auto field = fieldOf(icosphere(4));
   for (const int resolution : {64, 127, 200})
@@ -56,7 +56,7 @@ TEST(VoxelTreesCost, VerticesOfClosedSurfacesAreForetold)
   }
 }
 
-TEST(VoxelTreesCost, VerticesOfOpenSurfacesAreForetold)
+TEST(VoxelTreesMemory, VerticesOfOpenSurfacesAreForetold)
 {
   const auto field = fieldOf(icosphere(3).part(0, 1000));
   for (const int resolution : {64, 128})
@@ -78,7 +78,7 @@ TEST(VoxelTreesCost, VerticesOfOpenSurfacesAreForetold)
   }
 }
 
-TEST(VoxelTreesCost, MemoryGrowsWithWhatIsWanted)
+TEST(VoxelTreesMemory, MemoryGrowsWithWhatIsWanted)
 {
   const auto field = fieldOf(icosphere(2));
   const Grid grid = gridOf(64);
@@ -88,25 +88,10 @@ TEST(VoxelTreesCost, MemoryGrowsWithWhatIsWanted)
   const double vertices = 1e8;
   const auto bytesOf = [&](const VoxelTreeOptions& options)
   {
-    return static_cast<double>(costOfVoxelTrees(*field, grid, options, vertices).bytes);
+    return static_cast<double>(bytesOfVoxelTrees(*field, grid, options, vertices));
   };
   EXPECT_NEAR(bytesOf(values) - bytesOf(inside), 4 * vertices, 1e7);
   EXPECT_NEAR(bytesOf(doubles) - bytesOf(inside), 8 * vertices, 1e7);
-}
-
-TEST(VoxelTreesCost, RunsSpareTheSecondsOfValuesThatAreNotWritten)
-{
-  const Mesh mesh = icosphere(3);
-  const auto rows = fieldOf(mesh);
-  const Grid grid = gridOf(256);
-  const std::size_t samples = sampleCount(grid.wholeExtent());
-  const double seconds = costOfVoxelTrees(*rows, grid, {}, 0).seconds;
-  EXPECT_LT(seconds, 0);
-  // The time of the rows is left.
-  EXPECT_GT(rows->expectedCostOfValues(samples).seconds + seconds, 0);
-  VoxelTreeOptions fractions;
-  fractions.withCoverage = true;
-  EXPECT_EQ(costOfVoxelTrees(*rows, grid, fractions, 0).seconds, 0) << "its values are written";
 }
 
 } // namespace

@@ -1,12 +1,19 @@
 #pragma once
 
-#include "base/EvaluationCost.h"
+#include "base/SampledSource.h"
 
 namespace winding
 {
 
-/// The expected cost of a tree and its moments, and of expansions for the samples.
-EvaluationCost costOfFarField(const SampledSource& source, int order);
+/// Returns the expected memory of a tree and its moments, with that of the source.
+std::size_t bytesOfFarField(Primitive kind, std::size_t primitives, int order);
+
+///@{
+/// Weigh the work of scattered samples by each method, for the choice between them alone: in
+/// seconds of one thread on one processor, a few times as many on others.
+double weightOfDirectSum(std::size_t triangles, std::size_t samples);
+double weightOfFarField(const SampledSource& triangles, int order);
+///@}
 
 /// Whether a far field stands already, or is to be built for the samples in question.
 enum class FarFieldState

@@ -1,4 +1,4 @@
-#include "level/LevelCost.h"
+#include "level/LevelMemory.h"
 #include "level/LevelEdges.h"
 #include "support/Shapes.h"
 
@@ -44,7 +44,7 @@ std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
   return Field::build(std::vector<TrianglesView>{mesh.view()}, {}, serial);
 }
 
-TEST(LevelCost, EdgesOfASphereAreForetold)
+TEST(LevelMemory, EdgesOfASphereAreForetold)
 {
   const Mesh ball = icosphere(4);
   const auto field = fieldOf(ball);
@@ -57,7 +57,7 @@ TEST(LevelCost, EdgesOfASphereAreForetold)
   }
 }
 
-TEST(LevelCost, EdgesOfACloudAreForetold)
+TEST(LevelMemory, EdgesOfACloudAreForetold)
 {
   const Cloud cloud = sphereCloud(2000);
   SerialExecutor serial;
@@ -68,7 +68,7 @@ TEST(LevelCost, EdgesOfACloudAreForetold)
   EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.2 * counts.found);
 }
 
-TEST(LevelCost, ACoarseGridSeesThatSpheresLieInEachOther)
+TEST(LevelMemory, ACoarseGridSeesThatSpheresLieInEachOther)
 {
   Mesh onion = icosphere(4);
   for (double scale = 0.9; scale > 0.05; scale -= 0.1)
@@ -81,15 +81,14 @@ TEST(LevelCost, ACoarseGridSeesThatSpheresLieInEachOther)
   EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.05 * counts.found);
 }
 
-TEST(LevelCost, BytesGrowWithTheEdges)
+TEST(LevelMemory, BytesGrowWithTheEdges)
 {
   const auto closed = fieldOf(icosphere(2));
   const auto open = fieldOf(icosphere(2).part(0, 300));
-  const Grid grid = gridOf(Eigen::Vector3d::Constant(0.1));
-  EXPECT_EQ(costOfLevelSurface(*closed, grid, 0).bytes, 0u);
-  EXPECT_EQ(costOfLevelSurface(*closed, grid, 1e6).bytes, 160'000'000u);
-  EXPECT_EQ(costOfLevelSurface(*open, grid, 1e6).bytes, 275'000'000u);
-  EXPECT_EQ(costOfLevelSurface(*open, grid, 1e30).bytes, std::size_t(1e18));
+  EXPECT_EQ(bytesOfLevelSurface(*closed, 0), 0u);
+  EXPECT_EQ(bytesOfLevelSurface(*closed, 1e6), 160'000'000u);
+  EXPECT_EQ(bytesOfLevelSurface(*open, 1e6), 275'000'000u);
+  EXPECT_EQ(bytesOfLevelSurface(*open, 1e30), std::size_t(1e18));
 }
 
 } // namespace

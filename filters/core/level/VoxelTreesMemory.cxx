@@ -1,7 +1,7 @@
-#include "level/VoxelTreesCost.h"
+#include "level/VoxelTreesMemory.h"
 
 #include "level/CubeRanges.h"
-#include "level/LevelCost.h"
+#include "level/LevelMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,25 +115,18 @@ double expectedVertices(
   return std::min(most, roots + 8 * cubes);
 }
 
-EvaluationCost costOfVoxelTrees(
+std::size_t bytesOfVoxelTrees(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, double vertices)
 {
   // A vertex has its numbers and a bit of the mask; a parent's children, and those of vertices
   // beside it, have a number of 4 bytes.
   const double bytesPerVertex = 1 + 2.5 + (options.withValues ? (options.asDouble ? 8 : 4) : 0) +
                                 (options.withCoverage ? sizeof(float) : 0);
-  constexpr double bytesPerTree = 500, secondsPerVertex = 90e-9;
+  constexpr double bytesPerTree = 500;
   const double bytes = vertices * bytesPerVertex +
                        bytesPerTree * static_cast<double>(bricksOf(grid).size()) +
                        VoxelTrees::bytesAtWork(field, grid, options);
-  EvaluationCost cost;
-  cost.bytes = static_cast<std::size_t>(std::min(bytes, 1e18));
-  cost.seconds = secondsPerVertex * vertices;
-  if (VoxelTrees::areMadeOfRuns(field, options))
-  {
-    cost.seconds -= secondsPerValue * static_cast<double>(sampleCount(grid.wholeExtent()));
-  }
-  return cost;
+  return static_cast<std::size_t>(std::min(bytes, 1e18));
 }
 
 } // namespace winding
