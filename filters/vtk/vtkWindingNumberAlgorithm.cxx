@@ -2,7 +2,6 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
-#include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
@@ -16,9 +15,7 @@
 #include "report/InsideOutAdvice.h"
 #include "source/Grid.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -119,14 +116,12 @@ vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
   , Source(std::make_unique<winding::SourceField>())
 {
   this->SetAreaArray("Area");
-  this->SetResultArrayName("WindingNumber");
 }
 
 vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 {
   this->SetNormalsArray(nullptr);
   this->SetAreaArray(nullptr);
-  this->SetResultArrayName(nullptr);
 }
 
 void vtkWindingNumberAlgorithm::SetController(vtkMultiProcessController* controller)
@@ -263,7 +258,6 @@ void vtkWindingNumberAlgorithm::CheckProperties()
   winding::checkSourceProperties(*this);
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   winding::coreInsideRule(this->InsideRule);
-  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::numberOfThreads, this->NumberOfThreads);
   winding::checkProperty(winding::Parameter::longestExpectedTime, this->LongestExpectedTime);
   winding::sourceDistribution(this->SourceDistribution);
@@ -274,11 +268,6 @@ void vtkWindingNumberAlgorithm::HashProperties(winding::ContentHash& hash)
   hash.addValue(winding::hashOf(this->GetSourceOptions()));
   hash.addValue(this->WindingThreshold);
   hash.addValue(this->InsideRule);
-  hash.addValue(this->GenerateWindingNumber);
-  hash.addValue(this->GenerateInside);
-  hash.addValue(this->GenerateSignedDistance);
-  hash.addValue(this->OutputScalarType);
-  hash.addText(winding::textOf(this->ResultArrayName));
 }
 
 void vtkWindingNumberAlgorithm::AgreeOnProperties()
@@ -411,31 +400,9 @@ winding::EvaluationCost vtkWindingNumberAlgorithm::GetAdditionalCost(
   return {};
 }
 
-bool vtkWindingNumberAlgorithm::WantsDistances() const
-{
-  return this->GenerateSignedDistance != 0;
-}
-
 double vtkWindingNumberAlgorithm::GetDistanceLimit() const
 {
   return std::numeric_limits<double>::infinity();
-}
-
-winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
-{
-  winding::ResultOptions options;
-  options.withValues = this->GenerateWindingNumber != 0;
-  options.withInside = this->GenerateInside != 0;
-  options.withDistances = this->WantsDistances();
-  options.scalarType = this->OutputScalarType;
-  options.name = winding::textOf(this->ResultArrayName);
-  return options;
-}
-
-double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
-{
-  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
-         static_cast<double>(samples);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -458,26 +425,6 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
     bounds[2 * axis + 1] = found.max()[axis];
   }
   return !found.isEmpty();
-}
-
-winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
-{
-  return {samples, this->GetResultOptions()};
-}
-
-winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
-{
-  winding::FieldOutput output =
-    results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
-  output.distanceLimit = this->GetDistanceLimit();
-  return output;
-}
-
-void vtkWindingNumberAlgorithm::AddResults(
-  const winding::ResultArrays& results, vtkDataSet* output, vtkDataSetAttributes* attributes) const
-{
-  results.addTo(attributes);
-  this->DescribeMethod(output);
 }
 
 void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
@@ -602,11 +549,6 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   winding::printSourceProperties(*this, os, indent);
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
-  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
-  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
-  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
-  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
-  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "LongestExpectedTime: " << this->LongestExpectedTime << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";

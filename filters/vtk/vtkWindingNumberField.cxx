@@ -8,6 +8,7 @@
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "private/source/SourceProperties.h"
 #include "source/Grid.h"
 #include "voxels/VoxelEvaluation.h"
 
@@ -19,15 +20,27 @@
 
 vtkStandardNewMacro(vtkWindingNumberField);
 
+vtkWindingNumberField::vtkWindingNumberField()
+{
+  this->SetResultArrayName("WindingNumber");
+}
+
+vtkWindingNumberField::~vtkWindingNumberField()
+{
+  this->SetResultArrayName(nullptr);
+}
+
 void vtkWindingNumberField::CheckProperties()
 {
   this->Superclass::CheckProperties();
+  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
 }
 
 void vtkWindingNumberField::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
+  winding::addTo(hash, this->GetResultOptions());
   hash.addValue(this->DistanceBand);
 }
 
@@ -49,20 +62,31 @@ void vtkWindingNumberField::MakeImage(vtkDataObject* source, const int samples[6
   this->CheckVerification(this->GenerateWindingNumber != 0);
   winding::Extent extent;
   std::copy_n(samples, 6, extent.begin());
-  const winding::ResultArrays results =
-    this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(extent)));
+  const winding::ResultArrays results(
+    static_cast<vtkIdType>(winding::sampleCount(extent)), this->GetResultOptions());
   const winding::Field& field = this->PrepareGridField(source);
   this->EvaluateVoxels(field, samples, results);
-  this->AddResults(results, image, attributes);
+  results.addTo(attributes);
+  this->DescribeMethod(image);
   this->Verify(field, samples, results.values());
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
 {
-  winding::ResultOptions options = this->Superclass::GetResultOptions();
-  options.withInside |= this->Coverage != CENTER;
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0 || this->Coverage != CENTER;
+  options.withDistances = this->WantsDistances();
   options.withCoverage = this->Coverage == FRACTION;
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
   return options;
+}
+
+double vtkWindingNumberField::GetResultBytes(vtkIdType samples) const
+{
+  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
+         static_cast<double>(samples);
 }
 
 void vtkWindingNumberField::EvaluateVoxels(
@@ -71,7 +95,8 @@ void vtkWindingNumberField::EvaluateVoxels(
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
-  voxels.output = this->OutputTo(results);
+  voxels.output = results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  voxels.output.distanceLimit = this->GetDistanceLimit();
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const winding::Grid& grid = this->GetSampling();
@@ -103,5 +128,10 @@ void vtkWindingNumberField::EvaluateVoxels(
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "DistanceBand: " << this->DistanceBand << "\n";
 }

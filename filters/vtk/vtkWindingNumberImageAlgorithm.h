@@ -24,6 +24,7 @@ namespace winding
 {
 struct VoxelEvaluation;
 }
+class vtkDataSetAttributes;
 class vtkImageData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberImageAlgorithm : public vtkWindingNumberGridAlgorithm

@@ -39,11 +39,10 @@
  * nothing; or cells of any regions. For parts by connectivity one rank has the whole surface, or
  * all do.
  *
- * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
- * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each
- * solid are compared, for which its values are made once more; the findings are about all solids
- * together. LongestExpectedTime is compared with the sum of all solids up to then. Facts about the
- * source are sums over all solids, and the method is the one of the solid with the most primitives.
+ * Sides are decided on values in float. VerifySamples of each solid are compared, for which its
+ * values are made once more; the findings are about all solids together. LongestExpectedTime is
+ * compared with the sum of all solids up to then. Facts about the source are sums over all solids,
+ * and the method is the one of the solid with the most primitives.
  *
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and labels that
  * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not say

@@ -132,6 +132,8 @@ void runProbe(const Options& options, Messages& messages)
   probe->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
   applyMethod(options, probe);
   probe->GenerateInsideOn();
+  probe->SetGenerateSignedDistance(options.distance);
+  probe->SetResultArrayName(options.array.c_str());
   probe->SetOutputScalarTypeToDouble();
   probe->SetInsideOut(options.insideOut);
   probe->SetExtractInside(
