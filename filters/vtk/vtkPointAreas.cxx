@@ -1,6 +1,6 @@
 #include "vtkPointAreas.h"
 
-#include "base/ShownExecutor.h"
+#include "base/Progress.h"
 #include "base/Views.h"
 #include "cloud/OutwardNormals.h"
 #include "private/pipeline/ErrorReports.h"

@@ -48,29 +48,6 @@ static_assert(isNumber(winding::OverlapRule::last, Filter::LAST));
 static_assert(isNumber(winding::OverlapRule::largestWindingNumber, Filter::LARGEST_WINDING_NUMBER));
 static_assert(isNumber(winding::OverlapRule::smallestVolume, Filter::SMALLEST_VOLUME));
 
-/// Shows progress as a share of all solids, until this object ends.
-class SharedProgress
-{
-public:
-  explicit SharedProgress(vtkAlgorithm* filter)
-    : filter_(filter)
-  {
-  }
-  ~SharedProgress() { filter_->SetProgressShiftScale(0, 1); }
-
-  SharedProgress(const SharedProgress&) = delete;
-  SharedProgress& operator=(const SharedProgress&) = delete;
-
-  void set(std::size_t number, std::size_t count)
-  {
-    const auto all = static_cast<double>(count);
-    filter_->SetProgressShiftScale(static_cast<double>(number) / all, 1 / all);
-  }
-
-private:
-  vtkAlgorithm* filter_;
-};
-
 double volumeOf(const winding::Field& field)
 {
   return field.cloud()     ? winding::volumeOf(*field.cloud())
@@ -289,13 +266,14 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   winding::LabelMerge merge(labels.arrays(), static_cast<winding::OverlapRule>(this->OverlapRule),
     this->InsideRule == ABSOLUTE, executor);
   winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
-  SharedProgress progress(this);
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
   this->EarlierExpectedSeconds = this->ExpectedSeconds = 0;
+  const auto all = static_cast<double>(solids.size());
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
-    progress.set(i, solids.size());
+    // Progress is a share of all solids, until the request ends.
+    this->SetProgressShiftScale(static_cast<double>(i) / all, 1 / all);
     const winding::Field& field = this->PrepareSolid(solids, i);
     prepareSeconds += this->PrepareSeconds;
     this->EarlierExpectedSeconds = this->ExpectedSeconds;

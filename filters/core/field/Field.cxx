@@ -1,7 +1,7 @@
 #include "field/Field.h"
 
-#include "base/DividedShare.h"
 #include "base/Evaluator.h"
+#include "base/Progress.h"
 #include "distance/DistanceCost.h"
 #include "distance/GridDistances.h"
 #include "distance/SampleDistances.h"
@@ -185,10 +185,10 @@ void Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
   const double ofValues = this->expectedCostOfValues(samples).seconds;
   const double ofDistances = this->expectedCostOfDistances(samples, output.distanceLimit).seconds;
   const double share = ofValues > 0 ? ofValues / (ofValues + ofDistances) : 0;
-  DividedShare divided(executor);
-  divided.set(0, share);
+  Progress progress(executor);
+  progress.set(0, share);
   evaluateValues(signedOutput);
-  divided.set(share, 1);
+  progress.set(share, 1);
   evaluateDistances(this->distanceTree(executor), signedOutput);
 }
 
