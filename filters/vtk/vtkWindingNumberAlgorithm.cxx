@@ -192,13 +192,8 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
     [&]()
     {
       *this->Ranks = winding::Ranks(isTogether ? this->Controller.Get() : nullptr);
-      this->Ranks->meet();
-      this->Ranks->agree(
-        [&]
-        {
-          isAnswered = (this->*answer)(request, inputs, outputs);
-          return true;
-        });
+      this->Ranks->barrier();
+      this->Ranks->agree([&] { isAnswered = (this->*answer)(request, inputs, outputs); });
     },
     [&]() { return this->IsNewError(); });
   this->Status = static_cast<int>(outcome);

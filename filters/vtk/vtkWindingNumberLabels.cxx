@@ -89,12 +89,7 @@ void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
 
 void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
 {
-  this->GetRanks().agree(
-    [&]
-    {
-      winding::checkSolids(source, this->SourceAsPoints != 0);
-      return true;
-    });
+  this->GetRanks().agree([&] { winding::checkSolids(source, this->SourceAsPoints != 0); });
 }
 
 void vtkWindingNumberLabels::TellFaults(const winding::FieldInfo&)
@@ -270,6 +265,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   vtkIdType memory = 0;
   this->EarlierExpectedSeconds = this->ExpectedSeconds = 0;
   const auto all = static_cast<double>(solids.size());
+  // The loop is collective: each solid is built of the parts of all ranks, in the same order.
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     // Progress is a share of all solids, until the request ends.

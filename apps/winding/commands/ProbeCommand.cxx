@@ -155,6 +155,6 @@ void runProbe(const Options& options, Messages& messages)
     });
   const Figures figures = {parallel::maximum(readSeconds),
     parallel::maximum(probe->GetPrepareSeconds()), parallel::maximum(probe->GetEvaluateSeconds()),
-    parallel::maximum(stopwatch.seconds()), parallel::ofAll(static_cast<double>(peakMemory()))};
+    parallel::maximum(stopwatch.seconds()), parallel::allGather(static_cast<double>(peakMemory()))};
   parallel::agreeOnFirst([&] { printReport(options, *probe, probed, figures); });
 }
