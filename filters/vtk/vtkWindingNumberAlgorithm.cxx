@@ -291,21 +291,9 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
   return options;
 }
 
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
-  vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples)
-{
-  return this->PrepareFieldFor(source, grid, ownSamples);
-}
-
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
-  vtkDataObject* source, const winding::VectorsView& samples)
-{
-  return this->PrepareFieldFor(source, samples, samples.size());
-}
-
 template <class Samples>
-const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
-  vtkDataObject* source, const Samples& samples, std::size_t count)
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const Samples& samples, std::size_t ownSamples)
 {
   this->SourceIsInsideOut = false;
   this->PrepareSeconds = 0;
@@ -329,8 +317,8 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  this->EstimateCost(field, static_cast<vtkIdType>(count), executor.threads());
-  this->CheckExpectedTime(field, static_cast<vtkIdType>(count));
+  this->EstimateCost(field, static_cast<vtkIdType>(ownSamples), executor.threads());
+  this->CheckExpectedTime(field, static_cast<vtkIdType>(ownSamples));
   field.prepare(samples, executor);
   if (this->WantsDistances())
   {
@@ -341,6 +329,11 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   this->TellFaults(field.info());
   return field;
 }
+
+template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject*, const winding::Grid&, std::size_t);
+template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject*, const winding::VectorsView&, std::size_t);
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {

@@ -67,10 +67,8 @@ class Executor;
 class Field;
 class Ranks;
 class SourceField;
-class VectorsView;
 struct EvaluationCost;
 struct FieldInfo;
-struct Grid;
 struct SideCounts;
 struct SourceOptions;
 } // namespace winding
@@ -401,14 +399,12 @@ protected:
 
   static void FillSourcePortInformation(vtkInformation* info);
 
-  ///@{
-  /// The field of a source, built or kept, and prepared for the samples of a grid, for this
-  /// rank's `ownSamples` of them, or for scattered ones; warns about faults of the source. Throws
-  /// an interruption if aborted. Collective.
+  /// Returns the field of a source, built or kept, and prepared for `samples`, a winding::Grid or a
+  /// winding::VectorsView. This rank evaluates `ownSamples` of them. Warns about faults of the
+  /// source. Throws an interruption if aborted. Collective.
+  template <class Samples>
   const winding::Field& PrepareField(
-    vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples);
-  const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
-  ///@}
+    vtkDataObject* source, const Samples& samples, std::size_t ownSamples);
 
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
@@ -491,9 +487,6 @@ protected:
   double EarlierExpectedSeconds = 0; ///< those of sources before this one in the same execution
 
 private:
-  template <class Samples>
-  const winding::Field& PrepareFieldFor(
-    vtkDataObject* source, const Samples& samples, std::size_t count);
   void EstimateCost(const winding::Field& field, vtkIdType samples, int threads);
   void CheckExpectedTime(const winding::Field& field, vtkIdType samples);
   int RepeatRefusal(

@@ -15,7 +15,6 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkWindingNumberField);
@@ -56,14 +55,12 @@ int vtkWindingNumberField::GetActiveScalarType() const
   return scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType;
 }
 
-void vtkWindingNumberField::MakeImage(vtkDataObject* source, const int samples[6],
+void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Extent& samples,
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
   this->CheckVerification(this->GenerateWindingNumber != 0);
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
   const winding::ResultArrays results(
-    static_cast<vtkIdType>(winding::sampleCount(extent)), this->GetResultOptions());
+    static_cast<vtkIdType>(winding::sampleCount(samples)), this->GetResultOptions());
   const winding::Field& field = this->PrepareGridField(source);
   this->EvaluateVoxels(field, samples, results);
   results.addTo(attributes);
@@ -90,7 +87,7 @@ double vtkWindingNumberField::GetResultBytes(vtkIdType samples) const
 }
 
 void vtkWindingNumberField::EvaluateVoxels(
-  const winding::Field& field, const int samples[6], const winding::ResultArrays& results)
+  const winding::Field& field, const winding::Extent& samples, const winding::ResultArrays& results)
 {
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -100,19 +97,17 @@ void vtkWindingNumberField::EvaluateVoxels(
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const winding::Grid& grid = this->GetSampling();
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
   if (voxels.coverage != winding::Coverage::center)
   {
-    const std::size_t count = winding::sampleCount(extent);
+    const std::size_t count = winding::sampleCount(samples);
     winding::refuseBeyondFreeMemory(
       this->GetResultBytes(static_cast<vtkIdType>(count)) +
         static_cast<double>(voxels.additionalCost(field, count).bytes),
       "the coverage of " + std::to_string(count) + " voxels",
       {winding::largerVoxels(), winding::inPieces()});
   }
-  voxels.run(field, grid, extent, executor);
-  if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)
+  voxels.run(field, grid, samples, executor);
+  if (samples == grid.wholeExtent() && this->InsideRule == SIGNED)
   {
     executor.setShare(1, 1);
     const double threshold = this->WindingThreshold;

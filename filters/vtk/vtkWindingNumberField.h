@@ -118,7 +118,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
 
   int GetActiveScalarType() const override;
-  void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+  void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   double GetDistanceLimit() const override;
@@ -133,8 +133,8 @@ protected:
 
 private:
   winding::ResultOptions GetResultOptions() const;
-  void EvaluateVoxels(
-    const winding::Field& field, const int samples[6], const winding::ResultArrays& results);
+  void EvaluateVoxels(const winding::Field& field, const std::array<int, 6>& samples,
+    const winding::ResultArrays& results);
 };
 
 #endif

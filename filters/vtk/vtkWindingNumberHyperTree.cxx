@@ -202,8 +202,8 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
     this->UpdateProgress(1);
   }
   const winding::Extent extent = grid.wholeExtent();
-  this->Verify(field, extent.data(),
-    [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
+  this->Verify(
+    field, extent, [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
 }
 
 void vtkWindingNumberHyperTree::TellTolerance(

@@ -192,7 +192,7 @@ void vtkWindingNumberLabels::LookInside(const winding::Field& field, const std::
   }
 }
 
-void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[6],
+void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Extent& samples,
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
   this->CheckVerification(true);
@@ -206,9 +206,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[
   const winding::Solids solids(source, options, this->GetRanks(), executor);
   this->Facts->expected = solids.size();
 
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
-  winding::LabelImage labels(extent, this->GetImageOptions(solids.size()));
+  winding::LabelImage labels(samples, this->GetImageOptions(solids.size()));
   this->MergeSolids(solids, labels);
   labels.addTo(attributes);
   this->LookAtSource(source);
@@ -239,7 +237,7 @@ void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const wind
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
   field.evaluate(this->GetSampling(), extent, output, executor);
-  this->Verify(field, extent.data(), [&values](std::size_t n) { return values[n]; });
+  this->Verify(field, extent, [&values](std::size_t n) { return values[n]; });
 
   const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
   this->MaxError = std::max(maxError, this->MaxError);

@@ -56,7 +56,6 @@
 
 #include "vtkWindingNumberImageAlgorithm.h"
 
-#include <array>   // for extents
 #include <cstddef> // for std::size_t
 #include <string>  // for the names of solids
 
@@ -160,7 +159,7 @@ protected:
   double GetResultBytes(vtkIdType samples) const override;
 
   int GetActiveScalarType() const override { return VTK_UNSIGNED_SHORT; }
-  void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+  void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
 
   int OverlapRule = FIRST;

@@ -187,8 +187,9 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   const winding::ResultArrays results(queries.size(), options);
   vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
   const auto count = static_cast<std::size_t>(queries.size());
-  const winding::Field& field = queries.grid() ? this->PrepareField(source, *queries.grid(), count)
-                                               : this->PrepareField(source, queries.samples());
+  const winding::Field& field = queries.grid()
+                                  ? this->PrepareField(source, *queries.grid(), count)
+                                  : this->PrepareField(source, queries.samples(), count);
   this->EvaluateSamples(field, queries, results);
   if (this->InsideOut)
   {

@@ -387,7 +387,7 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
     field.evaluate(grid, extent,
       values.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold), executor);
   }
-  this->Verify(field, extent.data(), values.values());
+  this->Verify(field, extent, values.values());
 }
 
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
