@@ -54,11 +54,6 @@ def is_reported(element):
     return element.get("information_only") == "1"
 
 
-def is_switched_off(element):
-    """Whether a filter hides a property of its base, which means nothing to it."""
-    return element.get("panel_visibility") == "never" and element.get("override") == "1"
-
-
 def markup(text):
     """Paragraphs of HTML from the text of a Documentation, with its **bold** and *italic* words."""
     paragraphs = []
@@ -138,7 +133,7 @@ def page(proxy, proxies):
     for element in properties_of(family).values():
         if is_reported(element):
             reported.append(element)
-        elif not is_switched_off(element):
+        else:
             groups.setdefault(headings.get(element.get("name"), "Properties"), []).append(element)
     for heading, elements in groups.items():
         lines += table(heading, elements, SETTABLE_COLUMNS)

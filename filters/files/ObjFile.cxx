@@ -1,6 +1,6 @@
 #include "files/ObjFile.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/LineBlocks.h"
 #include "files/OrderedBlocks.h"
 #include "files/Words.h"
@@ -157,11 +157,11 @@ public:
 
   MeshArrays run()
   {
-    DividedShare share(executor_);
-    share.set(0, 0.3); // counting takes three tenths of the time
+    Progress progress(executor_);
+    progress.set(0, 0.3); // counting takes three tenths of the time
     this->count();
     this->allocate();
-    share.set(0.3, 1);
+    progress.set(0.3, 1);
     runOrderedBlocks(
       blocks_.count(), [this](std::size_t block) { this->parse(block); }, executor_);
     if (!normalsFit_)

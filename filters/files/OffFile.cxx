@@ -1,6 +1,6 @@
 #include "files/OffFile.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/ContentLines.h"
 
 #include <algorithm>
@@ -235,17 +235,17 @@ void readFaces(const InputFile& file, const ContentLines& lines, const Header& h
 
 MeshArrays readOff(const InputFile& file, Executor& executor)
 {
-  DividedShare share(executor);
-  share.set(0, 0.15); // the parts of the time that the steps take, for a mesh of triangles
+  Progress progress(executor);
+  progress.set(0, 0.15); // the parts of the time that the steps take, for a mesh of triangles
   const ContentLines lines(file, executor);
   const Header header = readHeader(file, lines);
   requireLines(file, lines, header);
   MeshArrays mesh;
-  share.set(0.15, 0.5);
+  progress.set(0.15, 0.5);
   readVertices(lines, header, mesh, executor);
-  share.set(0.5, 0.7);
+  progress.set(0.5, 0.7);
   const std::vector<FaceCounts> starts = countFaces(lines, header, executor);
-  share.set(0.7, 1);
+  progress.set(0.7, 1);
   readFaces(file, lines, header, starts, {&mesh.vertices, &mesh.lines, &mesh.polygons}, executor);
   if (header.faces == 0)
   {

@@ -1,6 +1,6 @@
 #include "files/PlyBinary.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/PlyItems.h"
 #include "files/PlyNumbers.h"
 
@@ -90,7 +90,7 @@ public:
 
   MeshArrays run()
   {
-    DividedShare share(executor_);
+    Progress progress(executor_);
     const PlyElement* const vertex = header_.find("vertex");
     const PlyElement* const face = header_.find("face");
     std::size_t start = header_.bytes;
@@ -99,7 +99,7 @@ public:
       const PlyProperty* const list = &element == face ? element.corners() : nullptr;
       PlyElementReader reader(file_, header_.encoding, element, list, start);
       reader.findEnd();
-      share.set(this->shareAt(start), this->shareAt(reader.end()));
+      progress.set(this->shareAt(start), this->shareAt(reader.end()));
       if (&element == vertex)
       {
         this->readVertices(reader, element);

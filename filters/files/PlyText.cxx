@@ -1,6 +1,6 @@
 #include "files/PlyText.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/ContentLines.h"
 
 #include <algorithm>
@@ -124,7 +124,7 @@ public:
     : file_(file)
     , header_(header)
     , executor_(executor)
-    , share_(executor)
+    , progress_(executor)
     , lines_(this->lines())
   {
   }
@@ -135,7 +135,7 @@ public:
     for (const PlyElement& element : header_.elements)
     {
       const std::size_t last = first + static_cast<std::size_t>(element.count);
-      share_.set(this->shareAt(first), this->shareAt(last));
+      progress_.set(this->shareAt(first), this->shareAt(last));
       // The lines that are there may be at fault, too, and come first.
       const std::size_t there = std::min(last, lines_.count());
       this->readElement(element, first, there);
@@ -157,7 +157,7 @@ private:
 
   ContentLines lines()
   {
-    share_.set(0, counting);
+    progress_.set(0, counting);
     return ContentLines(file_, executor_);
   }
 
@@ -391,7 +391,7 @@ private:
   const InputFile& file_;
   const PlyHeader& header_;
   Executor& executor_;
-  DividedShare share_;
+  Progress progress_;
   ContentLines lines_;
   MeshArrays mesh_;
 };

@@ -1,6 +1,6 @@
 #include "files/PointsFile.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/ContentLines.h"
 
 namespace winding
@@ -95,14 +95,14 @@ void readPart(ContentLines::Part& part, const Layout& layout, MeshArrays& mesh)
 
 MeshArrays readPoints(const InputFile& file, Executor& executor)
 {
-  DividedShare share(executor);
-  share.set(0, 0.2); // counting takes a fifth of the time
+  Progress progress(executor);
+  progress.set(0, 0.2); // counting takes a fifth of the time
   const ContentLines lines(file, executor);
   const Layout layout = findLayout(file, lines);
   MeshArrays mesh;
   mesh.points.doubles = PlainArray<double>(3 * layout.points);
   mesh.normals.doubles = PlainArray<double>(layout.hasNormals() ? 3 * layout.points : 0);
-  share.set(0.2, 1);
+  progress.set(0.2, 1);
   lines.visit(
     layout.firstLine, lines.count(),
     [&](std::size_t, ContentLines::Part& part) { readPart(part, layout, mesh); }, executor);

@@ -1,6 +1,6 @@
 #include "files/StlText.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/LineBlocks.h"
 #include "files/LineScanner.h"
 #include "files/OrderedBlocks.h"
@@ -99,11 +99,11 @@ public:
 
   PlainArray<double> run()
   {
-    DividedShare share(executor_);
-    share.set(0, 0.3); // the first look takes three tenths of the time
+    Progress progress(executor_);
+    progress.set(0, 0.3); // the first look takes three tenths of the time
     runOrderedBlocks(
       blocks_.count(), [this](std::size_t block) { this->look(block); }, executor_);
-    share.set(0.3, 1);
+    progress.set(0.3, 1);
     this->readVertices();
     this->checkEnd();
     this->checkOrder();

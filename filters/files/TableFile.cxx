@@ -1,6 +1,6 @@
 #include "files/TableFile.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/ColumnNames.h"
 #include "files/TableRows.h"
 #include "files/Words.h"
@@ -75,8 +75,8 @@ public:
   /// Texts are null where no others are read.
   void run(TextColumns* texts, Executor& executor)
   {
-    DividedShare share(executor);
-    share.set(0, texts ? 0.7 : 1);
+    Progress progress(executor);
+    progress.set(0, texts ? 0.7 : 1);
     rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
     rows_.checkEnd();
     bool hasTexts = false;
@@ -93,7 +93,7 @@ public:
     }
     if (hasTexts)
     {
-      share.set(0.7, 1);
+      progress.set(0.7, 1);
       rows_.visit([&](TableRows::Part& part) { this->readTexts(part, *texts); }, executor);
     }
   }
@@ -221,8 +221,8 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   {
     file.refuse(withoutPositions(table, options.separator));
   }
-  DividedShare share(executor);
-  share.set(0, 0.2); // finding the rows takes a fifth of the time
+  Progress progress(executor);
+  progress.set(0, 0.2); // finding the rows takes a fifth of the time
   const TableRows rows(file, options.separator, header.end, options.bytesPerBlock, executor);
   FieldsParser parser(file, rows, table);
   parser.readInto(table.points.points.doubles, positions);
@@ -247,7 +247,7 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   {
     parser.readPlaces();
   }
-  share.set(0.2, 1);
+  progress.set(0.2, 1);
   parser.run(options.texts, executor);
   table.points.vertices = oneCellOf(rows.count());
   return table;

@@ -1,6 +1,6 @@
 #include "files/TableRows.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "files/OrderedBlocks.h"
 
 #include <algorithm>
@@ -99,11 +99,11 @@ TableRows::TableRows(const InputFile& file, char separator, std::size_t start,
   , separator_(separator)
   , blocks_(file, start, bytesPerBlock)
 {
-  DividedShare share(executor);
-  share.set(0, 0.5);
+  Progress progress(executor);
+  progress.set(0, 0.5);
   if (!this->countPlainRows(executor))
   {
-    share.set(0.5, 1);
+    progress.set(0.5, 1);
     this->findQuotedRows(start, bytesPerBlock, executor);
   }
   for (std::size_t block = 0; block + 1 < starts_.size(); ++block)
@@ -148,7 +148,7 @@ void TableRows::findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Exe
 {
   starts_.assign(1, 0);
   std::vector<std::size_t> places = {start};
-  DividedShare share(executor);
+  Progress progress(executor);
   const auto shareOf = [&](std::size_t place)
   {
     return static_cast<double>(place) / static_cast<double>(file_.size());
@@ -159,7 +159,7 @@ void TableRows::findQuotedRows(std::size_t start, std::size_t bytesPerBlock, Exe
     const std::size_t from = places.back();
     std::size_t count = 0;
     Stretch stretch;
-    share.set(shareOf(from), shareOf(std::min(from + bytes, file_.size())));
+    progress.set(shareOf(from), shareOf(std::min(from + bytes, file_.size())));
     runOrderedBlocks(
       1,
       [&](std::size_t)

@@ -1,6 +1,6 @@
 #include "vtkPointAreas.h"
 
-#include "base/ShownExecutor.h"
+#include "base/Progress.h"
 #include "base/Views.h"
 #include "cloud/OutwardNormals.h"
 #include "private/pipeline/ErrorReports.h"
@@ -178,13 +178,12 @@ int vtkPointAreas::RequestData(
       [&]()
       {
         winding::Ranks ranks(this->Controller);
-        ranks.meet();
+        ranks.barrier();
         ranks.agree(
           [&]
           {
             copyShallowly(vtkDataObject::GetData(inputs[0]), output);
             this->AddAreas(output, ranks);
-            return true;
           });
       });
   this->Status = static_cast<int>(outcome);

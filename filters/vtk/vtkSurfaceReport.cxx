@@ -102,13 +102,8 @@ int vtkSurfaceReport::RequestData(
     {"not enough memory for a report", {{"look at a part of the source", {}}}},
     [&]()
     {
-      ranks.meet();
-      ranks.agree(
-        [&]
-        {
-          this->MakeReport(vtkDataObject::GetData(inputs[0]), output, ranks);
-          return true;
-        });
+      ranks.barrier();
+      ranks.agree([&] { this->MakeReport(vtkDataObject::GetData(inputs[0]), output, ranks); });
     });
   if (outcome != winding::Outcome::done)
   {

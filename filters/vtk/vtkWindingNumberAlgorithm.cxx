@@ -3,7 +3,6 @@
 #include "base/Bounds.h"
 #include "base/Refusal.h"
 #include "base/Stopwatch.h"
-#include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
@@ -17,9 +16,7 @@
 #include "report/InsideOutAdvice.h"
 #include "source/Grid.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -121,14 +118,12 @@ vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
   , Source(std::make_unique<winding::SourceField>())
 {
   this->SetAreaArray("Area");
-  this->SetResultArrayName("WindingNumber");
 }
 
 vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 {
   this->SetNormalsArray(nullptr);
   this->SetAreaArray(nullptr);
-  this->SetResultArrayName(nullptr);
 }
 
 void vtkWindingNumberAlgorithm::SetController(vtkMultiProcessController* controller)
@@ -199,13 +194,8 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
     [&]()
     {
       *this->Ranks = winding::Ranks(isTogether ? this->Controller.Get() : nullptr);
-      this->Ranks->meet();
-      this->Ranks->agree(
-        [&]
-        {
-          isAnswered = (this->*answer)(request, inputs, outputs);
-          return true;
-        });
+      this->Ranks->barrier();
+      this->Ranks->agree([&] { isAnswered = (this->*answer)(request, inputs, outputs); });
     },
     [&]() { return this->IsNewError(); });
   this->Status = static_cast<int>(outcome);
@@ -265,7 +255,6 @@ void vtkWindingNumberAlgorithm::CheckProperties()
   winding::checkSourceProperties(*this);
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   winding::coreInsideRule(this->InsideRule);
-  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::numberOfThreads, this->NumberOfThreads);
   winding::checkProperty(winding::Parameter::longestExpectedTime, this->LongestExpectedTime);
   winding::sourceDistribution(this->SourceDistribution);
@@ -276,11 +265,6 @@ void vtkWindingNumberAlgorithm::HashProperties(winding::ContentHash& hash)
   hash.addValue(winding::hashOf(this->GetSourceOptions()));
   hash.addValue(this->WindingThreshold);
   hash.addValue(this->InsideRule);
-  hash.addValue(this->GenerateWindingNumber);
-  hash.addValue(this->GenerateInside);
-  hash.addValue(this->GenerateSignedDistance);
-  hash.addValue(this->OutputScalarType);
-  hash.addText(winding::textOf(this->ResultArrayName));
 }
 
 void vtkWindingNumberAlgorithm::AgreeOnProperties()
@@ -309,21 +293,9 @@ winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
   return options;
 }
 
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
-  vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples)
-{
-  return this->PrepareFieldFor(source, grid, ownSamples);
-}
-
-const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
-  vtkDataObject* source, const winding::VectorsView& samples)
-{
-  return this->PrepareFieldFor(source, samples, samples.size());
-}
-
 template <class Samples>
-const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
-  vtkDataObject* source, const Samples& samples, std::size_t count)
+const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject* source, const Samples& samples, std::size_t ownSamples)
 {
   this->SourceIsInsideOut = false;
   this->PrepareSeconds = 0;
@@ -347,8 +319,8 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   }
   // Looking whether the source is the last one is not preparing.
   start = this->Source->wasBuilt() ? start : Clock::now();
-  this->SamplesOfResult = count;
-  this->ExpectMemory(field, static_cast<vtkIdType>(count));
+  this->SamplesOfResult = ownSamples;
+  this->ExpectMemory(field, static_cast<vtkIdType>(ownSamples));
   field.prepare(samples, executor);
   if (this->WantsDistances())
   {
@@ -359,6 +331,11 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareFieldFor(
   this->TellFaults(field.info());
   return field;
 }
+
+template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject*, const winding::Grid&, std::size_t);
+template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
+  vtkDataObject*, const winding::VectorsView&, std::size_t);
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
@@ -446,9 +423,9 @@ double vtkWindingNumberAlgorithm::LongestOfRanks(double seconds)
   {
     return seconds;
   }
-  constexpr double perSecond = 1e6, most = 1e18; // ranks exchange integers
+  constexpr double perSecond = 1e6, most = 1e18; // ranks gather integers
   const auto number = static_cast<winding::Ranks::Number>(std::min(seconds * perSecond, most));
-  const auto numbers = this->Ranks->exchange([number] { return number; });
+  const auto numbers = this->Ranks->allGather([number] { return number; });
   return static_cast<double>(*std::max_element(numbers.begin(), numbers.end())) / perSecond;
 }
 
@@ -474,31 +451,9 @@ void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
   vtkWarningMacro(<< winding::lineOf(advice));
 }
 
-bool vtkWindingNumberAlgorithm::WantsDistances() const
-{
-  return this->GenerateSignedDistance != 0;
-}
-
 double vtkWindingNumberAlgorithm::GetDistanceLimit() const
 {
   return std::numeric_limits<double>::infinity();
-}
-
-winding::ResultOptions vtkWindingNumberAlgorithm::GetResultOptions() const
-{
-  winding::ResultOptions options;
-  options.withValues = this->GenerateWindingNumber != 0;
-  options.withInside = this->GenerateInside != 0;
-  options.withDistances = this->WantsDistances();
-  options.scalarType = this->OutputScalarType;
-  options.name = winding::textOf(this->ResultArrayName);
-  return options;
-}
-
-double vtkWindingNumberAlgorithm::GetResultBytes(vtkIdType samples) const
-{
-  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
-         static_cast<double>(samples);
 }
 
 void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
@@ -521,26 +476,6 @@ bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bo
     bounds[2 * axis + 1] = found.max()[axis];
   }
   return !found.isEmpty();
-}
-
-winding::ResultArrays vtkWindingNumberAlgorithm::MakeResults(vtkIdType samples) const
-{
-  return {samples, this->GetResultOptions()};
-}
-
-winding::FieldOutput vtkWindingNumberAlgorithm::OutputTo(const winding::ResultArrays& results) const
-{
-  winding::FieldOutput output =
-    results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
-  output.distanceLimit = this->GetDistanceLimit();
-  return output;
-}
-
-void vtkWindingNumberAlgorithm::AddResults(
-  const winding::ResultArrays& results, vtkDataSet* output, vtkDataSetAttributes* attributes) const
-{
-  results.addTo(attributes);
-  this->DescribeMethod(output);
 }
 
 void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
@@ -665,11 +600,6 @@ void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   winding::printSourceProperties(*this, os, indent);
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
-  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
-  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
-  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
-  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
-  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "LongestExpectedTime: " << this->LongestExpectedTime << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";

@@ -1,6 +1,6 @@
 /**
  * @class   vtkWindingNumberAlgorithm
- * @brief   base class of winding-number filters: source, method and result arrays
+ * @brief   base class of winding-number filters: source and method
  *
  * The generalized winding number w says how often an oriented surface wraps around a point: 1
  * inside, 0 outside, 2 where two solids overlap, and a smooth value in between near holes. It
@@ -67,20 +67,13 @@ class ContentHash;
 class Executor;
 class Field;
 class Ranks;
-class ResultArrays;
 class SmpExecutor;
 class SourceField;
-class VectorsView;
 struct FieldInfo;
-struct FieldOutput;
-struct Grid;
-struct ResultOptions;
 struct SideCounts;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
-class vtkDataSet;
-class vtkDataSetAttributes;
 class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberAlgorithm : public vtkAlgorithm
@@ -270,49 +263,6 @@ public:
   ///@}
 
   ///@{
-  /// Whether to add the array of w itself. Default on. Without it, "Inside" and the sign of
-  /// "SignedDistance" are made directly, with one byte of memory for each sample; they are what
-  /// they would be with an array of floats.
-  vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
-  vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
-  vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /// Whether to add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from
-  /// the value in the array of w. Default off.
-  vtkSetMacro(GenerateInside, vtkTypeBool);
-  vtkGetMacro(GenerateInside, vtkTypeBool);
-  vtkBooleanMacro(GenerateInside, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /// Whether to add the array "SignedDistance": the distance to the nearest point of the source's
-  /// triangles, or to the nearest point of its cloud, negative inside and 0 on the source. Its size
-  /// is exact up to rounding. Its sign follows from w, threshold and rule, whatever coverage or
-  /// InsideOut make of "Inside", and so may change across holes, where nothing is near. A source
-  /// without primitives gives the largest number of the array's type. Default off.
-  vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
-  vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
-  vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /// The name of the array of w. Default "WindingNumber".
-  vtkSetStringMacro(ResultArrayName);
-  vtkGetStringMacro(ResultArrayName);
-  ///@}
-
-  ///@{
-  /// The type of the arrays of w and of distances, VTK_FLOAT or VTK_DOUBLE. Methods without
-  /// approximation compute in double, and so do distances. Default VTK_FLOAT.
-  vtkSetMacro(OutputScalarType, int);
-  vtkGetMacro(OutputScalarType, int);
-  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
-  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
-  ///@}
-
-  ///@{
   /// The largest number of threads to use, as far as the machine has them; 0 leaves it to
   /// vtkSMPTools. The number does not change the result. Default 0.
   vtkSetMacro(NumberOfThreads, int);
@@ -451,14 +401,12 @@ protected:
 
   static void FillSourcePortInformation(vtkInformation* info);
 
-  ///@{
-  /// The field of a source, built or kept, and prepared for the samples of a grid, for this
-  /// rank's `ownSamples` of them, or for scattered ones; warns about faults of the source. Throws
-  /// an interruption if aborted. Collective.
+  /// Returns the field of a source, built or kept, and prepared for `samples`, a winding::Grid or a
+  /// winding::VectorsView. This rank evaluates `ownSamples` of them. Warns about faults of the
+  /// source. Throws an interruption if aborted. Collective.
+  template <class Samples>
   const winding::Field& PrepareField(
-    vtkDataObject* source, const winding::Grid& grid, std::size_t ownSamples);
-  const winding::Field& PrepareField(vtkDataObject* source, const winding::VectorsView& samples);
-  ///@}
+    vtkDataObject* source, const Samples& samples, std::size_t ownSamples);
 
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
@@ -493,33 +441,18 @@ protected:
   /// The bounds of a source's usable primitives; false if it has none. Collective.
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
-  /// The result arrays that the properties want.
-  virtual winding::ResultOptions GetResultOptions() const;
-
-  ///@{
-  /// The way of results into an output: arrays as the properties want them, the places in them that
-  /// the core writes to, and their addition to the output, together with what DescribeMethod()
-  /// adds.
-  winding::ResultArrays MakeResults(vtkIdType samples) const;
-  winding::FieldOutput OutputTo(const winding::ResultArrays& results) const;
-  void AddResults(const winding::ResultArrays& results, vtkDataSet* output,
-    vtkDataSetAttributes* attributes) const;
-  ///@}
-
   /// Adds field data that says how an output came about.
   void DescribeMethod(vtkDataObject* output) const;
 
-  /// Whether signed distances are to be made; as the result arrays want it, unless a filter says
-  /// otherwise.
-  virtual bool WantsDistances() const;
+  /// Returns whether signed distances are to be made: no, unless a filter says otherwise.
+  virtual bool WantsDistances() const { return false; }
 
   /// The distance beyond which samples get this number instead of theirs: infinity, unless a filter
   /// says otherwise.
   virtual double GetDistanceLimit() const;
 
-  /// The bytes that the filter takes for the result at `samples` samples, for ExpectedMemory: the
-  /// result arrays', unless a filter says otherwise.
-  virtual double GetResultBytes(vtkIdType samples) const;
+  /// Returns the bytes that the result takes at `samples` samples, for ExpectedMemory.
+  virtual double GetResultBytes(vtkIdType samples) const = 0;
 
   /// Returns the memory that the filter takes in addition to the field, distances and result arrays
   /// of `samples` samples: none, unless a filter says otherwise. May throw a Refusal.
@@ -549,11 +482,6 @@ protected:
   double Regularization = 0;
   double WindingThreshold = 0.5;
   int InsideRule = SIGNED;
-  vtkTypeBool GenerateWindingNumber = 1;
-  vtkTypeBool GenerateInside = 0;
-  vtkTypeBool GenerateSignedDistance = 0;
-  char* ResultArrayName = nullptr;
-  int OutputScalarType = VTK_FLOAT;
   int NumberOfThreads = 0;
   double LongestExpectedTime = 600;
   int SourceDistribution = DISTRIBUTION_AUTOMATIC;
@@ -568,9 +496,6 @@ protected:
   double EarlierPart = 0;    ///< the part of the work that these were
 
 private:
-  template <class Samples>
-  const winding::Field& PrepareFieldFor(
-    vtkDataObject* source, const Samples& samples, std::size_t count);
   void ExpectMemory(const winding::Field& field, vtkIdType samples);
   double LongestOfRanks(double seconds);
   void CheckExpectedTime(const winding::Field& field);

@@ -76,8 +76,6 @@ void vtkWindingNumberClip::FinishSamples(
   this->SamplesDone = 0;
 }
 
-void vtkWindingNumberClip::AddArrays(const winding::ResultArrays&, vtkDataSetAttributes*) const {}
-
 vtkSmartPointer<vtkDataSet> vtkWindingNumberClip::PartOf(
   vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char*)
 {

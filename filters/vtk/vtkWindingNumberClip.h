@@ -36,12 +36,8 @@
  * thinner than a cell. Interpolating w, which jumps by 1 across the surface, gives 0.14
  * to 0.26 for the same ones. The part inside and the part outside have the same points on the cut.
  *
- * The properties of vtkWindingNumberAlgorithm about result arrays (GenerateWindingNumber,
- * GenerateInside, GenerateSignedDistance, ResultArrayName, OutputScalarType), and those of
- * vtkWindingNumberProbe about samples and parts (ProbeAssociation, ExtractInside, InsideArrayName),
- * have no effect. Field data that says how the result came about is added. A warning says so where
- * the result is empty. Points that are NaN or infinite are neither inside nor outside; cells that
- * have them are left out.
+ * No arrays are added. A warning says so where the result is empty. Points that are NaN or infinite
+ * are neither inside nor outside; cells that have them are left out.
  *
  * **Pipeline.** w is evaluated at all points, distances and gradients at points of cells that are
  * cut. It takes 23 bytes for each point, 24 more for a data set that stores no coordinates of float
@@ -53,15 +49,15 @@
 #ifndef vtkWindingNumberClip_h
 #define vtkWindingNumberClip_h
 
-#include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberProbeAlgorithm.h"
 
 #include <vector> // for the numbers by which cells are cut
 
-class VTKFILTERSWINDING_EXPORT vtkWindingNumberClip : public vtkWindingNumberProbe
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberClip : public vtkWindingNumberProbeAlgorithm
 {
 public:
   static vtkWindingNumberClip* New();
-  vtkTypeMacro(vtkWindingNumberClip, vtkWindingNumberProbe);
+  vtkTypeMacro(vtkWindingNumberClip, vtkWindingNumberProbeAlgorithm);
 
 protected:
   vtkWindingNumberClip() = default;
@@ -73,9 +69,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  bool SamplesCells() const override { return false; }
   bool KeepsPart() const override { return true; }
-  bool WantsDistances() const override { return false; }
   const winding::ProbeWords& GetWords() const override;
   winding::ResultOptions GetResultOptions() const override;
   double GetResultBytes(vtkIdType samples) const override;
@@ -85,7 +79,6 @@ protected:
   double GetProgressOfSamples() const override;
   void FinishSamples(const winding::Field& field, const winding::ProbeQueries& queries,
     const unsigned char* inside) override;
-  void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const override;
   vtkSmartPointer<vtkDataSet> PartOf(
     vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside) override;
 

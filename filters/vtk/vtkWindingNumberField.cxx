@@ -7,26 +7,38 @@
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "private/source/SourceProperties.h"
 #include "source/Grid.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkWindingNumberField);
 
+vtkWindingNumberField::vtkWindingNumberField()
+{
+  this->SetResultArrayName("WindingNumber");
+}
+
+vtkWindingNumberField::~vtkWindingNumberField()
+{
+  this->SetResultArrayName(nullptr);
+}
+
 void vtkWindingNumberField::CheckProperties()
 {
   this->Superclass::CheckProperties();
+  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
 }
 
 void vtkWindingNumberField::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
+  winding::addTo(hash, this->GetResultOptions());
   hash.addValue(this->DistanceBand);
 }
 
@@ -42,40 +54,48 @@ int vtkWindingNumberField::GetActiveScalarType() const
   return scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType;
 }
 
-void vtkWindingNumberField::MakeImage(vtkDataObject* source, const int samples[6],
+void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Extent& samples,
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
   this->CheckVerification(this->GenerateWindingNumber != 0);
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
-  const winding::ResultArrays results =
-    this->MakeResults(static_cast<vtkIdType>(winding::sampleCount(extent)));
+  const winding::ResultArrays results(
+    static_cast<vtkIdType>(winding::sampleCount(samples)), this->GetResultOptions());
   const winding::Field& field = this->PrepareGridField(source);
   this->EvaluateVoxels(field, samples, results);
-  this->AddResults(results, image, attributes);
+  results.addTo(attributes);
+  this->DescribeMethod(image);
   this->Verify(field, samples, results.values());
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
 {
-  winding::ResultOptions options = this->Superclass::GetResultOptions();
-  options.withInside |= this->Coverage != CENTER;
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0 || this->Coverage != CENTER;
+  options.withDistances = this->WantsDistances();
   options.withCoverage = this->Coverage == FRACTION;
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
   return options;
 }
 
+double vtkWindingNumberField::GetResultBytes(vtkIdType samples) const
+{
+  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
+         static_cast<double>(samples);
+}
+
 void vtkWindingNumberField::EvaluateVoxels(
-  const winding::Field& field, const int samples[6], const winding::ResultArrays& results)
+  const winding::Field& field, const winding::Extent& samples, const winding::ResultArrays& results)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
-  voxels.output = this->OutputTo(results);
+  voxels.output = results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  voxels.output.distanceLimit = this->GetDistanceLimit();
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const winding::Grid& grid = this->GetSampling();
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
-  const std::size_t count = winding::sampleCount(extent);
+  const std::size_t count = winding::sampleCount(samples);
   if (voxels.coverage != winding::Coverage::center)
   {
     winding::refuseBeyondFreeMemory(this->GetResultBytes(static_cast<vtkIdType>(count)) +
@@ -86,8 +106,8 @@ void vtkWindingNumberField::EvaluateVoxels(
   this->Evaluate(field, static_cast<vtkIdType>(count), executor,
     [&]
     {
-      voxels.run(field, grid, extent, executor);
-      if (extent == grid.wholeExtent() && this->InsideRule == SIGNED)
+      voxels.run(field, grid, samples, executor);
+      if (samples == grid.wholeExtent() && this->InsideRule == SIGNED)
       {
         executor.setShare(1, 1);
         const double threshold = this->WindingThreshold;
@@ -104,5 +124,10 @@ void vtkWindingNumberField::EvaluateVoxels(
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "DistanceBand: " << this->DistanceBand << "\n";
 }

@@ -43,12 +43,61 @@
 
 #include "vtkWindingNumberImageAlgorithm.h"
 
+namespace winding
+{
+class ResultArrays;
+struct ResultOptions;
+} // namespace winding
+
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberField : public vtkWindingNumberImageAlgorithm
 {
 public:
   static vtkWindingNumberField* New();
   vtkTypeMacro(vtkWindingNumberField, vtkWindingNumberImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether to add the array of w itself. Default on. Without it, "Inside" and the sign of
+  /// "SignedDistance" are made directly, with one byte of memory for each sample; they are what
+  /// they would be with an array of floats.
+  vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "Inside" (unsigned char, 1 inside and 0 outside), which follows from
+  /// the value in the array of w. Default off.
+  vtkSetMacro(GenerateInside, vtkTypeBool);
+  vtkGetMacro(GenerateInside, vtkTypeBool);
+  vtkBooleanMacro(GenerateInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "SignedDistance": the distance to the nearest point of the source's
+  /// triangles, or to the nearest point of its cloud, negative inside and 0 on the source. Its size
+  /// is exact up to rounding. Its sign follows from w, threshold and rule, whatever coverage
+  /// makes of "Inside", and so may change across holes, where nothing is near. A source
+  /// without primitives gives the largest number of the array's type. Default off.
+  vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The name of the array of w. Default "WindingNumber".
+  vtkSetStringMacro(ResultArrayName);
+  vtkGetStringMacro(ResultArrayName);
+  ///@}
+
+  ///@{
+  /// The type of the arrays of w and of distances, VTK_FLOAT or VTK_DOUBLE. Methods without
+  /// approximation compute in double, and so do distances. Default VTK_FLOAT.
+  vtkSetMacro(OutputScalarType, int);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
+  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  ///@}
 
   ///@{
   /// The reach of "SignedDistance", in units of the longest side of a voxel: samples that are
@@ -59,8 +108,8 @@ public:
   ///@}
 
 protected:
-  vtkWindingNumberField() = default;
-  ~vtkWindingNumberField() override = default;
+  vtkWindingNumberField();
+  ~vtkWindingNumberField() override;
 
   vtkWindingNumberField(const vtkWindingNumberField&) = delete;
   void operator=(const vtkWindingNumberField&) = delete;
@@ -69,16 +118,23 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
 
   int GetActiveScalarType() const override;
-  void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+  void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
+  bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   double GetDistanceLimit() const override;
-  winding::ResultOptions GetResultOptions() const override;
+  double GetResultBytes(vtkIdType samples) const override;
 
+  vtkTypeBool GenerateWindingNumber = 1;
+  vtkTypeBool GenerateInside = 0;
+  vtkTypeBool GenerateSignedDistance = 0;
+  char* ResultArrayName = nullptr;
+  int OutputScalarType = VTK_FLOAT;
   double DistanceBand = 0;
 
 private:
-  void EvaluateVoxels(
-    const winding::Field& field, const int samples[6], const winding::ResultArrays& results);
+  winding::ResultOptions GetResultOptions() const;
+  void EvaluateVoxels(const winding::Field& field, const std::array<int, 6>& samples,
+    const winding::ResultArrays& results);
 };
 
 #endif

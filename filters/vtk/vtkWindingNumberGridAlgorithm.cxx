@@ -13,8 +13,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
-#include <algorithm>
-
 namespace
 {
 
@@ -170,23 +168,21 @@ void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
 }
 
 void vtkWindingNumberGridAlgorithm::Verify(
-  const winding::Field& field, const int* samples, vtkDataArray* values)
+  const winding::Field& field, const winding::Extent& samples, vtkDataArray* values)
 {
   this->Verify(field, samples,
     [values](std::size_t n) { return values->GetComponent(static_cast<vtkIdType>(n), 0); });
 }
 
-void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field, const int* samples,
-  const std::function<double(std::size_t)>& valueOf)
+void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field,
+  const winding::Extent& samples, const std::function<double(std::size_t)>& valueOf)
 {
   this->SetVerification(winding::Verification());
   if (this->VerifySamples > 0)
   {
     constexpr unsigned seed = 20260101;
-    winding::Extent extent;
-    std::copy_n(samples, 6, extent.begin());
     winding::SmpExecutor executor(this, this->NumberOfThreads);
-    this->SetVerification(winding::verify(field, *this->Sampling, extent, valueOf,
+    this->SetVerification(winding::verify(field, *this->Sampling, samples, valueOf,
       static_cast<std::size_t>(this->VerifySamples), seed, executor));
   }
 }

@@ -21,11 +21,13 @@
 
 #include "vtkWindingNumberAlgorithm.h"
 
+#include <array>      // for extents
 #include <cstddef>    // for std::size_t
 #include <functional> // for the values to verify
 
 namespace winding
 {
+struct Grid;
 struct GridRequest;
 struct Verification;
 } // namespace winding
@@ -154,8 +156,8 @@ protected:
   ///@{
   /// Verifies the values of an extent, if VerifySamples asks for it. valueOf(n) is the value of its
   /// n-th sample.
-  void Verify(const winding::Field& field, const int samples[6], vtkDataArray* values);
-  void Verify(const winding::Field& field, const int samples[6],
+  void Verify(const winding::Field& field, const std::array<int, 6>& samples, vtkDataArray* values);
+  void Verify(const winding::Field& field, const std::array<int, 6>& samples,
     const std::function<double(std::size_t)>& valueOf);
   ///@}
 

@@ -1,6 +1,5 @@
 #include "vtkWindingNumberHyperTree.h"
 
-#include "base/Refusal.h"
 #include "field/InsideOut.h"
 #include "level/VoxelTreesMemory.h"
 #include "private/output/TreeGrid.h"
@@ -26,6 +25,16 @@
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkWindingNumberHyperTree);
+
+vtkWindingNumberHyperTree::vtkWindingNumberHyperTree()
+{
+  this->SetResultArrayName("WindingNumber");
+}
+
+vtkWindingNumberHyperTree::~vtkWindingNumberHyperTree()
+{
+  this->SetResultArrayName(nullptr);
+}
 
 vtkHyperTreeGrid* vtkWindingNumberHyperTree::GetOutput()
 {
@@ -55,17 +64,13 @@ void vtkWindingNumberHyperTree::CheckProperties()
   winding::checkProperty(winding::Parameter::coverage, this->Coverage);
   winding::checkProperty(winding::Parameter::coverageSamples, this->CoverageSamples);
   winding::checkProperty(winding::Parameter::mergeTolerance, this->MergeTolerance);
-  if (this->GenerateSignedDistance)
-  {
-    throw winding::Refusal(winding::Message("a hyper tree grid has no distances",
-      {{"", {{winding::Parameter::generateSignedDistance, 0}}},
-        {"make an image", {winding::Parameter::image}}}));
-  }
+  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
 }
 
 void vtkWindingNumberHyperTree::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
+  winding::addTo(hash, this->GetResultOptions());
   hash.addValue(this->Coverage);
   hash.addValue(this->CoverageSamples);
   hash.addValue(this->MergeTolerance);
@@ -74,10 +79,13 @@ void vtkWindingNumberHyperTree::HashProperties(winding::ContentHash& hash)
 
 winding::ResultOptions vtkWindingNumberHyperTree::GetResultOptions() const
 {
-  winding::ResultOptions options = this->Superclass::GetResultOptions();
+  winding::ResultOptions options;
   const auto coverage = static_cast<winding::Coverage>(this->Coverage);
-  options.withInside |= coverage != winding::Coverage::center;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0 || coverage != winding::Coverage::center;
   options.withCoverage = coverage == winding::Coverage::fraction;
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
   return options;
 }
 
@@ -190,8 +198,8 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
       this->TellSides(field, sides, executor);
       this->UpdateProgress(1);
     });
-  this->Verify(field, extent.data(),
-    [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
+  this->Verify(
+    field, extent, [&](std::size_t n) { return made.valueAt(winding::sampleIndex(extent, n)); });
 }
 
 void vtkWindingNumberHyperTree::TellTolerance(
@@ -209,6 +217,10 @@ void vtkWindingNumberHyperTree::TellTolerance(
 void vtkWindingNumberHyperTree::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "Coverage: " << this->Coverage << "\n";
   os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";

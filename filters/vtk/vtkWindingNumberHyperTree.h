@@ -31,7 +31,7 @@
  * has the tolerance, and is absent where nothing was lost. A cell that is divided has the means of
  * its voxels, and in "Inside" 1 where half of them or more are inside.
  *
- * There are no signed distances, which have no equal neighbours: GenerateSignedDistance is refused.
+ * There are no signed distances, which have no equal neighbours.
  *
  * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
  * the whole: where several pieces are asked for, the first has everything. Progress, abort and the
@@ -54,7 +54,7 @@
 
 namespace winding
 {
-class TreeGrid;
+struct ResultOptions;
 struct VoxelTreeOptions;
 } // namespace winding
 class vtkHyperTreeGrid;
@@ -65,6 +65,34 @@ public:
   static vtkWindingNumberHyperTree* New();
   vtkTypeMacro(vtkWindingNumberHyperTree, vtkWindingNumberGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether to add the array of w. Default on.
+  vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "Inside" (1 inside and 0 outside). Default off.
+  vtkSetMacro(GenerateInside, vtkTypeBool);
+  vtkGetMacro(GenerateInside, vtkTypeBool);
+  vtkBooleanMacro(GenerateInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The name of the array of w. Default "WindingNumber".
+  vtkSetStringMacro(ResultArrayName);
+  vtkGetStringMacro(ResultArrayName);
+  ///@}
+
+  ///@{
+  /// The type of the array of w, VTK_FLOAT or VTK_DOUBLE. Default VTK_FLOAT.
+  vtkSetMacro(OutputScalarType, int);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
+  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  ///@}
 
   ///@{
   /// The rule by which a voxel is inside, one of vtkWindingNumberField::CoverageType. Default
@@ -106,8 +134,8 @@ public:
   vtkHyperTreeGrid* GetOutput();
 
 protected:
-  vtkWindingNumberHyperTree() = default;
-  ~vtkWindingNumberHyperTree() override = default;
+  vtkWindingNumberHyperTree();
+  ~vtkWindingNumberHyperTree() override;
 
   vtkWindingNumberHyperTree(const vtkWindingNumberHyperTree&) = delete;
   void operator=(const vtkWindingNumberHyperTree&) = delete;
@@ -121,12 +149,14 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
 
-  bool WantsDistances() const override { return false; }
   bool WorksOnFirstRank() const override { return true; }
   double GetResultBytes(vtkIdType samples) const override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
-  winding::ResultOptions GetResultOptions() const override;
 
+  vtkTypeBool GenerateWindingNumber = 1;
+  vtkTypeBool GenerateInside = 0;
+  char* ResultArrayName = nullptr;
+  int OutputScalarType = VTK_FLOAT;
   int Coverage = 0;
   int CoverageSamples = 4;
   double MergeTolerance = 0.01;
@@ -135,6 +165,7 @@ protected:
   vtkIdType NumberOfVertices = 0;
 
 private:
+  winding::ResultOptions GetResultOptions() const;
   winding::VoxelTreeOptions GetTreeOptions() const;
   void MakeTrees(const winding::Field& field, vtkHyperTreeGrid* output);
   void TellTolerance(const winding::Field& field, vtkHyperTreeGrid* output) const;

@@ -163,7 +163,7 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   {
     attributes = output->GetCellData();
   }
-  this->MakeImage(source, samples.data(), output, attributes);
+  this->MakeImage(source, samples, output, attributes);
   return 1;
 }
 

@@ -24,6 +24,7 @@ namespace winding
 {
 struct VoxelEvaluation;
 }
+class vtkDataSetAttributes;
 class vtkImageData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberImageAlgorithm : public vtkWindingNumberGridAlgorithm
@@ -113,8 +114,8 @@ protected:
 
   /// Makes the arrays of an extent of samples, and adds them to these attributes of the image,
   /// whose extent, origin and spacing are set. The grid has been laid over the source.
-  virtual void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
-    vtkDataSetAttributes* attributes) = 0;
+  virtual void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples,
+    vtkImageData* image, vtkDataSetAttributes* attributes) = 0;
 
   /// How voxels are evaluated, by Coverage; what they are written to is left to the caller.
   winding::VoxelEvaluation GetVoxelEvaluation() const;

@@ -47,29 +47,6 @@ static_assert(isNumber(winding::OverlapRule::last, Filter::LAST));
 static_assert(isNumber(winding::OverlapRule::largestWindingNumber, Filter::LARGEST_WINDING_NUMBER));
 static_assert(isNumber(winding::OverlapRule::smallestVolume, Filter::SMALLEST_VOLUME));
 
-/// Shows progress as a share of all solids, until this object ends.
-class SharedProgress
-{
-public:
-  explicit SharedProgress(vtkAlgorithm* filter)
-    : filter_(filter)
-  {
-  }
-  ~SharedProgress() { filter_->SetProgressShiftScale(0, 1); }
-
-  SharedProgress(const SharedProgress&) = delete;
-  SharedProgress& operator=(const SharedProgress&) = delete;
-
-  void set(std::size_t number, std::size_t count)
-  {
-    const auto all = static_cast<double>(count);
-    filter_->SetProgressShiftScale(static_cast<double>(number) / all, 1 / all);
-  }
-
-private:
-  vtkAlgorithm* filter_;
-};
-
 double volumeOf(const winding::Field& field)
 {
   return field.cloud()     ? winding::volumeOf(*field.cloud())
@@ -111,12 +88,7 @@ void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
 
 void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
 {
-  this->GetRanks().agree(
-    [&]
-    {
-      winding::checkSolids(source, this->SourceAsPoints != 0);
-      return true;
-    });
+  this->GetRanks().agree([&] { winding::checkSolids(source, this->SourceAsPoints != 0); });
 }
 
 void vtkWindingNumberLabels::TellFaults(const winding::FieldInfo&)
@@ -219,7 +191,7 @@ void vtkWindingNumberLabels::LookInside(const winding::Field& field, const std::
   }
 }
 
-void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[6],
+void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Extent& samples,
   vtkImageData* image, vtkDataSetAttributes* attributes)
 {
   this->CheckVerification(true);
@@ -233,9 +205,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const int samples[
   const winding::Solids solids(source, options, this->GetRanks(), executor);
   this->Facts->expected = solids.size();
 
-  winding::Extent extent;
-  std::copy_n(samples, 6, extent.begin());
-  winding::LabelImage labels(extent, this->GetImageOptions(solids.size()));
+  winding::LabelImage labels(samples, this->GetImageOptions(solids.size()));
   this->MergeSolids(solids, labels);
   labels.addTo(attributes);
   this->LookAtSource(source);
@@ -266,7 +236,7 @@ void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const wind
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
   field.evaluate(this->GetSampling(), extent, output, executor);
-  this->Verify(field, extent.data(), [&values](std::size_t n) { return values[n]; });
+  this->Verify(field, extent, [&values](std::size_t n) { return values[n]; });
 
   const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
   this->MaxError = std::max(maxError, this->MaxError);
@@ -288,7 +258,6 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   winding::LabelMerge merge(labels.arrays(), static_cast<winding::OverlapRule>(this->OverlapRule),
     this->InsideRule == ABSOLUTE, executor);
   winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
-  SharedProgress progress(this);
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
   vtkIdType cells = 0, earlierCells = 0;
@@ -297,13 +266,16 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
     cells += solids.cells(i);
   }
   this->EarlierSeconds = 0;
+  const auto all = static_cast<double>(solids.size());
+  // The loop is collective: each solid is built of the parts of all ranks, in the same order.
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     // A solid takes time for its cells and for the grid. What promises the least is believed.
-    this->EarlierPart = std::max(static_cast<double>(i) / static_cast<double>(solids.size()),
+    this->EarlierPart = std::max(static_cast<double>(i) / all,
       static_cast<double>(earlierCells) / static_cast<double>(std::max<vtkIdType>(cells, 1)));
     earlierCells += solids.cells(i);
-    progress.set(i, solids.size());
+    // Progress is a share of all solids, until the request ends.
+    this->SetProgressShiftScale(static_cast<double>(i) / all, 1 / all);
     const winding::Field& field = this->PrepareSolid(solids, i);
     prepareSeconds += this->PrepareSeconds;
     memory = std::max(memory, this->ExpectedMemory);

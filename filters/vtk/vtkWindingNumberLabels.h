@@ -39,12 +39,10 @@
  * nothing; or cells of any regions. For parts by connectivity one rank has the whole surface, or
  * all do.
  *
- * The properties GenerateWindingNumber, GenerateInside, GenerateSignedDistance, ResultArrayName and
- * OutputScalarType have no effect; sides are decided on values in float. VerifySamples of each
- * solid are compared, for which its values are made once more; the findings are about all solids
- * together. LongestExpectedTime is compared with what all solids take, by the clock of the first
- * ones. Facts about the source are sums over all solids, and the method is the one of the solid
- * with the most primitives.
+ * Sides are decided on values in float. VerifySamples of each solid are compared, for which its
+ * values are made once more; the findings are about all solids together. LongestExpectedTime is
+ * compared with what all solids take, by the clock of the first ones. Facts about the source are
+ * sums over all solids, and the method is the one of the solid with the most primitives.
  *
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and labels that
  * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not say
@@ -58,7 +56,6 @@
 
 #include "vtkWindingNumberImageAlgorithm.h"
 
-#include <array>   // for extents
 #include <cstddef> // for std::size_t
 #include <string>  // for the names of solids
 
@@ -162,7 +159,7 @@ protected:
   double GetResultBytes(vtkIdType samples) const override;
 
   int GetActiveScalarType() const override { return VTK_UNSIGNED_SHORT; }
-  void MakeImage(vtkDataObject* source, const int samples[6], vtkImageData* image,
+  void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
 
   int OverlapRule = FIRST;

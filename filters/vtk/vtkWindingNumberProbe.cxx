@@ -1,110 +1,31 @@
 #include "vtkWindingNumberProbe.h"
 
-#include "base/Executor.h"
-#include "base/Refusal.h"
-#include "base/Views.h"
-#include "field/Field.h"
-#include "field/InsideOut.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/PropertyChecks.h"
-#include "private/pipeline/SmpExecutor.h"
 #include "private/probe/InsidePart.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
 
-#include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataSet.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkNew.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <cstring>
-
-namespace
-{
-
-vtkSmartPointer<vtkDataObject> newInstance(vtkDataObject* data)
-{
-  return vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-}
-
-/// Samples that are NaN or infinite are nowhere, and stay outside.
-void turnInsideOut(const winding::ProbeQueries& queries, unsigned char* inside)
-{
-  const auto count = static_cast<std::size_t>(queries.size());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    inside[i] = !inside[i] && (queries.grid() || queries.position(i).allFinite());
-  }
-}
-
-} // namespace
 
 vtkStandardNewMacro(vtkWindingNumberProbe);
 
 vtkWindingNumberProbe::vtkWindingNumberProbe()
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(1);
+  this->SetResultArrayName("WindingNumber");
   this->SetInsideArrayName("Inside");
 }
 
 vtkWindingNumberProbe::~vtkWindingNumberProbe()
 {
+  this->SetResultArrayName(nullptr);
   this->SetInsideArrayName(nullptr);
-}
-
-void vtkWindingNumberProbe::SetSourceConnection(vtkAlgorithmOutput* source)
-{
-  this->SetInputConnection(1, source);
-}
-
-void vtkWindingNumberProbe::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataObject(1, source);
-}
-
-vtkDataSet* vtkWindingNumberProbe::GetOutput()
-{
-  return vtkDataSet::SafeDownCast(this->GetOutputDataObject(0));
-}
-
-int vtkWindingNumberProbe::IsInside(vtkIdType queryId)
-{
-  const bool isThere =
-    this->InsideFlags && queryId >= 0 && queryId < this->InsideFlags->GetNumberOfTuples();
-  return isThere && this->InsideFlags->GetValue(queryId) != 0;
-}
-
-int vtkWindingNumberProbe::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  }
-  else
-  {
-    FillSourcePortInformation(info);
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that RequestData() says what is missing
-  }
-  return 1;
-}
-
-int vtkWindingNumberProbe::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
 }
 
 vtkSmartPointer<vtkDataObject> vtkWindingNumberProbe::NewOutput(vtkDataObject* input) const
@@ -117,55 +38,7 @@ vtkSmartPointer<vtkDataObject> vtkWindingNumberProbe::NewOutput(vtkDataObject* i
   {
     return vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
-  return newInstance(input);
-}
-
-int vtkWindingNumberProbe::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkDataObject* queries = vtkDataObject::GetData(inputs[0]);
-  vtkDataObject* output = vtkDataObject::GetData(outputs);
-  if (!queries)
-  {
-    return 1;
-  }
-  const vtkSmartPointer<vtkDataObject> fresh = this->NewOutput(queries);
-  if (!output || std::strcmp(output->GetClassName(), fresh->GetClassName()) != 0)
-  {
-    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-  }
-  return 1;
-}
-
-int vtkWindingNumberProbe::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  this->QueriesRefused = false;
-  this->LookAtSource(vtkDataObject::GetData(inputs[1]));
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  // Without time steps in its information the pipeline would ask a moving source once only.
-  for (vtkInformationVector* input : {inputs[1], inputs[0]})
-  {
-    vtkInformation* info = input->GetInformationObject(0);
-    if (info && (info->Has(Pipeline::TIME_STEPS()) || info->Has(Pipeline::TIME_RANGE())))
-    {
-      outInfo->CopyEntry(info, Pipeline::TIME_STEPS());
-      outInfo->CopyEntry(info, Pipeline::TIME_RANGE());
-      break;
-    }
-  }
-  return 1;
-}
-
-int vtkWindingNumberProbe::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  if (vtkInformation* source = inputs[1]->GetInformationObject(0))
-  {
-    this->AskForSource(source);
-  }
-  return 1;
+  return this->Superclass::NewOutput(input);
 }
 
 const winding::ProbeWords& vtkWindingNumberProbe::GetWords() const
@@ -177,105 +50,20 @@ void vtkWindingNumberProbe::CheckProperties()
 {
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::probeAssociation, this->ProbeAssociation);
+  winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
 }
 
-void vtkWindingNumberProbe::HashProperties(winding::ContentHash& hash)
+winding::ResultOptions vtkWindingNumberProbe::GetResultOptions() const
 {
-  this->Superclass::HashProperties(hash);
-  hash.addValue(this->ProbeAssociation);
-  hash.addValue(this->InsideOut);
-  hash.addValue(this->ExtractInside);
-  hash.addText(winding::textOf(this->InsideArrayName));
-}
-
-int vtkWindingNumberProbe::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  vtkDataObject* output = vtkDataObject::GetData(outputs);
-  this->InsideFlags = nullptr;
-  if (this->GetNumberOfInputConnections(1) == 0)
-  {
-    throw winding::Refusal(winding::Message(
-      "there is no source of winding numbers", {{"give one", {winding::Parameter::source}}}));
-  }
-  this->AgreeOnProperties();
-
-  winding::ResultOptions options = this->GetResultOptions();
-  options.remedies = this->GetWords().remedies;
-  // Made in any case, for IsInside(), but kept out of the output unless it was asked for there.
+  winding::ResultOptions options;
+  options.withValues = this->GenerateWindingNumber != 0;
+  options.withInside = this->GenerateInside != 0;
+  options.withDistances = this->WantsDistances();
+  options.scalarType = this->OutputScalarType;
+  options.name = winding::textOf(this->ResultArrayName);
   const std::string insideName = winding::textOf(this->InsideArrayName);
-  options.insideName = !options.withInside ? "" : insideName.empty() ? "Inside" : insideName;
-  options.withInside =
-    options.withInside || options.withValues || options.withDistances || this->KeepsPart();
-  this->QueriesRefused = true; // unless the next line comes to its end
-  const winding::ProbeQueries queries(
-    input, this->SamplesCells(), this->KeepsPart(), this->GetWords());
-  this->QueriesRefused = false;
-  this->QueriesAreGrid = queries.grid().has_value();
-  const winding::ResultArrays results(queries.size(), options);
-  vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
-  const auto count = static_cast<std::size_t>(queries.size());
-  const winding::Field& field = queries.grid() ? this->PrepareField(source, *queries.grid(), count)
-                                               : this->PrepareField(source, queries.samples());
-  this->EvaluateSamples(field, queries, results);
-  if (this->InsideOut)
-  {
-    turnInsideOut(queries, results.inside()->GetPointer(0));
-  }
-  this->InsideFlags = results.inside();
-  this->FinishSamples(field, queries, results.inside()->GetPointer(0));
-  this->WriteOutput(input, queries, results, output);
-  return 1;
-}
-
-void vtkWindingNumberProbe::EvaluateSamples(const winding::Field& field,
-  const winding::ProbeQueries& queries, const winding::ResultArrays& results)
-{
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
-  const double progress = this->GetProgressOfSamples();
-  executor.setShare(0, progress);
-  const winding::FieldOutput output = this->OutputTo(results);
-  const std::optional<winding::Grid>& grid = queries.grid();
-  this->Evaluate(field, queries.size(), executor,
-    [&]
-    {
-      if (grid)
-      {
-        field.evaluate(*grid, grid->wholeExtent(), output, executor);
-      }
-      else
-      {
-        field.evaluate(queries.samples(), output, executor);
-      }
-      executor.setShare(progress, progress);
-      this->LookAtSides(field, queries, results, executor);
-    });
-}
-
-/// Finds out whether the source is inside out, so that what is asked for is not what is meant.
-void vtkWindingNumberProbe::LookAtSides(const winding::Field& field,
-  const winding::ProbeQueries& queries, const winding::ResultArrays& results,
-  winding::SmpExecutor& executor)
-{
-  if (this->InsideRule != SIGNED)
-  {
-    return;
-  }
-  const double threshold = this->WindingThreshold;
-  winding::SideCounts sides = results.countSides(threshold);
-  const bool isEmpty = this->ExtractInside && !this->InsideOut && results.hasNothingInside();
-  if (!results.values() && isEmpty)
-  {
-    sides = queries.grid() ? winding::countNegative(field, *queries.grid(), threshold, executor)
-                           : winding::countNegative(field, queries.samples(), threshold, executor);
-  }
-  this->TellSides(field, sides, executor);
-}
-
-void vtkWindingNumberProbe::FinishSamples(
-  const winding::Field&, const winding::ProbeQueries&, const unsigned char*)
-{
+  options.insideName = insideName.empty() ? "Inside" : insideName;
+  return options;
 }
 
 void vtkWindingNumberProbe::AddArrays(
@@ -294,56 +82,15 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::PartOf(
   return winding::insidePart(data, inside, this->SamplesCells());
 }
 
-vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::AnswerTo(
-  const winding::ProbeQueries& queries, const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll)
-{
-  auto answer = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
-  answer->ShallowCopy(leaf.data);
-  vtkDataSetAttributes* attributes = answer->GetPointData();
-  if (this->SamplesCells())
-  {
-    attributes = answer->GetCellData();
-  }
-  queries.addPart(leaf, ofAll, attributes);
-  if (this->KeepsPart())
-  {
-    answer = this->PartOf(answer, leaf, this->InsideFlags->GetPointer(0) + leaf.first);
-  }
-  this->DescribeMethod(answer);
-  return answer;
-}
-
-void vtkWindingNumberProbe::WriteOutput(vtkDataObject* input, const winding::ProbeQueries& queries,
-  const winding::ResultArrays& results, vtkDataObject* output)
-{
-  vtkNew<vtkPointData> ofAll;
-  this->AddArrays(results, ofAll);
-  auto* tree = vtkDataObjectTree::SafeDownCast(input);
-  if (!tree)
-  {
-    output->ShallowCopy(this->AnswerTo(queries, queries.leaves().front(), ofAll));
-    return;
-  }
-  auto* outputTree = vtkDataObjectTree::SafeDownCast(output);
-  outputTree->CopyStructure(tree);
-  outputTree->GetFieldData()->PassData(tree->GetFieldData());
-  auto leaf = queries.leaves().begin();
-  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* data = iterator->GetCurrentDataObject();
-    const bool isProbed = vtkDataSet::SafeDownCast(data) != nullptr;
-    outputTree->SetDataSet(
-      iterator, isProbed ? this->AnswerTo(queries, *leaf++, ofAll).Get() : data);
-  }
-  this->DescribeMethod(output);
-}
-
 void vtkWindingNumberProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ProbeAssociation: " << this->ProbeAssociation << "\n";
-  os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "InsideArrayName: " << winding::textOf(this->InsideArrayName) << "\n";
 }

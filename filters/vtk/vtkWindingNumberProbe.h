@@ -16,18 +16,9 @@
  *   probe->GenerateInsideOn();
  * @endcode
  *
- * A closed surface gives integers, the right ones off the surface (method ROWS, which AUTOMATIC
- * takes then). For any other source the value of a point depends on the other points, but only
- * within the Tolerance, and not at all with method DIRECT or Tolerance 0. Points that are NaN or
- * infinite get NaN, as value and as distance, and are neither inside nor outside.
- *
- * The points or cells of an image that is not turned are evaluated as a grid, as
- * vtkWindingNumberField does: values are the same up to the Tolerance, and come ten times as fast.
- *
- * The output for a composite data set has the same structure. Every vtkDataSet in it gets its
- * arrays, all of them evaluated at once; empty places and other kinds of data stay as they are.
- * Field data that says how the result came about is added to the output and to every data set in
- * it. AMR data goes through the filter block by block.
+ * Points that are NaN or infinite get NaN, as value and as distance, and are neither inside nor
+ * outside. vtkWindingNumberProbeAlgorithm says what samples are evaluated together, and what
+ * composite data gives: each data set in it gets its arrays.
  *
  * **Instead of vtkSelectEnclosedPoints.** These edits make the filter a replacement, also for
  * readers of the output and callers of IsInside():
@@ -50,25 +41,13 @@
 #ifndef vtkWindingNumberProbe_h
 #define vtkWindingNumberProbe_h
 
-#include "vtkSmartPointer.h" // for the flags that IsInside() reads
-#include "vtkWindingNumberAlgorithm.h"
+#include "vtkWindingNumberProbeAlgorithm.h"
 
-namespace winding
-{
-class VectorsView;
-class ProbeQueries;
-class SmpExecutor;
-struct ProbeLeaf;
-struct ProbeWords;
-} // namespace winding
-class vtkDataSet;
-class vtkUnsignedCharArray;
-
-class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberAlgorithm
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberProbeAlgorithm
 {
 public:
   static vtkWindingNumberProbe* New();
-  vtkTypeMacro(vtkWindingNumberProbe, vtkWindingNumberAlgorithm);
+  vtkTypeMacro(vtkWindingNumberProbe, vtkWindingNumberProbeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Where w is evaluated.
@@ -77,12 +56,6 @@ public:
     POINTS = 0, ///< at the points; the result is point data
     CELLS = 1   ///< at the parametric centres of the cells; the result is cell data
   };
-
-  ///@{
-  /// The surface or cloud whose winding number is asked for: port 1.
-  void SetSourceConnection(vtkAlgorithmOutput* source);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   ///@{
   /// Synonyms of SetSourceConnection() and SetSourceData(), as vtkSelectEnclosedPoints names them.
@@ -99,11 +72,39 @@ public:
   ///@}
 
   ///@{
-  /// Whether inside and outside change places in the array "Inside", for IsInside() and for
-  /// ExtractInside. w and distances stay what they are. Default off.
-  vtkSetMacro(InsideOut, vtkTypeBool);
-  vtkGetMacro(InsideOut, vtkTypeBool);
-  vtkBooleanMacro(InsideOut, vtkTypeBool);
+  /// Whether to add the array of w. Default on.
+  vtkSetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkGetMacro(GenerateWindingNumber, vtkTypeBool);
+  vtkBooleanMacro(GenerateWindingNumber, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "Inside" (unsigned char, 1 inside and 0 outside). Default off.
+  vtkSetMacro(GenerateInside, vtkTypeBool);
+  vtkGetMacro(GenerateInside, vtkTypeBool);
+  vtkBooleanMacro(GenerateInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add the array "SignedDistance", as vtkWindingNumberField has it. Its sign follows
+  /// from w, threshold and rule, whatever InsideOut is. Default off.
+  vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The name of the array of w. Default "WindingNumber".
+  vtkSetStringMacro(ResultArrayName);
+  vtkGetStringMacro(ResultArrayName);
+  ///@}
+
+  ///@{
+  /// The type of the arrays of w and of distances, VTK_FLOAT or VTK_DOUBLE. Default VTK_FLOAT.
+  vtkSetMacro(OutputScalarType, int);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
+  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
   ///@}
 
   ///@{
@@ -123,18 +124,6 @@ public:
   vtkGetStringMacro(InsideArrayName);
   ///@}
 
-  /// Whether a point of the last input, or with CELLS a cell, is inside, whatever arrays were asked
-  /// for; 0 for a number that is too large. In composite data, numbers go on from one data set to
-  /// the next.
-  int IsInside(vtkIdType queryId);
-
-  /// Whether Status is REFUSED because of port 0: the data set contradicts itself, for example by
-  /// cells with ids of points that do not exist.
-  bool GetQueriesWereRefused() const { return this->Status == REFUSED && this->QueriesRefused; }
-
-  /// The output, if it is a data set. Null for composite data, which GetOutputDataObject(0) has.
-  vtkDataSet* GetOutput();
-
 protected:
   vtkWindingNumberProbe();
   ~vtkWindingNumberProbe() override;
@@ -142,69 +131,26 @@ protected:
   vtkWindingNumberProbe(const vtkWindingNumberProbe&) = delete;
   void operator=(const vtkWindingNumberProbe&) = delete;
 
-  bool EvaluatesGrid() const override { return this->QueriesAreGrid; }
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
-  void HashProperties(winding::ContentHash& hash) override;
 
-  /// Whether the samples are the centres of cells rather than points.
-  virtual bool SamplesCells() const { return this->ProbeAssociation == CELLS; }
-
-  /// Whether the output is a part of the data set, so that its cells are used.
-  virtual bool KeepsPart() const { return this->ExtractInside != 0; }
-
-  /// How refusals speak of what the filter does.
-  virtual const winding::ProbeWords& GetWords() const;
-
-  /// A new output for this input: one of the same class, unless it is a part of a data set.
-  virtual vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const;
-
-  /// The progress when all samples are evaluated; what a filter does after that has the rest.
-  virtual double GetProgressOfSamples() const { return 1; }
-
-  /// The rest of the evaluation, when all samples are evaluated and before any output is written:
-  /// nothing, unless a filter says otherwise. `inside` has an entry for each sample.
-  virtual void FinishSamples(
-    const winding::Field& field, const winding::ProbeQueries& queries, const unsigned char* inside);
-
-  /// Adds the arrays that the output of all samples has.
-  virtual void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const;
-
-  /// The part of a data set that is kept, with all of its arrays, if KeepsPart(). `inside` has an
-  /// entry for each sample of the leaf.
-  virtual vtkSmartPointer<vtkDataSet> PartOf(
-    vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside);
+  bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
+  bool SamplesCells() const override { return this->ProbeAssociation == CELLS; }
+  bool KeepsPart() const override { return this->ExtractInside != 0; }
+  const winding::ProbeWords& GetWords() const override;
+  winding::ResultOptions GetResultOptions() const override;
+  vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const override;
+  void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const override;
+  vtkSmartPointer<vtkDataSet> PartOf(
+    vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside) override;
 
   int ProbeAssociation = POINTS;
-  vtkTypeBool InsideOut = 0;
+  vtkTypeBool GenerateWindingNumber = 1;
+  vtkTypeBool GenerateInside = 0;
+  vtkTypeBool GenerateSignedDistance = 0;
+  char* ResultArrayName = nullptr;
+  int OutputScalarType = VTK_FLOAT;
   vtkTypeBool ExtractInside = 0;
-  bool QueriesRefused = false;
-  bool QueriesAreGrid = false; ///< of an image, in the last execution
   char* InsideArrayName = nullptr;
-
-private:
-  void EvaluateSamples(const winding::Field& field, const winding::ProbeQueries& queries,
-    const winding::ResultArrays& results);
-  void LookAtSides(const winding::Field& field, const winding::ProbeQueries& queries,
-    const winding::ResultArrays& results, winding::SmpExecutor& executor);
-
-  /// The output for one data set, with its part of the arrays of all data sets.
-  vtkSmartPointer<vtkDataSet> AnswerTo(const winding::ProbeQueries& queries,
-    const winding::ProbeLeaf& leaf, vtkDataSetAttributes* ofAll);
-  void WriteOutput(vtkDataObject* input, const winding::ProbeQueries& queries,
-    const winding::ResultArrays& results, vtkDataObject* output);
-
-  vtkSmartPointer<vtkUnsignedCharArray> InsideFlags; ///< one for each query; null before the first
 };
 
 #endif

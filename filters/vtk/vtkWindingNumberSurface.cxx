@@ -385,9 +385,10 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   if (samples > 0)
   {
-    field.evaluate(grid, extent, this->OutputTo(values), executor);
+    field.evaluate(grid, extent,
+      values.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold), executor);
   }
-  this->Verify(field, extent.data(), values.values());
+  this->Verify(field, extent, values.values());
 }
 
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)

@@ -31,9 +31,6 @@
  * finer than a voxel may be lost, and edges of the source are cut off inside of voxels. Where all
  * samples are inside, or none is, the surface is empty, and a warning says what to do.
  *
- * The inherited properties about result arrays (GenerateWindingNumber, GenerateInside,
- * GenerateSignedDistance, ResultArrayName, OutputScalarType) have no effect.
- *
  * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
  * the whole: where several pieces are asked for, the first has everything. Progress and abort are
  * vtkWindingNumberField's. The result has the same bits for any number of threads, and for
@@ -155,7 +152,6 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   bool WorksOnFirstRank() const override { return true; }
-  bool WantsDistances() const override { return false; }
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 

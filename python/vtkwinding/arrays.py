@@ -155,7 +155,6 @@ def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
     _lay(algorithm, source, resolution=resolution, dimensions=dimensions, spacing=spacing,
          bounds=bounds, padding=padding)
     if dtype is not None:
-        _set_type(algorithm, dtype)
         algorithm.SetOutputPointsPrecision(
             algorithm.DOUBLE_PRECISION if _float_type(dtype) == np.float64
             else algorithm.SINGLE_PRECISION)

@@ -35,6 +35,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 namespace
 {
@@ -362,7 +363,7 @@ void growTrees(Choices& choices, vtkPointSet* data)
   }
 }
 
-/// Runs the probe or a filter that derives from it on queries that are odd, too.
+/// Runs the probe or the clip on queries that are odd, too.
 template <class Filter> void probe(Choices& choices, vtkPointSet* data)
 {
   vtkNew<Filter> filter;
@@ -370,7 +371,10 @@ template <class Filter> void probe(Choices& choices, vtkPointSet* data)
   const auto queries = oddData(choices);
   filter->SetInputData(choices.oneIn(2) ? queries.Get() : data);
   filter->SetSourceData(data);
-  filter->SetExtractInside(choices.oneIn(3));
+  if constexpr (std::is_same_v<Filter, vtkWindingNumberProbe>)
+  {
+    filter->SetExtractInside(choices.oneIn(3));
+  }
   filter->Update();
   checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
 }

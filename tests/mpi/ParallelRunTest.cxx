@@ -53,7 +53,7 @@ TEST(ParallelRun, TellsNumbersOfAllRanks)
   EXPECT_EQ(parallel::countOnHost(), parallel::count());
   std::vector<double> expected(static_cast<std::size_t>(parallel::count()));
   std::iota(expected.begin(), expected.end(), 0.5);
-  EXPECT_EQ(parallel::ofAll(parallel::rank() + 0.5), expected);
+  EXPECT_EQ(parallel::allGather(parallel::rank() + 0.5), expected);
   EXPECT_EQ(parallel::maximum(-parallel::rank()), 0);
   EXPECT_EQ(parallel::sum(parallel::rank()), parallel::count() * (parallel::count() - 1) / 2);
 }

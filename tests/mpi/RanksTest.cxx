@@ -29,7 +29,7 @@ template <class Work> std::string refusalOf(const Work& work)
   Ranks ranks(world());
   try
   {
-    ranks.agree([&] { return work(ranks); });
+    ranks.agree([&] { work(ranks); });
     return {};
   }
   catch (const winding::Refusal& refusal)
@@ -45,20 +45,20 @@ TEST(Ranks, HearWhatTheOthersAnswer)
   Ranks ranks(world());
   const int own = ranks.rank();
   const std::vector<Ranks::Number> all =
-    ranks.exchange([own] { return static_cast<Ranks::Number>(own * own); });
+    ranks.allGather([own] { return static_cast<Ranks::Number>(own * own); });
   ASSERT_EQ(all.size(), static_cast<std::size_t>(ranks.count()));
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
     EXPECT_EQ(all[rank], rank * rank);
   }
-  EXPECT_TRUE(ranks.agree([] { return true; }));
-  EXPECT_FALSE(ranks.agree([&] { return ranks.rank() > 0; }));
+  EXPECT_TRUE(ranks.allOf([] { return true; }));
+  EXPECT_FALSE(ranks.allOf([&] { return ranks.rank() > 0; }));
 }
 
 TEST(Ranks, OfAMachineShareIt)
 {
   Ranks ranks(world());
-  ranks.meet();
+  ranks.barrier();
   EXPECT_EQ(winding::ranksOnHost(), ranks.count());
   const auto memory = []
   {
@@ -79,7 +79,7 @@ TEST(Ranks, GatherNumbersInRounds)
     std::iota(own.begin(), own.end(), 1000.0 * ranks.rank());
     for (const bool onlyOnFirst : {false, true})
     {
-      const winding::OfRanks<double> all = ranks.gathered(own, onlyOnFirst);
+      const winding::OfRanks<double> all = ranks.gather(own, onlyOnFirst);
       for (int rank = 0; rank < ranks.count(); ++rank)
       {
         ASSERT_EQ(all.count(rank), static_cast<std::size_t>(7 * rank));
@@ -104,7 +104,6 @@ TEST(Ranks, AllRefuseWithTheLineOfTheFirstThatDoes)
                 {
                   throw winding::Refusal("no");
                 }
-                return true;
               }),
     expected);
   // The others are inside when the last one fails outside, or the other way round.
@@ -119,10 +118,12 @@ TEST(Ranks, AllRefuseWithTheLineOfTheFirstThatDoes)
                     {
                       throw winding::Refusal("no");
                     }
-                    return true;
                   };
-                  isInside || refuse();
-                  return ranks.agree(refuse);
+                  if (!isInside)
+                  {
+                    refuse();
+                  }
+                  ranks.agree(refuse);
                 }),
       expected);
   }
@@ -132,19 +133,19 @@ TEST(Ranks, TellKindsOfFailuresApart)
 {
   Ranks ranks(world());
   const bool isLast = ranks.rank() == ranks.count() - 1;
-  EXPECT_THROW(ranks.agree([=] { return isLast ? throw winding::Interrupted() : true; }),
+  EXPECT_THROW(ranks.allOf([=] { return isLast ? throw winding::Interrupted() : true; }),
     winding::Interrupted);
   Ranks others(world());
-  EXPECT_THROW(others.agree([=] { return isLast ? throw winding::OutOfMemory("much") : true; }),
+  EXPECT_THROW(others.allOf([=] { return isLast ? throw winding::OutOfMemory("much") : true; }),
     winding::OutOfMemory);
   Ranks third(world());
   if (third.isAlone())
   {
-    EXPECT_THROW(third.agree([]() -> bool { throw std::bad_alloc(); }), std::bad_alloc);
+    EXPECT_THROW(third.agree([] { throw std::bad_alloc(); }), std::bad_alloc);
     return;
   }
   EXPECT_THROW(
-    third.agree([=] { return isLast ? throw std::bad_alloc() : true; }), winding::OutOfMemory);
+    third.allOf([=] { return isLast ? throw std::bad_alloc() : true; }), winding::OutOfMemory);
 }
 
 TEST(Ranks, WithOtherPropertiesAreRefused)
@@ -154,7 +155,6 @@ TEST(Ranks, WithOtherPropertiesAreRefused)
     {
       ranks.requireSame([] { return 7; });
       ranks.requireSame([&ranks] { return ranks.rank() == 0 ? 7 : 8; });
-      return true;
     });
   EXPECT_EQ(refusal.empty(), Ranks(world()).isAlone());
   EXPECT_EQ(

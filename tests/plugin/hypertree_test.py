@@ -5,7 +5,7 @@ import unittest
 
 from paraview import simple
 
-from support import errors_of, information, result, run_tests, unit_sphere
+from support import information, result, run_tests, unit_sphere
 
 
 def cells_of(source):
@@ -61,13 +61,6 @@ class TestHyperTree(unittest.TestCase):
             threshold = simple.Threshold(
                 Input=reader, Scalars=("CELLS", "Inside"), LowerThreshold=0.5, UpperThreshold=1)
             self.assertEqual(cells_of(threshold), {0: 0, 1: counts[1]})
-
-    def test_distances_are_refused_in_one_line(self):
-        errors = errors_of(self.trees)
-        self.trees.GenerateSignedDistance = 1
-        self.trees.UpdatePipeline()
-        self.assertEqual(len(errors), 1)
-        self.assertIn("use Generate Signed Distance off", errors[0])
 
 
 if __name__ == "__main__":

@@ -27,14 +27,15 @@ COMMON = {
     "AreaArray": ("Size", "Size"),
     "WindingThreshold": (1.5, "1.5"),
     "InsideRule": (2, "2"),
-    "GenerateWindingNumber": (0, "0"),
-    "GenerateInside": (1, "1"),
-    "GenerateSignedDistance": (1, "1"),
-    "ResultArrayName": ("w", "w"),
-    "OutputScalarType": (11, "11"),
     "NumberOfThreads": (3, "3"),
     "LongestExpectedTime": (30, "30"),
     "SourceDistribution": (2, "2"),
+}
+ARRAYS = {
+    "GenerateWindingNumber": (0, "0"),
+    "GenerateInside": (1, "1"),
+    "ResultArrayName": ("w", "w"),
+    "OutputScalarType": (11, "11"),
 }
 GRID = {
     "Resolution": (17, "17"),
@@ -55,6 +56,8 @@ SETTABLE = {
     "WindingNumberField": {
         **COMMON,
         **GRID,
+        **ARRAYS,
+        "GenerateSignedDistance": (1, "1"),
         "OutputAssociation": (1, "1"),
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
@@ -85,6 +88,7 @@ SETTABLE = {
     "WindingNumberHyperTree": {
         **COMMON,
         **GRID,
+        **ARRAYS,
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
         "MergeTolerance": (0.125, "0.125"),
@@ -92,18 +96,14 @@ SETTABLE = {
     },
     "WindingNumberProbe": {
         **COMMON,
+        **ARRAYS,
+        "GenerateSignedDistance": (1, "1"),
         "ProbeAssociation": (1, "1"),
         "InsideOut": (1, "1"),
         "ExtractInside": (1, "1"),
         "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
     },
-    "WindingNumberClip": {
-        **COMMON,
-        "ProbeAssociation": (1, "1"),
-        "InsideOut": (1, "1"),
-        "ExtractInside": (1, "1"),
-        "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
-    },
+    "WindingNumberClip": {**COMMON, "InsideOut": (1, "1")},
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),

@@ -26,6 +26,7 @@ ABSTRACT = {
     "vtkWindingNumberAlgorithm",
     "vtkWindingNumberGridAlgorithm",
     "vtkWindingNumberImageAlgorithm",
+    "vtkWindingNumberProbeAlgorithm",
 }
 
 

@@ -437,16 +437,6 @@ TEST_F(HyperTree, ProgressRisesAndAbortIsObeyed)
   }
 }
 
-TEST_F(HyperTree, DistancesAreRefused)
-{
-  setInput(closed());
-  trees->GenerateSignedDistanceOn();
-  ErrorLog log(trees);
-  trees->Update();
-  EXPECT_NE(log.errors().find("a hyper tree grid has no distances"), std::string::npos);
-  EXPECT_EQ(trees->GetStatus(), Filter::REFUSED);
-}
-
 TEST_F(HyperTree, WhatDoesNotFitIntoMemoryIsRefusedAtOnce)
 {
   setInput(open());

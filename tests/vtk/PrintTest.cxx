@@ -40,10 +40,13 @@ TEST(Print, HasThePropertiesOfEveryClass)
 {
   const std::vector<std::string> ofSources = {"Method: 0", "Tolerance: 0.001", "PointAreaMethod: 0",
     "NormalEstimation: 0", "NumberOfNeighbors: 20", "WindingThreshold: 0.5", "InsideRule: 0"};
+  const std::vector<std::string> ofArrays = {"GenerateWindingNumber: 1", "GenerateInside: 0",
+    "ResultArrayName: WindingNumber", "OutputScalarType: 10"};
   expectPrinted<vtkWindingNumberField>(ofSources);
+  expectPrinted<vtkWindingNumberField>(ofArrays);
   expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
     "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",
-    "OutputAssociation: 0", "DistanceBand: 0", "GenerateInside: 0", "NumberOfThreads: 0"});
+    "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0",
     "GenerateNormals:", "Features: 0", "GenerateTriangles: 0", "FidelitySamples: 0"});
@@ -52,9 +55,11 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",
     "RegionArray: ", "LabelOffset: 0", "NumberOfSolids: 0"});
   expectPrinted<vtkWindingNumberHyperTree>(ofSources);
+  expectPrinted<vtkWindingNumberHyperTree>(ofArrays);
   expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
     "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});
   expectPrinted<vtkWindingNumberProbe>(ofSources);
+  expectPrinted<vtkWindingNumberProbe>(ofArrays);
   expectPrinted<vtkWindingNumberProbe>(
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
   expectPrinted<vtkImplicitWindingNumber>(ofSources);

@@ -57,6 +57,7 @@ const BadValues<int> areaMethods = choices("VORONOI (0), MESH (1), CONSTANT (2) 
 const BadValues<int> estimations =
   choices("ESTIMATION_AUTOMATIC (0), SPANNING_TREE (1) or WINDING_CONSISTENT (2)", 3);
 const BadValues<int> insideRules = choices("SIGNED (0), ABSOLUTE (1) or ODD (2)", 3);
+const BadValues<int> scalarTypes = choices("VTK_FLOAT (10) or VTK_DOUBLE (11)", 12, 9);
 const BadValues<int> neighborCounts = {
   {2, "2; it must be 3 to 1000"}, {1001, "1001; it must be 3 to 1000"}};
 const BadValues<double> regularizations = {{-0.5, "-0.5; it must be 0 to 4"},
@@ -131,7 +132,6 @@ template <class Filter> void expectCommonPropertiesRefused(Filter* filter)
   EXPECT_REFUSED(filter, Regularization, regularizations);
   EXPECT_REFUSED(filter, WindingThreshold, notFinite);
   EXPECT_REFUSED(filter, InsideRule, insideRules);
-  EXPECT_REFUSED(filter, OutputScalarType, choices("VTK_FLOAT (10) or VTK_DOUBLE (11)", 12, 9));
   EXPECT_REFUSED(filter, NumberOfThreads, negative);
   EXPECT_REFUSED(filter, LongestExpectedTime, notPositive);
 }
@@ -176,6 +176,7 @@ TEST_F(PropertyRanges, OfTheField)
   field->SetResolution(6);
   vtkWindingNumberField* filter = field;
   expectPropertiesOfImagesRefused(filter);
+  EXPECT_REFUSED(filter, OutputScalarType, scalarTypes);
   EXPECT_REFUSED(filter, DistanceBand, notPositive);
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   expectWorking(field);
@@ -210,6 +211,7 @@ TEST_F(PropertyRanges, OfTheHyperTree)
   EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
   EXPECT_REFUSED(filter, CoverageSamples,
     (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
+  EXPECT_REFUSED(filter, OutputScalarType, scalarTypes);
   EXPECT_REFUSED(filter, MergeTolerance, notPositive);
   EXPECT_EQ(trees->GetStatus(), vtkWindingNumberHyperTree::REFUSED);
   expectWorking(trees);
@@ -238,6 +240,7 @@ TEST_F(PropertyRanges, OfTheProbe)
   probe->SetSourceConnection(sphere->GetOutputPort());
   vtkWindingNumberProbe* filter = probe;
   expectCommonPropertiesRefused(filter);
+  EXPECT_REFUSED(filter, OutputScalarType, scalarTypes);
   EXPECT_REFUSED(filter, ProbeAssociation, choices("POINTS (0) or CELLS (1)", 2));
   EXPECT_EQ(probe->IsInside(0), 0) << "there is no last result";
   expectWorking(probe);
@@ -252,7 +255,6 @@ TEST_F(PropertyRanges, OfTheClip)
   clip->SetSourceConnection(sphere->GetOutputPort());
   vtkWindingNumberClip* filter = clip;
   expectCommonPropertiesRefused(filter);
-  EXPECT_REFUSED(filter, ProbeAssociation, choices("POINTS (0) or CELLS (1)", 2));
   EXPECT_EQ(clip->GetStatus(), vtkWindingNumberClip::REFUSED);
   expectWorking(clip);
 }

@@ -17,7 +17,6 @@
 #include "vtkTriangleFilter.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
-#include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -350,18 +349,4 @@ TEST_F(SignedDistance, NothingIsFarFromAll)
   field->Update();
   EXPECT_NE(log.warnings().find("the source is empty"), std::string::npos);
   EXPECT_EQ(distancesOf(field->GetOutput())->GetTuple1(0), std::numeric_limits<float>::max());
-}
-
-TEST_F(SignedDistance, SurfaceMakesNone)
-{
-  vtkNew<vtkWindingNumberSurface> surface;
-  surface->SetInputConnection(sphere->GetOutputPort());
-  surface->SetResolution(10);
-  surface->Update();
-  const vtkIdType expected = surface->GetExpectedMemory();
-  surface->GenerateSignedDistanceOn();
-  surface->Update();
-  EXPECT_EQ(distancesOf(surface->GetOutput()), nullptr);
-  EXPECT_EQ(surface->GetExpectedMemory(), expected);
-  EXPECT_EQ(surface->GetPrepareSeconds(), 0) << "no tree was built";
 }

@@ -193,7 +193,7 @@ void FieldRun::gatherFigures()
     *number = static_cast<vtkIdType>(parallel::sum(static_cast<double>(*number)));
   }
   sumOfSquares_ = parallel::sum(sumOfSquares_);
-  peakMemories_ = parallel::ofAll(static_cast<double>(peakMemory()));
+  peakMemories_ = parallel::allGather(static_cast<double>(peakMemory()));
 }
 
 /// The image of a slab, or null if there are fewer. Then this rank takes part in the execution with

@@ -7,6 +7,19 @@
 #include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
 
+namespace
+{
+
+template <class Filter> void applyArrays(const Options& options, Filter* filter)
+{
+  filter->SetGenerateInside(options.inside || options.insideOnly);
+  filter->SetGenerateWindingNumber(!options.insideOnly);
+  filter->SetResultArrayName(options.array.c_str());
+  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
+}
+
+} // namespace
+
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
   filter->SetMethod(options.method);
@@ -20,11 +33,6 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetPointArea(options.area);
   filter->SetWindingThreshold(options.threshold);
   filter->SetInsideRule(options.rule);
-  filter->SetGenerateInside(options.inside || options.insideOnly);
-  filter->SetGenerateWindingNumber(!options.insideOnly);
-  filter->SetGenerateSignedDistance(options.distance);
-  filter->SetResultArrayName(options.array.c_str());
-  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
   filter->SetNumberOfThreads(options.threads);
   filter->SetLongestExpectedTime(options.longestExpectedTime);
 }
@@ -57,6 +65,8 @@ void applyImage(const Options& options, vtkWindingNumberImageAlgorithm* filter)
 void applyField(const Options& options, vtkWindingNumberField* filter)
 {
   applyImage(options, filter);
+  applyArrays(options, filter);
+  filter->SetGenerateSignedDistance(options.distance);
   filter->SetDistanceBand(options.distanceBand);
 }
 
@@ -72,6 +82,7 @@ void applyLabels(const Options& options, vtkWindingNumberLabels* filter)
 
 void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter)
 {
+  applyArrays(options, filter);
   filter->SetCoverage(options.coverage);
   filter->SetCoverageSamples(options.coverageSamples);
   filter->SetMergeTolerance(options.mergeTolerance);

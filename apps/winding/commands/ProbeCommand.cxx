@@ -132,6 +132,8 @@ void runProbe(const Options& options, Messages& messages)
   probe->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
   applyMethod(options, probe);
   probe->GenerateInsideOn();
+  probe->SetGenerateSignedDistance(options.distance);
+  probe->SetResultArrayName(options.array.c_str());
   probe->SetOutputScalarTypeToDouble();
   probe->SetInsideOut(options.insideOut);
   probe->SetExtractInside(
@@ -153,6 +155,6 @@ void runProbe(const Options& options, Messages& messages)
     });
   const Figures figures = {parallel::maximum(readSeconds),
     parallel::maximum(probe->GetPrepareSeconds()), parallel::maximum(probe->GetEvaluateSeconds()),
-    parallel::maximum(stopwatch.seconds()), parallel::ofAll(static_cast<double>(peakMemory()))};
+    parallel::maximum(stopwatch.seconds()), parallel::allGather(static_cast<double>(peakMemory()))};
   parallel::agreeOnFirst([&] { printReport(options, *probe, probed, figures); });
 }

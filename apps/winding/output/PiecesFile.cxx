@@ -188,7 +188,7 @@ void PiecesFile::write(const Extent& whole, const std::vector<Extent>& pieces,
   catch (const AgreedFailure&)
   {
     files.clear();
-    parallel::meet(); // the folder is removed when the files of all ranks are
+    parallel::barrier(); // the folder is removed when the files of all ranks are
     throw;
   }
 }

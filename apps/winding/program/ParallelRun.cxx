@@ -113,7 +113,7 @@ void start(int& argc, char**& argv)
   {
     controller = mpi;
     const double own = hostNumber();
-    const std::vector<double> hosts = ofAll(own);
+    const std::vector<double> hosts = allGather(own);
     ranksOnHost = static_cast<int>(std::count(hosts.begin(), hosts.end(), own));
     interrupt::joinRanks(isFirst());
   }
@@ -176,7 +176,7 @@ void agree(const std::function<void()>& work)
     return;
   }
   const Outcome own = outcomeOf(work);
-  const std::vector<double> statuses = ofAll(own.status);
+  const std::vector<double> statuses = allGather(own.status);
   const auto failed = std::find_if(
     statuses.begin(), statuses.end(), [](double status) { return status != EXIT_DONE; });
   if (failed == statuses.end())
@@ -204,7 +204,7 @@ void agreeOnFirst(const std::function<void()>& work)
     });
 }
 
-void meet()
+void barrier()
 {
   if (controller)
   {
@@ -212,7 +212,7 @@ void meet()
   }
 }
 
-std::vector<double> ofAll(double own)
+std::vector<double> allGather(double own)
 {
   std::vector<double> all(static_cast<std::size_t>(count()), own);
   if (controller)
@@ -224,13 +224,13 @@ std::vector<double> ofAll(double own)
 
 double maximum(double own)
 {
-  const std::vector<double> all = ofAll(own);
+  const std::vector<double> all = allGather(own);
   return *std::max_element(all.begin(), all.end());
 }
 
 double sum(double own)
 {
-  const std::vector<double> all = ofAll(own);
+  const std::vector<double> all = allGather(own);
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 

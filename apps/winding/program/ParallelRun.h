@@ -18,7 +18,7 @@ public:
  * The program as one of several ranks under mpirun, through VTK's controller for MPI. A program
  * that mpirun has not started, or only once, is a single rank: it starts no MPI, and all of these
  * functions do nothing but the work that they are given. Functions that are collective are called
- * by all ranks, in the same order.
+ * by all ranks, in the same order. They have the names that `Ranks.h` of the filters has.
  */
 namespace parallel
 {
@@ -47,12 +47,14 @@ void agree(const std::function<void()>& work);
 void agreeOnFirst(const std::function<void()>& work);
 
 /// Waits for all ranks. Collective.
-void meet();
+void barrier();
 
-/// A number of each rank, rank by rank. Collective.
-std::vector<double> ofAll(double own);
+///@{
+/// Returns a number of each rank, rank by rank; the largest of them; their sum. Collective.
+std::vector<double> allGather(double own);
 double maximum(double own);
 double sum(double own);
+///@}
 
 ///@{
 /// Bytes go from one rank to another. Both call it, with the same number of bytes.

@@ -1,7 +1,7 @@
 #include "cloud/CloudOrientation.h"
 
-#include "base/BriefExecutor.h"
 #include "base/FieldOutput.h"
+#include "base/Progress.h"
 #include "farfield/FarField.h"
 #include "source/CoordinateOrder.h"
 

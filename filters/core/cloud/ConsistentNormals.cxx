@@ -1,7 +1,6 @@
 #include "cloud/ConsistentNormals.h"
 
-#include "base/DividedShare.h"
-#include "base/ShownExecutor.h"
+#include "base/Progress.h"
 #include "cloud/CloudNoise.h"
 #include "cloud/NoisyNormals.h"
 #include "cloud/PlaceNormals.h"
@@ -23,12 +22,12 @@ OrientedPlaces orientPlaces(
   {
     return {Normals(places.size(), Eigen::Vector3d(0, 0, 1)), 0, false};
   }
-  DividedShare share(executor);
-  share.set(0, 0.1);
+  Progress progress(executor);
+  progress.set(0, 0.1);
   auto graph = std::make_unique<const NeighborGraph>(places, neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, *graph);
   const bool hasNoise = isNoisy(places, *graph, spacings, executor);
-  share.set(0.1, 1);
+  progress.set(0.1, 1);
   if (!hasNoise)
   {
     return orientDensely(
@@ -60,10 +59,10 @@ std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& pos
   const std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
   ShownExecutor shown(executor);
-  DividedShare share(shown);
-  share.set(0, 0.05);
+  Progress progress(shown);
+  progress.set(0, 0.05);
   const DistinctPoints places(positions, unitScaleOf(positions), shown);
-  share.set(0.05, 1);
+  progress.set(0.05, 1);
   const OrientedPlaces oriented =
     orientByPatches(places, normalsByPlace(places, normals), true, shown);
   std::vector<unsigned char> turns(positions.size());

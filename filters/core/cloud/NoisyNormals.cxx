@@ -1,6 +1,6 @@
 #include "cloud/NoisyNormals.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "cloud/CloudNoise.h"
 #include "cloud/NoisySheets.h"
 #include "cloud/NormalTrials.h"
@@ -37,8 +37,8 @@ std::vector<Eigen::Vector3d> thinned(const DistinctPoints& places, double noise)
 OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<double>& spacings,
   std::size_t neighbors, Normals byTree, Executor& executor)
 {
-  DividedShare share(executor);
-  share.set(0, 0.1);
+  Progress progress(executor);
+  progress.set(0, 0.1);
   PlacePlanes planes = placePlanes(places, 2 * neighbors, executor);
   std::vector<Eigen::Vector3d> some =
     thinned(places, quantileInSpacings(std::move(planes.deviations), spacings, 0.5));
@@ -46,23 +46,23 @@ OrientedPlaces orientThinned(const DistinctPoints& places, const std::vector<dou
   if (some.size() == places.size() || some.size() < enough)
   {
     planes.normals = Normals();
-    share.set(0.1, 0.2);
+    progress.set(0.1, 0.2);
     auto graph = std::make_unique<const NeighborGraph>(places, 2 * neighbors, executor);
-    share.set(0.2, 1);
+    progress.set(0.2, 1);
     return orientDensely(
       places, std::move(graph), spacings, neighbors, true, std::move(byTree), executor);
   }
   byTree = Normals();
-  share.set(0.1, 0.15);
+  progress.set(0.1, 0.15);
   const DistinctPoints sparse(some, 1, executor);
   some = std::vector<Eigen::Vector3d>();
   auto graph = std::make_unique<const NeighborGraph>(sparse, 2 * neighbors, executor);
   const std::vector<double> wide = spacingsOf(sparse, *graph);
   const bool isStillNoisy = isNoisy(sparse, *graph, wide, executor);
-  share.set(0.15, 0.75);
+  progress.set(0.15, 0.75);
   const OrientedPlaces oriented =
     orientDensely(sparse, std::move(graph), wide, neighbors, isStillNoisy, {}, executor);
-  share.set(0.75, 1);
+  progress.set(0.75, 1);
   constexpr double spread = 2;
   const PlacesField field(sparse, wide, spread, executor);
   const Turns turns = turnsUphill(
@@ -79,8 +79,8 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
 {
   constexpr int rounds = 3;
   constexpr double hopeless = 0.15;
-  DividedShare share(executor);
-  share.set(0, 0.35);
+  Progress progress(executor);
+  progress.set(0, 0.35);
   Normals normals;
   {
     SheetPlanes planes = sheetPlanes(places, NeighborGraph(places, 2 * neighbors, executor),
@@ -89,7 +89,7 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
     planes.feet = Normals();
     Normals ofFeet = normalsByPlace(feet, planes.normals);
     planes.normals = Normals();
-    share.set(0.35, 0.7);
+    progress.set(0.35, 0.7);
     const OrientedPlaces oriented = orientByPatches(feet, std::move(ofFeet), false, executor);
     if (oriented.deviation > hopeless)
     {
@@ -97,7 +97,7 @@ Normals normalsOfSheets(const DistinctPoints& places, const std::vector<double>&
     }
     normals = feet.byPoint(oriented.normals);
   }
-  share.set(0.7, 1);
+  progress.set(0.7, 1);
   const NeighborGraph graph(places, 2 * neighbors, executor);
   for (int round = 0; round < rounds; ++round)
   {
@@ -111,8 +111,8 @@ OrientedPlaces orientInTheBestWay(const DistinctPoints& places, const std::vecto
   std::size_t neighbors, Normals byTree, Executor& executor)
 {
   constexpr double spread = 3, good = 0.035, farBetter = 0.6;
-  DividedShare share(executor);
-  share.set(0, 0.4);
+  Progress progress(executor);
+  progress.set(0, 0.4);
   OrientedPlaces best = orientThinned(places, spacings, neighbors, std::move(byTree), executor);
   if (!best.triedPatches)
   {
@@ -134,7 +134,7 @@ OrientedPlaces orientInTheBestWay(const DistinctPoints& places, const std::vecto
       best.deviation = least = deviation;
     }
   };
-  share.set(0.4, 0.75);
+  progress.set(0.4, 0.75);
   Normals ofSheets = normalsOfSheets(places, spacings, neighbors, executor);
   if (!ofSheets.empty())
   {
@@ -142,9 +142,9 @@ OrientedPlaces orientInTheBestWay(const DistinctPoints& places, const std::vecto
   }
   if (least >= good)
   {
-    share.set(0.75, 0.8);
+    progress.set(0.75, 0.8);
     Normals ofParts = planeNormals(places, 3 * neighbors, executor);
-    share.set(0.8, 1);
+    progress.set(0.8, 1);
     take(orientByPatches(places, std::move(ofParts), false, executor).normals);
   }
   return best;
@@ -160,15 +160,15 @@ Normals foundAgain(const DistinctPoints& places, const std::vector<double>& spac
   std::size_t neighbors, Normals normals, Executor& executor)
 {
   constexpr double spread = 1;
-  DividedShare share(executor);
-  share.set(0, 0.6);
+  Progress progress(executor);
+  progress.set(0, 0.6);
   {
     const PlacesField field(places, spacings, spread, executor);
     const Turns turns =
       turnsUphill(field.gradients(normals, Turns(places.size(), 0), places.positions()), normals);
     normals = turned(std::move(normals), turns);
   }
-  share.set(0.6, 1);
+  progress.set(0.6, 1);
   const NeighborGraph graph(places, 2 * neighbors, executor);
   return sheetNormals(places, graph, normals, 2 * neighbors, executor);
 }
@@ -178,11 +178,11 @@ Normals foundAgain(const DistinctPoints& places, const std::vector<double>& spac
 OrientedPlaces orientNoisy(const DistinctPoints& places, const std::vector<double>& spacings,
   std::size_t neighbors, Normals byTree, Executor& executor)
 {
-  DividedShare share(executor);
-  share.set(0, 0.9);
+  Progress progress(executor);
+  progress.set(0, 0.9);
   OrientedPlaces oriented =
     orientInTheBestWay(places, spacings, neighbors, std::move(byTree), executor);
-  share.set(0.9, 1);
+  progress.set(0.9, 1);
   oriented.normals = foundAgain(places, spacings, neighbors, std::move(oriented.normals), executor);
   return oriented;
 }

@@ -1,7 +1,6 @@
 #include "cloud/NormalEstimation.h"
 
-#include "base/DividedShare.h"
-#include "base/StepsOnOneThread.h"
+#include "base/Progress.h"
 #include "cloud/NeighborGraph.h"
 #include "source/UnitScale.h"
 
@@ -74,11 +73,12 @@ void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
     });
   std::vector<unsigned char> isDone(places.size());
   std::priority_queue<NeighborStep> steps;
-  StepsOnOneThread finished(places.size(), executor);
+  Progress progress(executor);
+  std::size_t finished = 0;
   const auto finish = [&](std::uint32_t place)
   {
     isDone[place] = 1;
-    finished.step();
+    progress.step(++finished, places.size());
     const auto add = [&](std::uint32_t other)
     {
       if (!isDone[other])
@@ -113,16 +113,16 @@ void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
 std::vector<Eigen::Vector3d> estimateNormals(
   const DistinctPoints& places, int neighbors, Executor& executor)
 {
-  DividedShare share(executor);
+  Progress progress(executor);
   std::vector<Eigen::Vector3d> ofPlaces(places.size(), Eigen::Vector3d(0, 0, 1));
   if (places.size() > 1)
   {
     const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
-    share.set(0, 0.5);
+    progress.set(0, 0.5);
     const NeighborGraph graph(places, count, executor);
-    share.set(0.5, 0.6);
+    progress.set(0.5, 0.6);
     ofPlaces = planeNormals(places, graph, count, executor);
-    share.set(0.6, 1);
+    progress.set(0.6, 1);
     orientByTree(places, graph, ofPlaces, executor);
   }
   return places.byPoint(ofPlaces);

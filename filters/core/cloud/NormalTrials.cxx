@@ -1,6 +1,6 @@
 #include "cloud/NormalTrials.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "cloud/NormalPatches.h"
 #include "cloud/PatchSigns.h"
 
@@ -76,15 +76,15 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
   const std::shared_ptr<const Normals>& normals, const PlacesField& field, Executor& executor,
   BestNormals& best)
 {
-  DividedShare share(executor);
-  share.set(0, 0.1);
+  Progress progress(executor);
+  progress.set(0, 0.1);
   NormalPatches patches(places, graph, *normals, executor);
   std::size_t before = 0;
   for (std::size_t i = 0; i < std::size(doubts); ++i)
   {
     constexpr double ofDoubt = 0.9 / std::size(doubts);
     const double begin = 0.1 + ofDoubt * static_cast<double>(i);
-    share.set(begin, begin + ofDoubt / 2);
+    progress.set(begin, begin + ofDoubt / 2);
     patches.grow(doubts[i]);
     const NormalPatches::Largest largest = patches.largest(fewestPlaces, mostPatches);
     if (largest.count() == 0 || (before == 1 && largest.count() == 1))
@@ -105,7 +105,7 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
       }
     }
     patches.handOn(largest, turns);
-    share.set(begin + ofDoubt / 2, begin + ofDoubt);
+    progress.set(begin + ofDoubt / 2, begin + ofDoubt);
     const Eigen::VectorXd ofOthers =
       field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));
     best.keepIfBetter(normals, turns, shares * signs + ofOthers);
@@ -130,15 +130,15 @@ void turnSinglePoints(
   const DistinctPoints& places, const PlacesField& field, Executor& executor, BestNormals& best)
 {
   constexpr int mostRounds = 3;
-  DividedShare share(executor);
+  Progress progress(executor);
   for (int round = 0; round < mostRounds; ++round)
   {
     const double before = best.deviation;
     const double rest = std::pow(0.3, round); // a round is the last one mostly
-    share.set(1 - rest, 1 - 0.4 * rest);
+    progress.set(1 - rest, 1 - 0.4 * rest);
     const Turns turns =
       turnsUphill(field.gradients(*best.normals, best.turns, places.positions()), *best.normals);
-    share.set(1 - 0.4 * rest, 1 - 0.3 * rest);
+    progress.set(1 - 0.4 * rest, 1 - 0.3 * rest);
     best.keepIfBetter(best.normals, turns, field.valuesOf(*best.normals, turns));
     if (best.deviation == before)
     {

@@ -1,7 +1,6 @@
 #include "cloud/OutwardNormals.h"
 
-#include "base/DividedShare.h"
-#include "base/ShownExecutor.h"
+#include "base/Progress.h"
 #include "cloud/ConsistentNormals.h"
 #include "cloud/SheetCuts.h"
 #include "source/UnitNormal.h"
@@ -45,8 +44,8 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
     normals[i] = unitNormal(single).array() + 0.0;
   }
   cloud.normals = std::move(normals);
-  DividedShare share(executor);
-  share.set(0, 0.6);
+  Progress progress(executor);
+  progress.set(0, 0.6);
   const auto findAreas = [&]
   {
     if (!hasOwnAreas)
@@ -55,7 +54,7 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
     }
   };
   findAreas();
-  share.set(0.6, 1);
+  progress.set(0.6, 1);
   CloudOrientation orientation = orientationOf(cloud, executor);
   const bool isInward = orientation.isInward();
   if (isInward)
@@ -81,20 +80,20 @@ OutwardNormals giveOutwardNormals(
   PointCloud& cloud, NormalEstimation estimation, const PointAreaOptions& areas, Executor& unseen)
 {
   ShownExecutor executor(unseen);
-  DividedShare share(executor);
+  Progress progress(executor);
   const bool hasOwnAreas = !cloud.areas.empty();
   OutwardNormals found;
   // Progress has the parts of the time of a million points.
   const bool isTreeAlone = estimation == NormalEstimation::spanningTree;
   const double endOfTree = estimation == NormalEstimation::consistent ? 0 : isTreeAlone ? 1 : 0.15;
   const double endOfPlaces = isTreeAlone ? 0.06 : 0.02;
-  share.set(0, endOfPlaces);
+  progress.set(0, endOfPlaces);
   const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
   if (estimation != NormalEstimation::consistent)
   {
-    share.set(endOfPlaces, 0.6 * endOfTree);
+    progress.set(endOfPlaces, 0.6 * endOfTree);
     std::vector<Eigen::Vector3d> normals = estimateNormals(places, areas.neighbors, executor);
-    share.set(0.6 * endOfTree, endOfTree);
+    progress.set(0.6 * endOfTree, endOfTree);
     found.orientation =
       takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor);
   }
@@ -113,14 +112,14 @@ OutwardNormals giveOutwardNormals(
   const std::vector<Eigen::Vector3d> normals =
     isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
   const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
-  share.set(std::max(endOfTree, endOfPlaces), 0.9);
+  progress.set(std::max(endOfTree, endOfPlaces), 0.9);
   ConsistentNormals consistent =
     consistentNormals(places, areas.neighbors, executor, std::move(byTree));
   found.estimation = NormalEstimation::consistent;
-  share.set(0.9, 0.98);
+  progress.set(0.9, 0.98);
   found.orientation =
     takeOutward(cloud, places, std::move(consistent.normals), hasOwnAreas, areas, executor);
-  share.set(0.98, 1);
+  progress.set(0.98, 1);
   // Walls inside of another solid, turned round, make the field a little clearer, but wrong.
   constexpr double littleClearer = 0.05;
   const double gain = found.orientation.outward - ofTree.outward;

@@ -1,6 +1,6 @@
 #include "cloud/PlaceNormals.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "cloud/CloudNoise.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/NormalTrials.h"
@@ -28,16 +28,16 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   std::size_t neighbors, bool isNoisy, Normals byTree, Executor& executor)
 {
   constexpr double spreadOfNoise = 3;
-  DividedShare share(executor);
+  Progress progress(executor);
   const PlacesField field(places, spacings, isNoisy ? spreadOfNoise : 1, executor);
   if (byTree.empty())
   {
-    share.set(0, 0.02);
+    progress.set(0, 0.02);
     byTree = planeNormals(places, *graph, neighbors, executor);
-    share.set(0.02, 0.05);
+    progress.set(0.02, 0.05);
     orientByTree(places, *graph, byTree, executor);
   }
-  share.set(0.05, 0.1);
+  progress.set(0.05, 0.1);
   // Noise makes all areas too large. Without a factor for that, normals that cancel each other fit
   // better than right ones: the noisy gantry of clouds.md had 0.795 in common with its solid in the
   // mean of nine draws, and 0.811 with it.
@@ -49,7 +49,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   {
     if (!isNoisy)
     {
-      share.set(0.1, 1);
+      progress.set(0.1, 1);
       trySheets(places, *graph, {between, neighbors}, field, executor, best);
     }
     return {turned(*best.normals, best.turns), best.deviation, false};
@@ -67,10 +67,10 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
   {
     const double ofSize = (endOfSizes - 0.1) / static_cast<double>(sizes.size());
     const double begin = 0.1 + ofSize * static_cast<double>(i);
-    share.set(begin, begin + ofSize / 10);
+    progress.set(begin, begin + ofSize / 10);
     const auto normals =
       std::make_shared<const Normals>(planeNormals(places, *graph, sizes[i], executor));
-    share.set(begin + ofSize / 10, begin + ofSize);
+    progress.set(begin + ofSize / 10, begin + ofSize);
     tryPatches(places, *graph, normals, field, executor, best);
   }
   if (!isNoisy)
@@ -78,7 +78,7 @@ OrientedPlaces orientDensely(const DistinctPoints& places,
     trySheets(places, *graph, {between, neighbors}, field, executor, best);
   }
   graph.reset();
-  share.set(endOfSizes, 1);
+  progress.set(endOfSizes, 1);
   turnSinglePoints(places, field, executor, best);
   return {turned(*best.normals, best.turns), best.deviation, true};
 }
@@ -103,28 +103,28 @@ OrientedPlaces orientByPatches(
   {
     return {std::move(normals), 0, false};
   }
-  DividedShare share(executor);
+  Progress progress(executor);
   const auto given = std::make_shared<const Normals>(std::move(normals));
   BestNormals best(given);
-  share.set(0, 0.15);
+  progress.set(0, 0.15);
   const NeighborGraph graph(places, neighbors, executor);
   const std::vector<double> spacings = spacingsOf(places, graph);
   const PlacesField field(places, spacings, 1, executor);
-  share.set(0.15, 0.2);
+  progress.set(0.15, 0.2);
   tryAsTheyAre(given, field, best);
   const bool triesPatches = best.deviation >= smallDeviation;
   if (triesPatches)
   {
     Normals byTree = *given;
-    share.set(0.2, 0.35);
+    progress.set(0.2, 0.35);
     orientByTree(places, graph, byTree, executor);
-    share.set(0.35, 0.4);
+    progress.set(0.35, 0.4);
     tryAsTheyAre(std::make_shared<const Normals>(std::move(byTree)), field, best);
-    share.set(0.4, turnsSinglePoints ? 0.8 : 1);
+    progress.set(0.4, turnsSinglePoints ? 0.8 : 1);
     tryPatches(places, graph, given, field, executor, best);
     if (turnsSinglePoints)
     {
-      share.set(0.8, 1);
+      progress.set(0.8, 1);
       turnSinglePoints(places, field, executor, best);
     }
   }

@@ -1,6 +1,6 @@
 #include "cloud/PlacesField.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "farfield/FarField.h"
 
 #include <algorithm>
@@ -62,8 +62,8 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
   // from where they have S = 0.88 of what those give (SolidAngle.h).
   constexpr double wider = 1.5;
   constexpr FarFieldAccuracy coarse = {3, 0.9f, 1e-2f, 1.7f};
-  DividedShare share(executor_);
-  share.set(0, 0.1);
+  Progress progress(executor_);
+  progress.set(0, 0.1);
   std::unique_ptr<FarFieldSources> sources;
   {
     PointCloud all = this->part(normals, turns, nullptr, 0, places_.size());
@@ -75,7 +75,7 @@ Normals PlacesField::gradients(const Normals& normals, const Turns& turns, const
   }
   const FarField field(std::move(sources), coarse, executor_);
   Normals gradients(at.size());
-  share.set(0.1, 1);
+  progress.set(0.1, 1);
   field.gradient({at[0].data(), at.size()}, gradients[0].data(), executor_);
   return gradients;
 }
@@ -108,7 +108,7 @@ Eigen::MatrixXd PlacesField::sums(const Normals& normals, const Turns& turns,
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(
     static_cast<Eigen::Index>(lookedAt_.size()), static_cast<Eigen::Index>(ranges.size()));
   const std::uint32_t end = ranges.back().end;
-  DividedShare share(executor_);
+  Progress progress(executor_);
   for (std::uint32_t begin = 0; begin < end; begin += std::min(placesPerPart, end - begin))
   {
     const std::uint32_t size = std::min(placesPerPart, end - begin);
@@ -118,7 +118,7 @@ Eigen::MatrixXd PlacesField::sums(const Normals& normals, const Turns& turns,
     std::vector<std::uint32_t> inOrder(size);
     std::iota(inOrder.begin(), inOrder.end(), 0);
     sources->arrange(inOrder, true, serial);
-    share.set(static_cast<double>(begin) / end, static_cast<double>(begin + size) / end);
+    progress.set(static_cast<double>(begin) / end, static_cast<double>(begin + size) / end);
     runBlocks(
       lookedAt_.size(), samplesPerBlock,
       [&](std::size_t, std::size_t first, std::size_t last)

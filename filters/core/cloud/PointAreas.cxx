@@ -1,7 +1,7 @@
 #include "cloud/PointAreas.h"
 
-#include "base/DividedShare.h"
 #include "base/Pi.h"
+#include "base/Progress.h"
 #include "base/Refusal.h"
 #include "cloud/NeighborSearch.h"
 #include "cloud/OrientedSites.h"
@@ -235,8 +235,8 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
   std::vector<std::uint32_t> places(places_.size());
   std::iota(places.begin(), places.end(), 0);
   std::vector<unsigned char> needsMore(places_.size());
-  DividedShare share(executor);
-  share.set(0, 0.6);
+  Progress progress(executor);
+  progress.set(0, 0.6);
   this->forEachSiteOf(
     places, neighbors_,
     [&](std::size_t place, std::size_t site, Workspace& space)
@@ -256,7 +256,7 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
   {
     return !needsMore[place];
   };
-  share.set(0.6, 1);
+  progress.set(0.6, 1);
   places.erase(std::remove_if(places.begin(), places.end(), isDone), places.end());
   this->forEachSiteOf(
     places, 4 * neighbors_,
@@ -287,10 +287,10 @@ std::vector<double> VoronoiAreas::compute(Executor& executor)
 std::vector<double> voronoiAreas(
   const PointCloud& cloud, const DistinctPoints& places, int neighbors, Executor& executor)
 {
-  DividedShare share(executor);
-  share.set(0, 0.2);
+  Progress progress(executor);
+  progress.set(0, 0.2);
   VoronoiAreas areas(cloud, places, neighbors, executor);
-  share.set(0.2, 1);
+  progress.set(0.2, 1);
   return areas.compute(executor);
 }
 

@@ -1,8 +1,8 @@
 #include "farfield/FarField.h"
 
-#include "base/DividedShare.h"
 #include "base/FieldOutput.h"
 #include "base/FlushToZero.h"
+#include "base/Progress.h"
 #include "farfield/Expansions.h"
 #include "farfield/FarFieldGradient.h"
 #include "farfield/FarFieldTraversal.h"
@@ -95,9 +95,9 @@ void FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
   // Each task has its own of both, so that none waits for another.
   std::vector<FarFieldWork> parts(all.size());
   std::vector<std::vector<TargetCell>> toWhole(all.size());
-  DividedShare share(executor);
+  Progress progress(executor);
   const double middle = cells.isRegular() ? 1 : 0.9;
-  share.set(0, middle);
+  progress.set(0, middle);
   executor.run(all.size(),
     [&](std::size_t task)
     {
@@ -106,7 +106,7 @@ void FarField::evaluateAll(const TargetCells& cells, int taskLevel, bool watchin
       parts[task] = traversal.evaluate(all[task], watching, &toWhole[task]);
     });
 
-  share.set(middle, 1);
+  progress.set(middle, 1);
   this->evaluateWhole(cells, toWhole, watching, executor, parts);
   if (work)
   {
@@ -189,10 +189,10 @@ void FarField::evaluate(const VectorsView& samples, const PointSink& sink, bool 
 
 void FarField::gradient(const VectorsView& samples, double* gradients, Executor& executor) const
 {
-  DividedShare share(executor);
-  share.set(0, 0.1);
+  Progress progress(executor);
+  progress.set(0, 0.1);
   const PointCells cells = this->cellsOf(samples, nullptr, executor);
-  share.set(0.1, 1);
+  progress.set(0.1, 1);
   const FarFieldGradient gradient(tree_, cells, gradients);
   const std::vector<FarFieldTask> all =
     cells.empty() ? std::vector<FarFieldTask>() : this->tasks(cells, cells.taskLevel());

@@ -1,4 +1,4 @@
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "base/UninitializedVector.h"
 #include "farfield/FarFieldChoice.h"
 #include "farfield/PointCells.h"
@@ -97,13 +97,13 @@ void CappedSurface::evaluate(
     points_.evaluate(samples, output, executor);
     return;
   }
-  DividedShare share(executor);
-  share.set(0, 0.5);
+  Progress progress(executor);
+  progress.set(0, 0.5);
   UninitializedVector<float> integers(samples.size());
   FieldOutput toIntegers;
   toIntegers.values = integers.data();
   points_.evaluate(samples, toIntegers, executor);
-  share.set(0.5, 0.9);
+  progress.set(0.5, 0.9);
   const Differences differences(samples, integers, output, *this);
   if (this->usesFarFieldAtPoints(samples.size()))
   {
@@ -113,7 +113,7 @@ void CappedSurface::evaluate(
   {
     this->subtractDirectly(samples, differences, executor);
   }
-  share.set(0.9, 1);
+  progress.set(0.9, 1);
   differences.finish(executor);
 }
 

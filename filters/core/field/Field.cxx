@@ -1,7 +1,7 @@
 #include "field/Field.h"
 
-#include "base/DividedShare.h"
 #include "base/Evaluator.h"
+#include "base/Progress.h"
 #include "distance/GridDistances.h"
 #include "distance/PlaceBuckets.h"
 #include "distance/SampleDistances.h"
@@ -176,10 +176,10 @@ void Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executo
   }
   // Rows of a closed surface take no time to speak of.
   const double share = this->integerRows() ? 0.05 : 0.5;
-  DividedShare divided(executor);
-  divided.set(0, share);
+  Progress progress(executor);
+  progress.set(0, share);
   evaluateValues(signedOutput);
-  divided.set(share, 1);
+  progress.set(share, 1);
   evaluateDistances(this->distanceTree(executor), signedOutput);
 }
 

@@ -2,7 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/BucketSort.h"
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "base/SampledSource.h"
 #include "rays/ClearCells.h"
 #include "rays/RayCounter.h"
@@ -48,7 +48,7 @@ public:
     : counter_(counter)
     , output_(output)
     , executor_(executor)
-    , share_(executor)
+    , progress_(executor)
   {
   }
 
@@ -149,7 +149,7 @@ private:
       });
   }
 
-  void show(const Share& share) { share_.set(share.first, share.last); }
+  void show(const Share& share) { progress_.set(share.first, share.last); }
 
   void write(const Ray* first, const Ray* last) const
   {
@@ -167,7 +167,7 @@ private:
   const RayCounter& counter_;
   const FieldOutput& output_;
   Executor& executor_;
-  DividedShare share_;
+  Progress progress_;
 };
 
 /// No cap.
@@ -251,8 +251,8 @@ void PointCrossings::evaluate(
     this->cast(samples, output, nullptr, executor);
     return;
   }
-  DividedShare share(executor);
-  share.set(0, 0.2);
+  Progress progress(executor);
+  progress.set(0, 0.2);
   constexpr std::size_t samplesPerCell = 12;
   ClearCells clear(chain_, bounds_, samples.size() / samplesPerCell, executor);
   const std::vector<Eigen::Vector3d>& places = clear.places();
@@ -264,7 +264,7 @@ void PointCrossings::evaluate(
     this->cast(VectorsView(places[0].data(), places.size()), toWindings, nullptr, executor);
     clear.setWindings(std::move(windings));
   }
-  share.set(0.2, 1);
+  progress.set(0.2, 1);
   this->cast(samples, output, &clear, executor);
 }
 

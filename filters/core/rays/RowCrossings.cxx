@@ -2,7 +2,7 @@
 
 #include "base/BucketSort.h"
 #include "base/CountingSort.h"
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "base/UninitializedVector.h"
 #include "rays/RowTriangle.h"
 #include "source/CornersAhead.h"
@@ -382,14 +382,14 @@ void RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
   {
     return static_cast<double>(done) / static_cast<double>(depth);
   };
-  DividedShare divided(executor);
+  Progress progress(executor);
   for (std::size_t done = 0; done < depth; done += layers)
   {
     const std::size_t end = std::min(done + layers, depth);
     Extent slab = extent;
     slab[4] = extent[4] + static_cast<int>(done);
     slab[5] = extent[4] + static_cast<int>(end - 1);
-    divided.set(shareOf(done), shareOf(end));
+    progress.set(shareOf(done), shareOf(end));
     const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows, executor);
     executor.run(bands * (end - done), [&](std::size_t block)
       { work(*onGrid, slab[4] + static_cast<int>(block / bands), block % bands); });

@@ -1,7 +1,7 @@
 #include "voxels/BlockSurface.h"
 
-#include "base/DividedShare.h"
 #include "base/Executor.h"
+#include "base/Progress.h"
 
 #include <algorithm>
 #include <utility>
@@ -78,7 +78,7 @@ void BlockSurface<Label>::build(std::int64_t* quads, const AddCorner& addCorner,
   addCorner_ = &addCorner;
   voxels_.reserve(faces);
   seenLabels_.reserve(faces);
-  DividedShare share(executor);
+  Progress progress(executor);
   for (int k = 0; k <= n[2]; ++k)
   {
     // Layer k has the faces across z at its bottom, and the upright faces of its voxels.
@@ -92,7 +92,7 @@ void BlockSurface<Label>::build(std::int64_t* quads, const AddCorner& addCorner,
         }
       }
     };
-    share.set(k / (n[2] + 1.0), (k + 1) / (n[2] + 1.0));
+    progress.set(k / (n[2] + 1.0), (k + 1) / (n[2] + 1.0));
     executor.run(1, addLayer);
     lower_.swap(upper_);
     upper_.assign(upper_.size(), -1);

@@ -1,6 +1,6 @@
 #include "voxels/SolidEvaluation.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "voxels/LabelMerge.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ void SolidEvaluation::run(
   const Extent layer = {near[0], near[1], near[2], near[3], 0, 0};
   const int layers = static_cast<int>(std::clamp<std::size_t>(
     mostSamples / sampleCount(layer), 1, static_cast<std::size_t>(near[5] - near[4] + 1)));
-  DividedShare share(executor);
+  Progress progress(executor);
   const double all = near[5] - near[4] + 1;
   for (int k = near[4]; k <= near[5]; k += layers)
   {
@@ -101,7 +101,7 @@ void SolidEvaluation::run(
     part.inside = inside_.get();
     part.values = values_.get();
     part.shares = shares_.get();
-    share.set((k - near[4]) / all, (part.extent[5] + 1 - near[4]) / all);
+    progress.set((k - near[4]) / all, (part.extent[5] + 1 - near[4]) / all);
     voxels.run(field, grid, part.extent, executor);
     merge.add(part, executor);
   }

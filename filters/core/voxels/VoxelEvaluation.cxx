@@ -1,6 +1,6 @@
 #include "voxels/VoxelEvaluation.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "voxels/CoverageFractions.h"
 #include "voxels/VoxelOverlap.h"
 
@@ -25,7 +25,7 @@ std::size_t VoxelEvaluation::additionalBytes(const Field& field, std::size_t vox
 void VoxelEvaluation::run(
   const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
 {
-  DividedShare share(executor);
+  Progress progress(executor);
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
   const bool hasCenters =
@@ -35,19 +35,19 @@ void VoxelEvaluation::run(
                      : coverage == Coverage::center ? 1
                      : coverage == Coverage::any    ? 0.5
                                                     : 0.1;
-  share.set(0, end);
+  progress.set(0, end);
   if (hasCenters)
   {
     field.evaluate(grid, extent, atCenters, executor);
   }
   if (coverage == Coverage::any)
   {
-    share.set(end, 1);
+    progress.set(end, 1);
     addOverlap(field, grid, extent, output.rule, output.threshold, output.inside, executor);
   }
   if (coverage == Coverage::fraction)
   {
-    share.set(end, 1);
+    progress.set(end, 1);
     this->evaluateFractions(field, grid, extent, executor);
   }
 }
@@ -55,13 +55,13 @@ void VoxelEvaluation::run(
 void VoxelEvaluation::evaluateFractions(
   const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
 {
-  DividedShare share(executor);
+  Progress progress(executor);
   const CoverageFractions sampling(
     field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions);
   const double parts = sampling.parts();
   for (int part = 0; part < sampling.parts(); ++part)
   {
-    share.set(part / parts, (part + 1) / parts);
+    progress.set(part / parts, (part + 1) / parts);
     sampling.evaluate(part, executor);
   }
   std::transform(fractions, fractions + sampleCount(extent), output.inside,

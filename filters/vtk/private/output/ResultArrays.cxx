@@ -2,6 +2,7 @@
 
 #include "base/LargePages.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/source/ContentHash.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -67,6 +68,17 @@ vtkIdType bytesPerSample(const ResultOptions& options)
   const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
   return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
          (hasSides ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+}
+
+void addTo(ContentHash& hash, const ResultOptions& options)
+{
+  hash.addValue(options.withValues);
+  hash.addValue(options.withInside);
+  hash.addValue(options.withDistances);
+  hash.addValue(options.withCoverage);
+  hash.addValue(options.scalarType);
+  hash.addText(options.name);
+  hash.addText(options.insideName);
 }
 
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)

@@ -15,6 +15,8 @@ class vtkDataSetAttributes;
 namespace winding
 {
 
+class ContentHash;
+
 struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
@@ -29,6 +31,9 @@ struct ResultOptions
 
 /// Returns the memory for each sample: for the arrays, and for the evaluation meanwhile.
 vtkIdType bytesPerSample(const ResultOptions& options);
+
+/// Adds what decides on the arrays to `hash`.
+void addTo(ContentHash& hash, const ResultOptions& options);
 
 /// An array of one number for each sample, which are not set, in large pages of memory where the
 /// system has them: touching fresh memory in small pages for the first time takes several times as

@@ -32,7 +32,7 @@ enum Status
   interrupted
 };
 
-/// The parts of the message that ranks exchange.
+/// The parts of the message that ranks give each other.
 enum Part
 {
   status,
@@ -90,7 +90,7 @@ int Ranks::count() const
   return controller_ ? controller_->GetNumberOfProcesses() : 1;
 }
 
-std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
+std::vector<Ranks::Number> Ranks::allGather(const std::function<Number()>& work)
 {
   if (this->isAlone())
   {
@@ -134,8 +134,8 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
 
   std::vector<Parts> all(static_cast<std::size_t>(this->count()));
   controller_->AllGather(own.data(), all.data()->data(), parts);
-  setRanksOnHost(static_cast<int>(std::count_if(all.begin(), all.end(),
-    [&own](const Parts& message) { return message[host] == own[host]; })));
+  setRanksOnHost(static_cast<int>(std::count_if(
+    all.begin(), all.end(), [&own](const Parts& message) { return message[host] == own[host]; })));
   const auto failed = std::find_if(
     all.begin(), all.end(), [](const Parts& message) { return message[status] != done; });
   if (failed == all.end())
@@ -155,32 +155,42 @@ std::vector<Ranks::Number> Ranks::exchange(const std::function<Number()>& work)
   fail((*failed)[status], text);
 }
 
-bool Ranks::agree(const std::function<bool()>& work)
+void Ranks::barrier()
 {
-  const std::vector<Number> answers = this->exchange([&work]() -> Number { return work(); });
-  return std::all_of(answers.begin(), answers.end(), [](Number answer) { return answer != 0; });
+  this->agree([] {});
 }
 
-void Ranks::meet()
+void Ranks::agree(const std::function<void()>& work)
 {
-  this->agree([] { return true; });
+  this->allOf(
+    [&work]
+    {
+      work();
+      return true;
+    });
+}
+
+bool Ranks::allOf(const std::function<bool()>& work)
+{
+  const std::vector<Number> answers = this->allGather([&work]() -> Number { return work(); });
+  return std::all_of(answers.begin(), answers.end(), [](Number answer) { return answer != 0; });
 }
 
 void Ranks::requireSame(const std::function<Number()>& hashOfProperties)
 {
-  if (!areEqual(this->exchange(hashOfProperties)))
+  if (!areEqual(this->allGather(hashOfProperties)))
   {
     throw Refusal("set the same properties on all ranks: they differ, and so would the results");
   }
 }
 
-template <class T> OfRanks<T> Ranks::gathered(const std::vector<T>& own, bool onlyOnFirst)
+template <class T> OfRanks<T> Ranks::gather(const std::vector<T>& own, bool onlyOnFirst)
 {
   const auto ranks = static_cast<std::size_t>(this->count());
   OfRanks<T> result;
   result.starts.assign(1, 0);
   std::size_t most = 0;
-  for (const Number numbers : this->exchange([&own] { return own.size(); }))
+  for (const Number numbers : this->allGather([&own] { return own.size(); }))
   {
     result.starts.push_back(result.starts.back() + numbers);
     most = std::max(most, static_cast<std::size_t>(numbers));
@@ -199,7 +209,6 @@ template <class T> OfRanks<T> Ranks::gathered(const std::vector<T>& own, bool on
     {
       result.numbers.resize(isWanted ? result.starts.back() : 0);
       round.resize(isWanted && !isOneRound ? perRank * ranks : 0);
-      return true;
     });
   for (std::size_t done = 0; done < most; done += perRank)
   {
@@ -234,7 +243,7 @@ template <class T> OfRanks<T> Ranks::gathered(const std::vector<T>& own, bool on
   return result;
 }
 
-template OfRanks<double> Ranks::gathered(const std::vector<double>&, bool);
-template OfRanks<int> Ranks::gathered(const std::vector<int>&, bool);
+template OfRanks<double> Ranks::gather(const std::vector<double>&, bool);
+template OfRanks<int> Ranks::gather(const std::vector<int>&, bool);
 
 } // namespace winding

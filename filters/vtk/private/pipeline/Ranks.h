@@ -9,7 +9,7 @@ class vtkMultiProcessController;
 namespace winding
 {
 
-/// A number that ranks exchange: a count, flags or a hash.
+/// A number that ranks give each other: a count, flags or a hash.
 using RankNumber = unsigned long long;
 
 /// Whether all ranks have given the same number.
@@ -33,16 +33,16 @@ template <class T> struct OfRanks
  * that only return something are collective: all ranks call them, in the same order. A process
  * without a controller, or alone in it, is a single rank, for which they cost nothing.
  *
- * A failure of one rank must not leave the others waiting, so failures travel with exchange(): work
- * that throws on any rank makes exchange() throw on all, with the line of the first rank that
- * failed. Calls may be nested. A rank that fails anywhere within an outer one meets the others at
- * the next inner one that they come to.
+ * A failure of one rank must not leave the others waiting, so failures travel with allGather():
+ * work that throws on any rank makes it throw on all, with the line of the first rank that failed,
+ * a Refusal, OutOfMemory or Interrupted. Calls may be nested. A rank that fails anywhere within an
+ * outer one joins the others at the next inner one that they come to.
  */
 class Ranks
 {
 public:
-  /// `controller` may be null. `mostNumbers` is the largest number of numbers that one exchange
-  /// may have in sum: MPI's are counted by ints, and several exchanges need a buffer of that
+  /// `controller` may be null. `mostNumbers` is the largest number of numbers that one message of
+  /// gather() may have in sum: MPI counts them by ints, and several messages need a buffer of that
   /// size.
   explicit Ranks(
     vtkMultiProcessController* controller, std::size_t mostNumbers = std::size_t{1} << 22);
@@ -53,28 +53,30 @@ public:
 
   using Number = RankNumber;
 
-  /// Does work on every rank, and returns what it returned on each of them. Throws a Refusal,
-  /// OutOfMemory or Interrupted if it threw on any.
-  std::vector<Number> exchange(const std::function<Number()>& work);
+  /// Does work on every rank, and returns what it returned on each of them.
+  std::vector<Number> allGather(const std::function<Number()>& work);
 
   /// Waits for all ranks, and reports to HostShare.h how many of them are on this machine.
-  void meet();
+  void barrier();
 
-  /// Does work on every rank, as exchange() does, and returns whether it returned true on all.
-  bool agree(const std::function<bool()>& work);
+  /// Does work on every rank.
+  void agree(const std::function<void()>& work);
 
-  /// Does work on every rank, which returns a hash of its properties, as exchange() does. Throws a
-  /// Refusal on all ranks unless all have the same.
+  /// Does work on every rank, and returns whether it returned true on all.
+  bool allOf(const std::function<bool()>& work);
+
+  /// Does work on every rank, which returns a hash of its properties. Throws a Refusal on all ranks
+  /// unless all have the same.
   void requireSame(const std::function<Number()>& hashOfProperties);
 
-  /// All numbers of all ranks. Where they are wanted by the first rank only, the others get none
-  /// but their counts. T is double or int.
-  template <class T> OfRanks<T> gathered(const std::vector<T>& own, bool onlyOnFirst);
+  /// Returns all numbers of all ranks. With `onlyOnFirst` the other ranks get no numbers but their
+  /// counts. T is double or int.
+  template <class T> OfRanks<T> gather(const std::vector<T>& own, bool onlyOnFirst);
 
 private:
   vtkMultiProcessController* controller_;
   std::size_t mostNumbers_;
-  bool hasFailed_ = false; ///< all ranks know of a failure, and meet no more
+  bool hasFailed_ = false; ///< all ranks know of a failure, and wait no more
 };
 
 } // namespace winding

@@ -1,6 +1,6 @@
 #include "private/probe/CutDistances.h"
 
-#include "base/DividedShare.h"
+#include "base/Progress.h"
 #include "field/Field.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/probe/ProbeQueries.h"
@@ -71,13 +71,13 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
   output.doubleDistances = distances.data();
   output.rule = rule;
   output.threshold = threshold;
-  DividedShare divided(executor);
+  Progress progress(executor);
   const double shareOfDistances = field.info().jumpsOnly() ? 1 : 0.5;
-  divided.set(0, shareOfDistances);
+  progress.set(0, shareOfDistances);
   field.evaluate(samples, output, executor);
   if (!field.info().jumpsOnly())
   {
-    divided.set(shareOfDistances, 1);
+    progress.set(shareOfDistances, 1);
     gradients.resize(3 * samples.size());
     field.gradient(samples, gradients.data(), executor);
   }

@@ -100,10 +100,9 @@ bool GatheredViews::gather(Ranks& ranks, const std::vector<TrianglesView>& own, 
           }
         }
       }
-      return true;
     });
-  positions_ = ranks.gathered(positions, onlyOnFirst);
-  ids_ = ranks.gathered(ids, onlyOnFirst);
+  positions_ = ranks.gather(positions, onlyOnFirst);
+  ids_ = ranks.gather(ids, onlyOnFirst);
   if (onlyOnFirst && ranks.rank() > 0)
   {
     return false;
@@ -127,7 +126,7 @@ bool GatheredViews::gather(
   };
   std::vector<double> positions, ownNormals, ownAreas;
   unsigned lacks = 0;
-  const std::vector<Ranks::Number> ofRanks = ranks.exchange(
+  const std::vector<Ranks::Number> ofRanks = ranks.allGather(
     [&]
     {
       for (const OrientedPointsView& view : own)
@@ -147,11 +146,11 @@ bool GatheredViews::gather(
   {
     lacks |= static_cast<unsigned>(ofRank);
   }
-  positions_ = ranks.gathered(positions, onlyOnFirst);
+  positions_ = ranks.gather(positions, onlyOnFirst);
   ownNormals.resize(lacks & normals ? 0 : ownNormals.size());
   ownAreas.resize(lacks & areas ? 0 : ownAreas.size());
-  normals_ = ranks.gathered(ownNormals, onlyOnFirst);
-  areas_ = ranks.gathered(ownAreas, onlyOnFirst);
+  normals_ = ranks.gather(ownNormals, onlyOnFirst);
+  areas_ = ranks.gather(ownAreas, onlyOnFirst);
   if (onlyOnFirst && ranks.rank() > 0)
   {
     return false;

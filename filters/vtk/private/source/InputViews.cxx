@@ -241,7 +241,7 @@ void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
     surface = 1,
     cloud = 2
   };
-  const std::vector<Ranks::Number> kinds = ranks.exchange(
+  const std::vector<Ranks::Number> kinds = ranks.allGather(
     [&]() -> Ranks::Number
     {
       if (isSurface_)
@@ -263,8 +263,8 @@ void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
   // Parts of different sizes are no copies, and looking at them takes no time.
   areCopies_ =
     distribution != SourceDistribution::distributed &&
-    areEqual(ranks.exchange([this]() -> Ranks::Number { return this->ownElements(); })) &&
-    areEqual(ranks.exchange([this]() -> Ranks::Number
+    areEqual(ranks.allGather([this]() -> Ranks::Number { return this->ownElements(); })) &&
+    areEqual(ranks.allGather([this]() -> Ranks::Number
       { return isSurface_ ? hashOf(this->ownTriangles()) : hashOf(this->ownOrientedPoints()); }));
   if (distribution == SourceDistribution::replicated && !areCopies_)
   {
@@ -279,8 +279,18 @@ void InputViews::gather(Ranks& ranks, bool onlyOnFirst)
   {
     return;
   }
-  ranks.agree([this]
-    { return isSurface_ ? !this->ownTriangles().empty() : !this->ownOrientedPoints().empty(); });
+  ranks.agree(
+    [this]
+    {
+      if (isSurface_)
+      {
+        this->ownTriangles();
+      }
+      else
+      {
+        this->ownOrientedPoints();
+      }
+    });
   isGathered_ = isSurface_ ? gathered_.gather(ranks, this->ownTriangles(), onlyOnFirst)
                            : gathered_.gather(ranks, this->ownOrientedPoints(), onlyOnFirst);
 }

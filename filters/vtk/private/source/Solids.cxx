@@ -119,7 +119,7 @@ Ranks::Number hashOf(vtkPointSet* data)
 /// Whether a data set is whole on each rank that has any of it: on one, or on all.
 bool isWhole(vtkPointSet* data, Ranks& ranks)
 {
-  const std::vector<Ranks::Number> hashes = ranks.exchange([data] { return hashOf(data); });
+  const std::vector<Ranks::Number> hashes = ranks.allGather([data] { return hashOf(data); });
   const auto empty = std::count(hashes.begin(), hashes.end(), 0);
   return empty + 1 >= static_cast<std::ptrdiff_t>(hashes.size()) || areEqual(hashes);
 }
@@ -140,7 +140,6 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
       {
         checkSolids(input, options.asPoints);
         data_ = checkedCells(data);
-        return true;
       });
     // Lists of arrays in ParaView have the entry None, which arrives here as a name.
     const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
@@ -159,7 +158,8 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
 void Solids::addBlocks(vtkDataObject* composite, Ranks& ranks)
 {
   std::vector<SolidBlock> blocks = solidBlocksOf(composite);
-  const bool areAsMany = areEqual(ranks.exchange([&]() -> Ranks::Number { return blocks.size(); }));
+  const bool areAsMany =
+    areEqual(ranks.allGather([&]() -> Ranks::Number { return blocks.size(); }));
   if (!areAsMany)
   {
     throw Refusal("give all ranks the same blocks, of which each may have a part: they have "
@@ -192,9 +192,8 @@ void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& r
       {
         own.push_back(region);
       }
-      return true;
     });
-  const std::vector<int> ofAll = ranks.gathered(own, false).numbers;
+  const std::vector<int> ofAll = ranks.gather(own, false).numbers;
   for (const int region : std::set<int>(ofAll.begin(), ofAll.end()))
   {
     const std::string name = options.regionArray + " " + std::to_string(region);
@@ -214,7 +213,7 @@ void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
       {{"name an array of regions", {Parameter::regionArray}}, {"give blocks", {}},
         {"give one rank the whole surface", {}}}));
   }
-  const std::vector<Ranks::Number> counts = ranks.exchange(
+  const std::vector<Ranks::Number> counts = ranks.allGather(
     [&]() -> Ranks::Number
     {
       this->findParts(data, executor);

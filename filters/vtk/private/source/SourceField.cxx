@@ -31,7 +31,7 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
 {
   std::optional<InputViews> views;
   Memory memory = source_;
-  const bool isKept = ranks.agree(
+  const bool isKept = ranks.allOf(
     [&]
     {
       views.emplace(source, options.input, &executor);
@@ -70,7 +70,7 @@ const Bounds& SourceField::bounds(
 {
   std::optional<InputViews> views;
   Memory memory = boundedSource_;
-  const bool isKept = ranks.agree(
+  const bool isKept = ranks.allOf(
     [&]
     {
       views.emplace(source, options);
@@ -90,10 +90,9 @@ const Bounds& SourceField::bounds(
           corners.insert(corners.end(), own.min().data(), own.min().data() + 3);
           corners.insert(corners.end(), own.max().data(), own.max().data() + 3);
         }
-        return true;
       });
     bounds_ = Bounds();
-    const OfRanks<double> ofAll = ranks.gathered(corners, false);
+    const OfRanks<double> ofAll = ranks.gather(corners, false);
     for (std::size_t n = 0; n < ofAll.numbers.size(); n += 3)
     {
       bounds_.extend(Eigen::Vector3d(ofAll.numbers.data() + n));

@@ -16,7 +16,7 @@ void refuseHugeSource(const InputViews& source, const BytesOfWork& bytes, const 
 {
   const bool isMesh = source.isSurface();
   const std::vector<Ranks::Number> elements =
-    ranks.exchange([&source]() -> Ranks::Number { return source.ownElements(); });
+    ranks.allGather([&source]() -> Ranks::Number { return source.ownElements(); });
   const Ranks::Number all = source.areCopies()
                               ? elements.front()
                               : std::accumulate(elements.begin(), elements.end(), Ranks::Number{0});
@@ -29,7 +29,6 @@ void refuseHugeSource(const InputViews& source, const BytesOfWork& bytes, const 
           std::string(what) + " of " + std::to_string(all) + (isMesh ? " cells" : " points"),
           {{"take a part of the source", {}}, {"take fewer and larger triangles or points", {}}});
       }
-      return true;
     });
 }
 
