@@ -9,7 +9,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
 
 #include <map>
 #include <utility>
@@ -42,14 +41,6 @@ private:
   std::map<std::size_t, vtkSmartPointer<vtkStringArray>> arrays_;
 };
 
-vtkSmartPointer<vtkTypeInt64Array> handedPlaces(winding::PlainArray<std::int64_t> rowPlaces)
-{
-  auto places = winding::handedArray<vtkTypeInt64Array>(rowPlaces, 2);
-  places->SetComponentName(0, "Offset");
-  places->SetComponentName(1, "Size");
-  return places;
-}
-
 void handOver(winding::PointTable& table, StringArrays& texts, vtkPolyData* output)
 {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -71,7 +62,7 @@ void handOver(winding::PointTable& table, StringArrays& texts, vtkPolyData* outp
 vtkPointTableReader::vtkPointTableReader()
 {
   this->SetNumberOfInputPorts(0);
-  this->RowPlaces = handedPlaces({});
+  this->Table = std::make_unique<winding::PointTable>();
 }
 
 vtkPointTableReader::~vtkPointTableReader()
@@ -79,12 +70,22 @@ vtkPointTableReader::~vtkPointTableReader()
   this->SetFileName(nullptr);
 }
 
+std::string vtkPointTableReader::GetHeader() const
+{
+  return this->Table->header;
+}
+
+std::string vtkPointTableReader::GetRow(vtkIdType point) const
+{
+  const auto row = static_cast<std::size_t>(point); // negative ones become large
+  return row < this->Table->rows.size() ? std::string(this->Table->rows[row]) : std::string();
+}
+
 int vtkPointTableReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  this->Header.clear();
+  *this->Table = {};
   this->ColumnNames->Initialize();
-  this->RowPlaces = handedPlaces({});
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
   const auto parse = [this, output](const winding::InputFile& file, winding::Executor& executor)
   {
@@ -93,15 +94,14 @@ int vtkPointTableReader::RequestData(
     options.normalsAndAreas = this->ReadNormalsAndAreas;
     StringArrays texts;
     options.texts = this->ReadAllColumns ? &texts : nullptr;
-    options.rowPlaces = this->GenerateRowPlaces;
+    options.rows = this->KeepRows;
     winding::PointTable table = winding::readPointTable(file, options, executor);
     handOver(table, texts, output);
-    this->RowPlaces = handedPlaces(std::move(table.rowPlaces));
     for (const std::string& name : table.names)
     {
       this->ColumnNames->InsertNextValue(name);
     }
-    this->Header = table.header;
+    *this->Table = std::move(table);
   };
   return winding::readFile(this, this->FileName, this->ErrorCode, parse, output);
 }
@@ -112,5 +112,5 @@ void vtkPointTableReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "ReadNormalsAndAreas: " << this->ReadNormalsAndAreas << "\n";
   os << indent << "ReadAllColumns: " << this->ReadAllColumns << "\n";
-  os << indent << "GenerateRowPlaces: " << this->GenerateRowPlaces << "\n";
+  os << indent << "KeepRows: " << this->KeepRows << "\n";
 }

@@ -22,9 +22,9 @@
  * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
  * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
  * order mark is passed over. Rows are read by all threads, and the result is the same for any
- * number of threads. Of the text there are only parts in memory at a time, a quarter of a megabyte
- * for each thread, or a row where one is longer; a quotation mark that is not closed makes the rest
- * of the file one row, which is then refused.
+ * number of threads. Unless rows are kept, only parts of the text are in memory at a time, a quarter
+ * of a megabyte for each thread, or a row where one is longer. A quotation mark that is not closed
+ * makes the rest of the file one row, which is then refused.
  *
  * Errors, each one line through vtkErrorMacro with the name and the line of the file, with the
  * error code set and the output empty: files that cannot be read, are empty, have no columns x, y
@@ -40,12 +40,16 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for ColumnNames
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for RowPlaces
 
+#include <memory> // for the table
 #include <string> // for the header
 
+namespace winding
+{
+struct PointTable;
+}
+
 class vtkStringArray;
-class vtkTypeInt64Array;
 
 class VTKFILTERSWINDING_EXPORT vtkPointTableReader : public vtkPolyDataAlgorithm
 {
@@ -78,21 +82,19 @@ public:
   ///@}
 
   ///@{
-  /// Whether GetRowPlaces() says where the row of each point is in the file, so that a program may
-  /// hand rows on as they are. Default: off.
-  vtkSetMacro(GenerateRowPlaces, bool);
-  vtkGetMacro(GenerateRowPlaces, bool);
-  vtkBooleanMacro(GenerateRowPlaces, bool);
+  /// Whether GetRow() gives the text of each row, which then stays in memory. Default: off.
+  vtkSetMacro(KeepRows, bool);
+  vtkGetMacro(KeepRows, bool);
+  vtkBooleanMacro(KeepRows, bool);
   ///@}
 
-  /// The places of the rows after an update with GenerateRowPlaces, for each point two components:
-  /// "Offset", the number of bytes before its row, and "Size", the number of bytes of the row
-  /// without the end of its last line. Without tuples otherwise.
-  vtkTypeInt64Array* GetRowPlaces() { return this->RowPlaces; }
+  /// The row of a point as it is in the file, without the end of its last line, after an update with
+  /// KeepRows; empty otherwise.
+  std::string GetRow(vtkIdType point) const;
 
   /// The first row of the file as it is, with the end of its last line, after an update; empty
   /// where nothing was read. Where the file ends with it, an end of line is added.
-  std::string GetHeader() const { return this->Header; }
+  std::string GetHeader() const;
 
   /// The names of all columns in their order, as the first row has them, after an update; none
   /// where nothing was read.
@@ -111,12 +113,11 @@ protected:
   char* FileName = nullptr;
   bool ReadNormalsAndAreas = true;
   bool ReadAllColumns = true;
-  bool GenerateRowPlaces = false;
+  bool KeepRows = false;
 
 private:
-  std::string Header;
   vtkNew<vtkStringArray> ColumnNames;
-  vtkSmartPointer<vtkTypeInt64Array> RowPlaces;
+  std::unique_ptr<winding::PointTable> Table; ///< the header and the rows of the last file
 };
 
 #endif

@@ -9,7 +9,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
 
 #include <gtest/gtest.h>
 
@@ -70,16 +69,12 @@ TEST(PointTableReader, ColumnsBecomeArrays)
   EXPECT_EQ(arrays->GetArray("nz")->GetTuple1(0), 1);
 
   reader->ReadAllColumnsOff();
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
   EXPECT_EQ(arrays->GetNumberOfArrays(), 0);
-  vtkTypeInt64Array* const places = reader->GetRowPlaces();
-  ASSERT_EQ(places->GetNumberOfTuples(), 2);
-  EXPECT_STREQ(places->GetComponentName(0), "Offset");
-  EXPECT_STREQ(places->GetComponentName(1), "Size");
-  EXPECT_EQ(places->GetTypedComponent(0, 0), 23);
-  EXPECT_EQ(places->GetTypedComponent(0, 1), 20);
-  EXPECT_EQ(places->GetTypedComponent(1, 0), 45);
+  EXPECT_EQ(reader->GetRow(0), "\"a, b\",1,2,3,0,0,1,7");
+  EXPECT_EQ(reader->GetRow(1), "c,4,5,6,0,0,1,8");
+  EXPECT_EQ(reader->GetRow(2), "") << "there is no third point";
   EXPECT_EQ(log.errors(), "");
 }
 
@@ -105,13 +100,13 @@ TEST(PointTableReader, WithoutRows)
   const TextFile file("x,y,z,t\n", ".csv");
   vtkNew<Table> reader;
   reader->SetFileName(file.path());
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   vtkPointData* const arrays = reader->GetOutput()->GetPointData();
   ASSERT_NE(arrays->GetArray("t"), nullptr);
   EXPECT_EQ(arrays->GetArray("t")->GetNumberOfTuples(), 0);
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
+  EXPECT_EQ(reader->GetRow(0), "");
 }
 
 TEST(PointTableReader, Refusals)
@@ -131,9 +126,9 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
   const ErrorLog log(reader);
   const TextFile file("x,y,z\n1,2,3\n", ".csv");
   reader->SetFileName(file.path());
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 1);
+  EXPECT_EQ(reader->GetRow(0), "1,2,3");
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 3);
   reader->SetFileName("/nowhere.csv");
   reader->Update();
@@ -141,7 +136,7 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
   EXPECT_NE(log.errors().find("/nowhere.csv: no such file"), std::string::npos);
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 0);
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
+  EXPECT_EQ(reader->GetRow(0), "");
   EXPECT_EQ(reader->GetHeader(), "");
   reader->SetFileName(nullptr);
   reader->Update();

@@ -66,6 +66,6 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkGeomviewOFFReader>({"FileName: (none)"});
   expectPrinted<vtkOrientedPointsReader>({"FileName: (none)"});
   expectPrinted<vtkPointTableReader>(
-    {"FileName: (none)", "ReadNormalsAndAreas: 1", "ReadAllColumns: 1", "GenerateRowPlaces: 0"});
+    {"FileName: (none)", "ReadNormalsAndAreas: 1", "ReadAllColumns: 1", "KeepRows: 0"});
   expectPrinted<vtkSurfaceMeshReader>({"FileName: (none)"});
 }

@@ -8,26 +8,17 @@
 #include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
 
 QueryTable::QueryTable(const std::string& fileName, With with, Messages& messages)
   : reader_(vtkSmartPointer<vtkPointTableReader>::New())
 {
   checkContentFits(fileName);
-  if (with == With::rows)
-  {
-    file_.emplace(fileName);
-  }
   messages.setSubject(fileName);
   reader_->SetFileName(fileName.c_str());
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
   reader_->SetReadAllColumns(with == With::columns);
-  reader_->SetGenerateRowPlaces(with == With::rows);
+  reader_->SetKeepRows(with == With::rows);
   runReader(reader_, fileName, messages);
-  if (file_)
-  {
-    file_->checkName();
-  }
   header_ = reader_->GetHeader();
   header_.pop_back();
   if (!header_.empty() && header_.back() == '\r')
@@ -50,9 +41,7 @@ bool QueryTable::hasColumn(const std::string& name) const
          reader_->GetOutput()->GetPointData()->HasArray(name.c_str()) != 0;
 }
 
-std::string_view QueryTable::row(vtkIdType point)
+std::string QueryTable::row(vtkIdType point) const
 {
-  vtkTypeInt64Array* const places = reader_->GetRowPlaces();
-  return file_->read(static_cast<std::size_t>(places->GetTypedComponent(point, 0)),
-    static_cast<std::size_t>(places->GetTypedComponent(point, 1)));
+  return reader_->GetRow(point);
 }
