@@ -3,7 +3,7 @@
 #include "commands/FilesOfFirstRank.h"
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"

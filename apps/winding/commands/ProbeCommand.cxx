@@ -4,7 +4,7 @@
 #include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
 #include "commands/ReportParts.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"

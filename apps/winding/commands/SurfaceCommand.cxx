@@ -1,7 +1,7 @@
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
 #include "commands/FilesOfFirstRank.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"

@@ -3,7 +3,7 @@
 #include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
 #include "commands/HyperTreeRun.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Interrupt.h"

@@ -1,24 +1,19 @@
 #include "input/QueryTable.h"
 
-#include "input/ContentCheck.h"
-#include "input/RunReader.h"
-#include "program/Messages.h"
+#include "input/ReadInput.h"
 
 #include "vtkPointData.h"
-#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
+#include "vtkSourceReader.h"
 #include "vtkStringArray.h"
 
 QueryTable::QueryTable(const std::string& fileName, With with, Messages& messages)
-  : reader_(vtkSmartPointer<vtkPointTableReader>::New())
+  : reader_(vtkSmartPointer<vtkSourceReader>::New())
 {
-  checkContentFits(fileName);
-  messages.setSubject(fileName);
-  reader_->SetFileName(fileName.c_str());
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
   reader_->SetReadAllColumns(with == With::columns);
   reader_->SetKeepRows(with == With::rows);
-  runReader(reader_, fileName, messages);
+  readBy(reader_, fileName, messages);
   header_ = reader_->GetHeader();
   header_.pop_back();
   if (!header_.empty() && header_.back() == '\r')

@@ -6,7 +6,7 @@
 
 class Messages;
 class vtkPointSet;
-class vtkPointTableReader;
+class vtkSourceReader;
 
 /// A table of points that are asked about.
 class QueryTable
@@ -38,7 +38,7 @@ public:
   std::string row(vtkIdType point) const;
 
 private:
-  vtkSmartPointer<vtkPointTableReader> reader_;
+  vtkSmartPointer<vtkSourceReader> reader_;
   std::string header_;
   const char* lineEnd_ = "\n";
 };

@@ -1,8 +1,9 @@
 #include "input/ReaderChild.h"
 
+#include "files/Formats.h"
 #include "input/DataStream.h"
+#include "input/LegacyVtkCounts.h"
 #include "input/ReaderLimits.h"
-#include "input/VtkReaders.h"
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
@@ -137,9 +138,9 @@ vtkSmartPointer<vtkPointSet> read(
       std::string("holds ") + (output ? output->GetClassName() : "nothing") +
         "; a surface, an unstructured grid or points are needed");
   }
-  if (format.check)
+  if (reader->IsA("vtkDataSetReader")) // it trusts the counts of a legacy file
   {
-    format.check(fileName, data);
+    checkLegacyVtkCounts(fileName, data);
   }
   return data;
 }

@@ -1,7 +1,7 @@
 #include "output/WriteOutput.h"
 
+#include "files/Formats.h"
 #include "files/SinglePrecision.h"
-#include "files/Suffix.h"
 #include "output/HyperTreeWriter.h"
 #include "output/OutputFile.h"
 #include "output/SmallCells.h"
