@@ -178,7 +178,7 @@ void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image,
   vtkNew<vtkTypeInt64Array> ids;
   ids->SetNumberOfValues(4 * static_cast<vtkIdType>(faces));
   winding::SmpExecutor executor(filter, 1);
-  Surface surface(sides, isMirrored(image));
+  Surface surface(sides, isMirrored(image), faces);
   surface.build(static_cast<std::int64_t*>(ids->GetVoidPointer(0)), addCorner, executor);
   points->Squeeze();
   output->SetPoints(points);
