@@ -1,9 +1,8 @@
 #include "commands/FieldRun.h"
 
+#include "commands/CommandFiles.h"
 #include "commands/FidelityReport.h"
 #include "commands/FieldParts.h"
-#include "commands/FilesOfFirstRank.h"
-#include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
 #include "commands/ReportParts.h"
 #include "options/Options.h"

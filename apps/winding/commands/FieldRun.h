@@ -1,6 +1,6 @@
 #pragma once
 
-#include "commands/Slabs.h"
+#include "commands/FieldParts.h"
 #include "program/Print.h"
 #include "program/Stopwatch.h"
 

@@ -1,7 +1,6 @@
 #include "commands/AnswerTable.h"
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
-#include "commands/FilesOfFirstRank.h"
-#include "commands/FilterOutcome.h"
 #include "commands/FilterSettings.h"
 #include "commands/ReportParts.h"
 #include "files/Formats.h"

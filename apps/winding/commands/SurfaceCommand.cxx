@@ -1,6 +1,6 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
 #include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"

@@ -1,6 +1,6 @@
 #include "files/Formats.h"
 
-#include "files/TextScanning.h"
+#include "files/Text.h"
 
 #include "vtkDataSetReader.h"
 #include "vtkSourceReader.h"

@@ -1,8 +1,7 @@
 #include "input/ContentCheck.h"
 
-#include "files/FileAccess.h"
 #include "files/Formats.h"
-#include "files/TextScanning.h"
+#include "files/Text.h"
 #include "program/Failure.h"
 
 #include <algorithm>

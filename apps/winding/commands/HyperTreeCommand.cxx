@@ -1,7 +1,7 @@
-#include "commands/HyperTreeRun.h"
+#include "commands/Commands.h"
 
+#include "commands/CommandFiles.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
 #include "commands/FilterSettings.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
