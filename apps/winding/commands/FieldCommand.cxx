@@ -1,5 +1,6 @@
 #include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
 #include "commands/FilterSettings.h"
 #include "files/Formats.h"
@@ -20,8 +21,8 @@ void writePieces(vtkWindingNumberField& field, const Options& options, Messages&
 {
   const PiecesFile output(options.output, filesToKeep(options));
   FieldRun run(field, options, messages);
-  run.write(output);
-  run.print();
+  writeFieldPieces(run, output);
+  run.report().print();
 }
 
 void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages& messages)
@@ -30,8 +31,8 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
   FieldRun run(field, options, messages);
   if (!parallel::isAlone())
   {
-    const vtkSmartPointer<vtkImageData> whole = run.gather();
-    run.write(whole, output.get());
+    const vtkSmartPointer<vtkImageData> whole = gatherImage(run);
+    writeResult(run, whole, output.get());
   }
   else
   {
@@ -39,9 +40,9 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
     {
       run.update();
     }
-    run.write(*output);
+    writeField(run, *output);
   }
-  run.print();
+  run.report().print();
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
 #include "commands/FilterSettings.h"
 #include "files/Formats.h"
@@ -51,6 +52,6 @@ void runVoxels(const Options& given, Messages& messages)
   {
     warnOfNothingInside("the surface", options, messages);
   }
-  run.write(surface, &output);
-  run.print();
+  writeResult(run, surface, &output);
+  run.report().print();
 }
