@@ -1,5 +1,5 @@
 #include "commands/Commands.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/CommandLine.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"

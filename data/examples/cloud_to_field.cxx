@@ -4,7 +4,7 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkOrientedPointsReader.h>
+#include <vtkSourceReader.h>
 #include <vtkWindingNumberField.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -19,7 +19,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  vtkNew<vtkOrientedPointsReader> reader; // lines of x y z or x y z nx ny nz
+  vtkNew<vtkSourceReader> reader; // lines of x y z or x y z nx ny nz
   reader->SetFileName(argv[1]);
 
   vtkNew<vtkWindingNumberField> field;

@@ -1,4 +1,4 @@
-#include "files/PlyBinary.h"
+#include "files/PlyBody.h"
 
 #include "base/Progress.h"
 #include "files/PlyItems.h"

@@ -1,8 +1,7 @@
 #include "files/PlyFile.h"
 
-#include "files/PlyBinary.h"
+#include "files/PlyBody.h"
 #include "files/PlyHeader.h"
-#include "files/PlyText.h"
 
 namespace winding
 {

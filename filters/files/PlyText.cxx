@@ -1,4 +1,4 @@
-#include "files/PlyText.h"
+#include "files/PlyBody.h"
 
 #include "base/Progress.h"
 #include "files/ContentLines.h"

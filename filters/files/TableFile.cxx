@@ -5,6 +5,7 @@
 #include "files/TableRows.h"
 #include "files/Words.h"
 
+#include <algorithm>
 #include <atomic>
 #include <set>
 #include <utility>
@@ -70,7 +71,11 @@ public:
     }
   }
 
-  void readPlaces() { table_.rowPlaces = PlainArray<std::int64_t>(2 * rows_.count()); }
+  void keepRows()
+  {
+    table_.text = PlainArray<char>(file_.size());
+    table_.rows.resize(rows_.count());
+  }
 
   /// Texts are null where no others are read.
   void run(TextColumns* texts, Executor& executor)
@@ -112,11 +117,11 @@ private:
       {
         this->checkFields(part);
       }
-      if (!table_.rowPlaces.empty())
+      if (!table_.rows.empty())
       {
-        std::int64_t* const place = &table_.rowPlaces[2 * part.number()];
-        place[0] = static_cast<std::int64_t>(part.offset());
-        place[1] = static_cast<std::int64_t>(fields.row().size());
+        char* const text = &table_.text[part.offset()];
+        std::copy(fields.row().begin(), fields.row().end(), text);
+        table_.rows[part.number()] = {text, fields.row().size()};
       }
     }
   }
@@ -243,9 +248,9 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   {
     parser.readOthers(taken);
   }
-  if (options.rowPlaces)
+  if (options.rows)
   {
-    parser.readPlaces();
+    parser.keepRows();
   }
   progress.set(0.2, 1);
   parser.run(options.texts, executor);

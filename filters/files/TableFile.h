@@ -6,8 +6,8 @@
 #include "files/MeshArrays.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace winding
@@ -32,7 +32,7 @@ struct TableOptions
 {
   char separator = ',';         ///< or a tab
   bool normalsAndAreas = true;  ///< whether these columns are read apart, or are like all others
-  bool rowPlaces = false;       ///< whether the places of the rows in the file are wanted
+  bool rows = false;            ///< whether the texts of the rows are kept
   TextColumns* texts = nullptr; ///< null where columns that have no meaning are not wanted
   std::size_t bytesPerBlock = LineBlocks::usualBytes;
 };
@@ -54,9 +54,8 @@ struct PointTable
   std::vector<std::string> names;   ///< of all columns, as the header has them
   std::vector<TableColumn> columns; ///< those that have no meaning, if they are wanted
 
-  /// For each point the offset of its row in the file, and its bytes without the end of its last
-  /// line; empty if they are not wanted.
-  PlainArray<std::int64_t> rowPlaces;
+  PlainArray<char> text;              ///< the file's, set where rows are; empty if none is kept
+  std::vector<std::string_view> rows; ///< parts of it without the ends of their last lines
 };
 
 /**

@@ -7,6 +7,7 @@
 #include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
 #include "level/SharpContour.h"
+#include "private/output/HandedArrays.h"
 #include "private/output/ResultArrays.h"
 #include "private/output/SurfaceFidelity.h"
 #include "private/pipeline/FreeMemory.h"
@@ -285,14 +286,9 @@ void vtkWindingNumberSurface::MakeSmooth(const winding::Field& field,
 {
   const winding::Grid& grid = this->GetSampling();
   winding::GridContour contour(grid, edges, executor);
-  const auto ids = idsOf(3 * contour.triangles()), offsets = idsOf(contour.triangles() + 1);
+  const auto ids = idsOf(3 * contour.triangles());
   contour.takeTriangles(pointerTo(ids), executor);
-  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
-  {
-    offsets->SetValue(n, 3 * n);
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, ids);
+  const auto triangles = winding::cellsOf(ids, 3);
   winding::LevelRoots roots(field, grid, edges, winding::coreInsideRule(this->InsideRule),
     this->WindingThreshold, this->Tolerance, executor);
   this->FindRoots(roots, executor);

@@ -2,6 +2,7 @@
 
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
+#include "private/output/HandedArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Options.h"
@@ -174,21 +175,14 @@ void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image,
       firstIndex[0] + i, firstIndex[1] + j, firstIndex[2] + k, position);
     points->InsertNextPoint(position);
   };
-  vtkNew<vtkTypeInt64Array> ids, offsets;
+  vtkNew<vtkTypeInt64Array> ids;
   ids->SetNumberOfValues(4 * static_cast<vtkIdType>(faces));
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(faces) + 1);
-  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
-  {
-    offsets->SetValue(n, 4 * n);
-  }
   winding::SmpExecutor executor(filter, 1);
-  Surface surface(sides, isMirrored(image));
+  Surface surface(sides, isMirrored(image), faces);
   surface.build(static_cast<std::int64_t*>(ids->GetVoidPointer(0)), addCorner, executor);
   points->Squeeze();
-  vtkNew<vtkCellArray> quads;
-  quads->SetData(offsets, ids);
   output->SetPoints(points);
-  output->SetPolys(quads);
+  output->SetPolys(winding::cellsOf(ids, 4));
   addData(surface);
 }
 

@@ -6,17 +6,14 @@
 // work on the machine changes less. With --points the coordinates that each reader gave are left in
 // the folder as doubles, <file>.<reader>, for readers_peers.py to compare.
 
-#include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
-#include "vtkOrientedPointsReader.h"
 #include "vtkPLYReader.h"
-#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSTLReader.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceMeshReader.h"
+#include "vtkSourceReader.h"
 
 #include <algorithm>
 #include <chrono>
@@ -103,22 +100,7 @@ template <class Read> void measureOnThreads(const std::string& fileName, int all
 void measureFile(const std::string& fileName, int all)
 {
   const std::string suffix = std::filesystem::path(fileName).extension().string();
-  if (suffix == ".off")
-  {
-    measureOnThreads(fileName, all, readBy<vtkGeomviewOFFReader>);
-  }
-  else if (suffix == ".xyz" || suffix == ".pwn")
-  {
-    measureOnThreads(fileName, all, readBy<vtkOrientedPointsReader>);
-  }
-  else if (suffix == ".csv")
-  {
-    measureOnThreads(fileName, all, readBy<vtkPointTableReader>);
-  }
-  else
-  {
-    measureOnThreads(fileName, all, readBy<vtkSurfaceMeshReader>);
-  }
+  measureOnThreads(fileName, all, readBy<vtkSourceReader>);
   if (suffix == ".obj")
   {
     measure(fileName, "VTK", readBy<vtkOBJReader>);

@@ -31,7 +31,7 @@ struct Table : PointTable
 /// The way in which a table is read.
 struct Way
 {
-  bool withOthers = false; ///< columns without a meaning, and places of rows
+  bool withOthers = false; ///< columns without a meaning, and rows
   bool withNormals = true;
   char separator = ',';
   std::size_t bytesPerBlock = LineBlocks::usualBytes;
@@ -45,7 +45,7 @@ Table read(const InputFile& file, const Way& way, Executor& executor)
   TableOptions options;
   options.separator = way.separator;
   options.normalsAndAreas = way.withNormals;
-  options.rowPlaces = way.withOthers;
+  options.rows = way.withOthers;
   options.texts = way.withOthers ? &texts : nullptr;
   options.bytesPerBlock = way.bytesPerBlock;
   Table table = {readPointTable(file, options, executor), {}};
@@ -82,7 +82,7 @@ void expectSameTable(const Table& a, const Table& b)
 {
   expectSame(a.points, b.points);
   EXPECT_EQ(vectorOf(a.points.areas), vectorOf(b.points.areas));
-  EXPECT_EQ(vectorOf(a.rowPlaces), vectorOf(b.rowPlaces));
+  EXPECT_EQ(a.rows, b.rows);
   EXPECT_EQ(a.header, b.header);
   EXPECT_EQ(a.names, b.names);
   EXPECT_EQ(a.texts, b.texts);
@@ -106,7 +106,7 @@ TEST(TableFile, PositionsNormalsAndAreas)
   EXPECT_EQ(vectorOf(table.points.areas), (Numbers{3, 1e3}));
   expectCells(table.points.vertices, {0, 2}, {0, 1});
   EXPECT_TRUE(table.columns.empty());
-  EXPECT_TRUE(table.rowPlaces.empty());
+  EXPECT_TRUE(table.rows.empty());
 }
 
 TEST(TableFile, NamesOfColumns)
@@ -190,21 +190,14 @@ TEST(TableFile, NormalsAndAreasMayBeColumnsAsAllOthers)
   EXPECT_EQ(table.texts.at(3), (Texts{"north"}));
 }
 
-TEST(TableFile, PlacesOfRows)
+TEST(TableFile, KeepsRows)
 {
   const std::string header = "x,y,z,\"a\nb\"\r\n", first = " 1,2,3,\"\r\n\"", second = "4,5,6,7 ";
   const std::string contents = "\xEF\xBB\xBF\n" + header + first + "\r\n\r\n  \n" + second;
   const Table table = read(contents, withOthers);
   EXPECT_EQ(table.header, header);
   EXPECT_EQ(table.names, (Texts{"x", "y", "z", "a\nb"}));
-  ASSERT_EQ(table.rowPlaces.size(), 4u);
-  const auto rowAt = [&](std::size_t i)
-  {
-    return contents.substr(static_cast<std::size_t>(table.rowPlaces[2 * i]),
-      static_cast<std::size_t>(table.rowPlaces[2 * i + 1]));
-  };
-  EXPECT_EQ(rowAt(0), first);
-  EXPECT_EQ(rowAt(1), second);
+  EXPECT_EQ(table.rows, (std::vector<std::string_view>{first, second}));
 }
 
 TEST(TableFile, TabsSeparate)

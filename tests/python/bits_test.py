@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 import vtkwinding
 from vtkwinding.vtkFiltersWinding import (
-    vtkGeomviewOFFReader,
+    vtkSourceReader,
     vtkWindingNumberField,
     vtkWindingNumberProbe,
     vtkWindingNumberSurface,
@@ -52,7 +52,7 @@ class BitsTest(unittest.TestCase):
         """A filter behind the reader of a mesh, which is written before."""
         path = self.folder / f"{name}.off"
         path.write_text(off(*MESHES[name]))
-        self.reader = vtkGeomviewOFFReader()
+        self.reader = vtkSourceReader()
         self.reader.SetFileName(str(path))
         port = 1 if isinstance(filter_of_mesh, vtkWindingNumberProbe) else 0
         filter_of_mesh.SetInputConnection(port, self.reader.GetOutputPort())

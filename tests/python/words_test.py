@@ -10,8 +10,7 @@ import numpy as np
 import vtkwinding
 from vtkwinding import _run
 from vtkwinding.vtkFiltersWinding import (
-    vtkGeomviewOFFReader,
-    vtkOrientedPointsReader,
+    vtkSourceReader,
     vtkSurfaceReport,
     vtkWindingNumberField,
 )
@@ -58,11 +57,11 @@ class WordsTest(unittest.TestCase):
                 vtkwinding.surface, *cube, resolution=4, bounds=[0.4, 0.6] * 3),
         }
         report = vtkSurfaceReport()
-        reader = vtkGeomviewOFFReader()
+        reader = vtkSourceReader()
         reader.SetFileName(str(FOLDER / "inward.off"))
         report.SetInputConnection(reader.GetOutputPort())
         # Functions of arrays say themselves that points have no normals.
-        points = vtkOrientedPointsReader()
+        points = vtkSourceReader()
         points.SetFileName(str(FOLDER / "bare.xyz"))
         field = vtkWindingNumberField()
         field.SetInputConnection(points.GetOutputPort())
@@ -71,7 +70,7 @@ class WordsTest(unittest.TestCase):
         self.assertEqual(found, messages_of("Python"))
 
     def test_are_setters_outside_of_this_package(self):
-        reader = vtkOrientedPointsReader()
+        reader = vtkSourceReader()
         reader.SetFileName(str(FOLDER / "bare.xyz"))
         field = vtkWindingNumberField()
         field.SetInputConnection(reader.GetOutputPort())

@@ -224,10 +224,8 @@ class PipelineTest(unittest.TestCase):
             surface.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
             mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
             points.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
-            for reader, path, count in ((vtkFiltersWinding.vtkGeomviewOFFReader(), mesh, 3),
-                                        (vtkFiltersWinding.vtkOrientedPointsReader(), points, 2),
-                                        (vtkFiltersWinding.vtkPointTableReader(), table, 2),
-                                        (vtkFiltersWinding.vtkSurfaceMeshReader(), surface, 3)):
+            for path, count in (mesh, 3), (points, 2), (table, 2), (surface, 3):
+                reader = vtkFiltersWinding.vtkSourceReader()
                 errors = errors_of(reader)
                 reader.SetFileName(str(path))
                 reader.Update()

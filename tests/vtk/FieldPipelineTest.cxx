@@ -7,7 +7,6 @@
 #include "vtkContourFilter.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
-#include "vtkGeomviewOFFReader.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -16,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkSMPTools.h"
+#include "vtkSourceReader.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWindingNumberField.h"
@@ -314,7 +314,7 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
 
 TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
 {
-  vtkNew<vtkGeomviewOFFReader> reader;
+  vtkNew<vtkSourceReader> reader;
   reader->SetFileName("no such file.off");
   ErrorLog readerLog(reader);
   field->SetInputConnection(reader->GetOutputPort());

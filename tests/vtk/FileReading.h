@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkSourceReader.h"
 
 #include <gtest/gtest.h>
 
@@ -43,12 +44,11 @@ private:
   std::string path_;
 };
 
-/// The output of a reader, which is to say nothing.
-template <class Reader>
-vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string& suffix = ".txt")
+/// Returns the output of the reader, which is to say nothing.
+inline vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string& suffix)
 {
   const TextFile file(contents, suffix);
-  vtkNew<Reader> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();
@@ -58,12 +58,11 @@ vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string
 }
 
 /// Expects one error that says `part`, an error code, and an output without points.
-template <class Reader>
-void expectRefusal(const std::string& contents, const std::string& part, unsigned long code,
-  const std::string& suffix = ".txt")
+inline void expectRefusal(const std::string& contents, const std::string& part, unsigned long code,
+  const std::string& suffix)
 {
   const TextFile file(contents, suffix);
-  vtkNew<Reader> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();

@@ -1,9 +1,8 @@
 #include "support/MessageList.h"
 #include "vtk/ErrorLog.h"
 
-#include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
-#include "vtkOrientedPointsReader.h"
+#include "vtkSourceReader.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberSurface.h"
@@ -33,9 +32,9 @@ std::string messageOf(vtkAlgorithm* filter)
                                     : text.substr(begin + 3, text.find('\n', begin) - begin - 3);
 }
 
-template <class Reader> vtkSmartPointer<Reader> reading(const std::string& name)
+vtkSmartPointer<vtkSourceReader> reading(const std::string& name)
 {
-  auto reader = vtkSmartPointer<Reader>::New();
+  auto reader = vtkSmartPointer<vtkSourceReader>::New();
   reader->SetFileName((WINDING_MESSAGES "/" + name).c_str());
   return reader;
 }
@@ -46,14 +45,7 @@ std::string messageOfField(
 {
   vtkNew<vtkWindingNumberField> field;
   field->SetResolution(4);
-  if (file.find(".off") != std::string::npos)
-  {
-    field->SetInputConnection(reading<vtkGeomviewOFFReader>(file)->GetOutputPort());
-  }
-  else
-  {
-    field->SetInputConnection(reading<vtkOrientedPointsReader>(file)->GetOutputPort());
-  }
+  field->SetInputConnection(reading(file)->GetOutputPort());
   if (change)
   {
     change(field);
@@ -79,11 +71,11 @@ std::map<std::string, std::string> allMessages()
     messageOfField("cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
   found["faces that look inward"] = messageOfField("inward.off");
   vtkNew<vtkSurfaceReport> report;
-  report->SetInputConnection(reading<vtkGeomviewOFFReader>("inward.off")->GetOutputPort());
+  report->SetInputConnection(reading("inward.off")->GetOutputPort());
   report->Update();
   found["the report on faces that look inward"] = report->GetAdvice();
   vtkNew<vtkWindingNumberSurface> surface;
-  surface->SetInputConnection(reading<vtkGeomviewOFFReader>("cube.off")->GetOutputPort());
+  surface->SetInputConnection(reading("cube.off")->GetOutputPort());
   surface->SetResolution(4);
   surface->UseInputBoundsOff();
   surface->SetSamplingBounds(0.4, 0.6, 0.4, 0.6, 0.4, 0.6);

@@ -10,9 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "vtkGeomviewOFFReader.h"
-#include "vtkOrientedPointsReader.h"
-#include "vtkSurfaceMeshReader.h"
+#include "vtkSourceReader.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +22,11 @@ using namespace reading;
 namespace
 {
 
-using Off = vtkGeomviewOFFReader;
-using Points = vtkOrientedPointsReader;
-using Surface = vtkSurfaceMeshReader;
-
-TEST(GeomviewOFFReader, PolygonsOfAnySize)
+TEST(ReaderOfOff, PolygonsOfAnySize)
 {
-  const auto mesh = read<Off>("OFF\n# a comment\n5 4 0\n0 0 0\n1 0 0 # one\n\n1 1 0\n0 1 0\n"
-                              "0.1 -2e-3 +3\n3 0 1 2\n4 0 1 2 3 255 0 0\n2 3 4\n1 4\n");
+  const auto mesh = read("OFF\n# a comment\n5 4 0\n0 0 0\n1 0 0 # one\n\n1 1 0\n0 1 0\n"
+                         "0.1 -2e-3 +3\n3 0 1 2\n4 0 1 2 3 255 0 0\n2 3 4\n1 4\n",
+    ".off");
   EXPECT_EQ(mesh->GetNumberOfPoints(), 5);
   EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
   expectRow(mesh->GetPoints()->GetData(), 4, 0.1, -2e-3, 3);
@@ -44,62 +39,64 @@ TEST(GeomviewOFFReader, PolygonsOfAnySize)
   EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2, 3}));
 }
 
-TEST(GeomviewOFFReader, CountsOnTheLineOfTheKeyword)
+TEST(ReaderOfOff, CountsOnTheLineOfTheKeyword)
 {
-  EXPECT_EQ(read<Off>("OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2")->GetNumberOfPolys(), 1);
-  EXPECT_EQ(read<Off>("OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->GetNumberOfPolys(), 1);
+  EXPECT_EQ(read("OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2", ".off")->GetNumberOfPolys(), 1);
+  EXPECT_EQ(read("OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ".off")->GetNumberOfPolys(), 1);
 }
 
-TEST(GeomviewOFFReader, NormalsAreKeptAndColoursPassedOver)
+TEST(ReaderOfOff, NormalsAreKeptAndColoursPassedOver)
 {
-  const auto normals = read<Off>("NOFF\n1 0 0\n0 0 0 0 0.6 0.8\n");
+  const auto normals = read("NOFF\n1 0 0\n0 0 0 0 0.6 0.8\n", ".off");
   expectRow(normals->GetPointData()->GetNormals(), 0, 0, 0.6, 0.8);
   EXPECT_EQ(normals->GetNumberOfVerts(), 1) << "points alone are to be seen";
-  const auto colours = read<Off>("COFF\n1 0 0\n1 2 3 255 0 0 255\n");
+  const auto colours = read("COFF\n1 0 0\n1 2 3 255 0 0 255\n", ".off");
   expectRow(colours->GetPoints()->GetData(), 0, 1, 2, 3);
   EXPECT_EQ(colours->GetPointData()->GetNormals(), nullptr);
-  const auto all = read<Off>("STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 1 0.5 0.5\n");
+  const auto all = read("STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 1 0.5 0.5\n", ".off");
   expectRow(all->GetPointData()->GetNormals(), 0, 0, 0, 1);
 }
 
-TEST(GeomviewOFFReader, SpecialNumbers)
+TEST(ReaderOfOff, SpecialNumbers)
 {
-  const auto mesh = read<Off>("OFF\n2 0 0\nnan inf -inf\n1e-400 +1e300 -0\n");
+  const auto mesh = read("OFF\n2 0 0\nnan inf -inf\n1e-400 +1e300 -0\n", ".off");
   const double* first = mesh->GetPoints()->GetData()->GetTuple3(0);
   EXPECT_TRUE(std::isnan(first[0]));
   EXPECT_TRUE(std::isinf(first[1]) && std::isinf(first[2]));
   expectRow(mesh->GetPoints()->GetData(), 1, 0, 1e300, 0);
 }
 
-TEST(GeomviewOFFReader, Refusals)
+TEST(ReaderOfOff, Refusals)
 {
-  expectRefusal<Off>("", "is empty", end);
-  expectRefusal<Off>("# only a comment\n", "keyword OFF", format);
-  expectRefusal<Off>("solid\n", "keyword OFF", format);
-  expectRefusal<Off>("OFF BINARY\n", "binary", format);
-  expectRefusal<Off>("4OFF\n1 0 0\n1 1 1 1\n", "three dimensions", format);
-  expectRefusal<Off>("OFF\n", "numbers of vertices", end);
-  expectRefusal<Off>("OFF\nx 1 0\n", "line 2: \"x\"", format);
-  expectRefusal<Off>("OFF\n-3 1 0\n", "negative: -3", format);
-  expectRefusal<Off>("OFF\n99999999999999 1 0\n0 0 0\n", "99999999999999", format);
-  expectRefusal<Off>("OFF\n99999999999999999999999 1 0\n0 0 0\n", "line 2", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", "promises 1 faces but has 0", end);
-  expectRefusal<Off>(
-    "OFF\n3 1 0\n0 0 0.000000\n1 0 0.000000\n", "promises 3 vertices but has 2", end);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 zero\n3 0 1 2\n", "line 5: \"zero\"", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: a coordinate", format);
-  expectRefusal<Off>("OFF\n1 0 0\n0 +-1 0\n", "line 3: \"+-1\"", format);
-  expectRefusal<Off>(
-    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3 does not exist", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: the face has 3", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1\n", "the face has -3", format);
-  expectRefusal<Off>("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1\n", "999999999", format);
+  expectRefusal("", "is empty", end, ".off");
+  expectRefusal("# only a comment\n", "keyword OFF", format, ".off");
+  expectRefusal("solid\n", "keyword OFF", format, ".off");
+  expectRefusal("OFF BINARY\n", "binary", format, ".off");
+  expectRefusal("4OFF\n1 0 0\n1 1 1 1\n", "three dimensions", format, ".off");
+  expectRefusal("OFF\n", "numbers of vertices", end, ".off");
+  expectRefusal("OFF\nx 1 0\n", "line 2: \"x\"", format, ".off");
+  expectRefusal("OFF\n-3 1 0\n", "negative: -3", format, ".off");
+  expectRefusal("OFF\n99999999999999 1 0\n0 0 0\n", "99999999999999", format, ".off");
+  expectRefusal("OFF\n99999999999999999999999 1 0\n0 0 0\n", "line 2", format, ".off");
+  expectRefusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", "promises 1 faces but has 0", end, ".off");
+  expectRefusal(
+    "OFF\n3 1 0\n0 0 0.000000\n1 0 0.000000\n", "promises 3 vertices but has 2", end, ".off");
+  expectRefusal(
+    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 zero\n3 0 1 2\n", "line 5: \"zero\"", format, ".off");
+  expectRefusal("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: a coordinate", format, ".off");
+  expectRefusal("OFF\n1 0 0\n0 +-1 0\n", "line 3: \"+-1\"", format, ".off");
+  expectRefusal(
+    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3 does not exist", format, ".off");
+  expectRefusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1", format, ".off");
+  expectRefusal(
+    "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: the face has 3", format, ".off");
+  expectRefusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1\n", "the face has -3", format, ".off");
+  expectRefusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1\n", "999999999", format, ".off");
 }
 
-TEST(GeomviewOFFReader, MissingFilesAndNames)
+TEST(ReaderOfOff, MissingFilesAndNames)
 {
-  vtkNew<Off> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
@@ -112,9 +109,9 @@ TEST(GeomviewOFFReader, MissingFilesAndNames)
   EXPECT_NE(log.errors().find("/nowhere/at/all.off: no such file"), std::string::npos);
 }
 
-TEST(OrientedPointsReader, PositionsOnly)
+TEST(ReaderOfPoints, PositionsOnly)
 {
-  const auto cloud = read<Points>("# x y z\n0 0 0\n1.5 2 -3 # last\n");
+  const auto cloud = read("# x y z\n0 0 0\n1.5 2 -3 # last\n", ".xyz");
   EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
   EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
   expectRow(cloud->GetPoints()->GetData(), 1, 1.5, 2, -3);
@@ -122,11 +119,11 @@ TEST(OrientedPointsReader, PositionsOnly)
   EXPECT_EQ(cloud->GetNumberOfVerts(), 1);
 }
 
-TEST(OrientedPointsReader, NormalsOnTheSameLine)
+TEST(ReaderOfPoints, NormalsOnTheSameLine)
 {
   for (const std::string count : {"", "2\n"})
   {
-    const auto cloud = read<Points>(count + "0 0 0 0 0 1\n1\t2\t3\t0\t2\t0\r\n");
+    const auto cloud = read(count + "0 0 0 0 0 1\n1\t2\t3\t0\t2\t0\r\n", ".xyz");
     EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
     expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
     expectRow(cloud->GetPointData()->GetNormals(), 1, 0, 2, 0);
@@ -134,38 +131,38 @@ TEST(OrientedPointsReader, NormalsOnTheSameLine)
   }
 }
 
-TEST(OrientedPointsReader, NormalsAfterAllPositions)
+TEST(ReaderOfPoints, NormalsAfterAllPositions)
 {
-  const auto cloud = read<Points>("2\n0 0 0\n1 2 3\n0 0 1\n0 1 0\n");
+  const auto cloud = read("2\n0 0 0\n1 2 3\n0 0 1\n0 1 0\n", ".xyz");
   EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
   expectRow(cloud->GetPoints()->GetData(), 1, 1, 2, 3);
   expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 1);
-  const auto positions = read<Points>("2\n0 0 0\n1 2 3\n");
+  const auto positions = read("2\n0 0 0\n1 2 3\n", ".xyz");
   EXPECT_EQ(positions->GetNumberOfPoints(), 2);
   EXPECT_EQ(positions->GetPointData()->GetNormals(), nullptr);
 }
 
-TEST(OrientedPointsReader, Refusals)
+TEST(ReaderOfPoints, Refusals)
 {
-  expectRefusal<Points>("1\n0 0 0\n0 0 1\n5 5 5\n", "promises 1 points, but 3 lines", format);
-  expectRefusal<Points>("", "is empty", end);
-  expectRefusal<Points>("# nothing\n\n", "holds no points", end);
-  expectRefusal<Points>("5\n", "5", format);
-  expectRefusal<Points>("-2\n0 0 0\n1 1 1\n", "negative: -2", format);
-  expectRefusal<Points>("99999999999\n0 0 0\n", "99999999999", format);
-  expectRefusal<Points>(
-    "3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "promises 3 points, but 4 lines", format);
-  expectRefusal<Points>("0 0\n", "line 1: holds 2 words", format);
-  expectRefusal<Points>("0 0 0 1\n", "line 1: holds 4 words", format);
-  expectRefusal<Points>("0 0 0\n0 0 1 0 0 1\n", "line 2: holds more", format);
-  expectRefusal<Points>("0 0 0 0 0 1\n0 0 1\n", "line 2: a component of the normal", format);
-  expectRefusal<Points>("0 0 0\n0 C 0\n", "line 2: \"C\"", format);
-  expectRefusal<Points>(std::string("0 0 0\n\0\x01 2 3\n", 13), "line 2", format);
+  expectRefusal("1\n0 0 0\n0 0 1\n5 5 5\n", "promises 1 points, but 3 lines", format, ".xyz");
+  expectRefusal("", "is empty", end, ".xyz");
+  expectRefusal("# nothing\n\n", "holds no points", end, ".xyz");
+  expectRefusal("5\n", "5", format, ".xyz");
+  expectRefusal("-2\n0 0 0\n1 1 1\n", "negative: -2", format, ".xyz");
+  expectRefusal("99999999999\n0 0 0\n", "99999999999", format, ".xyz");
+  expectRefusal(
+    "3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "promises 3 points, but 4 lines", format, ".xyz");
+  expectRefusal("0 0\n", "line 1: holds 2 words", format, ".xyz");
+  expectRefusal("0 0 0 1\n", "line 1: holds 4 words", format, ".xyz");
+  expectRefusal("0 0 0\n0 0 1 0 0 1\n", "line 2: holds more", format, ".xyz");
+  expectRefusal("0 0 0 0 0 1\n0 0 1\n", "line 2: a component of the normal", format, ".xyz");
+  expectRefusal("0 0 0\n0 C 0\n", "line 2: \"C\"", format, ".xyz");
+  expectRefusal(std::string("0 0 0\n\0\x01 2 3\n", 13), "line 2", format, ".xyz");
 }
 
-TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)
+TEST(ReaderOfPoints, ReadsAgainWhenTheNameChanges)
 {
-  vtkNew<Points> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName("/nowhere.xyz");
   reader->Update();
@@ -179,9 +176,9 @@ TEST(OrientedPointsReader, ReadsAgainWhenTheNameChanges)
 
 const std::string objTriangle = "v 0 0 0\nv 0.1 0 0\nv 0 123456789.123 0\n";
 
-TEST(SurfaceMeshReader, ObjInDoublePrecision)
+TEST(ReaderOfMeshes, ObjInDoublePrecision)
 {
-  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\nl 1 2\np 3\n", ".OBJ");
+  const auto mesh = read(objTriangle + "f 1 2 3\nl 1 2\np 3\n", ".OBJ");
   EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
   expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
   expectRow(mesh->GetPoints()->GetData(), 2, 0, 123456789.123, 0);
@@ -195,26 +192,26 @@ TEST(SurfaceMeshReader, ObjInDoublePrecision)
   EXPECT_EQ(std::vector<vtkIdType>(ids, ids + size), (std::vector<vtkIdType>{0, 1, 2}));
 }
 
-TEST(SurfaceMeshReader, ObjOfPointsWithNormals)
+TEST(ReaderOfMeshes, ObjOfPointsWithNormals)
 {
-  const auto cloud = read<Surface>("v 1 2 3\nvn 0 0 0.1\n", ".obj");
+  const auto cloud = read("v 1 2 3\nvn 0 0 0.1\n", ".obj");
   EXPECT_EQ(cloud->GetNumberOfCells(), 0);
   expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 0.1);
   EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
 }
 
-TEST(SurfaceMeshReader, Refusals)
+TEST(ReaderOfMeshes, Refusals)
 {
-  expectRefusal<Surface>("", "is empty", end, ".obj");
-  expectRefusal<Surface>("hello\n", "is not OBJ", format, ".obj");
-  expectRefusal<Surface>(objTriangle + "f 1 2 4\n", "line 4: vertex 4 does not", format, ".obj");
-  expectRefusal<Surface>("v 0 0 0\n", "has a suffix that is not known; give", format, ".step");
+  expectRefusal("", "is empty", end, ".obj");
+  expectRefusal("hello\n", "is not OBJ", format, ".obj");
+  expectRefusal(objTriangle + "f 1 2 4\n", "line 4: vertex 4 does not", format, ".obj");
+  expectRefusal("v 0 0 0\n", "has a suffix that is not known; give", format, ".step");
 }
 
 /// The output is VTK's, which may take hold of memory that others have allocated.
-TEST(SurfaceMeshReader, OutputsGrowAsAllOthers)
+TEST(ReaderOfMeshes, OutputsGrowAsAllOthers)
 {
-  const auto mesh = read<Surface>(objTriangle + "f 1 2 3\n", ".obj");
+  const auto mesh = read(objTriangle + "f 1 2 3\n", ".obj");
   mesh->GetPoints()->InsertNextPoint(4, 5, 6);
   const vtkIdType ids[] = {1, 2, 3};
   mesh->GetPolys()->InsertNextCell(3, ids);
@@ -226,25 +223,24 @@ const std::string plyHead = "ply\nformat ascii 1.0\nelement vertex 3\nproperty d
                             "property double y\nproperty double z\n";
 const std::string plyFace = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
-TEST(SurfaceMeshReader, PlyWithNormals)
+TEST(ReaderOfMeshes, PlyWithNormals)
 {
-  const auto mesh =
-    read<Surface>(plyHead + "property float nx\nproperty float ny\nproperty float nz\n" + plyFace +
-                    "0 0 0 0 0 1\n0.1 0 0 0 1 0\n0 1 0 1 0 0\n3 0 1 2\n",
-      ".ply");
+  const auto mesh = read(plyHead + "property float nx\nproperty float ny\nproperty float nz\n" +
+                           plyFace + "0 0 0 0 0 1\n0.1 0 0 0 1 0\n0 1 0 1 0 0\n3 0 1 2\n",
+    ".ply");
   EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
   expectRow(mesh->GetPoints()->GetData(), 1, 0.1, 0, 0);
   expectRow(mesh->GetPointData()->GetNormals(), 1, 0, 1, 0);
   EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
 }
 
-TEST(SurfaceMeshReader, PlyWithColoursAndTextureCoordinates)
+TEST(ReaderOfMeshes, PlyWithColoursAndTextureCoordinates)
 {
   const auto mesh =
-    read<Surface>(plyHead +
-                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                    "property float u\nproperty float v\n" +
-                    plyFace + "0 0 0 1 2 3 0.5 0.25\n1 0 0 4 5 6 0 0\n0 1 0 7 8 255 1 1\n3 0 1 2\n",
+    read(plyHead +
+           "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+           "property float u\nproperty float v\n" +
+           plyFace + "0 0 0 1 2 3 0.5 0.25\n1 0 0 4 5 6 0 0\n0 1 0 7 8 255 1 1\n3 0 1 2\n",
       ".ply");
   vtkDataArray* const colors = mesh->GetPointData()->GetScalars();
   ASSERT_TRUE(colors);
@@ -257,15 +253,15 @@ TEST(SurfaceMeshReader, PlyWithColoursAndTextureCoordinates)
   EXPECT_EQ(coordinates->GetComponent(0, 1), 0.25);
 }
 
-TEST(SurfaceMeshReader, RefusalsOfPlyAndStl)
+TEST(ReaderOfMeshes, RefusalsOfPlyAndStl)
 {
-  expectRefusal<Surface>("solid\n", "is not ply: it does not begin like PLY", format, ".ply");
-  expectRefusal<Surface>(
+  expectRefusal("solid\n", "is not ply: it does not begin like PLY", format, ".ply");
+  expectRefusal(
     plyHead + plyFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3", format, ".ply");
-  expectRefusal<Surface>(
+  expectRefusal(
     plyHead + plyFace + "0 0 0\n1 0 0\n", "line 11: a number is missing", format, ".ply");
-  expectRefusal<Surface>("hello\n", "is not STL: it has 6 bytes", end, ".stl");
-  expectRefusal<Surface>("solid\nfacet\n", "ends at line 2 with 0 facets", end, ".stl");
+  expectRefusal("hello\n", "is not STL: it has 6 bytes", end, ".stl");
+  expectRefusal("solid\nfacet\n", "ends at line 2 with 0 facets", end, ".stl");
 }
 
 vtkSmartPointer<vtkPolyData> readWithVtk(const std::string& path)
@@ -283,7 +279,7 @@ vtkSmartPointer<vtkPolyData> readWithVtk(const std::string& path)
 
 /// VTK's readers keep single precision, and that of OBJ makes several points of a vertex whose
 /// corners have different normals.
-TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
+TEST(ReaderOfMeshes, SharedFilesAsVtkReadsThem)
 {
   for (const std::string name :
     shapes::present({"armadillo_86k.obj", "bunny_10k.obj", "bunny_1k.obj", "bunny_70k.obj",
@@ -292,7 +288,7 @@ TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
       "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"}))
   {
     const std::string path = shapes::realMesh(name);
-    const auto expected = readWithVtk(path), found = readWith<Surface>(path);
+    const auto expected = readWithVtk(path), found = readWith<vtkSourceReader>(path);
     ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
     EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;
     vtkNew<vtkIdList> expectedIds, foundIds;
@@ -316,14 +312,14 @@ TEST(SurfaceMeshReader, SharedFilesAsVtkReadsThem)
   }
 }
 
-TEST(SurfaceMeshReader, SharedCloudAsVtkReadsIt)
+TEST(ReaderOfMeshes, SharedCloudAsVtkReadsIt)
 {
   const std::string path = std::string(WINDING_SHARED_DATA) + "/kitten_points_normals.ply";
   if (!std::filesystem::exists(path))
   {
     GTEST_SKIP() << path << " is not there";
   }
-  const auto expected = readMesh(path), found = readWith<Surface>(path);
+  const auto expected = readMesh(path), found = readWith<vtkSourceReader>(path);
   ASSERT_EQ(found->GetNumberOfPoints(), expected->GetNumberOfPoints());
   EXPECT_EQ(found->GetPoints()->GetDataType(), VTK_FLOAT);
   for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)

@@ -30,6 +30,5 @@ struct AnswerTable
 };
 
 /// Writes a table, with commas or tabs by the suffix of the file; commit() is left to the caller.
-/// Throws Failure when the file cannot be written whole, the rows of the queries have changed since
-/// they were read, or the program is interrupted.
+/// Throws Failure when the file cannot be written whole, or the program is interrupted.
 void writeTable(const AnswerTable& table, OutputFile& file);

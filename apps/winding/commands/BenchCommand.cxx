@@ -1,5 +1,5 @@
 #include "commands/Commands.h"
-#include "commands/FilterOutcome.h"
+#include "commands/FilterSettings.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "program/BenchTable.h"

@@ -1,5 +1,5 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
-#include "commands/FilesToKeep.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/BlocksFile.h"

@@ -1,6 +1,6 @@
 #include "commands/DealtProbe.h"
 
-#include "commands/FilterOutcome.h"
+#include "commands/FilterSettings.h"
 #include "options/Options.h"
 #include "program/Messages.h"
 #include "program/ParallelRun.h"

@@ -1,10 +1,9 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
-#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
-#include "commands/HyperTreeRun.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"
@@ -22,8 +21,8 @@ void writePieces(vtkWindingNumberField& field, const Options& options, Messages&
 {
   const PiecesFile output(options.output, filesToKeep(options));
   FieldRun run(field, options, messages);
-  run.write(output);
-  run.print();
+  writeFieldPieces(run, output);
+  run.report().print();
 }
 
 void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages& messages)
@@ -32,8 +31,8 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
   FieldRun run(field, options, messages);
   if (!parallel::isAlone())
   {
-    const vtkSmartPointer<vtkImageData> whole = run.gather();
-    run.write(whole, output.get());
+    const vtkSmartPointer<vtkImageData> whole = gatherImage(run);
+    writeResult(run, whole, output.get());
   }
   else
   {
@@ -41,9 +40,9 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
     {
       run.update();
     }
-    run.write(*output);
+    writeField(run, *output);
   }
-  run.print();
+  run.report().print();
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "commands/Slabs.h"
-#include "program/Print.h"
+#include "commands/FieldParts.h"
+#include "commands/RunReport.h"
 #include "program/Stopwatch.h"
 
 #include "vtkSmartPointer.h"
@@ -10,109 +10,66 @@
 #include <functional>
 
 class Messages;
-class OutputFile;
-class PiecesFile;
 struct Options;
-class vtkHyperTreeGrid;
-class vtkImageData;
-class vtkPolyData;
 
 /**
- * One run of a filter that samples a grid over the input of a command, with the figures that it
- * reports: the commands field, surface and voxels are made of it. Its functions throw Failure for
- * whatever keeps them from being done. They are collective (ParallelRun.h): the first rank reads,
- * prints and writes what is one file, and has the only pointers to files.
+ * One run of a filter that samples a grid over the input of a command: the commands field, surface,
+ * voxels and labels are made of it. FieldOutput.h writes what it gives. Its functions throw Failure
+ * for whatever keeps them from being done. They are collective (ParallelRun.h): the first rank
+ * reads and prints.
  */
 class FieldRun
 {
 public:
-  /// Reads the input and gives it to the filter, with the options. Keeps the references.
-  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
-
-  /// Does what the other constructor does, with an input that is read in another way.
+  /// Reads the input, by `read` if it is given, and gives it to the filter, with the options. Keeps
+  /// the references.
   FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages,
-    const std::function<vtkSmartPointer<vtkDataObject>()>& read);
+    const std::function<vtkSmartPointer<vtkDataObject>()>& read = {});
   ~FieldRun();
+
+  const Options& options() const { return options_; }
+  Messages& messages() const { return messages_; }
+  vtkWindingNumberGridAlgorithm& filter() const { return filter_; }
+  RunReport& report() { return report_; }
 
   /// Makes the whole output of the filter.
   void update();
 
-  /// Writes the field that the filter gives, and evaluates it piece by piece where update() was not
-  /// called. Warns where the grid cannot be cut into as many pieces as the options ask for.
-  void write(OutputFile& file);
+  /// Returns the number of pieces in which VTK's writer of images may ask for the field. Warns
+  /// where the options ask for more.
+  int pieces() const;
 
-  /// Makes and writes the field in pieces, as many on each rank as the options ask for.
-  void write(const PiecesFile& file);
+  /// Cuts the grid into `wanted` slabs (FieldParts.h). Warns where the options ask for more pieces
+  /// than there are.
+  std::vector<SlabExtent> slabs(std::size_t wanted, bool overlap) const;
 
-  /// Makes the image of the whole grid, a slab on each rank. It is null on all ranks but the first.
-  /// A single rank has the filter's own.
-  vtkSmartPointer<vtkImageData> gather();
+  /// Makes the image of the slab of that number. Returns null if there are fewer; then this rank
+  /// takes part in the execution with a single voxel.
+  vtkImageData* makeSlab(const std::vector<SlabExtent>& slabs, std::size_t number);
 
-  /// Writes an image that was gathered to one file. Both are null on all ranks but the first.
-  void write(vtkImageData* image, OutputFile* file);
+  /// Throws Failure where an execution was not done, or the program was interrupted.
+  void checkExecutions();
 
-  /// Writes a surface that was made of the field or by the filter. The file is null on all ranks
-  /// but the first.
-  void write(vtkPolyData* surface, OutputFile* file);
-
-  /// Writes the field that the filter gave as a hyper tree grid with `leaves` leaves. The file
-  /// is null on all ranks but the first.
-  void write(vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file);
-
-  /// Adds to the report.
-  void addToReport(const char* key, const Json& value) { additions_[key] = value; }
-
-  /// Prints the report on all ranks, as JSON or for people, once the output is written.
-  void print();
+  /// Returns the time of all executions.
+  double executionSeconds() const { return executionSeconds_; }
 
 private:
   void check();
-  void checkExecutions();
+  void execute(const std::function<void()>& update);
   void startExecution();
   void addExecution();
-  Json report() const;
-  Json describeGrid() const;
-  int pieces() const;
-  std::vector<SlabExtent> slabs(std::size_t wanted, bool overlap) const;
-  vtkImageData* makeSlab(const std::vector<SlabExtent>& slabs, std::size_t number);
-  void gatherFigures();
-  double distanceBand() const;
-  void addErrors(Json& report) const;
-  std::string errorsInWords(const Json& report) const;
-  std::string summary(const Json& report) const;
+  void warnOfPieces(std::size_t most) const;
 
+  vtkWindingNumberGridAlgorithm& filter_;
   const Options& options_;
   Messages& messages_;
-  vtkWindingNumberGridAlgorithm* filter_;
+  RunReport report_;
   unsigned long startObserver_ = 0;
   unsigned long endObserver_ = 0;
-  Stopwatch stopwatch_;
+  Stopwatch execution_;
+  double executionSeconds_ = 0;
 
   /// Status of the first execution that was not DONE.
   int status_ = vtkWindingNumberAlgorithm::DONE;
   bool isIdle_ = false; ///< whether the execution is for the other ranks only
-  double readSeconds_ = 0;
-  double writeSeconds_ = 0;
-  double totalSeconds_ = 0;
-  Json additions_ = Json::object(); ///< of addToReport()
-  Json fidelity_; ///< how near a surface is to the input; null unless the options ask for it
-  Json output_;   ///< describes what was written, unless it is an image; null then
-  Stopwatch execution_;
-  // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
-  // errors are maxima, and expectations are of the whole.
-  double prepareSeconds_ = 0;
-  double expectedSeconds_ = 0;
-  vtkIdType expectedMemory_ = 0;
-  double evaluateSeconds_ = 0;
-  double verifySeconds_ = 0;
-  double executionSeconds_ = 0; ///< times of whole executions
-  double maxError_ = 0;
-  double nearMaxError_ = 0;
-  double sumOfSquares_ = 0;
-  vtkIdType verified_ = 0;
-  vtkIdType nearVerified_ = 0;
-  vtkIdType onSurface_ = 0; ///< samples that were not compared
-  vtkIdType besidePoints_ = 0;
-  double maxErrorBesidePoints_ = 0;
-  std::vector<double> peakMemories_; ///< of all ranks, in bytes
 };

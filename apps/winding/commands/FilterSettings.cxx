@@ -1,6 +1,8 @@
 #include "commands/FilterSettings.h"
 
 #include "options/Options.h"
+#include "program/Failure.h"
+#include "program/Interrupt.h"
 #include "program/Messages.h"
 
 #include "vtkWindingNumberField.h"
@@ -115,4 +117,27 @@ void warnOfNothingInside(const char* result, const Options& options, Messages& m
   const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
   messages.warn(options.input + ": no voxel is inside, so " + result + " is empty" +
                 (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
+}
+
+void checkFilter(int status, const std::string& fileName, Messages& messages)
+{
+  interrupt::check();
+  try
+  {
+    messages.throwIfError(fileName);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(
+      status == vtkWindingNumberAlgorithm::OUT_OF_MEMORY ? EXIT_NO_MEMORY : EXIT_REFUSED,
+      failure.what());
+  }
+  if (status == vtkWindingNumberAlgorithm::ABORTED)
+  {
+    throw Failure(EXIT_INTERRUPTED, "interrupted"); // on another rank
+  }
+  if (status != vtkWindingNumberAlgorithm::DONE)
+  {
+    throw Failure(EXIT_REFUSED, fileName, "the winding field could not be made");
+  }
 }

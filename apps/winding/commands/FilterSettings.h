@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 class Messages;
 struct Options;
 class vtkPointSet;
@@ -35,3 +37,7 @@ void warnOfIdleOptions(
 
 /// Warns that no voxel is inside, so that `result` is empty, and says what to do.
 void warnOfNothingInside(const char* result, const Options& options, Messages& messages);
+
+/// Throws Failure, about the file, where a filter was not done or the program was interrupted.
+/// `status` is a StatusType of vtkWindingNumberAlgorithm.
+void checkFilter(int status, const std::string& fileName, Messages& messages);

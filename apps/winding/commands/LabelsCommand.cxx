@@ -1,9 +1,9 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
-#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"
@@ -110,22 +110,22 @@ void report(
   FieldRun& run, vtkWindingNumberLabels& filter, vtkImageData* image, const Options& options)
 {
   const bool isWhole = options.pieces == 1 && suffixOf(options.output) != ".pvti";
-  run.addToReport(
+  run.report().add(
     "solids", {{"count", filter.GetNumberOfSolids()}, {"empty", filter.GetNumberOfEmptySolids()},
                 {"open", filter.GetNumberOfOpenSolids()},
                 {"inside_out", filter.GetNumberOfInsideOutSolids()}});
   if (image)
   {
-    run.addToReport("labels", describeLabels(image, isWhole, options.cells));
+    run.report().add("labels", describeLabels(image, isWhole, options.cells));
   }
-  run.print();
+  run.report().print();
 }
 
 void writePieces(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   const PiecesFile output(options.output, filesToKeep(options));
   FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
-  run.write(output);
+  writeFieldPieces(run, output);
   report(run, filter, filter.GetOutput(), options);
 }
 
@@ -138,7 +138,7 @@ void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages
   {
     run.update();
   }
-  run.write(output);
+  writeField(run, output);
   report(run, filter, filter.GetOutput(), options);
 }
 
@@ -147,16 +147,16 @@ void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages
 {
   const auto output = openOnFirstRank(options);
   FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
-  const vtkSmartPointer<vtkImageData> image = run.gather();
+  const vtkSmartPointer<vtkImageData> image = gatherImage(run);
   if (suffixOf(options.output) == ".vti")
   {
-    run.write(image, output.get());
+    writeResult(run, image, output.get());
   }
   else
   {
     vtkNew<vtkWindingNumberVoxels> voxels;
     parallel::agreeOnFirst([&] { makeSurface(voxels, image, options, messages); });
-    run.write(voxels->GetOutput(), output.get());
+    writeResult(run, voxels->GetOutput(), output.get());
   }
   report(run, filter, image, options);
 }

@@ -1,6 +1,6 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
-#include "commands/FilesToKeep.h"
-#include "commands/FilterOutcome.h"
+#include "commands/FilterSettings.h"
 #include "commands/ReportParts.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"

@@ -1,7 +1,8 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"
@@ -25,6 +26,6 @@ void runSurface(const Options& given, Messages& messages)
   filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);
   run.update();
-  run.write(filter->GetOutput(), output.get());
-  run.print();
+  writeResult(run, filter->GetOutput(), output.get());
+  run.report().print();
 }

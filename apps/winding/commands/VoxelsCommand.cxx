@@ -1,9 +1,9 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesToKeep.h"
 #include "commands/FilterSettings.h"
-#include "commands/HyperTreeRun.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/Interrupt.h"
@@ -52,6 +52,6 @@ void runVoxels(const Options& given, Messages& messages)
   {
     warnOfNothingInside("the surface", options, messages);
   }
-  run.write(surface, &output);
-  run.print();
+  writeResult(run, surface, &output);
+  run.report().print();
 }

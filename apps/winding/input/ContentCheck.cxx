@@ -1,28 +1,15 @@
 #include "input/ContentCheck.h"
 
-#include "files/FileAccess.h"
-#include "files/Suffix.h"
-#include "files/TextScanning.h"
+#include "files/Formats.h"
+#include "files/Text.h"
 #include "program/Failure.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
-#include <utility>
 
 namespace
 {
-
-/// A kind of file that announces itself in its first bytes.
-struct Kind
-{
-  const char* name;
-  const char* suffix; ///< the suffixes that promise this kind
-};
-
-constexpr Kind xmlKind = {"VTK XML", ".vtp or .vtu"};
-constexpr Kind legacyKind = {"legacy VTK", ".vtk"};
-constexpr Kind plyKind = {"PLY", ".ply"};
-constexpr Kind offKind = {"OFF", ".off"};
 
 bool startsWith(std::string_view text, std::string_view start)
 {
@@ -43,22 +30,37 @@ bool isOff(std::string_view text)
            [](char c) { return (c >= 'A' && c <= 'Z') || c == '4' || c == 'n'; });
 }
 
-/// The kind that the first bytes announce; null if they announce none.
-const Kind* announcedKind(std::string_view head)
+bool isPly(std::string_view text)
 {
-  if (startsWith(head, "ply\n") || startsWith(head, "ply\r"))
-  {
-    return &plyKind;
-  }
-  if (startsWith(head, "# vtk DataFile"))
-  {
-    return &legacyKind;
-  }
-  if (startsWith(head, "<?xml") || startsWith(head, "<VTKFile"))
-  {
-    return &xmlKind;
-  }
-  return isOff(head) ? &offKind : nullptr;
+  return startsWith(text, "ply\n") || startsWith(text, "ply\r");
+}
+
+bool isLegacyVtk(std::string_view text)
+{
+  return startsWith(text, "# vtk DataFile");
+}
+
+bool isXml(std::string_view text)
+{
+  return startsWith(text, "<?xml") || startsWith(text, "<VTKFile");
+}
+
+/// A kind of file that announces itself in its first bytes.
+struct Kind
+{
+  const char* name;
+  const char* suffixes; ///< that promise this kind
+  bool (*isAnnounced)(std::string_view head);
+};
+
+constexpr Kind kinds[] = {{"PLY", ".ply", isPly}, {"legacy VTK", ".vtk", isLegacyVtk},
+  {"VTK XML", ".vtp or .vtu", isXml}, {"OFF", ".off", isOff}};
+
+/// Returns the kind for which `fits` holds; null if there is none.
+template <class Fits> const Kind* kindWhere(const Fits& fits)
+{
+  const Kind* const kind = std::find_if(std::begin(kinds), std::end(kinds), fits);
+  return kind == std::end(kinds) ? nullptr : kind;
 }
 
 /// The name of the packer whose mark the first bytes have; null if there is none.
@@ -79,21 +81,6 @@ const char* compressedKind(std::string_view head)
   return startsWith(head, std::string("\xFD") + "7zXZ") ? "xz" : nullptr;
 }
 
-/// The kind that a suffix promises; null for suffixes of kinds that do not announce themselves.
-const Kind* promisedKind(const std::string& suffix)
-{
-  const std::pair<const char*, const Kind*> kinds[] = {{".ply", &plyKind}, {".vtk", &legacyKind},
-    {".vtp", &xmlKind}, {".vtu", &xmlKind}, {".off", &offKind}};
-  for (const auto& [name, kind] : kinds)
-  {
-    if (suffix == name)
-    {
-      return kind;
-    }
-  }
-  return nullptr;
-}
-
 } // namespace
 
 void checkContentFits(const std::string& fileName)
@@ -106,9 +93,10 @@ void checkContentFits(const std::string& fileName)
     throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + " but compressed with " + compressed + "; unpack it first");
   }
-  const Kind* promised = promisedKind(suffix);
-  const Kind* announced = announcedKind(head);
-  if (announced == &offKind && isTable(fileName))
+  const Kind* const promised = kindWhere([&suffix](const Kind& kind)
+    { return std::string_view(kind.suffixes).find(suffix) != std::string_view::npos; });
+  const Kind* announced = kindWhere([&head](const Kind& kind) { return kind.isAnnounced(head); });
+  if (isTable(fileName) && isOff(head))
   {
     announced = nullptr; // a column may have this name
   }
@@ -116,7 +104,7 @@ void checkContentFits(const std::string& fileName)
   {
     throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + ": it begins like " + announced->name + "; give it the suffix " +
-        announced->suffix);
+        announced->suffixes);
   }
   if (promised && announced != promised)
   {

@@ -1,7 +1,6 @@
 #include "input/LegacyVtkCounts.h"
 
-#include "files/FileAccess.h"
-#include "files/TextScanning.h"
+#include "files/Text.h"
 #include "program/Failure.h"
 
 #include "vtkCellArray.h"

@@ -1,33 +1,19 @@
 #include "input/QueryTable.h"
 
-#include "input/ContentCheck.h"
-#include "input/RunReader.h"
-#include "program/Messages.h"
+#include "input/ReadInput.h"
 
 #include "vtkPointData.h"
-#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
+#include "vtkSourceReader.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
 
 QueryTable::QueryTable(const std::string& fileName, With with, Messages& messages)
-  : reader_(vtkSmartPointer<vtkPointTableReader>::New())
+  : reader_(vtkSmartPointer<vtkSourceReader>::New())
 {
-  checkContentFits(fileName);
-  if (with == With::rows)
-  {
-    file_.emplace(fileName);
-  }
-  messages.setSubject(fileName);
-  reader_->SetFileName(fileName.c_str());
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
   reader_->SetReadAllColumns(with == With::columns);
-  reader_->SetGenerateRowPlaces(with == With::rows);
-  runReader(reader_, fileName, messages);
-  if (file_)
-  {
-    file_->checkName();
-  }
+  reader_->SetKeepRows(with == With::rows);
+  readBy(reader_, fileName, messages);
   header_ = reader_->GetHeader();
   header_.pop_back();
   if (!header_.empty() && header_.back() == '\r')
@@ -50,9 +36,7 @@ bool QueryTable::hasColumn(const std::string& name) const
          reader_->GetOutput()->GetPointData()->HasArray(name.c_str()) != 0;
 }
 
-std::string_view QueryTable::row(vtkIdType point)
+std::string QueryTable::row(vtkIdType point) const
 {
-  vtkTypeInt64Array* const places = reader_->GetRowPlaces();
-  return file_->read(static_cast<std::size_t>(places->GetTypedComponent(point, 0)),
-    static_cast<std::size_t>(places->GetTypedComponent(point, 1)));
+  return reader_->GetRow(point);
 }

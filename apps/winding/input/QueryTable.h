@@ -1,16 +1,12 @@
 #pragma once
 
-#include "files/CheckedFile.h"
-
 #include "vtkSmartPointer.h"
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 class Messages;
 class vtkPointSet;
-class vtkPointTableReader;
+class vtkSourceReader;
 
 /// A table of points that are asked about.
 class QueryTable
@@ -19,7 +15,7 @@ public:
   /// The things that are wanted in addition to the points.
   enum class With
   {
-    rows,   ///< texts of rows, to be handed on as they are; they stay in the file
+    rows,   ///< texts of rows, to be handed on as they are
     columns ///< arrays of all columns
   };
 
@@ -38,13 +34,11 @@ public:
   /// The end of the first row's last line, "\n" or "\r\n".
   const char* lineEnd() const { return lineEnd_; }
 
-  /// The text of the row of a point, without the end of its last line, valid until the next call.
-  /// Throws Failure where it has changed since it was read.
-  std::string_view row(vtkIdType point);
+  /// Returns the text of the row of `point`, without the end of its last line.
+  std::string row(vtkIdType point) const;
 
 private:
-  std::optional<CheckedFile> file_; ///< where rows are wanted
-  vtkSmartPointer<vtkPointTableReader> reader_;
+  vtkSmartPointer<vtkSourceReader> reader_;
   std::string header_;
   const char* lineEnd_ = "\n";
 };

@@ -1,32 +1,20 @@
 #include "input/ReadInput.h"
 
+#include "files/Formats.h"
 #include "files/SinglePrecision.h"
-#include "files/Suffix.h"
 #include "input/ContentCheck.h"
 #include "input/ReaderProcess.h"
-#include "input/RunReader.h"
-#include "input/VtkReaders.h"
 #include "program/Failure.h"
+#include "program/Interrupt.h"
 #include "program/Messages.h"
+#include "program/Progress.h"
 
-#include "vtkGeomviewOFFReader.h"
 #include "vtkNew.h"
-#include "vtkOrientedPointsReader.h"
-#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
-#include "vtkSurfaceMeshReader.h"
+#include "vtkSourceReader.h"
 
 namespace
 {
-
-/// Reads a file with a reader of the module, which believes nothing that the file does not hold.
-template <class Reader>
-vtkSmartPointer<vtkPointSet> readBy(Reader* reader, const std::string& fileName, Messages& messages)
-{
-  reader->SetFileName(fileName.c_str());
-  runReader(reader, fileName, messages);
-  return reader->GetOutput();
-}
 
 /// Warns where coordinates are in single precision, and lie so far from the origin that rounding
 /// to it has moved them.
@@ -49,32 +37,20 @@ void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& 
 vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& messages)
 {
   const std::string suffix = suffixOf(fileName);
-  const VtkFormat* const format = vtkFormatOf(suffix);
-  const bool isMesh = suffix == ".obj" || suffix == ".ply" || suffix == ".stl";
-  const bool isOfModule = isMesh || suffix == ".off" || suffix == ".xyz" || suffix == ".pwn";
-  if (!format && !isTable(fileName) && !isOfModule)
+  if ((' ' + inputSuffixes() + ' ').find(' ' + suffix + ' ') == std::string::npos)
   {
-    throw Failure(EXIT_REFUSED, fileName,
-      "has a suffix that is not known; give one of .vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn "
-      ".csv");
+    throw Failure(
+      EXIT_REFUSED, fileName, "has a suffix that is not known; give one of " + inputSuffixes());
   }
-  checkContentFits(fileName);
-  if (format)
+  if (const VtkFormat* const format = vtkFormatOf(suffix))
   {
+    checkContentFits(fileName);
     return readInProcess(fileName, *format, messages);
   }
-  if (isTable(fileName))
-  {
-    vtkNew<vtkPointTableReader> reader;
-    reader->ReadAllColumnsOff();
-    return readBy(reader.Get(), fileName, messages);
-  }
-  if (isMesh)
-  {
-    return readBy(vtkNew<vtkSurfaceMeshReader>().Get(), fileName, messages);
-  }
-  return suffix == ".off" ? readBy(vtkNew<vtkGeomviewOFFReader>().Get(), fileName, messages)
-                          : readBy(vtkNew<vtkOrientedPointsReader>().Get(), fileName, messages);
+  vtkNew<vtkSourceReader> reader;
+  reader->ReadAllColumnsOff();
+  readBy(reader, fileName, messages);
+  return reader->GetOutput();
 }
 
 } // namespace
@@ -85,4 +61,15 @@ vtkSmartPointer<vtkPointSet> readInput(const std::string& fileName, Messages& me
   auto data = read(fileName, messages);
   warnOfLostDigits(data, fileName, messages);
   return data;
+}
+
+void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages)
+{
+  checkContentFits(fileName);
+  messages.setSubject(fileName);
+  reader->SetFileName(fileName.c_str());
+  const Progress progress(reader, Phase::reading, messages.isQuiet());
+  reader->Update();
+  interrupt::check();
+  messages.throwIfError(fileName);
 }

@@ -2,7 +2,6 @@
 
 #include "input/DataStream.h"
 #include "input/ReaderChild.h"
-#include "input/VtkReaders.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"

@@ -1,6 +1,6 @@
 #include "options/OptionChecks.h"
 
-#include "files/Suffix.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "program/Failure.h"
 #include "program/Print.h"

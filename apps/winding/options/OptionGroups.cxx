@@ -1,5 +1,7 @@
 #include "options/OptionGroups.h"
 
+#include "files/Formats.h"
+
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberSurface.h"
 
@@ -7,8 +9,6 @@ namespace
 {
 
 using Filter = vtkWindingNumberField;
-
-constexpr const char* inputFormats = ".vtp .vtk .vtu .ply .stl .obj .off .xyz .pwn .csv";
 
 void addGrid(CLI::App* command, Options& options)
 {
@@ -63,17 +63,14 @@ CLI::Validator oneOf(const Choices& choices)
 
 void addInput(CLI::App* command, Options& options)
 {
-  command
-    ->add_option("IN", options.input, std::string("Surface or oriented points: ") + inputFormats)
+  command->add_option("IN", options.input, "Surface or oriented points: " + inputSuffixes())
     ->required()
     ->type_name("");
 }
 
 void addPointsInput(CLI::App* command, Options& options)
 {
-  command
-    ->add_option(
-      "IN", options.input, std::string("Points, or a mesh, for its points: ") + inputFormats)
+  command->add_option("IN", options.input, "Points, or a mesh, for its points: " + inputSuffixes())
     ->required()
     ->type_name("");
 }
@@ -82,9 +79,9 @@ void addInputs(CLI::App* command, Options& options)
 {
   command
     ->add_option("IN", options.inputs,
-      std::string("Surfaces or oriented points, a solid each; or one surface, whose parts by "
-                  "connectivity or by --region-array are the solids: ") +
-        inputFormats)
+      "Surfaces or oriented points, a solid each; or one surface, whose parts by connectivity or "
+      "by --region-array are the solids: " +
+        inputSuffixes())
     ->required()
     ->type_name("...");
 }

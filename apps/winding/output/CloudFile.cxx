@@ -1,7 +1,7 @@
 #include "output/CloudFile.h"
 
-#include "files/ExactNumber.h"
-#include "files/Suffix.h"
+#include "files/Formats.h"
+#include "files/Text.h"
 #include "output/OutputFile.h"
 #include "output/WriteOutput.h"
 #include "program/Interrupt.h"

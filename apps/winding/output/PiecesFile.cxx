@@ -1,6 +1,6 @@
 #include "output/PiecesFile.h"
 
-#include "files/ExactNumber.h"
+#include "files/Text.h"
 #include "output/Folder.h"
 #include "output/OutputFile.h"
 #include "output/TemporaryFile.h"

@@ -84,7 +84,7 @@ enum class Parameter
   // tables of points
   readNormalsAndAreas,
   readAllColumns,
-  generateRowPlaces,
+  keepRows,
 
   // inputs, other filters and other ways of working
   source,

@@ -17,7 +17,8 @@ template <class Label> Label VoxelSides<Label>::label(int i, int j, int k) const
 }
 
 template <class Label>
-BlockSurface<Label>::BlockSurface(const VoxelSides<Label>& sides, bool isMirrored)
+BlockSurface<Label>::BlockSurface(
+  const VoxelSides<Label>& sides, bool isMirrored, std::size_t faces)
   : sides_(sides)
   , isMirrored_(isMirrored)
 {
@@ -26,6 +27,8 @@ BlockSurface<Label>::BlockSurface(const VoxelSides<Label>& sides, bool isMirrore
     (static_cast<std::size_t>(n[0]) + 1) * (static_cast<std::size_t>(n[1]) + 1);
   lower_.assign(corners, -1);
   upper_.assign(corners, -1);
+  voxels_.reserve(faces);
+  seenLabels_.reserve(faces);
 }
 
 template <class Label> std::size_t BlockSurface<Label>::countFaces(const VoxelSides<Label>& sides)
@@ -73,11 +76,8 @@ template <class Label>
 void BlockSurface<Label>::build(std::int64_t* quads, const AddCorner& addCorner, Executor& executor)
 {
   const std::array<int, 3>& n = sides_.dimensions;
-  const std::size_t faces = countFaces(sides_);
   quads_ = quads;
   addCorner_ = &addCorner;
-  voxels_.reserve(faces);
-  seenLabels_.reserve(faces);
   Progress progress(executor);
   for (int k = 0; k <= n[2]; ++k)
   {

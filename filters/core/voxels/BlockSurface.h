@@ -40,8 +40,8 @@ public:
   using AddCorner = std::function<void(int i, int j, int k)>;
 
   /// Keeps a reference to the sides. `isMirrored` says whether the axes of the grid make a left
-  /// hand, which turns all quads round.
-  BlockSurface(const VoxelSides<Label>& sides, bool isMirrored);
+  /// hand, which turns all quads round. `faces` is the number of quads, as countFaces() gives it.
+  BlockSurface(const VoxelSides<Label>& sides, bool isMirrored, std::size_t faces);
 
   /// Returns the number of quads that build() makes.
   static std::size_t countFaces(const VoxelSides<Label>& sides);

@@ -40,7 +40,7 @@ TEST(BlockSurface, ClosesWhatIsInsideWithQuadsThatAreCounted)
     std::vector<std::int64_t> quads(4 * faces, -1);
     std::vector<std::array<int, 3>> corners;
     SerialExecutor executor;
-    BlockSurface<unsigned char> surface(sides, false);
+    BlockSurface<unsigned char> surface(sides, false, faces);
     surface.build(
       quads.data(),
       [&](int i, int j, int k) {

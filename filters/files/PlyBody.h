@@ -8,6 +8,16 @@ namespace winding
 {
 
 /**
+ * Reads what is behind the header of a PLY file of text: each item stands on a line of its own, and
+ * what else is on its line is passed over, as are blank lines and lines that begin with '#'.
+ * Coordinates and normals are doubles, whatever the header calls them: text may have more digits.
+ *
+ * Throws FileRefusal for numbers that are missing or are none, for lists whose length is no
+ * whole number from 0 on, and for corners that do not exist. Throws Interrupted.
+ */
+MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor);
+
+/**
  * Reads what is behind the header of a binary PLY file. Coordinates and normals are floats where
  * floats hold what the file has: floats and integers of two bytes at most.
  *

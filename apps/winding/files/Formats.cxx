@@ -1,11 +1,13 @@
-#include "input/VtkReaders.h"
+#include "files/Formats.h"
 
-#include "input/LegacyVtkCounts.h"
+#include "files/Text.h"
 
 #include "vtkDataSetReader.h"
-#include "vtkPointSet.h"
+#include "vtkSourceReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
+
+#include <filesystem>
 
 namespace
 {
@@ -30,12 +32,28 @@ vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
 }
 
 constexpr VtkFormat formats[] = {
-  {".vtp", plain<vtkXMLPolyDataReader>, nullptr},
-  {".vtu", plain<vtkXMLUnstructuredGridReader>, nullptr},
-  {".vtk", legacyVtk, checkLegacyVtkCounts},
+  {".vtp", plain<vtkXMLPolyDataReader>},
+  {".vtk", legacyVtk},
+  {".vtu", plain<vtkXMLUnstructuredGridReader>},
 };
 
 } // namespace
+
+std::string suffixOf(const std::string& fileName)
+{
+  return inSmallLetters(std::filesystem::path(fileName).extension().string());
+}
+
+bool isTable(const std::string& fileName)
+{
+  const std::string suffix = suffixOf(fileName);
+  return suffix == ".csv" || suffix == ".tsv";
+}
+
+char separatorOf(const std::string& fileName)
+{
+  return suffixOf(fileName) == ".tsv" ? '\t' : ',';
+}
 
 const VtkFormat* vtkFormatOf(const std::string& suffix)
 {
@@ -47,4 +65,14 @@ const VtkFormat* vtkFormatOf(const std::string& suffix)
     }
   }
   return nullptr;
+}
+
+std::string inputSuffixes()
+{
+  std::string suffixes;
+  for (const VtkFormat& format : formats)
+  {
+    suffixes += format.suffix + std::string(" ");
+  }
+  return suffixes + vtkSourceReader::GetFileExtensions();
 }

@@ -1,12 +1,25 @@
-#include "commands/FilesOfFirstRank.h"
+#include "commands/CommandFiles.h"
 
-#include "commands/FilesToKeep.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 #include "program/ParallelRun.h"
 
 #include "vtkPolyData.h"
+
+std::vector<std::string> filesToKeep(const Options& options)
+{
+  if (options.overwrite)
+  {
+    return {};
+  }
+  if (!options.inputs.empty())
+  {
+    return options.inputs;
+  }
+  return options.queries.empty() ? std::vector<std::string>{options.input}
+                                 : std::vector<std::string>{options.input, options.queries};
+}
 
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
 {

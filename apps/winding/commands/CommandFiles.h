@@ -4,11 +4,15 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class Messages;
 class OutputFile;
 class vtkPointSet;
 struct Options;
+
+/// Returns the files that no output may replace: those that are read, or none with --overwrite.
+std::vector<std::string> filesToKeep(const Options& options);
 
 /// Opens the output file on the first rank, and returns null on the others. Throws Failure on all
 /// ranks where it cannot be written. Collective.

@@ -1,9 +1,13 @@
 #pragma once
 
-#include "files/PlainArray.h"
+#include "files/MeshArrays.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+
+class vtkCellArray;
+class vtkPolyData;
+class vtkTypeInt64Array;
 
 namespace winding
 {
@@ -24,5 +28,12 @@ vtkSmartPointer<Array> handedArray(PlainArray<Number>& numbers, int components)
   }
   return array;
 }
+
+/// Hands the arrays of a mesh over to VTK's data: points, cells, and the arrays of points
+/// "Normals", "RGB" or "RGBA", "TCoords" and "Area", as far as the mesh has them.
+void handOver(MeshArrays& mesh, vtkPolyData* output);
+
+/// Makes cells of `size` points each, which are `ids` one after the other.
+vtkSmartPointer<vtkCellArray> cellsOf(vtkTypeInt64Array* ids, vtkIdType size);
 
 } // namespace winding

@@ -1,7 +1,8 @@
-#include "commands/HyperTreeRun.h"
+#include "commands/Commands.h"
 
+#include "commands/CommandFiles.h"
+#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
-#include "commands/FilesOfFirstRank.h"
 #include "commands/FilterSettings.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -24,6 +25,6 @@ void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
   {
     warnOfNothingInside("the grid", options, messages);
   }
-  run.write(field->GetOutput(), field->GetNumberOfLeaves(), output.get());
-  run.print();
+  writeResult(run, field->GetOutput(), field->GetNumberOfLeaves(), output.get());
+  run.report().print();
 }

@@ -5,11 +5,10 @@
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPointTableReader.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSourceReader.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +22,7 @@ using namespace reading;
 namespace
 {
 
-using Table = vtkPointTableReader;
-
-TEST(PointTableReader, PointsNormalsAndAreas)
+TEST(ReaderOfTables, PointsNormalsAndAreas)
 {
   for (const std::string suffix : {".csv", ".tsv", ".TSV"})
   {
@@ -34,7 +31,7 @@ TEST(PointTableReader, PointsNormalsAndAreas)
     {
       std::replace(contents.begin(), contents.end(), ',', '\t');
     }
-    const auto cloud = read<Table>(contents, suffix);
+    const auto cloud = read(contents, suffix);
     EXPECT_EQ(cloud->GetNumberOfPoints(), 2);
     EXPECT_EQ(cloud->GetNumberOfVerts(), 1) << "points are to be seen";
     EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
@@ -46,11 +43,11 @@ TEST(PointTableReader, PointsNormalsAndAreas)
   }
 }
 
-TEST(PointTableReader, ColumnsBecomeArrays)
+TEST(ReaderOfTables, ColumnsBecomeArrays)
 {
   const TextFile file(
     "name,x,y,z,nx,ny,nz,t\r\n\"a, b\",1,2,3,0,0,1,7\r\nc,4,5,6,0,0,1,8\r\n", ".csv");
-  vtkNew<Table> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();
@@ -70,22 +67,18 @@ TEST(PointTableReader, ColumnsBecomeArrays)
   EXPECT_EQ(arrays->GetArray("nz")->GetTuple1(0), 1);
 
   reader->ReadAllColumnsOff();
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
   EXPECT_EQ(arrays->GetNumberOfArrays(), 0);
-  vtkTypeInt64Array* const places = reader->GetRowPlaces();
-  ASSERT_EQ(places->GetNumberOfTuples(), 2);
-  EXPECT_STREQ(places->GetComponentName(0), "Offset");
-  EXPECT_STREQ(places->GetComponentName(1), "Size");
-  EXPECT_EQ(places->GetTypedComponent(0, 0), 23);
-  EXPECT_EQ(places->GetTypedComponent(0, 1), 20);
-  EXPECT_EQ(places->GetTypedComponent(1, 0), 45);
+  EXPECT_EQ(reader->GetRow(0), "\"a, b\",1,2,3,0,0,1,7");
+  EXPECT_EQ(reader->GetRow(1), "c,4,5,6,0,0,1,8");
+  EXPECT_EQ(reader->GetRow(2), "") << "there is no third point";
   EXPECT_EQ(log.errors(), "");
 }
 
-TEST(PointTableReader, NoColumnHidesAnother)
+TEST(ReaderOfTables, NoColumnHidesAnother)
 {
-  const auto cloud = read<Table>(
+  const auto cloud = read(
     "t,x,y,z,area,Area,nx,ny,nz,Normals,t,,Column 12,RowPlace\n1,2,3,4,5,6,7,8,9,10,11,12,13,14\n",
     ".csv");
   vtkPointData* const arrays = cloud->GetPointData();
@@ -100,40 +93,40 @@ TEST(PointTableReader, NoColumnHidesAnother)
   }
 }
 
-TEST(PointTableReader, WithoutRows)
+TEST(ReaderOfTables, WithoutRows)
 {
   const TextFile file("x,y,z,t\n", ".csv");
-  vtkNew<Table> reader;
+  vtkNew<vtkSourceReader> reader;
   reader->SetFileName(file.path());
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   vtkPointData* const arrays = reader->GetOutput()->GetPointData();
   ASSERT_NE(arrays->GetArray("t"), nullptr);
   EXPECT_EQ(arrays->GetArray("t")->GetNumberOfTuples(), 0);
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
+  EXPECT_EQ(reader->GetRow(0), "");
 }
 
-TEST(PointTableReader, Refusals)
+TEST(ReaderOfTables, Refusals)
 {
-  expectRefusal<Table>("", "is empty", end, ".csv");
-  expectRefusal<Table>("x;y;z\n1;2;3\n", "has no columns x, y and z", format, ".csv");
-  expectRefusal<Table>("x,y,z\n1,2,3\n", "give it the suffix .csv", format, ".tsv");
-  expectRefusal<Table>("x,y,z\n1,2,3\n1,2\n", "line 3: has 2 fields", format, ".csv");
-  expectRefusal<Table>("x,y,z\n1,2,three\n", "line 2: \"three\" in column z", format, ".csv");
-  expectRefusal<Table>("x,y,z,nx,ny,nz\n1,2,3,4,5,\n", "column nz is no number", format, ".csv");
-  expectRefusal<Table>("x,y,z,t\n1,2,3,\"a\n", "line 2: a quotation mark", format, ".csv");
+  expectRefusal("", "is empty", end, ".csv");
+  expectRefusal("x;y;z\n1;2;3\n", "has no columns x, y and z", format, ".csv");
+  expectRefusal("x,y,z\n1,2,3\n", "give it the suffix .csv", format, ".tsv");
+  expectRefusal("x,y,z\n1,2,3\n1,2\n", "line 3: has 2 fields", format, ".csv");
+  expectRefusal("x,y,z\n1,2,three\n", "line 2: \"three\" in column z", format, ".csv");
+  expectRefusal("x,y,z,nx,ny,nz\n1,2,3,4,5,\n", "column nz is no number", format, ".csv");
+  expectRefusal("x,y,z,t\n1,2,3,\"a\n", "line 2: a quotation mark", format, ".csv");
 }
 
-TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
+TEST(ReaderOfTables, NothingIsLeftOfTheFileBefore)
 {
-  vtkNew<Table> reader;
+  vtkNew<vtkSourceReader> reader;
   const ErrorLog log(reader);
   const TextFile file("x,y,z\n1,2,3\n", ".csv");
   reader->SetFileName(file.path());
-  reader->GenerateRowPlacesOn();
+  reader->KeepRowsOn();
   reader->Update();
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 1);
+  EXPECT_EQ(reader->GetRow(0), "1,2,3");
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 3);
   reader->SetFileName("/nowhere.csv");
   reader->Update();
@@ -141,7 +134,7 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
   EXPECT_NE(log.errors().find("/nowhere.csv: no such file"), std::string::npos);
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(reader->GetColumnNames()->GetNumberOfValues(), 0);
-  EXPECT_EQ(reader->GetRowPlaces()->GetNumberOfTuples(), 0);
+  EXPECT_EQ(reader->GetRow(0), "");
   EXPECT_EQ(reader->GetHeader(), "");
   reader->SetFileName(nullptr);
   reader->Update();
@@ -149,7 +142,7 @@ TEST(PointTableReader, NothingIsLeftOfTheFileBefore)
 }
 
 /// 17 digits bring every double back, on any number of threads.
-TEST(PointTableReader, SharedCloudWithAllItsBits)
+TEST(ReaderOfTables, SharedCloudWithAllItsBits)
 {
   const std::string path = std::string(WINDING_SHARED_DATA) + "/kitten_points_normals.ply";
   if (!std::filesystem::exists(path))
@@ -171,7 +164,7 @@ TEST(PointTableReader, SharedCloudWithAllItsBits)
   for (const int threads : {1, 2, 0})
   {
     vtkSMPTools::Initialize(threads);
-    const auto found = read<Table>(text.str(), ".csv");
+    const auto found = read(text.str(), ".csv");
     ASSERT_EQ(found->GetNumberOfPoints(), cloud->GetNumberOfPoints());
     for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
     {

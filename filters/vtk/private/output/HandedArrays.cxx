@@ -1,22 +1,14 @@
-#include "private/output/MeshFiles.h"
+#include "private/output/HandedArrays.h"
 
-#include "private/output/HandedArray.h"
-#include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/SmpExecutor.h"
-
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtksys/SystemTools.hxx"
 
 namespace winding
 {
@@ -42,24 +34,6 @@ vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
     array->SetData(offsets, handedArray<vtkTypeInt64Array>(cells.connectivity, 1));
   }
   return array;
-}
-
-unsigned long errorCodeOf(FileFault fault)
-{
-  switch (fault)
-  {
-  case FileFault::noName:
-    return vtkErrorCode::NoFileNameError;
-  case FileFault::notFound:
-    return vtkErrorCode::FileNotFoundError;
-  case FileFault::cannotOpen:
-    return vtkErrorCode::CannotOpenFileError;
-  case FileFault::ends:
-    return vtkErrorCode::PrematureEndOfFileError;
-  case FileFault::format:
-    break;
-  }
-  return vtkErrorCode::FileFormatError;
 }
 
 } // namespace
@@ -98,48 +72,17 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
   }
 }
 
-std::string suffixOf(const InputFile& file)
+vtkSmartPointer<vtkCellArray> cellsOf(vtkTypeInt64Array* ids, vtkIdType size)
 {
-  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
-}
-
-int readFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
-  const FileParser& parse, vtkPolyData* output)
-{
-  errorCode = vtkErrorCode::NoError;
-  const auto read = [&]()
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(ids->GetNumberOfValues() / size + 1);
+  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
   {
-    try
-    {
-      const InputFile file(fileName);
-      SmpExecutor executor(reader, 0);
-      parse(file, executor);
-    }
-    catch (const FileRefusal& refusal)
-    {
-      errorCode = errorCodeOf(refusal.fault());
-      throw;
-    }
-  };
-  const std::string withoutMemory =
-    std::string(fileName ? fileName : "") + ": there is not enough memory for what it holds";
-  if (reportErrors(reader, withoutMemory, read) == Outcome::done)
-  {
-    return 1;
+    offsets->SetValue(n, size * n);
   }
-  output->Initialize();
-  return 0;
-}
-
-int readMeshFile(vtkAlgorithm* reader, const char* fileName, unsigned long& errorCode,
-  const MeshParser& parse, vtkPolyData* output)
-{
-  const auto parseInto = [&](const InputFile& file, Executor& executor)
-  {
-    MeshArrays mesh = parse(file, executor);
-    handOver(mesh, output);
-  };
-  return readFile(reader, fileName, errorCode, parseInto, output);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, ids);
+  return cells;
 }
 
 } // namespace winding

@@ -1,0 +1,111 @@
+#include "commands/FieldOutput.h"
+
+#include "commands/FieldRun.h"
+#include "options/Options.h"
+#include "output/OutputFile.h"
+#include "output/PiecesFile.h"
+#include "output/WriteOutput.h"
+#include "program/Messages.h"
+#include "program/ParallelRun.h"
+#include "program/Progress.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <functional>
+
+namespace
+{
+
+/// Writes one file by `write` on the first rank, and notes the time.
+void writeOnFirst(FieldRun& run, OutputFile* file, const std::function<void()>& write)
+{
+  const Stopwatch writing;
+  parallel::agreeOnFirst(
+    [&]
+    {
+      write();
+      file->commit();
+    });
+  run.report().setWriteSeconds(writing.seconds());
+}
+
+} // namespace
+
+void writeField(FieldRun& run, OutputFile& file)
+{
+  const int pieces = run.pieces();
+  Progress::setPieces(pieces);
+  const Progress progress(&run.filter(), Phase::evaluating, run.messages().isQuiet());
+  const Stopwatch writing;
+  const double before = run.executionSeconds();
+  writeImage(
+    run.filter().GetOutputPort(), pieces, file, run.messages(), [&run] { run.checkExecutions(); });
+  file.commit();
+  run.report().setWriteSeconds(writing.seconds() - (run.executionSeconds() - before));
+}
+
+void writeFieldPieces(FieldRun& run, const PiecesFile& file)
+{
+  const Stopwatch writing;
+  const double before = run.executionSeconds();
+  const auto perRank = static_cast<std::size_t>(run.options().pieces);
+  const std::vector<SlabExtent> slabs =
+    run.slabs(perRank * static_cast<std::size_t>(parallel::count()), true);
+  // Every rank makes as many slabs, for an execution is collective. A rank's own follow each other.
+  const std::size_t ranks = static_cast<std::size_t>(parallel::count());
+  const std::size_t rounds = (slabs.size() + ranks - 1) / ranks;
+  const std::size_t first = rounds * static_cast<std::size_t>(parallel::rank());
+  Progress::setPieces(static_cast<int>(rounds));
+  SlabExtent whole = slabs.front();
+  whole[5] = slabs.back()[5];
+  file.write(
+    whole, slabs, first, rounds,
+    [&](std::size_t round) { return run.makeSlab(slabs, first + round); }, run.messages());
+  run.report().setWriteSeconds(writing.seconds() - (run.executionSeconds() - before));
+}
+
+vtkSmartPointer<vtkImageData> gatherImage(FieldRun& run)
+{
+  if (parallel::isAlone())
+  {
+    run.update();
+    return vtkImageData::SafeDownCast(run.filter().GetOutputDataObject(0));
+  }
+  const std::vector<SlabExtent> slabs =
+    run.slabs(static_cast<std::size_t>(parallel::count()), false);
+  vtkImageData* const own = run.makeSlab(slabs, static_cast<std::size_t>(parallel::rank()));
+  return gatheredImage(own, slabs);
+}
+
+void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file)
+{
+  writeOnFirst(run, file, [&] { writeImage(image, *file, run.messages()); });
+}
+
+void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)
+{
+  writeOnFirst(run, file,
+    [&]
+    {
+      writeSurface(surface, *file, run.messages());
+      run.report().setOutput({{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
+        {"cells", surface->GetNumberOfCells()}});
+      run.report().takeFidelity(surface);
+    });
+}
+
+void writeResult(FieldRun& run, vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file)
+{
+  writeOnFirst(run, file,
+    [&]
+    {
+      writeHyperTrees(trees, *file, run.messages());
+      vtkDataArray* const tolerance = trees->GetFieldData()->GetArray("MergeTolerance");
+      run.report().setOutput({{"file", file->name()}, {"cells", leaves},
+        {"merge_tolerance", tolerance ? tolerance->GetTuple1(0) : 0}});
+    });
+}

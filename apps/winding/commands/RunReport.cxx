@@ -1,0 +1,295 @@
+#include "commands/RunReport.h"
+
+#include "commands/ReportParts.h"
+#include "options/Options.h"
+#include "program/ParallelRun.h"
+#include "program/Threads.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkWindingNumberGridAlgorithm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+constexpr const char* lengths[][2] = {{"largest_distance_from_input", "LargestDistanceFromInput"},
+  {"mean_distance_from_input", "MeanDistanceFromInput"},
+  {"largest_distance_to_input", "LargestDistanceToInput"},
+  {"mean_distance_to_input", "MeanDistanceToInput"}, {"input_volume", "InputVolume"},
+  {"volume", "Volume"}};
+
+constexpr const char* counts[][2] = {{"input_components", "InputComponents"},
+  {"lost_components", "LostComponents"}, {"self_intersections", "SelfIntersections"}};
+
+/// Says how near a surface is to the input, in a line for people.
+std::string fidelityInWords(const Json& fidelity)
+{
+  const auto number = [&fidelity](const char* key)
+  {
+    return fidelity[key].is_null() ? std::string("unknown") : shown(fidelity[key].get<double>(), 3);
+  };
+  return "distance from the input max " + number("largest_distance_from_input") + ", mean " +
+         number("mean_distance_from_input") + "; to the input max " +
+         number("largest_distance_to_input") + ", mean " + number("mean_distance_to_input") +
+         "\nvolume " + number("volume") + ", of the input " + number("input_volume") + "; " +
+         fidelity["lost_components"].dump() + " of " + fidelity["input_components"].dump() +
+         " parts lost; " + fidelity["self_intersections"].dump() + " self-intersections";
+}
+
+} // namespace
+
+RunReport::RunReport(vtkWindingNumberGridAlgorithm& filter, const Options& options)
+  : filter_(filter)
+  , options_(options)
+{
+}
+
+void RunReport::addExecution(double seconds)
+{
+  prepareSeconds_ += filter_.GetPrepareSeconds();
+  expectedSeconds_ = filter_.GetExpectedSeconds();
+  expectedMemory_ = filter_.GetExpectedMemory();
+  evaluateSeconds_ += filter_.GetEvaluateSeconds();
+  if (options_.verify > 0)
+  {
+    // Verification is the only long work apart from what the filter itself measures.
+    verifySeconds_ +=
+      std::max(0.0, seconds - filter_.GetPrepareSeconds() - filter_.GetEvaluateSeconds());
+  }
+  const vtkIdType samples = filter_.GetNumberOfVerifiedSamples();
+  maxError_ = std::max(maxError_, filter_.GetMaxError());
+  nearMaxError_ = std::max(nearMaxError_, filter_.GetNearMaxError());
+  sumOfSquares_ += std::pow(filter_.GetRMSError(), 2) * static_cast<double>(samples);
+  verified_ += samples;
+  nearVerified_ += filter_.GetNumberOfNearVerifiedSamples();
+  onSurface_ += filter_.GetNumberOfSamplesOnSurface();
+  besidePoints_ += filter_.GetNumberOfSamplesBesidePoints();
+  maxErrorBesidePoints_ = std::max(maxErrorBesidePoints_, filter_.GetMaxErrorBesidePoints());
+}
+
+void RunReport::takeFidelity(vtkPolyData* surface)
+{
+  const auto valueOf = [surface](const char* name)
+  {
+    return surface->GetFieldData()->GetArray(name)->GetTuple1(0);
+  };
+  if (!surface->GetFieldData()->HasArray("SelfIntersections"))
+  {
+    return;
+  }
+  for (const auto& [key, name] : lengths)
+  {
+    const double value = valueOf(name);
+    fidelity_[key] = std::isfinite(value) ? Json(value) : Json(nullptr);
+  }
+  for (const auto& [key, name] : counts)
+  {
+    fidelity_[key] = static_cast<long long>(valueOf(name));
+  }
+}
+
+void RunReport::print()
+{
+  this->gatherFigures();
+  parallel::agreeOnFirst(
+    [this]
+    {
+      const Json report = this->report();
+      if (options_.json)
+      {
+        ::print(report);
+      }
+      else if (!options_.quiet)
+      {
+        ::print(this->summary(report));
+      }
+    });
+}
+
+/// Times and errors become the largest of all ranks, counts their sums.
+void RunReport::gatherFigures()
+{
+  totalSeconds_ = stopwatch_.seconds();
+  for (double* figure : {&readSeconds_, &prepareSeconds_, &evaluateSeconds_, &verifySeconds_,
+         &writeSeconds_, &totalSeconds_, &maxError_, &nearMaxError_, &maxErrorBesidePoints_})
+  {
+    *figure = parallel::maximum(*figure);
+  }
+  for (vtkIdType* number : {&verified_, &nearVerified_, &onSurface_, &besidePoints_})
+  {
+    *number = static_cast<vtkIdType>(parallel::sum(static_cast<double>(*number)));
+  }
+  sumOfSquares_ = parallel::sum(sumOfSquares_);
+  peakMemories_ = parallel::allGather(static_cast<double>(peakMemory()));
+}
+
+Json RunReport::describeGrid() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_.GetGrid(voxels, firstSample, spacing);
+  Json dimensions, origins, spacings, bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = firstSample[axis] - spacing[axis] / 2;
+    dimensions.push_back(voxels[axis]);
+    origins.push_back(options_.cells ? low : firstSample[axis]);
+    spacings.push_back(spacing[axis]);
+    bounds.push_back(low);
+    bounds.push_back(low + voxels[axis] * spacing[axis]);
+  }
+  return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
+    {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"}};
+}
+
+/// How far distances reach, in the unit of the input.
+double RunReport::distanceBand() const
+{
+  int voxels[3];
+  double firstSample[3], spacing[3];
+  filter_.GetGrid(voxels, firstSample, spacing);
+  return options_.distanceBand * *std::max_element(spacing, spacing + 3);
+}
+
+void RunReport::addErrors(Json& report) const
+{
+  // An error is null where the grid does not reach the source, so that nothing could be compared.
+  const auto errorOf = [](vtkIdType samples, double error)
+  {
+    return samples > 0 ? Json(error) : Json(nullptr);
+  };
+  report["max_error"] = errorOf(verified_, maxError_);
+  report["rms_error"] = errorOf(
+    verified_, std::sqrt(sumOfSquares_ / std::max<double>(1, static_cast<double>(verified_))));
+  report["near_max_error"] = errorOf(nearVerified_, nearMaxError_);
+  report["on_surface"] = onSurface_;
+  report["beside_points"] = besidePoints_;
+  report["beside_points_max_error"] = errorOf(besidePoints_, maxErrorBesidePoints_);
+}
+
+Json RunReport::report() const
+{
+  Json seconds = {
+    {"read", readSeconds_}, {"prepare", prepareSeconds_}, {"evaluate", evaluateSeconds_}};
+  if (options_.verify > 0)
+  {
+    seconds["verify"] = verifySeconds_;
+  }
+  seconds["write"] = writeSeconds_;
+  seconds["total"] = totalSeconds_;
+  Json report = {{"input", describeInput(options_.input, filter_)},
+    {"method", filter_.GetMethodUsed()}, {"why", filter_.GetMethodReason()},
+    {"tolerance", options_.tolerance}, {"grid", this->describeGrid()},
+    {"expected", {{"seconds", expectedSeconds_}, {"memory", expectedMemory_}}},
+    {"seconds", seconds}, {"peak_memory", largestMemory(peakMemories_)},
+    {"threads", threadsUsed(options_.threads)}};
+  addRanks(report, peakMemories_);
+  if (report["method"] == "rows")
+  {
+    report["cap_triangles"] = filter_.GetNumberOfCapTriangles();
+  }
+  if (options_.distance)
+  {
+    report["distance_band"] =
+      options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
+  }
+  if (options_.verify > 0)
+  {
+    this->addErrors(report);
+  }
+  report.update(additions_);
+  if (!output_.is_null())
+  {
+    report["output"] = output_;
+  }
+  if (!fidelity_.is_null())
+  {
+    report["fidelity"] = fidelity_;
+  }
+  return report;
+}
+
+std::string RunReport::errorsInWords(const Json& report) const
+{
+  if (verified_ + nearVerified_ == 0)
+  {
+    return besidePoints_ > 0 ? "all samples that could be compared lie beside points"
+                             : "no sample could be compared";
+  }
+  const std::string everywhere = verified_ > 0 ? "error max " + report["max_error"].dump() +
+                                                   ", rms " + report["rms_error"].dump()
+                                               : "no random sample could be compared";
+  return everywhere + (nearVerified_ > 0
+                          ? ", max near the surface " + report["near_max_error"].dump()
+                          : ", no sample near the surface could be compared");
+}
+
+std::string RunReport::uncomparedInWords(const Json& report) const
+{
+  std::string text;
+  const std::string all = std::to_string(verified_ + nearVerified_ + onSurface_ + besidePoints_);
+  if (besidePoints_ > 0)
+  {
+    text += std::to_string(besidePoints_) + " of " + all +
+            (besidePoints_ == 1 ? " samples lies " : " samples lie ") +
+            "beside a point, where w is large: error max " +
+            report["beside_points_max_error"].dump() + "\n";
+  }
+  if (onSurface_ > 0)
+  {
+    const bool isSurface = report["input"]["kind"] == "surface";
+    text += std::to_string(onSurface_) + " of " + all +
+            (onSurface_ == 1 ? " samples lies " : " samples lie ") +
+            (isSurface ? "on the surface, where either side is right"
+                       : "at a point, where w has no value") +
+            ", and were not compared\n";
+  }
+  return text;
+}
+
+std::string RunReport::summary(const Json& report) const
+{
+  const Json& input = report["input"];
+  std::string text = options_.input + ": ";
+  if (input["kind"] == "surface")
+  {
+    text += "surface, " + input["primitives"].dump() + " triangles, " +
+            input["boundary_edges"].dump() + " boundary edges";
+  }
+  else
+  {
+    text += input["primitives"].dump() + " points, mean area " +
+            shown(input["mean_area"].get<double>(), 3);
+    if (input["normals_estimated"] == true)
+    {
+      const double percent = std::round(100 * input["clear_share"].get<double>());
+      text += ", normals by " + input["normal_estimation"].get<std::string>() + ", clear at " +
+              shown(percent, 3) + " %";
+    }
+  }
+  const Json& grid = report["grid"]["dimensions"];
+  text += "\nmethod " + report["method"].get<std::string>() + " (" +
+          report["why"].get<std::string>() + "), " + grid[0].dump() + " x " + grid[1].dump() +
+          " x " + grid[2].dump() + " voxels, " +
+          shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
+  if (options_.verify > 0)
+  {
+    text += this->errorsInWords(report) + "\n" + this->uncomparedInWords(report);
+  }
+  if (!fidelity_.is_null())
+  {
+    text += fidelityInWords(fidelity_) + "\n";
+  }
+  text += "wrote " + options_.output;
+  if (!output_.is_null())
+  {
+    text += ": " + (output_.contains("points")
+                       ? output_["points"].dump() + " points, " + output_["cells"].dump() + " faces"
+                       : output_["cells"].dump() + " cells");
+  }
+  return text;
+}

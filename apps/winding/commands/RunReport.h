@@ -1,0 +1,76 @@
+#pragma once
+
+#include "program/Print.h"
+#include "program/Stopwatch.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+struct Options;
+class vtkPolyData;
+class vtkWindingNumberGridAlgorithm;
+
+/// The figures of a run of a filter (FieldRun.h) since this was made, and the report on them.
+class RunReport
+{
+public:
+  /// Keeps the references.
+  RunReport(vtkWindingNumberGridAlgorithm& filter, const Options& options);
+
+  /// Takes the figures of an execution of the filter that took `seconds`.
+  void addExecution(double seconds);
+
+  /// Adds to the report.
+  void add(const char* key, const Json& value) { additions_[key] = value; }
+
+  /// Sets what was written, unless it is an image.
+  void setOutput(const Json& output) { output_ = output; }
+
+  /// Takes how near a surface is to the input from the arrays of FidelitySamples
+  /// (vtkWindingNumberSurface.h), if it has any.
+  void takeFidelity(vtkPolyData* surface);
+
+  void setReadSeconds(double seconds) { readSeconds_ = seconds; }
+  void setWriteSeconds(double seconds) { writeSeconds_ = seconds; }
+
+  /// Prints the report, as JSON or for people, once the output is written. Collective.
+  void print();
+
+private:
+  void gatherFigures();
+  Json report() const;
+  Json describeGrid() const;
+  double distanceBand() const;
+  void addErrors(Json& report) const;
+  std::string errorsInWords(const Json& report) const;
+  std::string uncomparedInWords(const Json& report) const;
+  std::string summary(const Json& report) const;
+
+  vtkWindingNumberGridAlgorithm& filter_;
+  const Options& options_;
+  Stopwatch stopwatch_;
+  Json additions_ = Json::object(); ///< of add()
+  Json fidelity_;                   ///< null unless the options ask for it
+  Json output_;                     ///< null for an image
+  double readSeconds_ = 0;
+  double writeSeconds_ = 0;
+  double totalSeconds_ = 0;
+  // Each piece is an execution of its own. Times, counts and squares are sums over all executions,
+  // errors are maxima, and expectations are of the whole.
+  double prepareSeconds_ = 0;
+  double expectedSeconds_ = 0;
+  vtkIdType expectedMemory_ = 0;
+  double evaluateSeconds_ = 0;
+  double verifySeconds_ = 0;
+  double maxError_ = 0;
+  double nearMaxError_ = 0;
+  double sumOfSquares_ = 0;
+  vtkIdType verified_ = 0;
+  vtkIdType nearVerified_ = 0;
+  vtkIdType onSurface_ = 0; ///< samples that were not compared
+  vtkIdType besidePoints_ = 0;
+  double maxErrorBesidePoints_ = 0;
+  std::vector<double> peakMemories_; ///< of all ranks, in bytes
+};

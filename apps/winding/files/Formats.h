@@ -1,0 +1,33 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkAlgorithm;
+
+/// Returns the end of a file name that says what is in the file: from its last dot on, in small
+/// letters. May be empty.
+std::string suffixOf(const std::string& fileName);
+
+/// Whether the suffix says that a file is a table: .csv, with commas, or .tsv, with tabs.
+bool isTable(const std::string& fileName);
+
+/// Returns the letter between the fields of a table of that name: a tab in .tsv, a comma otherwise.
+char separatorOf(const std::string& fileName);
+
+/// A format of files that a reader of VTK reads.
+struct VtkFormat
+{
+  const char* suffix;
+
+  /// Makes a reader for a file.
+  vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& fileName);
+};
+
+/// Returns the format of a suffix; null if none has it.
+const VtkFormat* vtkFormatOf(const std::string& suffix);
+
+/// Returns the suffixes of all files that can be read, with blanks between them: VTK's formats, and
+/// what vtkSourceReader reads.
+std::string inputSuffixes();

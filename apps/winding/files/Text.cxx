@@ -1,0 +1,124 @@
+#include "files/Text.h"
+
+#include "program/Failure.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+std::string read(const std::string& fileName, std::size_t most)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(fileName, error))
+  {
+    throw Failure(EXIT_REFUSED, fileName, "no such file; check its name and folder");
+  }
+  if (std::filesystem::is_directory(fileName, error))
+  {
+    throw Failure(EXIT_REFUSED, fileName, "is a folder; give a file");
+  }
+  if (!std::filesystem::is_regular_file(fileName, error))
+  {
+    // Opening a pipe would wait until somebody writes into it.
+    throw Failure(EXIT_REFUSED, fileName, "is a pipe, a device or a socket; give a regular file");
+  }
+  std::ifstream file(fileName, std::ios::binary);
+  if (!file)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      std::string("cannot be opened: ") + std::strerror(errno) + "; check its permissions");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(fileName, error);
+  std::string text(error ? 0 : std::min<std::uintmax_t>(size, most), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (text.empty() || !file)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      text.empty() ? "is empty; give another file" : "cannot be read to its end");
+  }
+  return text;
+}
+
+} // namespace
+
+std::string contentsOf(const std::string& fileName)
+{
+  return read(fileName, SIZE_MAX);
+}
+
+std::string beginningOf(const std::string& fileName, std::size_t bytes)
+{
+  return read(fileName, bytes);
+}
+
+std::string_view takeLine(std::string_view text, std::size_t& start)
+{
+  const std::size_t end = std::min(text.find('\n', start), text.size());
+  std::string_view line = text.substr(start, end - start);
+  start = end + 1;
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.remove_suffix(1);
+  }
+  return line;
+}
+
+std::string_view takeWord(std::string_view& text)
+{
+  const auto isSpace = [](char c)
+  {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+  };
+  const auto first = std::find_if_not(text.begin(), text.end(), isSpace);
+  const auto last = std::find_if(first, text.end(), isSpace);
+  const std::string_view word = text.substr(
+    static_cast<std::size_t>(first - text.begin()), static_cast<std::size_t>(last - first));
+  text.remove_prefix(static_cast<std::size_t>(last - text.begin()));
+  return word;
+}
+
+bool parseInteger(std::string_view word, long long& value)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+  {
+    word.remove_prefix(1); // from_chars() knows no plus sign
+  }
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+std::string inSmallLetters(std::string_view text)
+{
+  std::string small(text);
+  for (char& c : small)
+  {
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return small;
+}
+
+void appendExact(std::string& text, double value)
+{
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+std::string exact(double value)
+{
+  std::string text;
+  appendExact(text, value);
+  return text;
+}
+
+std::string exact(const double vector[3], char separator)
+{
+  return exact(vector[0]) + separator + exact(vector[1]) + separator + exact(vector[2]);
+}

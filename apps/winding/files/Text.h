@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/**
+ * @file
+ * Files as text: how they are read and taken apart, and how numbers are written.
+ */
+
+/// Returns the whole of a file as text. Throws Failure when it is missing, unreadable, empty or no
+/// regular file; it never waits for a pipe.
+std::string contentsOf(const std::string& fileName);
+
+/// Returns the first bytes of a file, all where it has fewer. Throws Failure as contentsOf() does.
+std::string beginningOf(const std::string& fileName, std::size_t bytes);
+
+/// Returns the next line from `start` on, without its end; moves `start` behind it.
+std::string_view takeLine(std::string_view text, std::size_t& start);
+
+/// Returns the next word, ended by white space, and takes it off the text; empty when there is none
+/// left.
+std::string_view takeWord(std::string_view& text);
+
+/// Reads a word that is a whole number. False if it is none, or does not fit into the value.
+bool parseInteger(std::string_view word, long long& value);
+
+/// Returns a text with small letters for capital ones, as far as ASCII has them.
+std::string inSmallLetters(std::string_view text);
+
+/// Returns the shortest number with which a double comes back with the same bits.
+std::string exact(double value);
+
+/// Returns the three numbers of a vector, with a separator between them.
+std::string exact(const double vector[3], char separator);
+
+/// Appends exact(value) to a text.
+void appendExact(std::string& text, double value);

@@ -1,0 +1,217 @@
+#include "vtkSourceReader.h"
+
+#include "files/ObjFile.h"
+#include "files/OffFile.h"
+#include "files/PlyFile.h"
+#include "files/PointsFile.h"
+#include "files/StlFile.h"
+#include "files/TableFile.h"
+#include "private/output/HandedArrays.h"
+#include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/SmpExecutor.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+vtkStandardNewMacro(vtkSourceReader);
+
+namespace
+{
+
+/// A format of files.
+struct Format
+{
+  const char* suffix;
+  winding::MeshArrays (*read)(const winding::InputFile& file, winding::Executor& executor);
+  char separator; ///< of a table, which has no function
+};
+
+/// All formats, in the order in which users are given their suffixes.
+constexpr Format formats[] = {
+  {".ply", winding::readPly, 0},
+  {".stl", winding::readStl, 0},
+  {".obj", winding::readObj, 0},
+  {".off", winding::readOff, 0},
+  {".xyz", winding::readPoints, 0},
+  {".pwn", winding::readPoints, 0},
+  {".csv", nullptr, ','},
+  {".tsv", nullptr, '\t'},
+};
+
+/// Texts go straight into VTK's arrays, so that there is no second copy of them.
+class StringArrays final : public winding::TextColumns
+{
+public:
+  void add(std::size_t column, std::size_t rows) override
+  {
+    auto& array = arrays_[column];
+    array = vtkSmartPointer<vtkStringArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(rows));
+  }
+
+  /// VTK's arrays may be written to by several threads as long as nobody has looked values up.
+  void set(std::size_t column, std::size_t row, const std::string& text) override
+  {
+    arrays_.find(column)->second->SetValue(static_cast<vtkIdType>(row), text);
+  }
+
+  vtkStringArray* of(std::size_t column) { return arrays_[column]; }
+
+private:
+  std::map<std::size_t, vtkSmartPointer<vtkStringArray>> arrays_;
+};
+
+unsigned long errorCodeOf(winding::FileFault fault)
+{
+  switch (fault)
+  {
+  case winding::FileFault::noName:
+    return vtkErrorCode::NoFileNameError;
+  case winding::FileFault::notFound:
+    return vtkErrorCode::FileNotFoundError;
+  case winding::FileFault::cannotOpen:
+    return vtkErrorCode::CannotOpenFileError;
+  case winding::FileFault::ends:
+    return vtkErrorCode::PrematureEndOfFileError;
+  case winding::FileFault::format:
+    break;
+  }
+  return vtkErrorCode::FileFormatError;
+}
+
+} // namespace
+
+vtkSourceReader::vtkSourceReader()
+  : Table(std::make_unique<winding::PointTable>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkSourceReader::~vtkSourceReader()
+{
+  this->SetFileName(nullptr);
+}
+
+const char* vtkSourceReader::GetFileExtensions()
+{
+  static const std::string all = []
+  {
+    std::string suffixes;
+    for (const Format& format : formats)
+    {
+      suffixes += (suffixes.empty() ? "" : " ") + std::string(format.suffix);
+    }
+    return suffixes;
+  }();
+  return all.c_str();
+}
+
+std::string vtkSourceReader::GetHeader() const
+{
+  return this->Table->header;
+}
+
+std::string vtkSourceReader::GetRow(vtkIdType point) const
+{
+  const auto row = static_cast<std::size_t>(point); // negative ones become large
+  return row < this->Table->rows.size() ? std::string(this->Table->rows[row]) : std::string();
+}
+
+int vtkSourceReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->ErrorCode = vtkErrorCode::NoError;
+  *this->Table = {};
+  this->ColumnNames->Initialize();
+  vtkPolyData* const output = vtkPolyData::GetData(outputs);
+  const auto read = [&]()
+  {
+    try
+    {
+      const winding::InputFile file(this->FileName);
+      winding::SmpExecutor executor(this, 0);
+      this->Read(file, executor, output);
+    }
+    catch (const winding::FileRefusal& refusal)
+    {
+      this->ErrorCode = errorCodeOf(refusal.fault());
+      throw;
+    }
+  };
+  const std::string name = this->FileName ? this->FileName : "";
+  const std::string withoutMemory = name + ": there is not enough memory for what it holds";
+  if (winding::reportErrors(this, withoutMemory, read) == winding::Outcome::done)
+  {
+    return 1;
+  }
+  output->Initialize();
+  return 0;
+}
+
+void vtkSourceReader::Read(
+  const winding::InputFile& file, winding::Executor& executor, vtkPolyData* output)
+{
+  const std::string suffix =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
+  const Format* const format = std::find_if(std::begin(formats), std::end(formats),
+    [&suffix](const Format& candidate) { return candidate.suffix == suffix; });
+  if (format == std::end(formats))
+  {
+    file.refuse(std::string("has a suffix that is not known; give one of ") + GetFileExtensions());
+  }
+  if (!format->read)
+  {
+    this->ReadTable(file, format->separator, executor, output);
+    return;
+  }
+  winding::MeshArrays mesh = format->read(file, executor);
+  winding::handOver(mesh, output);
+}
+
+void vtkSourceReader::ReadTable(
+  const winding::InputFile& file, char separator, winding::Executor& executor, vtkPolyData* output)
+{
+  winding::TableOptions options;
+  options.separator = separator;
+  options.normalsAndAreas = this->ReadNormalsAndAreas;
+  options.rows = this->KeepRows;
+  StringArrays texts;
+  options.texts = this->ReadAllColumns ? &texts : nullptr;
+  winding::PointTable table = winding::readPointTable(file, options, executor);
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+  {
+    winding::TableColumn& column = table.columns[i];
+    vtkSmartPointer<vtkAbstractArray> array = texts.of(i);
+    if (!column.isText)
+    {
+      array = winding::handedArray<vtkDoubleArray>(column.numbers, 1);
+    }
+    array->SetName(column.name.c_str());
+    output->GetPointData()->AddArray(array);
+  }
+  winding::handOver(table.points, output);
+  for (const std::string& name : table.names)
+  {
+    this->ColumnNames->InsertNextValue(name);
+  }
+  *this->Table = std::move(table);
+}
+
+void vtkSourceReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ReadNormalsAndAreas: " << this->ReadNormalsAndAreas << "\n";
+  os << indent << "ReadAllColumns: " << this->ReadAllColumns << "\n";
+  os << indent << "KeepRows: " << this->KeepRows << "\n";
+}

@@ -1,0 +1,163 @@
+/**
+ * @class   vtkSourceReader
+ * @brief   read surfaces and points from files of many formats, in full or not at all
+ *
+ * The reader gives vtkPolyData with the points and the polygons of the file as they are, in the
+ * order of the file. The suffix of the file's name, in small letters or capital ones, says which
+ * format it has.
+ *
+ * - PLY (.ply), as text or in either order of bytes: vertices, and faces; at
+ *   the vertices, where there are any, normals "Normals", colours of bytes "RGB" or "RGBA", and
+ *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Other elements
+ *   and properties are passed over.
+ * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
+ *   in the order of the file. The filters of this module weld them; others may need
+ *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
+ * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
+ *   many as vertices and no corner names the normal of another vertex. Texture coordinates,
+ *   colours, groups and materials are passed over.
+ * - Geomview's Object File Format (.off), as text: the keyword OFF with the prefixes ST, C and N in
+ *   this order, the counts on the same line or the next, comments from '#' on, one vertex and one
+ *   face on a line. Faces with two corners become lines, those with one become vertices; a file
+ *   without faces gives one cell of all its points. Vertex normals (NOFF) become "Normals"; colours
+ *   and texture coordinates are passed over. Binary files are refused, and so are the prefixes 4
+ *   and n (other dimensions).
+ * - Points (.xyz, .pwn), one on a line, as `x y z` or `x y z nx ny nz`, the same on all lines, with
+ *   comments from '#' on. The first line may be the number of points; the normals may then also
+ *   stand in lines of their own after all positions, as the classic .pwn has it: n, n lines of
+ *   `x y z`, n lines of `nx ny nz`. All points are in one cell, so that they can be seen.
+ * - Tables of points, with commas (.csv) or tabs (.tsv). See below.
+ *
+ * Points are in double precision where the file holds more digits than single precision has: in all
+ * text, and where PLY has numbers of type double or integers of four bytes. So are normals. They
+ * are the active ones and as the file has them, whatever their length.
+ *
+ * The first row of a table names its columns, and each other one is a point:
+ *
+ * - x, y and z are the positions, and must be there;
+ * - nx, ny and nz become the active point normals "Normals";
+ * - area becomes the point data array "Area", which vtkWindingNumberField takes for the areas of
+ *   the points;
+ * - all other columns become point data arrays of their names with ReadAllColumns: vtkDoubleArray
+ *   where all fields are numbers, vtkStringArray otherwise. A column without a name becomes Column
+ *   and its number, from 1 on; where another array has the name, the number stands behind it.
+ *
+ * These names may have small letters or large ones. Positions and normals may also have the names
+ * that ParaView gives to components when it saves data as a table, "Points:0" to "Points:2" and
+ * "Normals:0" to "Normals:2"; where a table has both, ParaView's count. Of several columns with one
+ * such name the first counts, and the ones behind it are like all others.
+ *
+ * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
+ * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
+ * order mark is passed over. A quotation mark that is not closed makes the rest of the file one
+ * row, which is then refused.
+ *
+ * The file is read by as many threads as vtkSMPTools has, and the result is the same for any number
+ * of them. It takes little memory in addition to the output, unless rows are kept.
+ *
+ * Errors, each one line through vtkErrorMacro with the name of the file, and its line where it is
+ * text, with the error code set and the output empty: files that cannot be read, are empty,
+ * truncated or hold anything else; counts that the file cannot hold, which are refused before
+ * anything is allocated; corners that name what does not exist; tables without columns x, y and z,
+ * rows with more or fewer fields than there are columns, and fields that should be numbers and are
+ * none. NaN and infinite numbers are read as they are.
+ *
+ * @sa vtkWindingNumberField vtkWindingNumberProbe vtkPCANormalEstimation
+ */
+#ifndef vtkSourceReader_h
+#define vtkSourceReader_h
+
+#include "vtkFiltersWindingModule.h" // for export macro
+#include "vtkNew.h"                  // for ColumnNames
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for the table
+#include <string> // for the header
+
+namespace winding
+{
+class Executor;
+class InputFile;
+struct PointTable;
+} // namespace winding
+
+class vtkStringArray;
+
+class VTKFILTERSWINDING_EXPORT vtkSourceReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSourceReader* New();
+  vtkTypeMacro(vtkSourceReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Returns the suffixes of all formats, with their dots and blanks between them.
+  static const char* GetFileExtensions();
+
+  ///@{
+  /// The name of the file to read. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// For tables: whether the columns nx, ny, nz and area become normals and areas. Otherwise they
+  /// are columns like all others. Default: on.
+  vtkSetMacro(ReadNormalsAndAreas, bool);
+  vtkGetMacro(ReadNormalsAndAreas, bool);
+  vtkBooleanMacro(ReadNormalsAndAreas, bool);
+  ///@}
+
+  ///@{
+  /// For tables: whether columns other than positions, normals and areas are read, too. VTK looks
+  /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
+  /// on.
+  vtkSetMacro(ReadAllColumns, bool);
+  vtkGetMacro(ReadAllColumns, bool);
+  vtkBooleanMacro(ReadAllColumns, bool);
+  ///@}
+
+  ///@{
+  /// For tables: whether GetRow() gives the text of each row, which then stays in memory. Default:
+  /// off.
+  vtkSetMacro(KeepRows, bool);
+  vtkGetMacro(KeepRows, bool);
+  vtkBooleanMacro(KeepRows, bool);
+  ///@}
+
+  /// Returns the row of `point` as it is in the file, without the end of its last line, after an
+  /// update with KeepRows; empty otherwise.
+  std::string GetRow(vtkIdType point) const;
+
+  /// Returns the first row of a table as it is, with the end of its last line, after an update;
+  /// empty where no table was read. Where the file ends with it, an end of line is added.
+  std::string GetHeader() const;
+
+  /// Returns the names of all columns in their order, as the first row has them, after an update;
+  /// none where no table was read.
+  vtkStringArray* GetColumnNames() { return this->ColumnNames; }
+
+protected:
+  vtkSourceReader();
+  ~vtkSourceReader() override;
+
+  vtkSourceReader(const vtkSourceReader&) = delete;
+  void operator=(const vtkSourceReader&) = delete;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  char* FileName = nullptr;
+  bool ReadNormalsAndAreas = true;
+  bool ReadAllColumns = true;
+  bool KeepRows = false;
+
+private:
+  void Read(const winding::InputFile& file, winding::Executor& executor, vtkPolyData* output);
+  void ReadTable(const winding::InputFile& file, char separator, winding::Executor& executor,
+    vtkPolyData* output);
+
+  vtkNew<vtkStringArray> ColumnNames;
+  std::unique_ptr<winding::PointTable> Table; ///< the header and the rows of the last file
+};
+
+#endif

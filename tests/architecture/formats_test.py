@@ -1,0 +1,48 @@
+"""The suffixes of the two tables of formats are those of ParaView's readers and of the documents.
+
+Usage: formats_test.py <root of the repository>. Prints one line for each fault, and fails if there
+is any. The program takes its list from the tables itself.
+"""
+
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+SUFFIX = r"\.[a-z]+"
+
+
+def table_in(path):
+    """The suffixes of a table `formats[]`."""
+    table = re.search(r"formats\[\] = \{(.*?)\};", path.read_text(), re.DOTALL)[1]
+    return re.findall(rf'\{{"({SUFFIX})"', table)
+
+
+def panel_suffixes(path):
+    """The suffixes that ParaView's readers name, in Files and in their panels."""
+    elements = ElementTree.parse(path).iter()
+    names = [e.get("extensions") for e in elements if e.tag in ("ReaderFactory", "FileChooser")]
+    return ["." + suffix for text in names for suffix in text.split()]
+
+
+def main(root):
+    read = table_in(root / "filters/vtk/vtkSourceReader.cxx")
+    all_inputs = table_in(root / "apps/winding/files/Formats.cxx") + read
+    shown, classes = " ".join(all_inputs), " ".join(read)
+    faults = []
+    if sorted(panel_suffixes(root / "paraview-plugin/Readers.xml")) != sorted(read):
+        faults.append(f"Readers.xml does not have the suffixes {classes}, once each")
+    for name, text in (("README.md", f"It reads `{shown}`"), ("docs/guide.md", f"It reads `{shown}`"),
+                       ("docs/guide.md", f"| `vtkSourceReader` | `{classes}` ")):
+        if text not in (root / name).read_text():
+            faults.append(f"{name} does not say: {text}")
+    header = (root / "filters/vtk/vtkSourceReader.h").read_text()
+    faults += [f"vtkSourceReader.h does not name {suffix}" for suffix in read if suffix not in header]
+    print(f"{len(all_inputs)} formats")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults or len(all_inputs) < 10 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))
