@@ -405,7 +405,15 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
         look(before + expected * pieces);
       }
     });
-  work();
+  try
+  {
+    work();
+  }
+  catch (...)
+  {
+    executor.setClock({}); // it refers to what ends here
+    throw;
+  }
   executor.setClock({});
   while (looks < timesOfLooks.size() && look(0))
   {

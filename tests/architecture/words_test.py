@@ -20,13 +20,13 @@ RIDDLE = re.compile(rf"^\s*(///<?|//|/\*\*|\*) {OPENING} ")
 # Words to avoid in filters and apps (CONTRIBUTING.md), and how often they may still stand there.
 # Lower a number when you have made it fall; never raise one.
 MOST = {
-    r"(those|that) of": 42,
-    r"tells?|told|telling": 37,
-    r"beside": 23,
-    r"so (many|much|long|far|few)": 50,
-    r"of (which|whom)": 16,
+    r"(those|that) of": 33,
+    r"tells?|told|telling": 26,
+    r"beside": 11,
+    r"so (many|much|long|far|few)": 19,
+    r"of (which|whom)": 15,
     r"but for": 1,
-    r"such": 42,
+    r"such": 41,
 }
 COMMENT_MARK = re.compile(r"\s*\n\s*(///?<?|\*)?\s*")
 

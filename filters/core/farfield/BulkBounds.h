@@ -15,7 +15,7 @@ namespace winding
  * It is the given bounds of the points, unless the box of the middle nine tenths of the points
  * along each axis has a longest side of less than a sixteenth of theirs. Then it is a cube around
  * the middle with four times that side, but no less than 1e-7 of the bounds. Bounds of fewer than
- * 64 points stay, and of points nine tenths of which are equal. The order of the points does
+ * 64 points stay, and where nine tenths of the points are equal. The order of the points does
  * not matter. Takes linear time: a pass over the points mostly, some more where the bounds shrink.
  * Throws Interrupted.
  */

@@ -5,7 +5,7 @@
 namespace winding
 {
 
-/// Returns the expected memory of a tree and its moments, with that of the source.
+/// Returns the expected memory of a tree and its moments, the source included.
 std::size_t bytesOfFarField(Primitive kind, std::size_t primitives, int order);
 
 ///@{
@@ -24,10 +24,9 @@ enum class FarFieldState
 
 ///@{
 /**
- * Whether the direct sum is taken to be faster than a far field of an order, on grids of usual
- * sizes, or for so many samples. The rule has figures of
- * its own, measured on one processor: values differ within the tolerance with the method taken, so
- * that better estimates of seconds must not move the choice.
+ * Returns whether the direct sum is taken to be faster than a far field of an order, on grids of
+ * usual sizes or for `samples` samples. The rule has figures of its own, measured on one
+ * processor: values differ within the tolerance with the method, so that the choice must not move.
  */
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order);
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t samples, int order,

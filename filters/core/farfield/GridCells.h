@@ -22,9 +22,9 @@ public:
 };
 
 /**
- * Returns whether a far field may have a grid: no sample may be so many lengths of the sources away
- * from them that powers of its distance leave the range of single precision. Grids that reach
- * farther are for direct sums. The scale is the sources' (UnitScale.h).
+ * Returns whether a far field may have a grid: the powers of a sample's distance from the sources,
+ * in lengths of these, have to stay within the range of single precision. Grids that reach farther
+ * are for direct sums. The scale is the sources' (UnitScale.h).
  */
 bool isInReachOfSingles(const Grid& grid, const Bounds& sources, double scale);
 

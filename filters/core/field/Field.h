@@ -214,7 +214,7 @@ public:
   /// those of a grid, or at scattered ones if these were announced (FieldOptions::scattered).
   virtual std::size_t expectedBytes(std::size_t samples) const = 0;
 
-  /// Returns the expected memory of the distances of `samples` samples, beside expectedBytes().
+  /// Returns the expected memory of the distances of `samples` samples, without expectedBytes().
   std::size_t expectedBytesOfDistances(std::size_t samples) const;
 
   /// The value by definition: an independent, slow sum in double (ReferenceSum.h).

@@ -20,9 +20,8 @@ double levelEdgesByArea(const Field& field, const Grid& grid);
 double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule rule,
   double threshold, bool withBorder, Executor& executor);
 
-/// Returns the memory that the level surface of a field takes beside the field if it crosses
-/// `edges` edges of the grid: of everything that grows with them, the surface with its normals
-/// included.
+/// Returns the memory that the level surface of a field takes in addition if it crosses `edges`
+/// edges of the grid: of everything that grows with them, the surface with its normals included.
 std::size_t bytesOfLevelSurface(const Field& field, double edges);
 
 } // namespace winding

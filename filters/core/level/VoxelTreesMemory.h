@@ -19,7 +19,7 @@ namespace winding
 double expectedVertices(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, Executor& executor);
 
-/// Returns the expected memory of `vertices` vertices beside that of the field: of a
+/// Returns the expected memory of `vertices` vertices in addition to the field: of a
 /// vtkHyperTreeGrid, and of what is at work while it is made.
 std::size_t bytesOfVoxelTrees(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, double vertices);

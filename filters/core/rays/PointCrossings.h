@@ -72,7 +72,7 @@ public:
   /// weightOfFarField() does. The first call walks over the triangles.
   double weight(std::size_t samples) const;
 
-  /// Returns the expected memory of evaluate(), with that of the triangles.
+  /// Returns the expected memory of evaluate(), the triangles included.
   std::size_t bytes(std::size_t samples) const;
 
   /// Evaluates scattered samples. Divides the executor's share of progress and restores it in the

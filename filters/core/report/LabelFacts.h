@@ -51,7 +51,7 @@ struct LabelFacts
   NamedSolids open;              ///< surfaces with net boundary edges
   NamedSolids insideOut;         ///< those where w is negative and nothing is inside
   NamedSolids warned;            ///< those with a warning
-  std::vector<Message> warnings; ///< those of the first solid that has some
+  std::vector<Message> warnings; ///< of the first solid that has some
 
   void add(const FieldInfo& info, const std::string& name)
   {

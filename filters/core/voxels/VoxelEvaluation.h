@@ -21,7 +21,7 @@ struct VoxelEvaluation
   FieldOutput output;         ///< values at the centres, and inside for whole voxels
   float* fractions = nullptr; ///< shares of the voxels; set for fractions only
 
-  /// Returns the memory that is expected beside that of the field of `voxels` voxels.
+  /// Returns the memory that is expected in addition to the field of `voxels` voxels.
   std::size_t additionalBytes(const Field& field, std::size_t voxels) const;
 
   /// Takes the executor's progress through its share. Throws Interrupted.

@@ -24,7 +24,7 @@ namespace winding
 void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
   double threshold, unsigned char* inside, Executor& executor);
 
-/// Returns the expected memory of addOverlap() for `samples` samples, beside that of their field.
+/// Returns the memory of addOverlap() for `samples` samples, in addition to their field.
 std::size_t bytesOfOverlap(const Field& field, std::size_t samples);
 
 } // namespace winding
