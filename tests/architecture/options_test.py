@@ -14,6 +14,10 @@ STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness")}
 # Several classes have properties of these names, which mean different things.
 AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
+# Each rank may have its own of these: they change no result (docs/scale.md).
+NOT_HASHED = {"NumberOfThreads", "LongestExpectedTime", "VerifySamples"}
+# What the hash of a filter's properties is made of.
+HASHED = "HashProperties|GetSourceOptions|GetResultOptions|WantsDistances|SamplesCells|KeepsPart"
 
 
 class Option:
@@ -78,6 +82,32 @@ def check_classes(root, options):
                 yield f"{name}: a header has {value}, the list {option.default}"
 
 
+def check_hash(root, options):
+    """Every property that may change a result is in the hash that ranks compare."""
+    of_source = "".join(path.read_text() for path in
+                        (root / "filters/vtk/private/source").glob("SourceProperties.*"))
+    hashed = 0
+    for header in sorted((root / "filters/vtk").glob("vtkWindingNumber*.h")):
+        text, source = header.read_text(), header.with_suffix(".cxx").read_text()
+        if "HashProperties" not in text and "HashProperties" not in source:
+            continue  # it takes an image, and no source
+        bodies = re.findall(rf"::(?:{HASHED})\([^{{}};]*\{{.*?^\}}", source,
+                            re.MULTILINE | re.DOTALL)
+        bodies += re.findall(rf"(?:{HASHED})\(\) const override \{{[^}}]*\}}", text)
+        for option in options:
+            name = option.property
+            if not re.search(rf"^  (?:vtkSet\w*Macro\({name}\b|(?:virtual )?void Set{name}\()", text,
+                             re.MULTILINE):
+                continue
+            is_found = re.search(rf"this->{name}\b", "".join(bodies)) or re.search(
+                rf"\bGet{name}\(\)", of_source)
+            hashed += bool(is_found)
+            if bool(is_found) == (name in NOT_HASHED):
+                yield f"{header.stem}: {name} is {'' if is_found else 'not '}hashed"
+    if hashed < 40:
+        yield f"only {hashed} properties are hashed"
+
+
 def check_panels(root, options):
     by_setter = {"Set" + option.property: option for option in options}
     for path in sorted((root / "paraview-plugin").glob("*.xml")):
@@ -121,8 +151,8 @@ def check_front_ends(root, options):
 
 def main(root):
     options = options_in(root / "filters" / "Options.def")
-    faults = [*check_classes(root, options), *check_panels(root, options),
-              *check_front_ends(root, options)]
+    faults = [*check_classes(root, options), *check_hash(root, options),
+              *check_panels(root, options), *check_front_ends(root, options)]
     print(f"{len(options)} options")
     for fault in faults:
         print("FAULT", fault)
