@@ -131,7 +131,7 @@ REFUSED = {
     "not enough memory": (
         "Winding Number Surface", "simple.Sphere(PhiResolution=32)",
         "SamplingDimensions=(2000000000, 100, 100)"),
-    "choose the method automatic": (
+    "this takes about": (
         "Winding Number Field", "simple.Sphere(ThetaResolution=300, PhiResolution=300)",
         "Method='Direct Sum', Resolution=512"),
 }
