@@ -28,8 +28,9 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -372,11 +373,17 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
   const winding::Stopwatch stopwatch(this->EvaluateSeconds);
   const Clock::time_point start = Clock::now();
   const double before = this->EarlierSeconds + this->PrepareSeconds;
-  const double pieces = static_cast<double>(this->SamplesOfResult) /
-                        static_cast<double>(std::max<vtkIdType>(samples, 1));
+  const double pieces =
+    samples > 0 ? static_cast<double>(this->SamplesOfResult) / static_cast<double>(samples) : 0;
   const double limit = this->LongestExpectedTime;
-  const std::array<double, 4> timesOfLooks = {limit > 0 ? std::min(limit, 1.0) : 1, 2, 4, 8};
-  std::size_t looks = 0;
+  this->LongTimeIsTold = this->LongTimeIsTold && this->EarlierSeconds > 0;
+  this->ExpectedSeconds = this->LongestOfRanks(before);
+  if (limit > 0 && this->ExpectedSeconds > limit)
+  {
+    this->CheckExpectedTime(field);
+  }
+  double nextLook = limit > 0 ? std::min(limit, 1.0) : 1;
+  int looks = 0;
   // Returns whether any rank is at work. Those that are done, and expect 0, look with the others.
   const auto look = [&](double expected)
   {
@@ -389,19 +396,12 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
     }
     return seconds > 0;
   };
-  this->LongTimeIsTold = this->LongTimeIsTold && this->EarlierSeconds > 0;
-  if (this->EarlierSeconds > 0)
-  {
-    const bool isKnown = this->EarlierSeconds > timesOfLooks[0] && this->EarlierPart > 0;
-    this->ExpectedSeconds =
-      this->LongestOfRanks(isKnown ? this->EarlierSeconds / this->EarlierPart : before);
-    this->CheckExpectedTime(field);
-  }
   executor.setClock(
     [&](double elapsed, double expected)
     {
-      while (looks < timesOfLooks.size() && elapsed >= timesOfLooks[looks])
+      if (elapsed >= nextLook)
       {
+        nextLook = 2 * elapsed;
         look(before + expected * pieces);
       }
     });
@@ -415,12 +415,13 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
     throw;
   }
   executor.setClock({});
-  while (looks < timesOfLooks.size() && look(0))
+  while (look(0))
   {
   }
-  if (looks <= 1)
+  this->TakenSeconds = before + secondsSince(start) * pieces;
+  if (looks == 1)
   {
-    this->ExpectedSeconds = before + secondsSince(start) * pieces;
+    this->ExpectedSeconds = this->TakenSeconds;
   }
 }
 
@@ -431,8 +432,9 @@ double vtkWindingNumberAlgorithm::LongestOfRanks(double seconds)
   {
     return seconds;
   }
-  constexpr double perSecond = 1e6, most = 1e18; // ranks gather integers
-  const auto number = static_cast<winding::Ranks::Number>(std::min(seconds * perSecond, most));
+  constexpr double perSecond = 1e6, most = 1e18; // ranks gather integers, 0 for no seconds only
+  const auto number =
+    static_cast<winding::Ranks::Number>(std::ceil(std::min(seconds * perSecond, most)));
   const auto numbers = this->Ranks->allGather([number] { return number; });
   return static_cast<double>(*std::max_element(numbers.begin(), numbers.end())) / perSecond;
 }
@@ -453,7 +455,9 @@ void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
     field.info(), this->ExpectedSeconds, this->SamplesOfResult, this->Tolerance);
   if (isRefused)
   {
-    advice.remedies.push_back({"allow more seconds", {winding::Parameter::longestExpectedTime}});
+    char allowed[64];
+    std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", this->LongestExpectedTime);
+    advice.remedies.push_back({allowed, {winding::Parameter::longestExpectedTime}});
     throw winding::Refusal(advice);
   }
   vtkWarningMacro(<< winding::lineOf(advice));

@@ -313,8 +313,8 @@ public:
 
   ///@{
   /// Expectations of the last execution about the whole result in one piece. The seconds, from the
-  /// source on, are what the clock said 1, 2, 4 or 8 s after evaluating began, or what shorter work
-  /// took. The bytes, in addition to the source and with the result arrays, are known before
+  /// source on, are what the clock said last, 1, 2, 4, … s after evaluating began, or what shorter
+  /// work took. The bytes, in addition to the source and with the result arrays, are known before
   /// anything is evaluated. In a parallel program the seconds are the slowest rank's, and the bytes
   /// about the share of a rank.
   vtkGetMacro(ExpectedSeconds, double);
@@ -493,7 +493,7 @@ protected:
   double ExpectedSeconds = 0;
   vtkIdType ExpectedMemory = 0;
   double EarlierSeconds = 0; ///< taken by sources before this one in the same execution
-  double EarlierPart = 0;    ///< the part of the work that these were
+  double TakenSeconds = 0;   ///< from the first source on, as for the whole result in one piece
 
 private:
   void ExpectMemory(const winding::Field& field, vtkIdType samples);

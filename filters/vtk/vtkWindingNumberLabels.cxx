@@ -260,20 +260,11 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
-  vtkIdType cells = 0, earlierCells = 0;
-  for (std::size_t i = 0; i < solids.size(); ++i)
-  {
-    cells += solids.cells(i);
-  }
   this->EarlierSeconds = 0;
   const auto all = static_cast<double>(solids.size());
   // The loop is collective: each solid is built of the parts of all ranks, in the same order.
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
-    // A solid takes time for its cells and for the grid. What promises the least is believed.
-    this->EarlierPart = std::max(static_cast<double>(i) / all,
-      static_cast<double>(earlierCells) / static_cast<double>(std::max<vtkIdType>(cells, 1)));
-    earlierCells += solids.cells(i);
     // Progress is a share of all solids, until the request ends.
     this->SetProgressShiftScale(static_cast<double>(i) / all, 1 / all);
     const winding::Field& field = this->PrepareSolid(solids, i);
@@ -291,7 +282,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
           this->LookInside(field, solids.name(i));
         }
       });
-    this->EarlierSeconds += this->PrepareSeconds + this->EvaluateSeconds;
+    this->EarlierSeconds = this->TakenSeconds;
     evaluateSeconds += this->EvaluateSeconds;
     if (this->VerifySamples > 0 && field.info().primitives > 0)
     {
@@ -349,9 +340,9 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   }
   if (solids.repeatedNames() > 0)
   {
-    vtkWarningMacro(<< "blocks have equal names: give them different ones; "
+    vtkWarningMacro(<< "solids have equal names: give them different ones; "
                     << solids.repeatedNames() << " of " << count
-                    << " occurred before, and have got a number");
+                    << " got a number, for their names occurred before");
   }
 }
 

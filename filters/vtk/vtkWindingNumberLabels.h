@@ -41,8 +41,8 @@
  *
  * Sides are decided on values in float. VerifySamples of each solid are compared, for which its
  * values are made once more; the findings are about all solids together. LongestExpectedTime is
- * compared with what all solids take, by the clock of the first ones. Facts about the source are
- * sums over all solids, and the method is the one of the solid with the most primitives.
+ * compared with what the solids up to one take, and that one is expected to. Facts about the source
+ * are sums over all solids, and the method is the one of the solid with the most primitives.
  *
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and labels that
  * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not say

@@ -145,7 +145,7 @@ TEST_F(LabelsCommand, WarnsInOneLineOfWhatIsNotClosedOrHasOneName)
     << outcome;
   outcome = run({right, right});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("blocks have equal names: give them different ones; 1 of 2"),
+  EXPECT_NE(outcome.err.find("solids have equal names: give them different ones; 1 of 2"),
     std::string::npos)
     << outcome;
   EXPECT_EQ(outcome.json()["labels"][1]["name"], "right (2)");

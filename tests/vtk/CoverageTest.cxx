@@ -303,9 +303,7 @@ TEST_F(Coverage, NameOfItsArrayIsTaken)
   field->SetCoverageToFraction();
   field->Update();
   EXPECT_EQ(field->GetStatus(), Filter::REFUSED);
-  EXPECT_NE(
-    log.errors().find("rename one of two arrays of the result: both have the name 'Coverage'"),
-    std::string::npos)
+  EXPECT_NE(log.errors().find("two arrays of the result are named 'Coverage'"), std::string::npos)
     << log.errors();
   field->SetCoverageToAny();
   field->Update();

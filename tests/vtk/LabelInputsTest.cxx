@@ -132,7 +132,7 @@ TEST_F(LabelInputs, CompositesOfEveryKindGiveTheSame)
   EXPECT_EQ(made(outer), expected);
   EXPECT_EQ(names()[3], "solid 1 (2)");
   EXPECT_NE(
-    warnings.find("blocks have equal names: give them different ones; 2 of 5"), std::string::npos)
+    warnings.find("solids have equal names: give them different ones; 2 of 5"), std::string::npos)
     << warnings;
 }
 

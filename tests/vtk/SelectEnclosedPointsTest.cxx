@@ -216,7 +216,7 @@ TEST(SelectedPoints, AreTheActiveScalarsDownstream)
   select->SetResultArrayName("SelectedPoints");
   ErrorLog log(select);
   select->Update();
-  EXPECT_NE(log.errors().find("rename one of two arrays of the result"), std::string::npos)
+  EXPECT_NE(log.errors().find("two arrays of the result are named"), std::string::npos)
     << log.errors();
   EXPECT_EQ(select->GetStatus(), vtkWindingNumberProbe::REFUSED);
 }

@@ -311,7 +311,7 @@ TEST_F(SignedDistance, BadOptionsAreRefusedInOneLine)
   expectRefused("DistanceBand is inf;");
   field->SetDistanceBand(0);
   field->SetResultArrayName("SignedDistance");
-  expectRefused("rename one of two arrays of the result: both have the name 'SignedDistance'");
+  expectRefused("two arrays of the result are named 'SignedDistance'");
   field->GenerateWindingNumberOff();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::DONE) << "there is one of that name only";

@@ -114,6 +114,7 @@ void checkContentFits(const std::string& fileName)
   }
   if (!promised && suffix != ".stl" && head.find('\0') != std::string::npos)
   {
-    throw Failure(EXIT_REFUSED, fileName, "is not " + name + ": it is not text; give another file");
+    throw Failure(EXIT_REFUSED, fileName,
+      "is not " + name + ": it is not text; give the file a suffix that fits, or another file");
   }
 }

@@ -12,21 +12,18 @@ namespace winding
 namespace
 {
 
-/// Counts the sides of `samples` samples that are known to be outside. `evaluate` is called with
-/// the output to write to.
+/// Counts the negative ones of `samples` samples. `evaluate` is called with the output to write to.
 template <class Evaluate>
 SideCounts countSamples(std::size_t samples, double threshold, const Evaluate& evaluate)
 {
-  std::vector<unsigned char> reached(samples);
+  std::vector<float> values(samples);
   FieldOutput output;
-  output.inside = reached.data();
-  output.rule = InsideRule::absoluteThreshold;
-  output.threshold = threshold;
+  output.values = values.data();
   evaluate(output);
   SideCounts counts;
   counts.samples = samples;
-  counts.negative =
-    static_cast<std::size_t>(std::count(reached.begin(), reached.end(), static_cast<char>(1)));
+  counts.negative = static_cast<std::size_t>(
+    std::count_if(values.begin(), values.end(), [&](float w) { return w <= -threshold; }));
   return counts;
 }
 
@@ -49,7 +46,7 @@ SideCounts countNegative(const Field& field, const Grid& grid, double threshold,
   {
     return counts;
   }
-  constexpr std::size_t mostSamples = 64 << 20;
+  constexpr std::size_t mostSamples = 16 << 20;
   const Extent layer = {whole[0], whole[1], whole[2], whole[3], 0, 0};
   const auto layers = static_cast<int>(
     std::clamp<std::size_t>(mostSamples / sampleCount(layer), 1, grid.dimensions[2]));

@@ -58,10 +58,9 @@ bool looksInward(const Field& field, const SideCounts& sides, Executor& executor
 
 ///@{
 /**
- * Evaluates samples that are known to be outside, of a grid or scattered, and stops at the first
- * that is negative.
+ * Counts the negative samples, of a grid or scattered ones, and stops a slab after the first.
  *
- * They take the time of the field, and less where one is negative. Memory: a byte for each sample;
+ * They take the time of the field, and less where one is negative. Memory: 4 bytes for each sample;
  * a grid is looked at in slabs of at least one layer along z, and of 64 MB at most where one layer
  * is not larger. Throws Interrupted.
  */

@@ -114,6 +114,14 @@ TEST(InsideOut, IsNotASourceThatSamplesMiss)
     looksInward(*ball, winding::countNegative(*ball, winding::VectorsView(), 0.5, serial)));
 }
 
+TEST(InsideOut, IsNoSolidThatIsInsideOfAllItsSamples)
+{
+  const auto field = fieldOf(icosphere(2));
+  const Grid inner = gridOver(Point(-0.1, -0.1, -0.1), Point(0.1, 0.1, 0.1));
+  winding::SerialExecutor serial;
+  EXPECT_EQ(winding::countNegative(*field, inner, 0.5, serial).negative, 0u);
+}
+
 TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
 {
   // A little before its points, w is far below −0.5.

@@ -1,6 +1,7 @@
 #include "private/output/ResultArrays.h"
 
 #include "base/LargePages.h"
+#include "base/Refusal.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/source/ContentHash.h"
 
@@ -44,7 +45,8 @@ void checkNames(const Names& names)
   {
     if (exists && !taken.insert(name).second)
     {
-      throw Refusal("rename one of two arrays of the result: both have the name '" + name + "'");
+      throw Refusal(Message("two arrays of the result are named '" + name + "'",
+        {{"rename one", {Parameter::resultArrayName}}}));
     }
   }
 }

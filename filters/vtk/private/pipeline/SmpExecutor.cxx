@@ -73,11 +73,6 @@ SmpExecutor::SmpExecutor(vtkAlgorithm* filter, int threads)
 {
 }
 
-int SmpExecutor::threads() const
-{
-  return threads_ > 0 ? threads_ : availableThreads();
-}
-
 void SmpExecutor::runBatch(
   std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const
 {
@@ -95,9 +90,9 @@ void SmpExecutor::runBatch(
 }
 
 bool SmpExecutor::runBatches(
-  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const
+  std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress)
 {
-  const Clock::time_point startOfRun = Clock::now();
+  Clock::time_point startOfRun = Clock::now();
   std::size_t batch =
     static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t done = 0; done < count;)
@@ -116,7 +111,12 @@ bool SmpExecutor::runBatches(
     const double part = static_cast<double>(done) / static_cast<double>(count);
     if (look_)
     {
+      const Clock::time_point startOfLook = Clock::now();
       this->lookAtClock(startOfRun, part);
+      // Waiting for other ranks is no work.
+      const Clock::duration waited = Clock::now() - startOfLook;
+      start_ += waited;
+      startOfRun += waited;
     }
     if (filter_)
     {

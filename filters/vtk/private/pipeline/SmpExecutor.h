@@ -40,9 +40,6 @@ public:
   /// exception of `look` ends the run. An empty function ends the calls.
   void setClock(std::function<void(double elapsed, double expected)> look);
 
-  /// The approximate number of threads that it uses.
-  int threads() const;
-
   /// Whether there was anything to do yet.
   bool hasRun() const { return hasRun_; }
 
@@ -50,7 +47,7 @@ private:
   void runOnBackend(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   bool runBatches(
-    std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress) const;
+    std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   void lookAtClock(std::chrono::steady_clock::time_point startOfRun, double done) const;
   void tellProgress(double done, bool showsProgress) const;
   void runBatch(

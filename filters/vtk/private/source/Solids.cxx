@@ -268,15 +268,6 @@ void Solids::makeNamesUnique()
   }
 }
 
-vtkIdType Solids::cells(std::size_t solid) const
-{
-  if (data_)
-  {
-    return static_cast<vtkIdType>(cells_[solid].size());
-  }
-  return blocks_[solid] ? blocks_[solid]->GetNumberOfElements(vtkDataObject::CELL) : 0;
-}
-
 vtkSmartPointer<vtkDataObject> Solids::source(std::size_t solid) const
 {
   if (data_)

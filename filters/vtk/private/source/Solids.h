@@ -61,9 +61,6 @@ public:
   /// The number of names that had to be changed.
   std::size_t repeatedNames() const { return repeatedNames_; }
 
-  /// Returns the number of cells of a solid.
-  vtkIdType cells(std::size_t solid) const;
-
   /// The solid as a source. A region's is made for each call.
   vtkSmartPointer<vtkDataObject> source(std::size_t solid) const;
 
