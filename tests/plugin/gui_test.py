@@ -39,6 +39,9 @@ COLORS = {"PointAreas": "Area"}
 # The filters whose results have cells and no points.
 WITHOUT_POINTS = {"WindingNumberHyperTree"}
 
+# Seconds after which a window that waits for a click nobody plays is ended: plays take 10 to 40.
+LONGEST_PLAY = 250
+
 # A picture differs from another one if this share of its blocks of 8 by 8 pixels differs by so much
 # of 255.
 # Blocks hide how edges are drawn, in which versions of Mesa differ.
@@ -166,7 +169,7 @@ def play(script, folder):
                f"--plugin-search-paths={os.path.dirname(plugin)}", "--plugins=WindingNumbers"]
     done = subprocess.run(
         command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-        check=False)
+        check=False, timeout=LONGEST_PLAY)
     return done.returncode, done.stdout
 
 
