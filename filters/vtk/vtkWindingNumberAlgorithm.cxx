@@ -28,7 +28,6 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -37,13 +36,6 @@
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 int kindOf(vtkDataObject* source)
 {
@@ -302,7 +294,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   this->PrepareSeconds = 0;
   this->LookAtSource(source);
   this->SetProgressText("Preparing");
-  Clock::time_point start = Clock::now();
+  winding::Clock::time_point start = winding::Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(0, progressOfNormals);
   const winding::SourceOptions options = this->GetSourceOptions();
@@ -319,7 +311,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
     this->SetProgressShiftScale(shift + scale * progressOfNormals, scale * (1 - progressOfNormals));
   }
   // Looking whether the source is the last one is not preparing.
-  start = this->Source->wasBuilt() ? start : Clock::now();
+  start = this->Source->wasBuilt() ? start : winding::Clock::now();
   this->SamplesOfResult = ownSamples;
   this->ExpectMemory(field, static_cast<vtkIdType>(ownSamples));
   field.prepare(samples, executor);
@@ -327,7 +319,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   {
     field.prepareDistances(executor);
   }
-  this->PrepareSeconds = executor.hasRun() ? secondsSince(start) : 0;
+  this->PrepareSeconds = executor.hasRun() ? winding::secondsSince(start) : 0;
   this->SetProgressText("Evaluating");
   this->TellFaults(field.info());
   return field;
@@ -370,8 +362,6 @@ std::size_t vtkWindingNumberAlgorithm::GetAdditionalBytes(const winding::Field&,
 void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType samples,
   winding::SmpExecutor& executor, const std::function<void()>& work)
 {
-  const winding::Stopwatch stopwatch(this->EvaluateSeconds);
-  const Clock::time_point start = Clock::now();
   const double before = this->EarlierSeconds + this->PrepareSeconds;
   const double pieces =
     samples > 0 ? static_cast<double>(this->SamplesOfResult) / static_cast<double>(samples) : 0;
@@ -396,29 +386,23 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
     }
     return seconds > 0;
   };
-  executor.setClock(
-    [&](double elapsed, double expected)
+  constexpr double least = 1e-6; // 0 stands for a rank that is done
+  const auto lookAtWork = [&](double elapsed, double expected)
+  {
+    if (elapsed >= nextLook)
     {
-      if (elapsed >= nextLook)
-      {
-        nextLook = 2 * elapsed;
-        look(before + expected * pieces);
-      }
-    });
-  try
+      nextLook = 2 * elapsed;
+      look(std::max(before + expected * pieces, least));
+    }
+  };
   {
-    work();
+    const winding::Stopwatch stopwatch(this->EvaluateSeconds);
+    executor.runByClock(work, lookAtWork);
   }
-  catch (...)
-  {
-    executor.setClock({}); // it refers to what ends here
-    throw;
-  }
-  executor.setClock({});
   while (look(0))
   {
   }
-  this->TakenSeconds = before + secondsSince(start) * pieces;
+  this->TakenSeconds = before + this->EvaluateSeconds * pieces;
   if (looks == 1)
   {
     this->ExpectedSeconds = this->TakenSeconds;

@@ -5,6 +5,14 @@
 namespace winding
 {
 
+using Clock = std::chrono::steady_clock;
+
+/// Returns the seconds that have passed since `start`.
+inline double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// Sets a number to the seconds that this object has lived, when it ends.
 class Stopwatch
 {
@@ -13,14 +21,12 @@ public:
     : seconds_(seconds)
   {
   }
-  ~Stopwatch() { seconds_ = std::chrono::duration<double>(Clock::now() - start_).count(); }
+  ~Stopwatch() { seconds_ = secondsSince(start_); }
 
   Stopwatch(const Stopwatch&) = delete;
   void operator=(const Stopwatch&) = delete;
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   double& seconds_;
   Clock::time_point start_ = Clock::now();
 };

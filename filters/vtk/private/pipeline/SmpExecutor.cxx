@@ -8,7 +8,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -20,13 +19,6 @@ namespace winding
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The active backend, or STDThread where Sequential is active though nobody asked for it. Where
 /// the environment asks for Sequential, that holds: two threads that choose a backend for their
@@ -142,10 +134,20 @@ void SmpExecutor::lookAtClock(Clock::time_point startOfRun, double done) const
   look_(elapsed, expected);
 }
 
-void SmpExecutor::setClock(std::function<void(double elapsed, double expected)> look)
+void SmpExecutor::runByClock(const std::function<void()>& work, const Look& look)
 {
-  look_ = std::move(look);
+  look_ = look;
   start_ = Clock::now();
+  try
+  {
+    work();
+  }
+  catch (...)
+  {
+    look_ = {};
+    throw;
+  }
+  look_ = {};
 }
 
 void SmpExecutor::tellProgress(double done, bool showsProgress) const

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/Stopwatch.h"
 
-#include <chrono>
 #include <utility>
 
 class vtkAlgorithm;
@@ -35,10 +35,13 @@ public:
   /// set the abort flag.
   void runBriefly(std::size_t count, const std::function<void(std::size_t)>& work) override;
 
-  /// Calls `look` after each batch from now on, on the calling thread, with seconds since this
-  /// call: the `elapsed` ones, and the `expected` ones until progress is 1, by the clock. An
-  /// exception of `look` ends the run. An empty function ends the calls.
-  void setClock(std::function<void(double elapsed, double expected)> look);
+  /// Hears of seconds since runByClock() began: the `elapsed` ones, and the `expected` ones until
+  /// progress is 1, by the clock.
+  using Look = std::function<void(double elapsed, double expected)>;
+
+  /// Does `work` on the calling thread, and calls `look` there after each batch of its runs. An
+  /// exception of `look` ends the run.
+  void runByClock(const std::function<void()>& work, const Look& look);
 
   /// Whether there was anything to do yet.
   bool hasRun() const { return hasRun_; }
@@ -48,7 +51,7 @@ private:
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
-  void lookAtClock(std::chrono::steady_clock::time_point startOfRun, double done) const;
+  void lookAtClock(Clock::time_point startOfRun, double done) const;
   void tellProgress(double done, bool showsProgress) const;
   void runBatch(
     std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
@@ -58,8 +61,8 @@ private:
   double firstShare_ = 0;
   double lastShare_ = 1;
   bool hasRun_ = false;
-  std::function<void(double, double)> look_;
-  std::chrono::steady_clock::time_point start_; ///< of look_
+  Look look_;               ///< empty outside of runByClock()
+  Clock::time_point start_; ///< of look_
 };
 
 } // namespace winding
