@@ -81,8 +81,7 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
 
 double vtkWindingNumberField::GetResultBytes(vtkIdType samples) const
 {
-  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
-         static_cast<double>(samples);
+  return winding::bytesOf(this->GetResultOptions(), samples);
 }
 
 void vtkWindingNumberField::EvaluateVoxels(

@@ -153,8 +153,7 @@ void vtkWindingNumberProbeAlgorithm::HashProperties(winding::ContentHash& hash)
 
 double vtkWindingNumberProbeAlgorithm::GetResultBytes(vtkIdType samples) const
 {
-  return static_cast<double>(winding::bytesPerSample(this->GetResultOptions())) *
-         static_cast<double>(samples);
+  return winding::bytesOf(this->GetResultOptions(), samples);
 }
 
 int vtkWindingNumberProbeAlgorithm::RequestData(

@@ -63,13 +63,15 @@ vtkSmartPointer<vtkDataArray> makeResultArray(int type, const std::string& name,
   return array;
 }
 
-vtkIdType bytesPerSample(const ResultOptions& options)
+double bytesOf(const ResultOptions& options, vtkIdType samples)
 {
   const vtkIdType ofNumber = vtkDataArray::GetDataTypeSize(options.scalarType);
   // Signs have to be kept somewhere until distances are there.
   const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
-  return (options.withValues ? ofNumber : 0) + (options.withDistances ? ofNumber : 0) +
-         (hasSides ? 1 : 0) + (options.withCoverage ? sizeof(float) : 0);
+  const vtkIdType perSample = (options.withValues ? ofNumber : 0) +
+                              (options.withDistances ? ofNumber : 0) + (hasSides ? 1 : 0) +
+                              (options.withCoverage ? sizeof(float) : 0);
+  return static_cast<double>(perSample) * static_cast<double>(samples);
 }
 
 void addTo(ContentHash& hash, const ResultOptions& options)
@@ -94,8 +96,7 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},
     {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
-  refuseBeyondFreeMemory(
-    static_cast<double>(bytesPerSample(options)) * static_cast<double>(samples),
+  refuseBeyondFreeMemory(bytesOf(options, samples),
     "the result of " + std::to_string(samples) + " samples", options.remedies);
   if (options.withValues)
   {

@@ -29,8 +29,8 @@ struct ResultOptions
   std::vector<Remedy> remedies = {largerVoxels(), inPieces()}; ///< where memory is short
 };
 
-/// Returns the memory for each sample: for the arrays, and for the evaluation meanwhile.
-vtkIdType bytesPerSample(const ResultOptions& options);
+/// Returns the memory of `samples` samples: of the arrays, and of the evaluation meanwhile.
+double bytesOf(const ResultOptions& options, vtkIdType samples);
 
 /// Adds what decides on the arrays to `hash`.
 void addTo(ContentHash& hash, const ResultOptions& options);
