@@ -14,7 +14,7 @@ struct Options;
 
 /**
  * One run of a filter that samples a grid over the input of a command: the commands field, surface,
- * voxels and labels are made of it. FieldOutput.h writes what it gives. Its functions throw Failure
+ * voxels and labels are made of it. WriteField.h writes what it gives. Its functions throw Failure
  * for whatever keeps them from being done. They are collective (ParallelRun.h): the first rank
  * reads and prints.
  */

@@ -1,9 +1,9 @@
 #include "commands/Commands.h"
 
 #include "commands/CommandFiles.h"
-#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
 #include "commands/FilterSettings.h"
+#include "commands/WriteField.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
 

@@ -1,7 +1,7 @@
 #include "commands/CommandFiles.h"
 #include "commands/Commands.h"
-#include "commands/FieldOutput.h"
 #include "commands/FieldRun.h"
+#include "commands/WriteField.h"
 #include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"

@@ -1,4 +1,4 @@
-#include "commands/FieldOutput.h"
+#include "commands/WriteField.h"
 
 #include "commands/FieldRun.h"
 #include "options/Options.h"
