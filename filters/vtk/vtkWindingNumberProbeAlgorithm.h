@@ -100,8 +100,7 @@ protected:
   /// Returns how refusals speak of what the filter does.
   virtual const winding::ProbeWords& GetWords() const = 0;
 
-  /// Returns the arrays that are made of all samples, except that of what is inside where nobody
-  /// asks for it: that is always made.
+  /// Returns the arrays of the result that users ask for. Sides are made even if nobody does.
   virtual winding::ResultOptions GetResultOptions() const = 0;
 
   /// Makes a new output for `input`: one of the same class, unless it is a part of a data set.

@@ -1,4 +1,4 @@
-"""The suffixes of the two tables of formats are those of ParaView's readers and of the documents.
+"""ParaView's readers and the documents have the suffixes of the two tables of formats.
 
 Usage: formats_test.py <root of the repository>. Prints one line for each fault, and fails if there
 is any. The program takes its list from the tables itself.

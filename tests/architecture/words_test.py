@@ -20,7 +20,7 @@ RIDDLE = re.compile(rf"^\s*(///<?|//|/\*\*|\*) {OPENING} ")
 # Words to avoid in filters and apps (CONTRIBUTING.md), and how often they may still stand there.
 # Lower a number when you have made it fall; never raise one.
 MOST = {
-    r"(those|that) of": 33,
+    r"(those|that) of": 29,
     r"tells?|told|telling": 26,
     r"beside": 11,
     r"so (many|much|long|far|few)": 19,

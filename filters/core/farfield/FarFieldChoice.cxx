@@ -13,7 +13,7 @@ namespace
 
 constexpr double weightOfValue = 0.7e-9;
 
-/// The cost of expansions of an order, in that of order 5.
+/// Returns the cost of expansions of an order, relative to order 5.
 double orderFactor(int order)
 {
   return order <= 3 ? 0.6 : order <= 5 ? 1 : order <= 7 ? 2.5 : 5;
@@ -61,8 +61,8 @@ bool isCheaperDirectly(
   Primitive kind, std::size_t primitives, std::size_t samples, int order, FarFieldState state)
 {
   // All figures are nanoseconds on a processor of 2025. The tree's are those beyond what the direct
-  // sum takes before its first sample. Sources are near to a number of cells that grows as that of
-  // voxels on a surface does, with the power 2/3; few sources are near to few cells.
+  // sum takes before its first sample. The number of cells near sources grows like the number of
+  // voxels on a surface, with the power 2/3; few sources are near to few cells.
   const bool isTriangle = kind == Primitive::triangle;
   const auto count = static_cast<double>(primitives), places = static_cast<double>(samples);
   const double pairs = (isTriangle ? 0.9 : 0.36) * count * places;

@@ -210,8 +210,8 @@ public:
   /// Returns the measures of the source and of `samples` samples that choices depend on.
   SampledSource sampledSource(std::size_t samples) const;
 
-  /// Returns the memory that the field and its values at `samples` samples are expected to take: at
-  /// those of a grid, or at scattered ones if these were announced (FieldOptions::scattered).
+  /// Returns the expected memory of the field and its values at `samples` samples. They are a
+  /// grid's, or scattered if these were announced (FieldOptions::scattered).
   virtual std::size_t expectedBytes(std::size_t samples) const = 0;
 
   /// Returns the expected memory of the distances of `samples` samples, without expectedBytes().
