@@ -231,7 +231,7 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
     this->Internal->Source.prepare(this->Input, options, *executor, alone, false);
   const double anywhere[3] = {0, 0, 0};
   field.prepare(winding::VectorsView(anywhere, 1), *executor);
-  const winding::FieldInfo& info = field.info();
+  const winding::FieldInfo& info = this->Internal->Source.info();
   if (!info.warnings.empty())
   {
     vtkWarningMacro(<< winding::lineOf(info.warnings));

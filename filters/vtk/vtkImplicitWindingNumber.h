@@ -101,6 +101,9 @@ public:
   vtkSetMacro(SourceAsPoints, vtkTypeBool);
   vtkGetMacro(SourceAsPoints, vtkTypeBool);
   vtkBooleanMacro(SourceAsPoints, vtkTypeBool);
+  vtkSetMacro(UseSurfaceCells, vtkTypeBool);
+  vtkGetMacro(UseSurfaceCells, vtkTypeBool);
+  vtkBooleanMacro(UseSurfaceCells, vtkTypeBool);
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   vtkSetMacro(EstimateNormals, vtkTypeBool);
@@ -152,6 +155,7 @@ protected:
   int Method = vtkWindingNumberAlgorithm::AUTOMATIC;
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
+  vtkTypeBool UseSurfaceCells = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;

@@ -122,6 +122,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
   options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  options.takesFaces = this->UseSurfaceCells;
   winding::SmpExecutor executor(this, 0);
   auto views = std::make_unique<winding::InputViews>(source, options, &executor);
   if (this->FixOrientation && !ranks.isAlone())
@@ -145,7 +146,13 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::refuseHugeSource(*views,
     winding::withNormals(winding::bytesOfReport, this->FixOrientation != 0), "the report", ranks);
   views->gather(ranks);
-  std::vector<vtkSmartPointer<vtkPolyData>> leaves = winding::leavesAsPolyData(source);
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves = 
+    winding::leavesAsPolyData(source, options.takesFaces);
+  if (views->isSurface())
+  {
+    views->triangles();
+  }
+  const winding::CellCounts counts = views->cellCounts();
   const bool fixes = this->FixOrientation && views->isSurface();
   winding::OrientedPolygons fix;
   if (fixes)
@@ -169,7 +176,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   const bool isDouble = surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
   const winding::FaultShape shape = {isDouble ? VTK_DOUBLE : VTK_FLOAT, this->FaultThickness};
   const winding::SourceReport report =
-    winding::reportOn(*views, shape, fixes ? &fix : nullptr, executor);
+    winding::reportOn(*views, shape, counts, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
   if (turnedNormals)
   {
@@ -374,6 +381,7 @@ void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
+  os << indent << "UseSurfaceCells: " << this->UseSurfaceCells << "\n";
   os << indent << "FixOrientation: " << this->FixOrientation << "\n";
   os << indent << "FaultThickness: " << this->FaultThickness << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";

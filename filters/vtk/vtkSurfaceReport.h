@@ -87,6 +87,10 @@
  *   integer, which shows how open the surface is; 0 if it is closed. The samples are the centres of
  *   cubic voxels, 32 along the longest side of the bounds with a twentieth added on each side; no
  *   tuple if the bounds admit no grid like that.
+ * - **turned_cells**: cells with volume at the outer surface whose nodes are in the other order, so
+ *   that their faces were turned away from them.
+ * - **left_out_cells**: cells of two dimensions, where there are cells of three, or the latter with
+ *   UseSurfaceCells.
  * - **flipped_triangles**, with FixOrientation only: triangles that were turned round.
  * - **flipped_components**, with FixOrientation only: parts with a triangle that was turned round.
  *
@@ -146,6 +150,13 @@ public:
   /// the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
+  ///@}
+
+  ///@{
+  /// Whether cells of two dimensions are taken, where a mesh has cells of three, too. Default off.
+  vtkSetMacro(UseSurfaceCells, bool);
+  vtkGetMacro(UseSurfaceCells, bool);
+  vtkBooleanMacro(UseSurfaceCells, bool);
   ///@}
 
   ///@{
@@ -241,6 +252,7 @@ protected:
   ///@}
 
   char* NormalsArray = nullptr;
+  bool UseSurfaceCells = false;
   bool FixOrientation = false;
   double FaultThickness = 0;
   vtkSmartPointer<vtkMultiProcessController> Controller;

@@ -321,7 +321,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   }
   this->PrepareSeconds = executor.hasRun() ? winding::secondsSince(start) : 0;
   this->SetProgressText("Evaluating");
-  this->TellFaults(field.info());
+  this->TellFaults(this->Source->info());
   return field;
 }
 

@@ -187,6 +187,15 @@ public:
   ///@}
 
   ///@{
+  /// Whether cells of two dimensions are taken, where a mesh has cells of three, too. A warning
+  /// counts the cells of the other kind, which are left out. Default off: the outer surface of
+  /// the cells of three dimensions.
+  vtkSetMacro(UseSurfaceCells, vtkTypeBool);
+  vtkGetMacro(UseSurfaceCells, vtkTypeBool);
+  vtkBooleanMacro(UseSurfaceCells, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The name of the point data array with the normals of a cloud, which need not have unit length.
   /// Default: no name, for the active normals; the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
@@ -472,6 +481,7 @@ protected:
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
+  vtkTypeBool UseSurfaceCells = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = ESTIMATION_AUTOMATIC;

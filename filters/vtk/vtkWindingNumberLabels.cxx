@@ -163,7 +163,7 @@ const winding::Field& vtkWindingNumberLabels::PrepareSolid(
   try
   {
     const winding::Field& field = this->PrepareGridField(solids.source(number));
-    this->Facts->add(field.info(), name);
+    this->Facts->add(this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name);
     return field;
   }
   catch (const winding::OutOfMemory&)
@@ -202,6 +202,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   options.regionArray = winding::textOf(this->RegionArray);
   options.labelOffset = this->LabelOffset;
   options.asPoints = this->SourceAsPoints != 0;
+  options.takesFaces = this->UseSurfaceCells != 0;
   const winding::Solids solids(source, options, this->GetRanks(), executor);
   this->Facts->expected = solids.size();
 
@@ -337,6 +338,10 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   if (facts.warned.count() > 0)
   {
     vtkWarningMacro(<< winding::lineOf(facts.warnings) << " (" << facts.warned.outOf(count) << ")");
+  }
+  if (const auto notes = winding::notesOn(solids.cellCounts()); !notes.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(notes));
   }
   if (solids.repeatedNames() > 0)
   {

@@ -86,6 +86,7 @@ class Options:
     n_threads: int | None = None
     longest_expected_time: float = 600
     as_points: bool = False
+    surface_cells: bool = False
     estimate_normals: bool = False
     normal_estimation: str = "auto"
     n_neighbors: int = 20
@@ -102,6 +103,7 @@ class Options:
         algorithm.SetLongestExpectedTime(
             number("longest_expected_time", self.longest_expected_time, 0))
         algorithm.SetSourceAsPoints(flag("as_points", self.as_points))
+        algorithm.SetUseSurfaceCells(flag("surface_cells", self.surface_cells))
         algorithm.SetEstimateNormals(flag("estimate_normals", self.estimate_normals))
         algorithm.SetNormalEstimation(
             choice("normal_estimation", self.normal_estimation, NORMAL_ESTIMATIONS))

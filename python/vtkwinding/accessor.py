@@ -293,27 +293,31 @@ class WindingAccessor:
         return _fill(_copied(self._mesh), update(),
                      {"WindingNumber": ("WindingNumber", None)}, association)
 
-    def _report(self, progress_bar, normals_array, fixes):
+    def _report(self, progress_bar, normals_array, fixes, surface_cells):
         algorithm = vtkSurfaceReport()
+        algorithm.SetUseSurfaceCells(_options.flag("surface_cells", surface_cells))
         algorithm.SetFixOrientation(fixes)
         if normals_array is not None:
             algorithm.SetNormalsArray(_options.text("normals_array", normals_array))
         algorithm.SetInputData(_check_source("the mesh", self._mesh))
         return run(algorithm, progress_bar=progress_bar, message="Looking at the mesh")
 
-    def report(self, *, normals_array: str | None = None,
+    def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
                progress_bar: bool = False) -> dict[str, Any]:
         """What is wrong with this mesh or cloud, and what to do: a dict.
 
+        surface_cells: whether the faces of a mesh that has cells with volume, too, are taken.
+
         vtkSurfaceReport says what the entries mean; 'advice' sums them up in words.
         """
-        found = self._report(progress_bar, normals_array, False).GetReport()
+        found = self._report(progress_bar, normals_array, False, surface_cells).GetReport()
         return {found.GetArrayName(i): _value_of(found.GetAbstractArray(i))
                 for i in range(found.GetNumberOfArrays())}
 
-    def fix_orientation(self, *, progress_bar: bool = False) -> pv.PolyData:
+    def fix_orientation(self, *, surface_cells: bool = False,
+                        progress_bar: bool = False) -> pv.PolyData:
         """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward."""
-        algorithm = self._report(progress_bar, None, True)
+        algorithm = self._report(progress_bar, None, True, surface_cells)
         result = pv.wrap(algorithm.GetOutput())
         report = algorithm.GetReport()
         for index in range(report.GetNumberOfArrays()):

@@ -156,6 +156,7 @@ void runCheck(const Options& options, Messages& messages)
   }
   vtkNew<vtkSurfaceReport> filter;
   filter->SetInputDataObject(readInput(options.input, messages));
+  filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetFixOrientation(options.fixOrientation);
   {
     const Progress progress(filter, Phase::evaluating, messages.isQuiet(), "checking");

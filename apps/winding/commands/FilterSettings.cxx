@@ -27,6 +27,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetMethod(options.method);
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);
+  filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetEstimateNormals(options.estimateNormals);
   filter->SetNormalEstimation(options.normalEstimation);
   filter->SetPointAreaMethod(options.areas);

@@ -205,6 +205,7 @@ void addCheck(CLI::App& app, Options& options)
   CLI::Option* faults = check->add_option("--blocks", options.faults,
     "Write what is wrong with a surface, to look at, .vtm: the blocks Boundary, Caps, "
     "NonManifoldEdges and InconsistentEdges");
+  addSurfaceCells(check, options);
   output->needs(fix);
   output->type_name("OUT");
   faults->type_name("OUT");

@@ -40,6 +40,14 @@ void addGrid(CLI::App* command, Options& options)
 
 } // namespace
 
+void addSurfaceCells(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--surface-cells", options.surfaceCells,
+      "Take the faces of a mesh that has cells with volume, too, rather than these cells' surface")
+    ->group("Method");
+}
+
 CLI::Validator oneOf(const Choices& choices)
 {
   CLI::Validator validator;
@@ -166,6 +174,7 @@ void addMethod(CLI::App* command, Options& options)
     ->group(group);
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);
+  addSurfaceCells(command, options);
 }
 
 void addFieldOptions(CLI::App* command, Options& options)

@@ -37,6 +37,9 @@ void addPointsInput(CLI::App* command, Options& options);
 void addPointAreas(
   CLI::App* command, Options& options, const std::string& description, const Choices& methods);
 
+/// Adds which cells of a mesh are its surface.
+void addSurfaceCells(CLI::App* command, Options& options);
+
 void addMethod(CLI::App* command, Options& options);
 
 /// Adds the options of commands that make a field: grid, method and verification.

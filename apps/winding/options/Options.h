@@ -32,6 +32,7 @@ struct Options
   int normalEstimation = 0;
   bool replace = false; ///< whether normals are estimated for points that have some
   bool asPoints = false;
+  bool surfaceCells = false;
 
   // The output. Choices have the numbers that the filters give them.
   double threshold = 0.5;

@@ -18,6 +18,7 @@ enum class Parameter
 
   // the source
   sourceAsPoints,
+  surfaceCells,
   sourceDistribution,
   normalsArray,
   estimateNormals,

@@ -80,7 +80,7 @@ private:
 };
 
 vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
-  const OrientedPolygons* fix, Writer& writer, Executor& executor)
+  const CellCounts& cells, const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
   const std::shared_ptr<const Field> field =
     Field::build(source.triangles(), FieldOptions(), executor);
@@ -113,6 +113,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   writer.measure("volume", report.volume);
   writer.measure("area", report.area);
   writer.measure("fractional_share", fractionalShare(*field, executor));
+  writer.count("turned_cells", cells.turned);
+  writer.count("left_out_cells", cells.leftOut);
   if (fix)
   {
     writer.count("flipped_triangles", fix->triangles);
@@ -121,7 +123,10 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   writer.box("bbox", surface.bounds);
   writer.count("non_finite", surface.nonFiniteTriangles);
   writer.count("invalid_ids", surface.invalidIdTriangles);
-  writer.text("advice", lineOf(adviceOn(surface, report)));
+  std::vector<Message> advice = adviceOn(surface, report);
+  const std::vector<Message> notes = notesOn(cells);
+  advice.insert(advice.end(), notes.begin(), notes.end());
+  writer.text("advice", lineOf(advice));
   return faultBlocks(surface, edgeLists, shape, executor);
 }
 
@@ -155,15 +160,15 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
 
 } // namespace
 
-SourceReport reportOn(
-  InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor)
+SourceReport reportOn(InputViews& source, const FaultShape& shape, const CellCounts& cells,
+  const OrientedPolygons* fix, Executor& executor)
 {
   SourceReport report;
   report.arrays = vtkSmartPointer<vtkFieldData>::New();
   Writer writer(report.arrays);
   if (source.isSurface())
   {
-    report.faults = reportOnSurface(source, shape, fix, writer, executor);
+    report.faults = reportOnSurface(source, shape, cells, fix, writer, executor);
   }
   else
   {

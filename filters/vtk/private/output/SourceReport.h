@@ -10,6 +10,7 @@ namespace winding
 
 class Executor;
 class InputViews;
+struct CellCounts;
 struct FaultShape;
 struct OrientedPolygons;
 
@@ -22,9 +23,9 @@ struct SourceReport
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report. `fix` says how the polygons of the source have been turned before, and is null
-/// if that was not asked for. The core's exceptions pass through.
-SourceReport reportOn(
-  InputViews& source, const FaultShape& shape, const OrientedPolygons* fix, Executor& executor);
+/// Makes the report. `cells` counts those of the source, and `fix` says how its polygons have been
+/// turned before: null if that was not asked for. The core's exceptions pass through.
+SourceReport reportOn(InputViews& source, const FaultShape& shape, const CellCounts& cells,
+  const OrientedPolygons* fix, Executor& executor);
 
 } // namespace winding

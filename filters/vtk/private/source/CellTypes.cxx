@@ -18,9 +18,42 @@ struct Kind
 {
   int dimension = -1;
   vtkIdType points = 0; ///< the fewest points of a cell; 0 where it varies
+  int straightType = -1;
 };
 
 using Kinds = std::array<Kind, 256>;
+
+int straightTypeOf(vtkCell* cell)
+{
+  if (cell->IsLinear())
+  {
+    return cell->GetCellType();
+  }
+  if (cell->GetCellType() == VTK_QUADRATIC_POLYGON)
+  {
+    return VTK_POLYGON;
+  }
+  switch (cell->GetCellDimension())
+  {
+  case 1:
+    return VTK_LINE;
+  case 2:
+    return cell->GetNumberOfEdges() == 3 ? VTK_TRIANGLE : VTK_QUAD;
+  default:
+    break;
+  }
+  switch (cell->GetNumberOfEdges())
+  {
+  case 6:
+    return VTK_TETRA;
+  case 8:
+    return VTK_PYRAMID;
+  case 9:
+    return VTK_WEDGE;
+  default:
+    return VTK_HEXAHEDRON;
+  }
+}
 
 Kinds makeKinds()
 {
@@ -31,7 +64,7 @@ Kinds makeKinds()
       vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(static_cast<int>(type)));
     if (cell)
     {
-      kinds[type] = {cell->GetCellDimension(), cell->GetNumberOfPoints()};
+      kinds[type] = {cell->GetCellDimension(), cell->GetNumberOfPoints(), straightTypeOf(cell)};
     }
   }
   return kinds;
@@ -88,6 +121,17 @@ bool isSerendipity(int cellType, vtkIdType points)
 int dimensionOf(int cellType)
 {
   return kindOf(cellType).dimension;
+}
+
+int straightTypeOf(int cellType)
+{
+  const int type = kindOf(cellType).straightType;
+  return type < 0 ? cellType : type;
+}
+
+vtkIdType fewestPointsOf(int cellType)
+{
+  return kindOf(cellType).points;
 }
 
 bool canHavePoints(int cellType, vtkIdType points, const double* degrees)

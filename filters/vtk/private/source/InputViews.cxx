@@ -69,7 +69,8 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
-  const auto own = withoutGhosts(points, isMesh, name);
+  const auto own =
+    isMesh ? ownCellsOf(points, options_.takesFaces, name, counts_) : withoutGhosts(points, name);
   if (own->GetNumberOfPoints() == 0)
   {
     return;
@@ -188,7 +189,7 @@ vtkPolyData* InputViews::skinOf(vtkPointSet* leaf)
   vtkSmartPointer<vtkPolyData>& skin = skins_[leaf];
   if (!skin)
   {
-    skin = outerSurfaceOf(leaf);
+    skin = outerSurfaceOf(leaf, options_.asPoints, counts_);
   }
   return skin;
 }

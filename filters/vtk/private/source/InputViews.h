@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.h"
+#include "private/source/OuterSurface.h"
 #include "private/source/SourceDistribution.h"
 #include "source/MeshVertices.h"
 
@@ -35,17 +36,18 @@ enum class AreaSource
 /// The choices that decide how a source is seen: as a mesh or as points, and with which arrays.
 struct InputOptions
 {
-  bool asPoints = false;               ///< whether a mesh is seen as the cloud of its points
-  bool estimateNormals = false;        ///< whether points may lack normals; views do not find any
-  std::string normalsArray;            ///< name; empty or None for the active normals
+  bool asPoints = false;        ///< whether a mesh is seen as the cloud of its points
+  bool takesFaces = false;      ///< of a mesh that has cells with volume, too (OuterSurface.h)
+  bool estimateNormals = false; ///< whether points may lack normals; views do not find any
+  std::string normalsArray;     ///< name; empty or None for the active normals
   AreaSource areas = AreaSource::none; ///< for clouds only
   std::string areaArray;               ///< name, for AreaSource::array
 
   bool operator==(const InputOptions& other) const
   {
-    return asPoints == other.asPoints && normalsArray == other.normalsArray &&
-           estimateNormals == other.estimateNormals && areas == other.areas &&
-           areaArray == other.areaArray;
+    return asPoints == other.asPoints && takesFaces == other.takesFaces &&
+           normalsArray == other.normalsArray && estimateNormals == other.estimateNormals &&
+           areas == other.areas && areaArray == other.areaArray;
   }
 };
 
@@ -107,6 +109,9 @@ public:
   /// All points of the source, those without triangles too.
   std::vector<VectorsView> points();
 
+  /// Counts of the cells of this rank's part; what views show is known once they are made.
+  const CellCounts& cellCounts() const { return counts_; }
+
 private:
   void addLeaf(vtkDataObject* leaf, const std::string& name);
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
@@ -128,6 +133,7 @@ private:
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;
+  CellCounts counts_;
 
   std::optional<std::vector<TrianglesView>> ownTriangles_;
   std::optional<std::vector<OrientedPointsView>> ownPoints_;

@@ -79,7 +79,7 @@ int regionOf(vtkDataArray* regions, vtkIdType cell)
 
 /// The data set as cells that regions can be made of: without ghosts, and with ids that may be
 /// followed unless it is polydata.
-vtkSmartPointer<vtkPointSet> checkedCells(vtkPointSet* data)
+vtkSmartPointer<vtkPointSet> checkedCells(vtkPointSet* data, bool takesFaces, CellCounts& counts)
 {
   const std::string name = "the source";
   if (vtkPolyData::SafeDownCast(data))
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkPointSet> checkedCells(vtkPointSet* data)
     checkCells(data, name);
   }
   checkArrays(data, name);
-  return withoutGhosts(data, hasFaces(data), name);
+  return hasFaces(data) ? ownCellsOf(data, takesFaces, name, counts) : withoutGhosts(data, name);
 }
 
 /// A hash of points and cells; 0 where there are no points.
@@ -139,7 +139,7 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
       [&]
       {
         checkSolids(input, options.asPoints);
-        data_ = checkedCells(data);
+        data_ = checkedCells(data, options.takesFaces, counts_);
       });
     // Lists of arrays in ParaView have the entry None, which arrives here as a name.
     const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
@@ -241,7 +241,7 @@ void Solids::findParts(vtkPointSet* data, Executor& executor)
   }
   if (!vtkPolyData::SafeDownCast(data))
   {
-    data_ = outerSurfaceOf(data);
+    data_ = outerSurfaceOf(data, false, counts_);
   }
   cells_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), executor);
   if (cells_.size() > largestLabel)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "private/pipeline/Ranks.h"
+#include "private/source/OuterSurface.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -25,6 +26,7 @@ struct SolidOptions
 {
   std::string regionArray; ///< of the cells of a single data set; empty for its connectivity
   int labelOffset = 0;     ///< added to a region to give its label
+  bool takesFaces = false; ///< of a mesh that has cells with volume, too (OuterSurface.h)
   bool asPoints = false;   ///< whether meshes are taken as the clouds of their points
 };
 
@@ -61,6 +63,9 @@ public:
   /// The number of names that had to be changed.
   std::size_t repeatedNames() const { return repeatedNames_; }
 
+  /// Counts of the cells of a single data set; blocks are looked at as sources.
+  const CellCounts& cellCounts() const { return counts_; }
+
   /// The solid as a source. A region's is made for each call.
   vtkSmartPointer<vtkDataObject> source(std::size_t solid) const;
 
@@ -74,6 +79,7 @@ private:
   std::vector<unsigned short> labels_;
   std::vector<std::string> names_;
   std::size_t repeatedNames_ = 0;
+  CellCounts counts_;
 
   std::vector<vtkSmartPointer<vtkDataObject>> blocks_; ///< none for regions
   vtkSmartPointer<vtkPointSet> data_;                  ///< cells that regions are of

@@ -45,6 +45,7 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   wasBuilt_ = !isKept;
   if (wasBuilt_)
   {
+    info_ = FieldInfo();
     field_ = nullptr; // the old and the new one need not fit into memory together
     views->compare(ranks, options.distribution);
     refuseHugeSource(*views, withNormals(bytesOfField, mayFindConsistentNormals(options.field)),
@@ -61,6 +62,9 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
                  : Field::build(views->orientedPoints(), options.field, executor);
     }
     options_ = options.field;
+    info_ = field_->info();
+    const std::vector<Message> notes = notesOn(views->cellCounts());
+    info_.warnings.insert(info_.warnings.end(), notes.begin(), notes.end());
   }
   return *field_;
 }
@@ -108,6 +112,7 @@ Ranks::Number hashOf(const SourceOptions& options)
   ContentHash hash;
   hash.addValue(options.distribution);
   hash.addValue(options.input.asPoints);
+  hash.addValue(options.input.takesFaces);
   hash.addValue(options.input.estimateNormals);
   hash.addValue(options.input.areas);
   hash.addText(options.input.normalsArray);
@@ -120,12 +125,6 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addValue(options.field.neighbors);
   hash.addValue(options.field.regularization);
   return hash.value();
-}
-
-const FieldInfo& SourceField::info() const
-{
-  static const FieldInfo none;
-  return field_ ? field_->info() : none;
 }
 
 } // namespace winding

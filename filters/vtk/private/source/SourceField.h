@@ -47,7 +47,7 @@ public:
     vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks);
 
   /// Information on the last field; before the first, on an empty one.
-  const FieldInfo& info() const;
+  const FieldInfo& info() const { return info_; }
 
   /// Whether the last prepare() had to build.
   bool wasBuilt() const { return wasBuilt_; }
@@ -70,6 +70,7 @@ private:
   SourceDistribution distribution_ = SourceDistribution::automatic;
   int ranks_ = 0;
   std::shared_ptr<const Field> field_;
+  FieldInfo info_; ///< the field's, with notes on the cells of the source
   bool wasBuilt_ = false;
 
   Memory boundedSource_;

@@ -3,16 +3,14 @@
 #include "private/pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
 #include "private/source/CellTypes.h"
+#include "private/source/OuterSurface.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtentTranslator.h"
-#include "vtkExtractCells.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -31,20 +29,7 @@ namespace winding
 namespace
 {
 
-/// Whether any of a ghost array's flags is set.
-bool hasFlags(vtkUnsignedCharArray* ghosts, int flags)
-{
-  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples(); ++i)
-  {
-    if (ghosts->GetValue(i) & flags)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
+vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
   {
@@ -52,7 +37,9 @@ vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf)
   }
   if (leaf->GetNumberOfPoints() > 0 && hasFaces(leaf))
   {
-    return outerSurfaceOf(leaf);
+    CellCounts counts; // of views of the same source
+    const auto own = ownCellsOf(leaf, takesFaces, "the source", counts);
+    return outerSurfaceOf(own, false, counts);
   }
   auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(leaf->GetPoints());
@@ -128,75 +115,56 @@ SourceKind kindOf(vtkDataObject* source)
   return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
 }
 
-vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf)
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string& name)
 {
-  vtkNew<vtkDataSetSurfaceFilter> filter;
-  filter->SetInputData(leaf);
-  filter->Update();
-  return filter->GetOutput();
-}
-
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const std::string& name)
-{
-  constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   constexpr int ghostPoint =
     vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  const bool strip = isMesh ? hasFlags(leaf->GetCellGhostArray(), ghostCell)
-                            : hasFlags(leaf->GetPointGhostArray(), ghostPoint);
-  if (!strip)
+  vtkUnsignedCharArray* flags = cloud->GetPointGhostArray();
+  const auto isGhost = [flags](vtkIdType point)
   {
-    return leaf;
+    return (flags->GetValue(point) & ghostPoint) != 0;
+  };
+  bool isAny = false;
+  for (vtkIdType i = 0; flags && i < flags->GetNumberOfTuples() && !isAny; ++i)
+  {
+    isAny = isGhost(i);
   }
-  checkCells(leaf, name);
-  checkArrays(leaf, name);
-  vtkNew<vtkIdList> own;
+  if (!isAny)
+  {
+    return cloud;
+  }
+  checkCells(cloud, name);
+  checkArrays(cloud, name);
   auto clean = vtkSmartPointer<vtkPolyData>::New();
-  if (isMesh)
-  {
-    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
-    {
-      if (!(leaf->GetCellGhostArray()->GetValue(i) & ghostCell))
-      {
-        own->InsertNextId(i);
-      }
-    }
-    vtkNew<vtkExtractCells> extract;
-    extract->SetInputData(leaf);
-    extract->SetCellList(own);
-    vtkNew<vtkDataSetSurfaceFilter> skin;
-    skin->SetInputConnection(extract->GetOutputPort());
-    skin->Update();
-    clean->ShallowCopy(skin->GetOutput());
-    return clean;
-  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  clean->GetPointData()->CopyAllocate(leaf->GetPointData());
-  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
+  clean->GetPointData()->CopyAllocate(cloud->GetPointData());
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
   {
-    if (!(leaf->GetPointGhostArray()->GetValue(i) & ghostPoint))
+    if (!isGhost(i))
     {
       double position[3];
-      leaf->GetPoint(i, position);
-      clean->GetPointData()->CopyData(leaf->GetPointData(), i, points->InsertNextPoint(position));
+      cloud->GetPoint(i, position);
+      clean->GetPointData()->CopyData(cloud->GetPointData(), i, points->InsertNextPoint(position));
     }
   }
   clean->SetPoints(points);
   return clean;
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source)
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source, bool takesFaces)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(source);
   if (!composite)
   {
-    return {leafAsPolyData(vtkPointSet::SafeDownCast(source))};
+    return {leafAsPolyData(vtkPointSet::SafeDownCast(source), takesFaces)};
   }
   std::vector<vtkSmartPointer<vtkPolyData>> leaves;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    leaves.push_back(leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject())));
+    leaves.push_back(
+      leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()), takesFaces));
   }
   return leaves;
 }

@@ -31,23 +31,20 @@ enum class SourceKind
 /// faces. Data that is no source is `nothing`. The function looks at no array, and never throws.
 SourceKind kindOf(vtkDataObject* source);
 
-/// The outer surface of a mesh of any cells, whose cells were checked (CellChecks.h).
-vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* leaf);
-
 /**
- * A data set without its ghosts, which are cells and points that another piece of the data has too,
- * or that are hidden: they would be counted twice, or against the user's will. The data set itself
- * if there are none. Throws Refusal, about data of that name, where there are some and cells cannot
- * be followed (CellChecks.h).
+ * Returns a cloud without its ghosts, which are points that another piece of the data has too, or
+ * that are hidden; the cloud itself if there are none. Throws Refusal, about data of that name,
+ * where there are some and cells cannot be followed (CellChecks.h).
  */
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* leaf, bool isMesh, const std::string& name);
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string& name);
 
 /**
  * The leaves of a source, of the kinds that InputViews takes, as polydata: polydata as it is, other
- * meshes as their outer surface, other clouds as points with a vertex cell each. A source that is
- * no composite is its own leaf. The cells of other meshes were checked (CellChecks.h).
+ * meshes as their outer surface (OuterSurface.h), other clouds as points with a vertex cell each. A
+ * source that is no composite is its own leaf. The cells of other meshes were checked
+ * (CellChecks.h).
  */
-std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source);
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source, bool takesFaces);
 
 /// Leaves appended to each other, with the arrays that all have.
 vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves);

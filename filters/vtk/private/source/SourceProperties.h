@@ -75,6 +75,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   const PointAreasFrom areas = pointAreasFrom(object.GetPointAreaMethod());
   SourceOptions options;
   options.input.asPoints = object.GetSourceAsPoints() != 0;
+  options.input.takesFaces = object.GetUseSurfaceCells() != 0;
   options.input.normalsArray = textOf(object.GetNormalsArray());
   options.input.estimateNormals = object.GetEstimateNormals() != 0;
   options.input.areas = areaSource(areas);
@@ -98,6 +99,7 @@ void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
   os << indent << "Method: " << object.GetMethod() << "\n";
   os << indent << "Tolerance: " << object.GetTolerance() << "\n";
   os << indent << "SourceAsPoints: " << object.GetSourceAsPoints() << "\n";
+  os << indent << "UseSurfaceCells: " << object.GetUseSurfaceCells() << "\n";
   os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
   os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
   os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";
