@@ -34,7 +34,7 @@ double secondsPerValue(int order)
 
 /// The share of the direct sum's time that cells may spend on nodes without an assured gain. A cell
 /// that would spend more is given up: its samples get the sum of the whole sources.
-constexpr double mostSpent = 0.25;
+constexpr double mostSpent = 0.15;
 
 } // namespace
 

@@ -90,7 +90,7 @@ double SplitRule::allowedFor(
 
 std::size_t mostPieces(std::size_t triangles, std::size_t samples)
 {
-  constexpr double pairsPerPiece = 4 * 500;
+  constexpr double pairsPerPiece = 4 * 1000;
   const double affordable =
     static_cast<double>(triangles) * (1 + static_cast<double>(samples) / pairsPerPiece);
   const double enough = 2 * static_cast<double>(triangles) + 100'000;

@@ -37,9 +37,9 @@ struct SplitRule
 /**
  * Returns the number of pieces that `triangles` may be cut in for `samples`. Twice the
  * triangles and 100 000 are enough for a surface across a grid of 512³, and cost a small source no
- * more memory than a far field of 100 000 triangles. A piece takes the tree as long as some 500
- * pairs of a sample and a triangle take the direct sum: pieces take no more than a quarter of its
- * time.
+ * more memory than a far field of 100 000 triangles. A piece takes the tree as long as up to
+ * 1000 pairs of a sample and a triangle take the direct sum: pieces take no more than a quarter of
+ * its time.
  */
 std::size_t mostPieces(std::size_t triangles, std::size_t samples);
 
