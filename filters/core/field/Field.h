@@ -90,7 +90,9 @@ struct FieldInfo
   std::size_t weldedVertices = 0;   ///< a surface's different vertices, or a cloud's points
   std::size_t boundaryEdges = 0;    ///< edges used by one triangle
   std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
-  std::size_t capTriangles = 0;     ///< triangles that close the surface for method rows
+  /// Triangles that close the surface for method rows. It is 0 where the boundary alone shows that
+  /// they are too many: then they are not made.
+  std::size_t capTriangles = 0;
   double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
