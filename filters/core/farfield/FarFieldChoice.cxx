@@ -46,7 +46,7 @@ double weightOfFarField(const SampledSource& triangles, int order)
   const double perSample = triangles.primitives == 0 ? 0 : 160e-9;
   // Triangles that are cut have pieces of 12 squares on average.
   const double items = std::clamp(triangles.area / 12, primitives,
-    static_cast<double>(mostPieces(triangles.primitives, triangles.samples)));
+    static_cast<double>(mostPieces(triangles.primitives, triangles.samples, order)));
   return orderFactor(order) * (0.5e-6 * items + perSample * samples) + near +
          weightOfValue * samples;
 }
