@@ -200,8 +200,9 @@ void SurfaceField::makeFarField(double tolerance)
 /// Returns whether `samples` samples are worth a tree; they always are where the user asked for it.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
-  return farField_ && (isFarFieldAskedFor_ ||
-                        !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
+  return farField_ &&
+         (isFarFieldAskedFor_ || !isCheaperDirectly(Primitive::triangle, info_.distinct, samples,
+                                   order_, FarFieldState::toBuild, this->gainOfFarField()));
 }
 
 /// Returns whether `samples` scattered samples of an open surface get their values by rays and the
@@ -261,6 +262,13 @@ std::size_t SurfaceField::expectedBytes(std::size_t samples) const
            bytesOf(info_.capTriangles, info_.capTriangles > 0 && capped_->usesFarField(samples));
   }
   return bytesOf(info_.distinct, this->usesFarField(samples));
+}
+
+FarFieldGain SurfaceField::gainOfFarField() const
+{
+  std::call_once(isGainKnown_, [this]
+    { gain_ = winding::gainOfFarField(distinct_->vertices, distinct_->triangles, info_.bounds); });
+  return gain_;
 }
 
 double SurfaceField::area() const
