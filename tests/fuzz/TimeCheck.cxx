@@ -40,7 +40,7 @@ double secondsOf(const Mesh& mesh, const FieldOptions& options, const Grid& grid
   return shapes::threadSeconds() - start;
 }
 
-/// What is timed.
+/// A mesh, and the samples at which both methods are timed.
 struct Timed
 {
   Mesh mesh;

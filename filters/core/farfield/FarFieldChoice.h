@@ -32,7 +32,7 @@ enum class FarFieldGain
 };
 
 /// Returns the gain to expect of triangles. It is doubtful where a quarter of them reach over more
-/// than an eighth of the longest side of `bounds`: such triangles are near to most samples. The
+/// than an eighth of the longest side of `bounds`: they are near to most samples. The
 /// order of the triangles does not matter.
 FarFieldGain gainOfFarField(const std::vector<Eigen::Vector3d>& vertices,
   const TriangleList& triangles, const Bounds& bounds);

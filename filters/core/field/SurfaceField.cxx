@@ -133,8 +133,8 @@ void SurfaceField::chooseMethod(
   const std::size_t edges = chain.edges.size();
   if (edges > 0 && 2 * edges >= info_.distinct)
   {
-    // Each triangle of a cap has three sides, and each boundary edge is one of them. So this cap has
-    // a sixth, too, which need not be made: it takes soups longer than the sum of 50 samples.
+    // Each triangle of a cap has three sides, and each boundary edge is one of them. So this cap
+    // has a sixth, too. It need not be made, which takes soups longer than the sum of 50 samples.
     this->chooseFarField(options, prefix + "a cap over " + std::to_string(edges) +
                                     " boundary edges would have a sixth of the surface's " +
                                     "triangles or more");
