@@ -47,7 +47,13 @@ std::string checkVoxelTrees(Choices& choices);
 /// longer than the others.
 std::string checkTime(Choices& choices);
 
-/// All checks but checkTime(), by name.
+/// The same for 500 to 50 000 triangles that overlap each other, a second for each case.
+std::string checkSoupTime(Choices& choices);
+
+/// Returns the longest time of both checks in words, relative to the direct sum's.
+std::string worstTime();
+
+/// All checks but checkTime() and checkSoupTime(), by name.
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},

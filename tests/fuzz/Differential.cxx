@@ -1,7 +1,8 @@
 // Tries every check of the core on random cases, one case for each seed.
 // differential [cases] [first seed] [threads] [check]: prints the seeds of failures and a summary,
 // and returns 1 if any case failed. By default there are 1000 cases of all checks together, on all
-// threads. A check alone gets all of the cases; the check "time" runs only so.
+// threads. A check alone gets all of the cases; the checks "time" and "soup_time" run only so, and
+// report the worst time.
 
 #include "Checks.h"
 
@@ -68,8 +69,13 @@ int main(int argc, char** argv)
   std::vector<fuzz::NamedCheck> checks;
   if (only == "time")
   {
-    checks = {{"time", fuzz::checkTime}};
+    checks = {{"time", fuzz::checkTime}, {"soup_time", fuzz::checkSoupTime}};
   }
+  else if (only == "soup_time")
+  {
+    checks = {{"soup_time", fuzz::checkSoupTime}};
+  }
+  const bool isTimed = !checks.empty();
   for (const fuzz::NamedCheck& check : fuzz::allChecks())
   {
     if (only.empty() || only == check.name)
@@ -108,5 +114,9 @@ int main(int argc, char** argv)
     "took %ld ms\n",
     cases, firstSeed, most, secondsSince(start), totals.failures.load(), totals.slowestSeed.load(),
     totals.slowestMilliseconds.load());
+  if (isTimed)
+  {
+    std::printf("%s\n", fuzz::worstTime().c_str());
+  }
   return totals.failures > 0;
 }

@@ -94,6 +94,26 @@ inline Mesh needlesOf(std::size_t count, unsigned seed)
   return mesh;
 }
 
+/// Squares across the unit square, at random heights up to `height`.
+inline Mesh sheetsOf(std::size_t count, double height, unsigned seed)
+{
+  Random random(seed);
+  Mesh mesh;
+  while (mesh.triangles.size() + 1 < count)
+  {
+    const auto first = static_cast<std::int32_t>(mesh.points.size());
+    const double z = height * random.point(0, 1)[2];
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+    {
+      const Point shift = random.point(-0.1, 0.1);
+      mesh.points.emplace_back(x + shift[0], y + shift[1], z);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  return mesh;
+}
+
 inline std::vector<std::pair<std::string, Mesh>> hostileSoups(std::size_t count)
 {
   return {

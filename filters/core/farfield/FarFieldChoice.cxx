@@ -46,9 +46,24 @@ double weightOfFarField(const SampledSource& triangles, int order)
   const double perSample = triangles.primitives == 0 ? 0 : 160e-9;
   // Triangles that are cut have pieces of 12 squares on average.
   const double items = std::clamp(triangles.area / 12, primitives,
-    static_cast<double>(mostPieces(triangles.primitives, triangles.samples)));
+    static_cast<double>(mostPieces(triangles.primitives, triangles.samples, order)));
   return orderFactor(order) * (0.5e-6 * items + perSample * samples) + near +
          weightOfValue * samples;
+}
+
+FarFieldGain gainOfFarField(
+  const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles, const Bounds& bounds)
+{
+  constexpr std::size_t parts = 4;
+  const double length = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff() / 8;
+  const auto isLarge = [&](const Triangle& t)
+  {
+    const Eigen::Vector3d &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
+    return (a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c)).maxCoeff() > length;
+  };
+  const auto large = std::count_if(triangles.begin(), triangles.end(), isLarge);
+  return parts * static_cast<std::size_t>(large) >= triangles.size() ? FarFieldGain::doubtful
+                                                                     : FarFieldGain::likely;
 }
 
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order)
@@ -57,8 +72,8 @@ bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order)
   return isCheaperDirectly(kind, primitives, usual, order);
 }
 
-bool isCheaperDirectly(
-  Primitive kind, std::size_t primitives, std::size_t samples, int order, FarFieldState state)
+bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t samples, int order,
+  FarFieldState state, FarFieldGain gain)
 {
   // All figures are nanoseconds on a processor of 2025. The tree's are those beyond what the direct
   // sum takes before its first sample. The number of cells near sources grows like the number of
@@ -73,9 +88,11 @@ bool isCheaperDirectly(
                        std::min(1.0, std::cbrt(count / 10'000)) * std::pow(places, 2.0 / 3);
   // The matrices that shift expansions are made for every evaluation: 0.1 ms at order 3, 7 at 9.
   const double shifts = 1'000 * std::pow(order, 4);
-  // A far field has to promise a gain, for soups it has none: their samples are near to everything.
-  constexpr double margin = 1.3;
-  return pairs < margin * (tree + cells + shifts);
+  // A far field has to promise a gain. Where it may have none, the tree has to take little of the
+  // direct sum's time, too.
+  constexpr double margin = 1.3, marginOfTree = 4.5;
+  const double doubt = gain == FarFieldGain::doubtful ? marginOfTree * tree : 0;
+  return pairs < std::max(margin * (tree + cells + shifts), doubt);
 }
 
 } // namespace winding

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "base/Bounds.h"
 #include "base/SampledSource.h"
+#include "source/Surface.h"
 
 namespace winding
 {
@@ -22,6 +24,19 @@ enum class FarFieldState
   built
 };
 
+/// Whether a far field is likely to save time, as for surfaces, or to save nothing, as for soups.
+enum class FarFieldGain
+{
+  likely,
+  doubtful
+};
+
+/// Returns the gain to expect of triangles. It is doubtful where a quarter of them reach over more
+/// than an eighth of the longest side of `bounds`: they are near to most samples. The
+/// order of the triangles does not matter.
+FarFieldGain gainOfFarField(const std::vector<Eigen::Vector3d>& vertices,
+  const TriangleList& triangles, const Bounds& bounds);
+
 ///@{
 /**
  * Returns whether the direct sum is taken to be faster than a far field of an order, on grids of
@@ -30,7 +45,7 @@ enum class FarFieldState
  */
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, int order);
 bool isCheaperDirectly(Primitive kind, std::size_t primitives, std::size_t samples, int order,
-  FarFieldState state = FarFieldState::toBuild);
+  FarFieldState state = FarFieldState::toBuild, FarFieldGain gain = FarFieldGain::likely);
 ///@}
 
 } // namespace winding

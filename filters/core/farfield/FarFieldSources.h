@@ -101,6 +101,14 @@ public:
   /// of triangles has more to begin and to end.
   virtual double secondsPerCutAndCoefficient() const = 0;
 
+  ///@{
+  /// The approximate cost of a look at a node and, for the square of each coefficient of an
+  /// expansion, of a node that acts through a cell's. A cell gives up where they come to too much:
+  /// triangles of a soup are near to all cells. Points never are, so that theirs is 0.
+  virtual double secondsPerLook() const { return 0; }
+  virtual double secondsPerTranslation() const { return 0; }
+  ///@}
+
   /// The number of items of a leaf with which grids and scattered samples take the least time. With
   /// fewer the tree takes more time to make than it saves.
   virtual std::size_t leafSize() const = 0;

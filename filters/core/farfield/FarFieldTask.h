@@ -14,6 +14,7 @@ struct FarFieldTask
   TargetCell cell;
   std::vector<float> local;        ///< the expansion of all that acts on the larger cells
   std::vector<std::int32_t> nodes; ///< nodes of the source tree that larger cells have left to it
+  double spent = 0; ///< seconds that larger cells are taken to have spent on each sample
 };
 
 } // namespace winding

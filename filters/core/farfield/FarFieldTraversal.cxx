@@ -32,21 +32,36 @@ double secondsPerValue(int order)
   return 0.1e-9 * coefficientCount(order);
 }
 
+/// The share of the direct sum's time that cells may spend on nodes without an assured gain. A cell
+/// that would spend more is given up: its samples get the sum of the whole sources.
+constexpr double mostSpent = 0.15;
+
 } // namespace
 
 FarFieldTraversal::FarFieldTraversal(const FarFieldTree& tree, const TargetCells& cells)
   : tree_(tree)
   , cells_(cells)
 {
+  const FarFieldSources& sources = *tree.sources;
+  const auto coefficients = static_cast<double>(coefficientCount(tree.order()));
+  secondsPerLook_ = sources.secondsPerLook();
+  secondsPerTranslation_ = sources.secondsPerTranslation() * coefficients * coefficients;
+  // Fewer samples than a vector has lanes take as long as a vector of them.
+  const std::size_t samples = std::max<std::size_t>(cells.root().allSamples, 1);
+  secondsOfWhole_ = sources.secondsPerPair() *
+                    static_cast<double>(sources.wholeSize() * roundUp(samples, lanesOfSums)) /
+                    static_cast<double>(samples);
 }
 
 FarFieldWork FarFieldTraversal::evaluate(
   const FarFieldTask& task, bool watching, std::vector<TargetCell>* toWhole)
 {
   watching_ = watching;
-  toWhole_ = cells_.isRegular() ? nullptr : toWhole;
+  std::vector<TargetCell> ours;
+  const bool keepsOurs = cells_.isRegular() || !toWhole;
+  toWhole_ = keepsOurs ? &ours : toWhole;
   this->start(task);
-  if (toWhole_ && toWhole_->size() >= SampleBlock::capacity)
+  if (!toWhole_->empty() && (keepsOurs || toWhole_->size() >= SampleBlock::capacity))
   {
     this->evaluateWhole(toWhole_->data(), toWhole_->data() + toWhole_->size(), watching);
     toWhole_->clear();
@@ -65,7 +80,7 @@ void FarFieldTraversal::start(const FarFieldTask& task)
   nodes_ = task.nodes;
   Local local;
   std::copy(task.local.begin(), task.local.end(), local.values);
-  this->descend(task.cell, local, 0);
+  this->descend(task.cell, local, 0, task.spent);
 }
 
 FarFieldWork FarFieldTraversal::collect(int level, std::vector<FarFieldTask>& tasks)
@@ -74,72 +89,139 @@ FarFieldWork FarFieldTraversal::collect(int level, std::vector<FarFieldTask>& ta
   lastLevel_ = level;
   nodes_.assign(tree_.empty() ? 0 : 1, 0);
   Local local = {};
-  this->descend(cells_.root(), local, 0);
+  this->descend(cells_.root(), local, 0, 0);
   return work_;
 }
 
-/// nodes_[firstNode …] are the nodes that the parent could not deal with; local is the expansion
-/// that it handed down.
-void FarFieldTraversal::descend(const TargetCell& cell, Local& local, std::size_t firstNode)
+/// Evaluates a cell, or cuts it. From `firstNode` on, nodes_ holds what the parent could not deal
+/// with. `local` is the expansion that it handed down. `spent` counts the seconds that the cells
+/// above have taken for each sample.
+void FarFieldTraversal::descend(
+  const TargetCell& cell, Local& local, std::size_t firstNode, double spent)
 {
   if (tasks_ && cell.level <= lastLevel_)
   {
     tasks_->push_back({cell, {std::begin(local.values), std::end(local.values)},
-      {nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end()}});
+      {nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode), nodes_.end()}, spent});
     return;
   }
   ++work_.cells;
   const std::size_t firstKept = nodes_.size();
-  this->classify(cell, firstNode);
-  if (tasks_ || this->isWorthCutting(cell, firstKept))
+  accepted_.clear();
+  bool isGivenUp = this->isTooMuch(spent + this->secondsOfLooks(firstKept - firstNode, cell));
+  if (!isGivenUp)
+  {
+    const std::uint64_t before = work_.nodeTests;
+    this->classify(cell, firstNode);
+    spent += this->secondsOfLooks(work_.nodeTests - before, cell);
+    isGivenUp = this->isHopeless(cell, firstKept, spent);
+  }
+  if (isGivenUp)
+  {
+    // All cells below are given up, too.
+    accepted_.clear();
+    nodes_.resize(firstKept);
+    spent = HUGE_VAL;
+  }
+  spent += this->secondsOfAccepted(cell);
+  if (tasks_ || this->isWorthCutting(cell, firstKept, spent))
   {
     this->addAccepted(cell, local);
-    this->descendToChildren(cell, local, firstKept);
+    this->descendToChildren(cell, local, firstKept, spent);
   }
   else
   {
-    ++work_.leaves;
-    const int order = tree_.order();
-    bool isWhole = false;
-    if (firstKept < nodes_.size() || visitor_)
-    {
-      this->collectNear(cell, firstKept);
-      if (this->isCheaperWhole(cell.allSamples))
-      {
-        byMoments_.clear();
-        exactly_ = tree_.sources->whole();
-        isWhole = true;
-      }
-    }
-    alignas(64) float polynomial[polynomialRows(largestOrder)];
-    if (!isWhole)
-    {
-      this->addAccepted(cell, local);
-      multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
-        static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
-    }
-    if (visitor_)
-    {
-      visitor_->visit({cell, isWhole ? nullptr : polynomial, byMoments_, exactly_});
-    }
-    else if (firstKept == nodes_.size())
-    {
-      const std::size_t rows = cells_.rowsOf(cell);
-      work_.rows += rows;
-      std::uint64_t& samples = rows > 0 ? work_.rowSamples : work_.blockSamples;
-      samples += cell.samples;
-      cells_.storePolynomial(cell, order, polynomial);
-    }
-    else if (isWhole && toWhole_ && cell.samples < SampleBlock::capacity)
-    {
-      toWhole_->push_back(cell);
-    }
-    else
-    {
-      this->evaluateNear(cell, isWhole ? nullptr : polynomial);
-    }
+    this->evaluateLeaf(cell, local, firstKept, isGivenUp);
   }
   nodes_.resize(firstKept);
+}
+
+/// Evaluates the samples of a cell that is not cut; `local` and `firstKept` are as for descend().
+void FarFieldTraversal::evaluateLeaf(
+  const TargetCell& cell, Local& local, std::size_t firstKept, bool isGivenUp)
+{
+  ++work_.leaves;
+  const int order = tree_.order();
+  const bool hasKept = firstKept < nodes_.size();
+  bool isWhole = isGivenUp;
+  if (!isWhole && (hasKept || visitor_))
+  {
+    isWhole = !this->collectNear(cell, firstKept) || this->isCheaperWhole(cell.allSamples);
+  }
+  alignas(64) float polynomial[polynomialRows(largestOrder)];
+  if (isWhole)
+  {
+    byMoments_.clear();
+    exactly_ = tree_.sources->whole();
+  }
+  else
+  {
+    this->addAccepted(cell, local);
+    multiplyMatrix(tree_.toPolynomial.data(), polynomialRows(order),
+      static_cast<std::size_t>(coefficientCount(order)), local.values, polynomial);
+  }
+  if (visitor_)
+  {
+    visitor_->visit({cell, isWhole ? nullptr : polynomial, byMoments_, exactly_});
+  }
+  else if (isWhole && toWhole_ && cell.samples < SampleBlock::capacity)
+  {
+    toWhole_->push_back(cell);
+  }
+  else if (isWhole || hasKept)
+  {
+    this->evaluateNear(cell, isWhole ? nullptr : polynomial);
+  }
+  else
+  {
+    const std::size_t rows = cells_.rowsOf(cell);
+    work_.rows += rows;
+    std::uint64_t& samples = rows > 0 ? work_.rowSamples : work_.blockSamples;
+    samples += cell.samples;
+    cells_.storePolynomial(cell, order, polynomial);
+  }
+}
+
+/// Returns whether `seconds` for each sample are more than may be spent without an assured gain.
+bool FarFieldTraversal::isTooMuch(double seconds) const
+{
+  return seconds > mostSpent * secondsOfWhole_;
+}
+
+/// Returns the seconds that looks at nodes take for each sample of a cell.
+double FarFieldTraversal::secondsOfLooks(std::uint64_t looks, const TargetCell& cell) const
+{
+  return secondsPerLook_ * static_cast<double>(looks) / static_cast<double>(cell.allSamples);
+}
+
+/// Returns the seconds that the accepted nodes take for each sample of a cell.
+double FarFieldTraversal::secondsOfAccepted(const TargetCell& cell) const
+{
+  return secondsPerTranslation_ * static_cast<double>(accepted_.size()) /
+         static_cast<double>(cell.allSamples);
+}
+
+/// Returns the number of items of the nodes that are kept.
+std::size_t FarFieldTraversal::itemsKept(std::size_t firstKept) const
+{
+  std::size_t items = 0;
+  for (std::size_t i = firstKept; i < nodes_.size(); ++i)
+  {
+    items += tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
+  }
+  return items;
+}
+
+/// Returns whether a cell that has spent much would gain nothing as a leaf. `spent` is as for
+/// descend(), with the looks of this cell.
+bool FarFieldTraversal::isHopeless(
+  const TargetCell& cell, std::size_t firstKept, double spent) const
+{
+  const double far = this->secondsOfAccepted(cell);
+  const double looks = this->secondsOfLooks(nodes_.size() - firstKept, cell);
+  const double near =
+    static_cast<double>(this->itemsKept(firstKept)) * tree_.sources->secondsPerPair();
+  return this->isTooMuch(spent + far + looks) && far + near >= secondsOfWhole_;
 }
 
 /// Lists the nodes that act through expansions in accepted_, and appends those left to smaller
@@ -218,22 +300,27 @@ void FarFieldTraversal::addAccepted(const TargetCell& cell, Local& local)
   addLanes(tree_.order(), sums, local.values);
 }
 
-bool FarFieldTraversal::isWorthCutting(const TargetCell& cell, std::size_t firstKept) const
+/// Returns whether smaller cells are expected to save more than they cost. `spent` is as for
+/// descend(), with all of this cell.
+bool FarFieldTraversal::isWorthCutting(
+  const TargetCell& cell, std::size_t firstKept, double spent) const
 {
-  std::size_t items = 0;
-  for (std::size_t i = firstKept; i < nodes_.size(); ++i)
+  // Each of the smaller cells looks at all nodes that are kept, which are thousands in a soup.
+  constexpr double smallerCells = 8;
+  const double looks = smallerCells * this->secondsOfLooks(nodes_.size() - firstKept, cell);
+  if (cell.level == 0 || this->isTooMuch(spent + looks))
   {
-    items += tree_.nodes()[static_cast<std::size_t>(nodes_[i])].size();
+    return false;
   }
   // A leaf costs no more than the sum of the whole sources. Where it costs as much, smaller cells
   // may save nothing, so that they must cost little in comparison.
   constexpr double ofWhole = 0.25;
-  const std::size_t whole = tree_.sources->wholeSize();
-  const double saved = items < whole ? static_cast<double>(items) : ofWhole * whole;
-  const double seconds =
-    saved * static_cast<double>(cell.allSamples) * tree_.sources->secondsPerPair();
-  return cell.level > 0 &&
-         seconds > tree_.sources->secondsPerCutAndCoefficient() * coefficientCount(tree_.order());
+  const std::size_t items = this->itemsKept(firstKept), whole = tree_.sources->wholeSize();
+  const double saved = (items < whole ? static_cast<double>(items) : ofWhole * whole) *
+                       tree_.sources->secondsPerPair();
+  return saved > looks &&
+         saved * static_cast<double>(cell.allSamples) >
+           tree_.sources->secondsPerCutAndCoefficient() * coefficientCount(tree_.order());
 }
 
 /// Returns whether the sum of the whole sources is cheaper than what collectNear() has collected: a
@@ -245,13 +332,15 @@ bool FarFieldTraversal::isCheaperWhole(std::size_t samples) const
   const double perPair = tree_.sources->secondsPerPair();
   const double perSample = static_cast<double>(itemsIn(exactly_)) * perPair +
                            static_cast<double>(byMoments_.size()) * secondsPerValue(tree_.order());
-  const std::size_t summed = toWhole_ ? roundUp(samples, lanesOfSums) : samples;
-  return perSample * static_cast<double>(summed) >
+  const bool isIrregular = toWhole_ && !cells_.isRegular();
+  const auto summed = static_cast<double>(isIrregular ? roundUp(samples, lanesOfSums) : samples);
+  const double expansions = secondsPerTranslation_ * static_cast<double>(accepted_.size());
+  return perSample * summed + expansions >
          static_cast<double>(tree_.sources->wholeSize() * samples) * perPair;
 }
 
 void FarFieldTraversal::descendToChildren(
-  const TargetCell& cell, const Local& local, std::size_t firstKept)
+  const TargetCell& cell, const Local& local, std::size_t firstKept, double spent)
 {
   TargetCells::Child children[8];
   const int count = cells_.childrenOf(cell, children);
@@ -263,13 +352,14 @@ void FarFieldTraversal::descendToChildren(
     Local shifted;
     multiplyMatrix(shifts.matrices[children[i].octant].data(), rows,
       static_cast<std::size_t>(coefficientCount(tree_.order())), local.values, shifted.values);
-    this->descend(children[i].cell, shifted, firstKept);
+    this->descend(children[i].cell, shifted, firstKept, spent);
   }
 }
 
 /// Sorts the nodes that were kept, and those below them, into nodes that act through their moments
-/// and items that are summed one by one.
-void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKept)
+/// and items that are summed one by one. Returns false as soon as these are more than the whole
+/// sources, which are cheaper then.
+bool FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKept)
 {
   byMoments_.clear();
   exactly_.clear();
@@ -280,6 +370,7 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
   const NodeCriteria& nodes = tree_.moments.criteria;
   const double perValue = secondsPerValue(tree_.order());
   const double perPair = tree_.sources->secondsPerPair();
+  std::size_t items = 0;
   while (!stack_.empty())
   {
     const auto number = static_cast<std::size_t>(stack_.back());
@@ -297,6 +388,11 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
     }
     else if (isFar || node.children == 0)
     {
+      items += node.size();
+      if (items > tree_.sources->wholeSize())
+      {
+        return false;
+      }
       if (!exactly_.empty() && exactly_.back().end == node.begin)
       {
         exactly_.back().end = node.end;
@@ -314,6 +410,7 @@ void FarFieldTraversal::collectNear(const TargetCell& cell, std::size_t firstKep
       }
     }
   }
+  return true;
 }
 
 void FarFieldTraversal::countNear(const TargetCell& cell)

@@ -56,18 +56,28 @@ private:
   };
 
   void start(const FarFieldTask& task);
-  void descend(const TargetCell& cell, Local& local, std::size_t firstNode);
+  void descend(const TargetCell& cell, Local& local, std::size_t firstNode, double spent);
+  void evaluateLeaf(const TargetCell& cell, Local& local, std::size_t firstKept, bool isGivenUp);
+  bool isTooMuch(double seconds) const;
+  double secondsOfLooks(std::uint64_t looks, const TargetCell& cell) const;
+  double secondsOfAccepted(const TargetCell& cell) const;
+  std::size_t itemsKept(std::size_t firstKept) const;
+  bool isHopeless(const TargetCell& cell, std::size_t firstKept, double spent) const;
   void classify(const TargetCell& cell, std::size_t firstNode);
   void addAccepted(const TargetCell& cell, Local& local);
-  bool isWorthCutting(const TargetCell& cell, std::size_t firstKept) const;
-  void descendToChildren(const TargetCell& cell, const Local& local, std::size_t firstKept);
-  void collectNear(const TargetCell& cell, std::size_t firstKept);
+  bool isWorthCutting(const TargetCell& cell, std::size_t firstKept, double spent) const;
+  void descendToChildren(
+    const TargetCell& cell, const Local& local, std::size_t firstKept, double spent);
+  bool collectNear(const TargetCell& cell, std::size_t firstKept);
   bool isCheaperWhole(std::size_t samples) const;
   void countNear(const TargetCell& cell);
   void evaluateNear(const TargetCell& cell, const float* polynomial);
 
   const FarFieldTree& tree_;
   const TargetCells& cells_;
+  double secondsPerLook_;        ///< at one node
+  double secondsPerTranslation_; ///< of one node to a cell
+  double secondsOfWhole_;        ///< for the sum of the whole sources at one sample
   bool watching_ = false;
   FarFieldLeafVisitor* visitor_ = nullptr;
   std::vector<TargetCell>* toWhole_ = nullptr;

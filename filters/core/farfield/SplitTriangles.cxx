@@ -1,5 +1,6 @@
 #include "farfield/SplitTriangles.h"
 
+#include "farfield/Expansions.h"
 #include "source/CoordinateOrder.h"
 #include "source/CornersAhead.h"
 
@@ -88,9 +89,10 @@ double SplitRule::allowedFor(
   return std::max(longestSide, 0.5 * lengthOf(gap));
 }
 
-std::size_t mostPieces(std::size_t triangles, std::size_t samples)
+std::size_t mostPieces(std::size_t triangles, std::size_t samples, int order)
 {
-  constexpr double pairsPerPiece = 4 * 500;
+  constexpr double pairsPerCoefficient = 4 * 28;
+  const double pairsPerPiece = pairsPerCoefficient * coefficientCount(order);
   const double affordable =
     static_cast<double>(triangles) * (1 + static_cast<double>(samples) / pairsPerPiece);
   const double enough = 2 * static_cast<double>(triangles) + 100'000;

@@ -100,7 +100,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
 std::shared_ptr<const FarField> TriangleFarField::suiting(
   SplitRule rule, std::size_t samples, Executor& executor) const
 {
-  rule.mostPieces = mostPieces(triangles_.size(), samples);
+  rule.mostPieces = mostPieces(triangles_.size(), samples, accuracy_.order);
   if (!bounds_.isEmpty())
   {
     rule.longestSide = std::max(rule.longestSide, shortestSide * bounds_.sizes().maxCoeff());

@@ -214,6 +214,8 @@ public:
 
   double secondsPerPair() const override { return 1e-9; }
   double secondsPerCutAndCoefficient() const override { return 2e-6; }
+  double secondsPerLook() const override { return 5e-9; }
+  double secondsPerTranslation() const override { return 0.05e-9; }
   std::size_t leafSize() const override { return 4; }
 
 private:

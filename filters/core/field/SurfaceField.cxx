@@ -129,10 +129,22 @@ void SurfaceField::chooseMethod(
     return;
   }
 
+  const std::string prefix = asked == Method::rows ? "rows asked for, but " : "";
+  const std::size_t edges = chain.edges.size();
+  if (edges > 0 && 2 * edges >= info_.distinct)
+  {
+    // Each triangle of a cap has three sides, and each boundary edge is one of them. So this cap
+    // has a sixth, too. It need not be made, which takes soups longer than the sum of 50 samples.
+    this->chooseFarField(options, prefix + "a cap over " + std::to_string(edges) +
+                                    " boundary edges would have a sixth of the surface's " +
+                                    "triangles or more");
+    return;
+  }
+
   capped_ = std::make_unique<CappedSurface>(*distinct_, chain, options.tolerance, executor);
   info_.capTriangles = capped_->capTriangles();
   const std::string cap = std::to_string(info_.capTriangles) + " triangles over " +
-                          std::to_string(chain.edges.size()) + " boundary edges";
+                          std::to_string(edges) + " boundary edges";
   if (info_.capTriangles > 0 && 6 * info_.capTriangles >= info_.distinct)
   {
     // Method rows would sum the cap at every sample, method hierarchical the surface. A cap's sum
@@ -142,7 +154,7 @@ void SurfaceField::chooseMethod(
     // tenth, and both methods take equally long for them.
     capped_ = nullptr;
     const std::string why = "a cap would have " + cap + ", a sixth of the surface's or more";
-    this->chooseFarField(options, (asked == Method::rows ? "rows asked for, but " : "") + why);
+    this->chooseFarField(options, prefix + why);
     return;
   }
   info_.method = Method::rows;
@@ -188,8 +200,9 @@ void SurfaceField::makeFarField(double tolerance)
 /// Returns whether `samples` samples are worth a tree; they always are where the user asked for it.
 bool SurfaceField::usesFarField(std::size_t samples) const
 {
-  return farField_ && (isFarFieldAskedFor_ ||
-                        !isCheaperDirectly(Primitive::triangle, info_.distinct, samples, order_));
+  return farField_ &&
+         (isFarFieldAskedFor_ || !isCheaperDirectly(Primitive::triangle, info_.distinct, samples,
+                                   order_, FarFieldState::toBuild, this->gainOfFarField()));
 }
 
 /// Returns whether `samples` scattered samples of an open surface get their values by rays and the
@@ -249,6 +262,13 @@ std::size_t SurfaceField::expectedBytes(std::size_t samples) const
            bytesOf(info_.capTriangles, info_.capTriangles > 0 && capped_->usesFarField(samples));
   }
   return bytesOf(info_.distinct, this->usesFarField(samples));
+}
+
+FarFieldGain SurfaceField::gainOfFarField() const
+{
+  std::call_once(isGainKnown_, [this]
+    { gain_ = winding::gainOfFarField(distinct_->vertices, distinct_->triangles, info_.bounds); });
+  return gain_;
 }
 
 double SurfaceField::area() const

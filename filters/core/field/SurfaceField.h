@@ -3,6 +3,7 @@
 #include "base/Evaluator.h"
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "farfield/FarFieldChoice.h"
 #include "farfield/TriangleFarField.h"
 #include "field/CappedSurface.h"
 #include "field/Field.h"
@@ -52,6 +53,7 @@ private:
   void makeFarField(double tolerance);
 
   bool usesFarField(std::size_t samples) const;
+  FarFieldGain gainOfFarField() const;
   bool usesCapAtPoints(std::size_t samples) const;
   bool usesFarField(const Grid& grid) const;
 
@@ -60,10 +62,12 @@ private:
   const Surface* distinct_ = &surface_; ///< the one of the two that is summed
   FieldInfo info_;
   mutable std::once_flag isAreaKnown_;
-  mutable double area_ = 0;         ///< the area of the surface, if it is known
-  bool isFarFieldAskedFor_ = false; ///< whether the user chose method hierarchical
-  bool isRowsAskedFor_ = false;     ///< whether the user chose method rows
-  int order_ = 0;                   ///< order of expansions; 0 where the tolerance admits none
+  mutable double area_ = 0; ///< the area of the surface, if it is known
+  mutable std::once_flag isGainKnown_;
+  mutable FarFieldGain gain_ = FarFieldGain::likely; ///< what a far field may save, if it is known
+  bool isFarFieldAskedFor_ = false;                  ///< whether the user chose method hierarchical
+  bool isRowsAskedFor_ = false;                      ///< whether the user chose method rows
+  int order_ = 0; ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   /// Evaluates grids, and scattered samples of an open surface, with method rows.
   std::unique_ptr<const CappedSurface> capped_;

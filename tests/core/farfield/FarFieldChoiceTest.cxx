@@ -1,4 +1,5 @@
 #include "farfield/FarFieldChoice.h"
+#include "support/HostileSoups.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,35 @@ TEST(FarFieldChoice, SumsFewPrimitivesAndFewSamplesDirectly)
   }
 }
 
+TEST(FarFieldChoice, BuildsATreeForASoupOnlyWhereThatTakesLittle)
+{
+  using winding::FarFieldGain;
+  using winding::FarFieldState;
+  const auto isDirect = [](std::size_t samples, FarFieldGain gain)
+  {
+    return winding::isCheaperDirectly(
+      Primitive::triangle, 50'000, samples, 5, FarFieldState::toBuild, gain);
+  };
+  EXPECT_FALSE(isDirect(1000, FarFieldGain::likely));
+  EXPECT_TRUE(isDirect(1000, FarFieldGain::doubtful)) << "measured: the tree takes 0.4 of the sum";
+  EXPECT_FALSE(isDirect(3000, FarFieldGain::doubtful));
+}
+
+TEST(FarFieldChoice, DoubtsTheGainOfLargeTriangles)
+{
+  const auto gainOf = [](const shapes::Mesh& mesh)
+  {
+    const winding::Surface surface = shapes::clean(mesh);
+    return winding::gainOfFarField(surface.vertices, surface.triangles, surface.bounds);
+  };
+  const shapes::Mesh sphere = shapes::icosphere(4);
+  EXPECT_EQ(gainOf(sphere), winding::FarFieldGain::likely);
+  EXPECT_EQ(gainOf(shapes::latticeSoup(1000, 17, 1)), winding::FarFieldGain::doubtful);
+  EXPECT_EQ(gainOf(shapes::needlesOf(1000, 2)), winding::FarFieldGain::doubtful);
+  EXPECT_EQ(gainOf(sphere.with(shapes::latticeSoup(1700, 3, 3))), winding::FarFieldGain::likely)
+    << "a quarter of 6820 would be 1705";
+}
+
 TEST(FarFieldChoice, WeighsTheDirectSumByItsTerms)
 {
   const double one = winding::weightOfDirectSum(1000, 1000);
@@ -52,8 +82,8 @@ TEST(FarFieldChoice, WeighsTheTreeTheSamplesAndThoseNearTheSource)
   // No sample is near to more triangles than there are.
   const SampledSource two = sourceOf(2, 1'000'000, 1e9);
   EXPECT_LT(winding::weightOfFarField(two, 5), 100 * winding::weightOfDirectSum(2, 1'000'000));
-  EXPECT_EQ(winding::weightOfFarField(two, 5),
-    winding::weightOfFarField(sourceOf(2, 1'000'000, 1e10), 5));
+  EXPECT_EQ(
+    winding::weightOfFarField(two, 5), winding::weightOfFarField(sourceOf(2, 1'000'000, 1e10), 5));
   double before = 0;
   for (const int order : {3, 5, 7, 9})
   {

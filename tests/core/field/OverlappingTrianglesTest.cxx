@@ -7,6 +7,7 @@
 #include "source/Sanitize.h"
 #include "support/HostileSoups.h"
 #include "support/Interruption.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@
 /**
  * Triangles that overlap each other so much that most are near to every sample: no method does more
  * work than the direct sum, up to what is promised in Field.h, and all agree with it. Work is
- * counted, not timed.
+ * counted here, and timed in SoupTimeTest.cxx.
  */
 
 namespace
@@ -152,6 +153,27 @@ TEST_P(OverlappingTriangles, TellOfAnInterruptAnywhere)
     EXPECT_NE(isComplete, wasInterrupted) << "run " << runs;
   }
   EXPECT_GT(runs, 2);
+}
+
+TEST_P(OverlappingTriangles, HaveTheSameBitsInPiecesAndOnAnyThreads)
+{
+  // Cells are given up by the samples that they have in the whole grid, not in the piece.
+  const auto field = fieldOf(GetParam().second, Method::hierarchical, false);
+  const Grid grid = gridAround(field->info().bounds, 27);
+  const std::vector<double> expected = valuesOn(*field, grid);
+  std::vector<double> values(expected.size());
+  winding::Extent extent = grid.wholeExtent();
+  const auto layer = static_cast<std::size_t>(extent[1] + 1) * (extent[3] + 1);
+  for (int k = 0; k < grid.dimensions[2]; k += 5)
+  {
+    ShuffledThreads threads(static_cast<unsigned>(k));
+    extent[4] = k;
+    extent[5] = std::min(k + 4, grid.dimensions[2] - 1);
+    FieldOutput output;
+    output.doubleValues = values.data() + layer * static_cast<std::size_t>(k);
+    field->evaluate(grid, extent, output, threads);
+  }
+  EXPECT_EQ(values, expected);
 }
 
 TEST_P(OverlappingTriangles, HaveTheirValuesByEveryMethod)
