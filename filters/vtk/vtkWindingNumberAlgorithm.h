@@ -12,7 +12,9 @@
  * - vtkPolyData with triangles, quads, polygons or strips. Polygons are fans from their first
  *   vertex, which is exact for planar ones, convex or not. Orientation matters: counter-clockwise
  *   seen from outside gives w = +1 inside.
- * - any other vtkPointSet with cells of two or three dimensions, through its outer surface.
+ * - any other vtkPointSet with cells of two or three dimensions, through its outer surface. Faces
+ *   of cells with volume look away from their own cells, whatever the order of nodes, and curved
+ *   ones are divided until they are within a thousandth of the mesh's diagonal (OuterSurface.h).
  * - a vtkPointSet without cells of these dimensions, as a cloud of its points, which then need
  * normals.
  * - composite data of the above: the leaves are one source. Surfaces and clouds do not mix.
@@ -345,10 +347,9 @@ public:
   /// Whether the source of the last execution is inside out: with rule SIGNED, more samples had a w
   /// of -WindingThreshold or less than of WindingThreshold or more. A warning has said what to do,
   /// which comes also where that holds for a hundredth of these samples: parts of a surface look
-  /// inward then. It is known only where all samples are evaluated in one execution, and false
-  /// after a piece of a grid that is streamed; with an array of w about 100 000 of its samples are
-  /// looked at, without one only a result without any inside is. Near single points of clouds w
-  /// grows without bounds, of either sign: most normals must point inward there, too.
+  /// inward then. All samples count, whatever arrays are made, but only where one execution has them
+  /// all: it is false after a piece of a grid that is streamed. Near single points of clouds w grows
+  /// without bounds, of either sign: most normals must point inward there, too.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
 
@@ -472,6 +473,10 @@ protected:
   /// expected to take longer than LongestExpectedTime. Collective unless WorksOnFirstRank().
   void Evaluate(const winding::Field& field, vtkIdType samples, winding::SmpExecutor& executor,
     const std::function<void()>& work);
+
+  /// Returns whether samples of these sides are all outside. It is false for rule ODD, whose
+  /// samples are not counted.
+  bool HaveNothingInside(const winding::SideCounts& sides) const;
 
   /// Warns where sides say that the source is inside out, as a whole or in part, and sets
   /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.

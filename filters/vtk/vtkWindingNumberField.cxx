@@ -88,12 +88,15 @@ void vtkWindingNumberField::EvaluateVoxels(
   const winding::Field& field, const winding::Extent& samples, const winding::ResultArrays& results)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
+  const winding::Grid& grid = this->GetSampling();
   winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
   voxels.output = results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
   voxels.output.distanceLimit = this->GetDistanceLimit();
+  winding::SideTally sides;
+  const bool isWhole = samples == grid.wholeExtent();
+  voxels.output.sides = isWhole ? &sides : nullptr;
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
-  const winding::Grid& grid = this->GetSampling();
   const std::size_t count = winding::sampleCount(samples);
   if (voxels.coverage != winding::Coverage::center)
   {
@@ -106,16 +109,13 @@ void vtkWindingNumberField::EvaluateVoxels(
     [&]
     {
       voxels.run(field, grid, samples, executor);
-      if (samples == grid.wholeExtent() && this->InsideRule == SIGNED)
+      if (isWhole)
       {
         executor.setShare(1, 1);
-        const double threshold = this->WindingThreshold;
-        winding::SideCounts sides = results.countSides(threshold);
-        if (!results.values() && results.hasNothingInside())
-        {
-          sides = winding::countNegative(field, grid, threshold, executor);
-        }
-        this->TellSides(field, sides, executor);
+        const winding::SideCounts counts = sides.counts(count);
+        this->TellSides(field, counts, executor);
+        this->WarnOfGrid(
+          field, results.inside() ? results.hasNothingInside() : this->HaveNothingInside(counts));
       }
     });
 }

@@ -2,16 +2,21 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
+#include "field/Field.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "report/GridAdvice.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+
+#include <optional>
 
 namespace
 {
@@ -150,6 +155,19 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObj
     static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->GetRanks().count());
   const winding::Grid& grid = this->GetSampling();
   return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
+}
+
+void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty)
+{
+  if (field.info().primitives > 0)
+  {
+    const std::optional<winding::Message> advice = winding::gridAdvice(
+      this->GetSampling(), field.info().bounds, isEmpty && !this->SourceIsInsideOut);
+    if (advice)
+    {
+      vtkWarningMacro(<< winding::lineOf(*advice));
+    }
+  }
 }
 
 void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const

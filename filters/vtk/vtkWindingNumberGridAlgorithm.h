@@ -149,6 +149,10 @@ protected:
   /// does all.
   const winding::Field& PrepareGridField(vtkDataObject* source);
 
+  /// Warns of a grid that misses the source or is too coarse for it, or has no sample inside, which
+  /// `isEmpty` says. A source without primitives, or inside out, has been warned of before.
+  void WarnOfGrid(const winding::Field& field, bool isEmpty);
+
   /// Throws a refusal if samples are to be verified and cannot be; `hasValues` says whether there
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;

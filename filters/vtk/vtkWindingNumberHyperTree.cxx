@@ -158,6 +158,8 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
   const winding::Grid& grid = this->GetSampling();
   const winding::VoxelTreeOptions options = this->GetTreeOptions();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::SideTally sides;
+  std::size_t samples = 0;
   winding::VoxelTrees trees(field, grid, options,
     [&](const winding::Extent& extent, const winding::VoxelArrays& arrays)
     {
@@ -169,6 +171,8 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
       voxels.output.inside = arrays.inside;
       voxels.output.rule = options.rule;
       voxels.output.threshold = options.threshold;
+      voxels.output.sides = &sides;
+      samples += winding::sampleCount(extent);
       voxels.fractions = arrays.coverage;
       voxels.run(field, grid, extent, executor);
     });
@@ -190,12 +194,10 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
       this->NumberOfVertices = made.size();
       this->NumberOfLeaves = made.leaves();
       executor.setShare(1, 1);
-      winding::SideCounts sides = trees.sides();
-      if (sides.samples == 0 && !trees.hasInside() && this->InsideRule == SIGNED)
-      {
-        sides = winding::countNegative(field, grid, options.threshold, executor);
-      }
-      this->TellSides(field, sides, executor);
+      winding::SideCounts counts = sides.counts(samples);
+      counts += trees.sides();
+      this->TellSides(field, counts, executor);
+      this->WarnOfGrid(field, !trees.hasInside());
       this->UpdateProgress(1);
     });
   this->Verify(

@@ -11,6 +11,7 @@
 #include "private/source/SolidBlocks.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
+#include "report/GridAdvice.h"
 #include "report/InsideOutAdvice.h"
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
@@ -178,16 +179,35 @@ const winding::Field& vtkWindingNumberLabels::PrepareSolid(
   }
 }
 
-/// Counts a solid that is inside out. Nothing of it is inside.
-void vtkWindingNumberLabels::LookInside(const winding::Field& field, const std::string& name)
+/// Counts a solid that looks inward: as a whole, or in part if it has samples inside. Returns
+/// whether it does.
+bool vtkWindingNumberLabels::CountInward(const winding::Field& field,
+  const winding::SideCounts& sides, bool hasInside, const std::string& name)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
-  const winding::SideCounts sides =
-    winding::countNegative(field, this->GetSampling(), this->WindingThreshold, executor);
-  if (winding::looksInward(field, sides, executor))
+  const bool isInward = winding::looksInward(field, sides, executor);
+  if (isInward)
   {
-    this->Facts->insideOut.add(name);
+    (hasInside ? this->Facts->partlyInsideOut : this->Facts->insideOut).add(name);
+  }
+  return isInward;
+}
+
+/// Counts the solids that have voxels inside, but none with their label.
+void vtkWindingNumberLabels::CountHidden(const winding::Solids& solids,
+  const std::vector<char>& hasVoxels, const winding::LabelImage& labels)
+{
+  std::vector<char> isShown(winding::largestLabel + 1, 0);
+  const winding::LabelArrays& arrays = labels.arrays();
+  std::for_each(arrays.labels, arrays.labels + winding::sampleCount(arrays.extent),
+    [&isShown](unsigned short label) { isShown[label] = 1; });
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    if (hasVoxels[i] && !isShown[solids.label(i)])
+    {
+      this->Facts->hidden.add(solids.name(i));
+    }
   }
 }
 
@@ -254,7 +274,9 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
 {
   const winding::Grid& grid = this->GetSampling();
   const winding::Extent& extent = labels.arrays().extent;
-  const bool looksInside = extent == grid.wholeExtent() && this->InsideRule == SIGNED;
+  const bool isWhole = extent == grid.wholeExtent();
+  const bool looksInside = isWhole && this->InsideRule == SIGNED;
+  std::vector<char> hasVoxels(solids.size(), 0);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::LabelMerge merge(labels.arrays(), static_cast<winding::OverlapRule>(this->OverlapRule),
     this->InsideRule == ABSOLUTE, executor);
@@ -277,10 +299,20 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
         merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
           labels.addSharesOf(solids.label(i)));
         executor.setShare(0, 1);
-        evaluation.run(field, grid, extent, merge, executor);
-        if (looksInside && !merge.hasInside() && field.info().primitives > 0)
+        winding::SideTally sides;
+        evaluation.run(field, grid, extent, merge, looksInside ? &sides : nullptr, executor);
+        const bool hasInside = merge.hasInside();
+        const bool isInward =
+          looksInside && this->CountInward(field, sides.counts(winding::sampleCount(extent)),
+                           hasInside, solids.name(i));
+        if (isWhole && field.info().primitives > 0)
         {
-          this->LookInside(field, solids.name(i));
+          hasVoxels[i] = hasInside;
+          if (!hasInside && !isInward)
+          {
+            const bool isMissed = winding::missesSource(grid, field.info().bounds);
+            (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));
+          }
         }
       });
     this->EarlierSeconds = this->TakenSeconds;
@@ -290,6 +322,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
       this->VerifySolid(field, extent);
     }
   }
+  this->CountHidden(solids, hasVoxels, labels);
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;
   this->ExpectedMemory = memory;
@@ -334,6 +367,37 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   {
     vtkWarningMacro(<< winding::lineOf({"some solids look inward and have no label",
                       winding::waysOutOfInward("faces or normals"), facts.insideOut.outOf(count)}));
+  }
+  const auto advice = winding::gridAdvice(this->GetSampling(), facts.source.bounds, false);
+  if (advice && facts.missed.count() == 0 && facts.source.primitives > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf(*advice));
+  }
+  if (facts.missed.count() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf({"the grid misses some solids",
+                      {{"choose a grid around them", {winding::Parameter::samplingBounds}}},
+                      facts.missed.outOf(count)}));
+  }
+  if (facts.thin.count() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf({"some solids have no voxel inside",
+                      {{"choose smaller voxels",
+                         {winding::Parameter::resolution, winding::Parameter::voxelSize}},
+                        {"label what they touch", {{winding::Parameter::coverage, ANY}}}},
+                      facts.thin.outOf(count)}));
+  }
+  if (facts.hidden.count() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf({"others hide all voxels of some solids",
+                      {{"", {{winding::Parameter::overlapRule, SMALLEST_VOLUME}}}},
+                      facts.hidden.outOf(count)}));
+  }
+  if (facts.partlyInsideOut.count() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf({"parts of solids look inward and have no label",
+                      winding::waysOutOfInward("faces or normals"),
+                      facts.partlyInsideOut.outOf(count)}));
   }
   if (facts.warned.count() > 0)
   {

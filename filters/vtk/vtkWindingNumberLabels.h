@@ -58,6 +58,7 @@
 
 #include <cstddef> // for std::size_t
 #include <string>  // for the names of solids
+#include <vector>  // for solids that have voxels
 
 namespace winding
 {
@@ -174,7 +175,10 @@ private:
   const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
   void VerifySolid(const winding::Field& field, const std::array<int, 6>& extent);
-  void LookInside(const winding::Field& field, const std::string& name);
+  bool CountInward(const winding::Field& field, const winding::SideCounts& sides, bool hasInside,
+    const std::string& name);
+  void CountHidden(const winding::Solids& solids, const std::vector<char>& hasVoxels,
+    const winding::LabelImage& labels);
   void DescribeSolids(const winding::Solids& solids, vtkImageData* image) const;
   void WarnOfSolids(const winding::Solids& solids);
 

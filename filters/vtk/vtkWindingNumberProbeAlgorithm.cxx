@@ -205,8 +205,10 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const double progress = this->GetProgressOfSamples();
   executor.setShare(0, progress);
-  const winding::FieldOutput output =
+  winding::FieldOutput output =
     results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  winding::SideTally sides;
+  output.sides = &sides;
   const std::optional<winding::Grid>& grid = queries.grid();
   this->Evaluate(field, queries.size(), executor,
     [&]
@@ -220,28 +222,8 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
         field.evaluate(queries.samples(), output, executor);
       }
       executor.setShare(progress, progress);
-      this->LookAtSides(field, queries, results, executor);
+      this->TellSides(field, sides.counts(static_cast<std::size_t>(queries.size())), executor);
     });
-}
-
-/// Finds out whether the source is inside out, so that what is asked for is not what is meant.
-void vtkWindingNumberProbeAlgorithm::LookAtSides(const winding::Field& field,
-  const winding::ProbeQueries& queries, const winding::ResultArrays& results,
-  winding::SmpExecutor& executor)
-{
-  if (this->InsideRule != SIGNED)
-  {
-    return;
-  }
-  const double threshold = this->WindingThreshold;
-  winding::SideCounts sides = results.countSides(threshold);
-  const bool isEmpty = this->KeepsPart() && !this->InsideOut && results.hasNothingInside();
-  if (!results.values() && isEmpty)
-  {
-    sides = queries.grid() ? winding::countNegative(field, *queries.grid(), threshold, executor)
-                           : winding::countNegative(field, queries.samples(), threshold, executor);
-  }
-  this->TellSides(field, sides, executor);
 }
 
 void vtkWindingNumberProbeAlgorithm::FinishSamples(

@@ -130,8 +130,6 @@ protected:
 private:
   void EvaluateSamples(const winding::Field& field, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results);
-  void LookAtSides(const winding::Field& field, const winding::ProbeQueries& queries,
-    const winding::ResultArrays& results, winding::SmpExecutor& executor);
 
   /// The output for one data set, with its part of the arrays of all data sets.
   vtkSmartPointer<vtkDataSet> AnswerTo(const winding::ProbeQueries& queries,

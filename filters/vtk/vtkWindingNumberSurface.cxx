@@ -263,10 +263,16 @@ void vtkWindingNumberSurface::FindEdges(
     static_cast<double>(winding::bytesOfLevelSurface(field, static_cast<double>(edges.size()))),
     "the surface", {winding::largerVoxels()});
   this->TellSides(field, edges.sides(), executor);
-  if (edges.size() == 0)
+  const bool isAllInside = edges.size() == 0 && edges.beginsInside(0, 0);
+  if (isAllInside)
   {
-    this->TellEmpty(edges.beginsInside(0, 0));
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::Message("all samples are inside, so the surface is empty",
+                        {{"close the border", {{winding::Parameter::closeBorder, 1}}},
+                          {"choose a larger grid",
+                            {winding::Parameter::padding, winding::Parameter::samplingBounds}}})));
   }
+  this->WarnOfGrid(field, edges.size() == 0 && !isAllInside);
 }
 
 void vtkWindingNumberSurface::FindRoots(
@@ -332,30 +338,6 @@ void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
     const auto normals = normalsOf(contour.polygons());
     contour.writeNormals(normals->GetPointer(0), executor);
     output->GetCellData()->SetNormals(normals);
-  }
-}
-
-/// Warns why the surface is empty, where all samples are inside or all are outside, and what to do.
-/// A source without primitives, or inside out, has been warned of before.
-void vtkWindingNumberSurface::TellEmpty(bool isAllInside)
-{
-  if (isAllInside)
-  {
-    vtkWarningMacro(<< winding::lineOf(
-                      winding::Message("all samples are inside, so the surface is empty",
-                        {{"close the border", {{winding::Parameter::closeBorder, 1}}},
-                          {"choose a larger grid",
-                            {winding::Parameter::padding, winding::Parameter::samplingBounds}}})));
-    return;
-  }
-  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
-  {
-    vtkWarningMacro(
-      << winding::lineOf(winding::Message("no sample is inside, so the surface is empty",
-           {{"choose smaller voxels",
-              {winding::Parameter::resolution, winding::Parameter::voxelSize}},
-             {"choose a grid around the source", {winding::Parameter::samplingBounds}},
-             {"look whether the source is closed", {winding::Parameter::surfaceReport}}})));
   }
 }
 

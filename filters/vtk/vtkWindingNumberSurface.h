@@ -173,7 +173,6 @@ private:
     winding::SmpExecutor& executor, vtkPolyData* output);
   void MakeSharp(const winding::Field& field, const winding::LevelEdges& edges,
     winding::SmpExecutor& executor, vtkPolyData* output);
-  void TellEmpty(bool isAllInside);
   void TellFidelity(const winding::Field& field, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 };

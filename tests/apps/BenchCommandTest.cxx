@@ -16,7 +16,7 @@ protected:
     arguments.emplace_back("--json");
     const Outcome run = runProgram(arguments);
     EXPECT_EQ(run.status, 0) << run;
-    EXPECT_EQ(run.err, "");
+    EXPECT_TRUE(run.err.empty() || run.err.find("no sample is inside") != std::string::npos) << run;
     return run.json()["tables"];
   }
 

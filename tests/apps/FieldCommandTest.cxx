@@ -130,7 +130,7 @@ TEST_F(FieldCommand, JsonSaysWhatTheImageIs)
   for (const bool cells : {false, true})
   {
     std::vector<std::string> arguments = {
-      "--dims", "4", "5", "6", "--bounds", "-2", "2", "-2.5", "2.5", "-3", "3"};
+      "--dims", "4", "5", "6", "--bounds", "-1", "1", "-1.25", "1.25", "-1.5", "1.5"};
     if (cells)
     {
       arguments.emplace_back("--cells");
@@ -138,7 +138,7 @@ TEST_F(FieldCommand, JsonSaysWhatTheImageIs)
     const nlohmann::json grid = run("a.vti", arguments).json()["grid"];
     const auto field = image("a.vti");
     EXPECT_EQ(grid["association"], cells ? "cells" : "points");
-    EXPECT_EQ(grid["bounds"], nlohmann::json({-2.0, 2.0, -2.5, 2.5, -3.0, 3.0}));
+    EXPECT_EQ(grid["bounds"], nlohmann::json({-1.0, 1.0, -1.25, 1.25, -1.5, 1.5}));
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto a = static_cast<std::size_t>(axis);

@@ -139,7 +139,7 @@ TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
     EXPECT_EQ(messageOf({"--rule", "absolute"}), "");
     const std::string beside = messageOf({"--bounds", "2", "3", "-1", "1", "-1", "1"});
     EXPECT_EQ(beside.find("look inward"), std::string::npos) << beside;
-    EXPECT_NE(beside.find("so the surface is empty"), std::string::npos) << beside;
+    EXPECT_NE(beside.find("the grid misses the source"), std::string::npos) << beside;
   }
 }
 
@@ -165,9 +165,9 @@ TEST(SurfaceCommand, EmptySurfacesAreToldWithRemedies)
   within.emplace_back("--close-border");
   EXPECT_EQ(messageOf(within), "");
   EXPECT_EQ(messageOf({"--threshold", "5"}),
-    start + "no sample is inside, so the surface is empty: choose smaller voxels (--resolution, "
-            "--voxel-size), or choose a grid around the source (--bounds), or look whether the "
-            "source is closed (winding check)\n");
+    start + "no sample is inside: choose smaller voxels (--resolution, --voxel-size), or choose a "
+            "grid around the source (--bounds), or look whether the source is closed (winding "
+            "check)\n");
 }
 
 /// The command is read from the warning, and its outcome is then evaluated in place of the input.

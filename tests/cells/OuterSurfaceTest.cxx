@@ -1,4 +1,5 @@
-#include "vtkCallbackCommand.h"
+#include "cells/FieldOfCells.h"
+
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -6,18 +7,13 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStructuredGrid.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>
 
@@ -94,65 +90,6 @@ vtkSmartPointer<vtkUnstructuredGrid> withEveryOtherReordered(
   return result;
 }
 
-vtkSmartPointer<vtkSurfaceReport> reportOn(vtkDataObject* mesh, bool usesSurfaceCells = false)
-{
-  auto report = vtkSmartPointer<vtkSurfaceReport>::New();
-  report->SetUseSurfaceCells(usesSurfaceCells);
-  report->SetInputDataObject(mesh);
-  report->Update();
-  return report;
-}
-
-/// Returns the winding numbers of a mesh at points, and the last warning if asked for.
-std::vector<double> valuesAt(vtkDataObject* mesh, const std::vector<std::array<double, 3>>& places,
-  std::string* warning = nullptr, bool usesSurfaceCells = false)
-{
-  vtkNew<vtkPolyData> samples;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const auto& place : places)
-  {
-    points->InsertNextPoint(place.data());
-  }
-  samples->SetPoints(points);
-  vtkNew<vtkWindingNumberProbe> probe;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(warning);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* text, void* said)
-    {
-      if (text)
-      {
-        *static_cast<std::string*>(text) = static_cast<const char*>(said);
-      }
-    });
-  probe->AddObserver(vtkCommand::WarningEvent, observer);
-  probe->SetInputData(samples);
-  probe->SetSourceData(mesh);
-  probe->SetUseSurfaceCells(usesSurfaceCells);
-  probe->Update();
-  auto* output = vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));
-  vtkDataArray* array = output->GetPointData()->GetArray("WindingNumber");
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    values.push_back(array->GetComponent(i, 0));
-  }
-  return values;
-}
-
-const std::vector<std::array<double, 3>> insideAndOutside = {
-  {0.3, 0.4, 0.55}, {1.7, 1.1, 1.3}, {0.9, 1.6, 0.2}, {2.5, 1, 1}, {-0.4, 1, 1}, {1, 1, 2.3}};
-
-void expectTheCube(vtkDataObject* mesh)
-{
-  const std::vector<double> values = valuesAt(mesh, insideAndOutside);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    EXPECT_NEAR(values[i], i < 3 ? 1 : 0, 1e-6) << "at place " << i;
-  }
-}
-
 // VTK's source of cells has no voxels, no cells of both degrees, and prisms that leave gaps.
 const std::vector<int> straight = {VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID};
 const std::vector<int> curved = {VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE,
@@ -173,41 +110,6 @@ TEST(OuterSurface, LooksOutwardForAllTypesOfCells)
       const auto report = reportOn(cubeOf(type, mirror));
       EXPECT_TRUE(report->GetClosed());
       EXPECT_NEAR(report->GetVolume(), 8, 1e-6);
-    }
-  }
-}
-
-TEST(OuterSurface, LooksOutwardForSingleCellsOfAllTypes)
-{
-  for (int type = 0; type < VTK_LAGRANGE_CURVE; ++type)
-  {
-    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-    if (!cell || cell->GetCellDimension() < 3 || cell->GetNumberOfPoints() == 0 ||
-        !cell->GetParametricCoords())
-    {
-      continue; // a polyhedron
-    }
-    SCOPED_TRACE("type " + std::to_string(type));
-    double centre[3];
-    cell->GetParametricCenter(centre);
-    for (const double sign : {1.0, -1.0})
-    {
-      vtkNew<vtkUnstructuredGrid> mesh;
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      std::vector<vtkIdType> ids;
-      for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
-      {
-        const double* place = cell->GetParametricCoords() + 3 * i;
-        ids.push_back(points->InsertNextPoint(sign * place[0], place[1], place[2]));
-      }
-      mesh->SetPoints(points);
-      mesh->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
-      const std::vector<double> values =
-        valuesAt(mesh, {{sign * centre[0], centre[1], centre[2]}, {0, 0, 3}});
-      EXPECT_NEAR(values[0], 1, 1e-6);
-      EXPECT_NEAR(values[1], 0, 1e-6);
-      EXPECT_TRUE(reportOn(mesh)->GetClosed());
     }
   }
 }
@@ -260,22 +162,6 @@ TEST(OuterSurface, TurnsFacesOfPolyhedra)
     }
     expectTheCube(mesh);
     EXPECT_NEAR(reportOn(mesh)->GetVolume(), 8, 1e-12);
-  }
-}
-
-TEST(OuterSurface, TurnsAStructuredGridOfTheOtherHand)
-{
-  for (const double sign : {1.0, -1.0})
-  {
-    vtkNew<vtkStructuredGrid> grid;
-    grid->SetDimensions(3, 3, 3);
-    vtkNew<vtkPoints> points;
-    for (int i = 0; i < 27; ++i)
-    {
-      points->InsertNextPoint(1 + sign * (i % 3 - 1), i / 3 % 3, i / 9);
-    }
-    grid->SetPoints(points);
-    expectTheCube(grid);
   }
 }
 

@@ -76,7 +76,8 @@ def test_fields(runs):
             assert run.stdout.count("wrote") == 1, run.stdout
             # A grid of few layers cannot be cut into three pieces for each rank.
             is_flat = "--dims" in options and "--pieces" in output
-            assert len(own_lines(run)) <= is_flat, run.stderr
+            lines = [line for line in own_lines(run) if "thinner than three voxels" not in line]
+            assert len(lines) <= is_flat, run.stderr
             runs.require_same("one.vti", output[0])
         assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
 

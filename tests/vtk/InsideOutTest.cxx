@@ -62,11 +62,9 @@ protected:
     EXPECT_EQ(log.warnings().find("look inward") != std::string::npos, isExpected)
       << log.warnings();
     const bool isOtherwiseEmpty =
-      log.warnings().find("so the surface is empty") != std::string::npos;
-    EXPECT_EQ(isOtherwiseEmpty,
-      !isExpected && filter->IsA("vtkWindingNumberSurface") &&
-        vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells() == 0)
-      << log.warnings();
+      log.warnings().find("no sample is inside") != std::string::npos ||
+      log.warnings().find("the grid misses the source") != std::string::npos;
+    EXPECT_FALSE(isOtherwiseEmpty && isExpected) << log.warnings();
     EXPECT_EQ(log.warnings().empty(), !isExpected && !isOtherwiseEmpty) << log.warnings();
     filter->RemoveAllObservers();
   }
@@ -190,7 +188,7 @@ TEST_F(InsideOut, SourcesOfParts)
     openTheSphere();
     expectAdvice(probe, true);
     probe->InsideOutOn();
-    expectAdvice(probe, withValues);
+    expectAdvice(probe, true);
     probe->InsideOutOff();
     part->SetCenter(3, 0, 0);
     expectAdvice(probe, false);

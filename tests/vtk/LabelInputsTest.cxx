@@ -321,4 +321,25 @@ TEST_F(LabelInputs, ASoupOfLooseTrianglesIsTooManyParts)
   expectRefused(soup, "; it has 65536 by connectivity");
 }
 
+TEST_F(LabelInputs, SayWhichLabelsHaveNoVoxelsAndWhy)
+{
+  const auto nested = asAssembly({ball(0, 0, 0, 1), ball(0, 0, 0, 0.5), ball(0, 0, 0.1, 0.3)});
+  this->made(nested);
+  EXPECT_NE(warnings.find("others hide all voxels of some solids"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("2 of 3 solids ('solid 1', 'solid 2')"), std::string::npos) << warnings;
+  labels->SetOverlapRule(Filter::SMALLEST_VOLUME);
+  this->made(nested);
+  EXPECT_EQ(warnings, "");
+
+  this->made(asAssembly({ball(0, 0, 0, 1), ball(0.011, 0.012, 0.013, 0.001)}));
+  EXPECT_NE(warnings.find("some solids have no voxel inside"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("1 of 2 solids ('solid 1')"), std::string::npos) << warnings;
+
+  labels->UseInputBoundsOff();
+  labels->SetSamplingBounds(-1.1, 1.1, -1.1, 1.1, -1.1, 1.1);
+  this->made(asAssembly({ball(0, 0, 0, 1), ball(5, 0, 0, 0.5)}));
+  EXPECT_NE(warnings.find("the grid misses some solids"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("1 of 2 solids ('solid 1')"), std::string::npos) << warnings;
+}
+
 } // namespace

@@ -113,13 +113,6 @@ void warnOfIdleOptions(
   }
 }
 
-void warnOfNothingInside(const char* result, const Options& options, Messages& messages)
-{
-  const bool byCenter = options.coverage == vtkWindingNumberField::CENTER;
-  messages.warn(options.input + ": no voxel is inside, so " + result + " is empty" +
-                (byCenter ? "; --coverage any takes parts thinner than a voxel, too" : ""));
-}
-
 void checkFilter(int status, const std::string& fileName, Messages& messages)
 {
   interrupt::check();

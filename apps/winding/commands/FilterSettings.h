@@ -35,9 +35,6 @@ void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter);
 void warnOfIdleOptions(
   const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages);
 
-/// Warns that no voxel is inside, so that `result` is empty, and says what to do.
-void warnOfNothingInside(const char* result, const Options& options, Messages& messages);
-
 /// Throws Failure, about the file, where a filter was not done or the program was interrupted.
 /// `status` is a StatusType of vtkWindingNumberAlgorithm.
 void checkFilter(int status, const std::string& fileName, Messages& messages);

@@ -21,10 +21,6 @@ void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
   field->SetMaskOutside(masksOutside);
   FieldRun run(*field, options, messages);
   run.update();
-  if (masksOutside && field->GetNumberOfLeaves() == 0 && !field->GetSourceIsInsideOut())
-  {
-    warnOfNothingInside("the grid", options, messages);
-  }
   writeResult(run, field->GetOutput(), field->GetNumberOfLeaves(), output.get());
   run.report().print();
 }

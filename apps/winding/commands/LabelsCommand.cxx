@@ -40,8 +40,9 @@ std::string stemOf(const std::string& fileName)
 
 /// One file as it is, or several as blocks with the names of their files; on the first rank, and
 /// blocks without data on the others.
-vtkSmartPointer<vtkDataObject> readSolids(const std::vector<std::string>& files, Messages& messages)
+vtkSmartPointer<vtkDataObject> readSolids(const Options& options, Messages& messages)
 {
+  const std::vector<std::string>& files = options.inputs;
   if (files.size() == 1)
   {
     return readOnFirstRank(files[0], messages);
@@ -53,6 +54,7 @@ vtkSmartPointer<vtkDataObject> readSolids(const std::vector<std::string>& files,
     blocks->SetBlock(block, readOnFirstRank(file, messages));
     blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), stemOf(file).c_str());
   }
+  messages.setSubject(options.input); // what follows is about all of them
   return blocks;
 }
 
@@ -124,7 +126,7 @@ void report(
 void writePieces(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   const PiecesFile output(options.output, filesToKeep(options));
-  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
   writeFieldPieces(run, output);
   report(run, filter, filter.GetOutput(), options);
 }
@@ -133,7 +135,7 @@ void writePieces(vtkWindingNumberLabels& filter, const Options& options, Message
 void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   OutputFile output(options.output, filesToKeep(options));
-  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
   if (options.pieces == 1)
   {
     run.update();
@@ -146,7 +148,7 @@ void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages
 void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   const auto output = openOnFirstRank(options);
-  FieldRun run(filter, options, messages, [&] { return readSolids(options.inputs, messages); });
+  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
   const vtkSmartPointer<vtkImageData> image = gatherImage(run);
   if (suffixOf(options.output) == ".vti")
   {

@@ -48,10 +48,6 @@ void runVoxels(const Options& given, Messages& messages)
   interrupt::check();
   messages.throwIfError(options.input);
   vtkPolyData* surface = voxels->GetOutput();
-  if (surface->GetNumberOfCells() == 0 && !field->GetSourceIsInsideOut())
-  {
-    warnOfNothingInside("the surface", options, messages);
-  }
   writeResult(run, surface, &output);
   run.report().print();
 }

@@ -31,6 +31,12 @@ template <class Real> Real signedDistance(double distance, bool isInside)
 
 } // namespace
 
+/// Returns a value as the array of w would store it.
+double FieldOutput::kept(double value) const
+{
+  return this->doubleValues ? value : stored<float>(value);
+}
+
 template <class Real>
 void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
 {
@@ -47,11 +53,16 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
   if (this->inside)
   {
     std::transform(from, from + count, this->inside + first,
-      [this](Real value)
-      {
-        const double kept = this->doubleValues ? value : stored<float>(value);
-        return static_cast<unsigned char>(isInside(kept, this->rule, this->threshold));
+      [this](Real value) {
+        return static_cast<unsigned char>(isInside(this->kept(value), this->rule, this->threshold));
       });
+  }
+  if (this->sides)
+  {
+    SideCounts counts;
+    std::for_each(
+      from, from + count, [&](Real value) { counts.add(this->kept(value), this->threshold); });
+    this->sides->add(counts);
   }
 }
 
@@ -70,9 +81,14 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
   }
   if (this->inside)
   {
-    const double kept = this->doubleValues ? value : stored<float>(value);
     std::fill_n(this->inside + first, count,
-      static_cast<unsigned char>(isInside(kept, this->rule, this->threshold)));
+      static_cast<unsigned char>(isInside(this->kept(value), this->rule, this->threshold)));
+  }
+  if (this->sides)
+  {
+    SideCounts counts;
+    counts.add(this->kept(value), this->threshold, count);
+    this->sides->add(counts);
   }
 }
 

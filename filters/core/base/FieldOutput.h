@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/InsideRule.h"
+#include "base/SideCounts.h"
 
 #include <cstddef>
 #include <limits>
@@ -20,6 +21,8 @@ struct FieldOutput
   unsigned char* inside = nullptr;
   InsideRule rule = InsideRule::signedThreshold;
   double threshold = 0.5;
+  /// Adds up the samples that are written, by w as the array stores it.
+  SideTally* sides = nullptr;
 
   /// Distances from the source, in its unit of length: negative inside, by the decision that goes
   /// into `inside`, also if that is null. 0 stays 0; other distances that are too small or too
@@ -45,6 +48,7 @@ struct FieldOutput
   void writeDistance(double distance, std::size_t sample) const;
 
 private:
+  double kept(double value) const;
   bool isInsideAt(std::size_t sample) const;
 };
 

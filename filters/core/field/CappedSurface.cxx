@@ -271,10 +271,12 @@ void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
   }
   std::vector<double> values;
   this->otherCap().resolve(grid, samples, values);
+  FieldOutput again = output;
+  again.sides = nullptr; // they were counted when they were written first
   for (std::size_t n = 0; n < samples.size(); ++n)
   {
     const SampleOnCap& sample = samples[n];
-    output.write(&values[n], sampleNumber(extent, sample.i, sample.j, sample.k), 1);
+    again.write(&values[n], sampleNumber(extent, sample.i, sample.j, sample.k), 1);
   }
 }
 

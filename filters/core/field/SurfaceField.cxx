@@ -43,6 +43,12 @@ SurfaceField::SurfaceField(
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
+  // They ascend, so that the last one is the largest.
+  if (!merged_.multiplicities.empty() && merged_.multiplicities.back() == 0)
+  {
+    info_.warnings.emplace_back("every face is there with both senses",
+      std::vector<Remedy>{{"keep one of each pair", {}}}, "nothing is left of them");
+  }
   this->chooseMethod(options, chain, executor);
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/SideCounts.h"
 #include "field/Field.h"
-#include "field/InsideOut.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
-#include "field/InsideOut.h"
+#include "base/SideCounts.h"
 #include "rays/RowCrossings.h"
 
 #include <functional>

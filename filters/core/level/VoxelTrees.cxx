@@ -176,8 +176,6 @@ std::vector<VoxelTree> VoxelTrees::ofArrays(
   const std::size_t count = sampleCount(extent);
   evaluate_(extent, arrays);
   hasInside_ |= std::find(arrays.inside, arrays.inside + count, 1) != arrays.inside + count;
-  sides_ +=
-    countSides(values.size(), options_.threshold, [&](std::size_t n) { return double{values[n]}; });
 
   using SideRanges = CubeRanges<unsigned char>;
   using ValueRanges = CubeRanges<Number>;

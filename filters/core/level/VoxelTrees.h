@@ -74,8 +74,7 @@ public:
   /// Makes the trees of the next bricks. Throws Interrupted.
   std::vector<VoxelTree> advance(Executor& executor);
 
-  /// The sides of the samples that were looked at. Where no values are wanted and whole rows are no
-  /// integers, those that are negative are not known and not counted.
+  /// The sides of the samples whose rows gave trees; none where voxels were evaluated.
   const SideCounts& sides() const { return sides_; }
 
   /// Whether voxels that were looked at are inside.

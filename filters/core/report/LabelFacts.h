@@ -50,6 +50,10 @@ struct LabelFacts
   NamedSolids empty;             ///< solids without primitives
   NamedSolids open;              ///< surfaces with net boundary edges
   NamedSolids insideOut;         ///< those where w is negative and nothing is inside
+  NamedSolids missed;            ///< those that the grid misses
+  NamedSolids thin;              ///< others without a voxel inside, which do not look inward
+  NamedSolids hidden;            ///< those whose voxels all have other labels
+  NamedSolids partlyInsideOut;   ///< those where w is negative in part, and something is inside
   NamedSolids warned;            ///< those with a warning
   std::vector<Message> warnings; ///< of the first solid that has some
 

@@ -70,7 +70,8 @@ Extent SolidEvaluation::extentOf(const Field& field, const Grid& grid, const Ext
 }
 
 void SolidEvaluation::run(
-  const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge, Executor& executor)
+  const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge, SideTally* sides,
+  Executor& executor)
 {
   const Extent near = this->extentOf(field, grid, extent);
   if (sampleCount(near) == 0)
@@ -97,6 +98,7 @@ void SolidEvaluation::run(
     this->reserve(samples);
     voxels.output.inside = inside_.get();
     voxels.output.values = values_.get();
+    voxels.output.sides = sides;
     voxels.fractions = shares_.get();
     part.inside = inside_.get();
     part.values = values_.get();

@@ -37,10 +37,10 @@ public:
   /// Returns the memory that voxels take meanwhile at a grid of `samples`, without the merge.
   static double bytes(const SolidEvaluationOptions& options, std::size_t samples);
 
-  /// Takes the executor's progress through its share. Throws Interrupted, and what
-  /// SolidEvaluationOptions::checkMemory throws.
+  /// Takes the executor's progress through its share, and adds up samples in `sides` if it is not
+  /// null. Throws Interrupted, and what SolidEvaluationOptions::checkMemory throws.
   void run(const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge,
-    Executor& executor);
+    SideTally* sides, Executor& executor);
 
 private:
   void reserve(std::size_t samples);

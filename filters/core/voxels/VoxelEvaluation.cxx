@@ -29,7 +29,8 @@ void VoxelEvaluation::run(
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
   const bool hasCenters =
-    atCenters.values || atCenters.doubleValues || atCenters.inside || atCenters.hasDistances();
+    atCenters.values || atCenters.doubleValues || atCenters.inside || atCenters.hasDistances() ||
+    atCenters.sides;
   // About what comes after it takes as long, or very much longer.
   const double end = !hasCenters                    ? 0
                      : coverage == Coverage::center ? 1

@@ -2,7 +2,6 @@
 
 #include "base/Bounds.h"
 #include "base/Executor.h"
-#include "support/Interruption.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +43,32 @@ bool looksInward(const Field& field, const winding::SideCounts& sides)
   return winding::looksInward(field, sides, serial);
 }
 
+///@{
+/// The sides of samples that nobody keeps the values of.
+winding::SideCounts sidesOf(const Field& field, const Grid& grid, double threshold)
+{
+  winding::SideTally sides;
+  winding::FieldOutput output;
+  output.threshold = threshold;
+  output.sides = &sides;
+  winding::SerialExecutor serial;
+  field.evaluate(grid, grid.wholeExtent(), output, serial);
+  return sides.counts(winding::sampleCount(grid.wholeExtent()));
+}
+
+winding::SideCounts sidesOf(
+  const Field& field, const winding::VectorsView& samples, double threshold)
+{
+  winding::SideTally sides;
+  winding::FieldOutput output;
+  output.threshold = threshold;
+  output.sides = &sides;
+  winding::SerialExecutor serial;
+  field.evaluate(samples, output, serial);
+  return sides.counts(samples.size());
+}
+///@}
+
 /// A sample of −100 alone.
 winding::SideCounts farBelow()
 {
@@ -69,9 +94,11 @@ void expectInsideOut(const Field& field, const Grid& grid, bool expected, double
   ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
   const winding::SideCounts sides =
     winding::countSides(values.size(), threshold, [&values](std::size_t i) { return values[i]; });
-  EXPECT_EQ(looksInward(field, winding::countNegative(field, grid, threshold, serial)), expected);
-  EXPECT_EQ(looksInward(field, winding::countNegative(field, view, threshold, serial)), expected);
+  EXPECT_EQ(looksInward(field, sidesOf(field, grid, threshold)), expected);
+  EXPECT_EQ(looksInward(field, sidesOf(field, view, threshold)), expected);
   EXPECT_EQ(looksInward(field, sides), expected);
+  EXPECT_EQ(sidesOf(field, view, threshold).negative, sides.negative);
+  EXPECT_EQ(sidesOf(field, view, threshold).inside, sides.inside);
 }
 
 /// A sphere of points with normals inward.
@@ -108,18 +135,16 @@ TEST(InsideOut, IsNotASourceThatSamplesMiss)
   }
   winding::SerialExecutor serial;
   const auto nothing = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
-  EXPECT_FALSE(looksInward(*nothing, winding::countNegative(*nothing, beside, 0.5, serial)));
+  EXPECT_FALSE(looksInward(*nothing, sidesOf(*nothing, beside, 0.5)));
   const auto ball = fieldOf(icosphere(2));
-  EXPECT_FALSE(
-    looksInward(*ball, winding::countNegative(*ball, winding::VectorsView(), 0.5, serial)));
+  EXPECT_FALSE(looksInward(*ball, sidesOf(*ball, winding::VectorsView(), 0.5)));
 }
 
 TEST(InsideOut, IsNoSolidThatIsInsideOfAllItsSamples)
 {
   const auto field = fieldOf(icosphere(2));
   const Grid inner = gridOver(Point(-0.1, -0.1, -0.1), Point(0.1, 0.1, 0.1));
-  winding::SerialExecutor serial;
-  EXPECT_EQ(winding::countNegative(*field, inner, 0.5, serial).negative, 0u);
+  EXPECT_EQ(sidesOf(*field, inner, 0.5).negative, 0u);
 }
 
 TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
@@ -133,8 +158,7 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   }
   const auto field = fieldOf(cloud);
   const winding::VectorsView samples(before[0].data(), before.size());
-  winding::SerialExecutor serial;
-  EXPECT_FALSE(looksInward(*field, winding::countNegative(*field, samples, 0.5, serial)));
+  EXPECT_FALSE(looksInward(*field, sidesOf(*field, samples, 0.5)));
   EXPECT_FALSE(looksInward(*field, farBelow()));
   EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
 }
@@ -166,13 +190,4 @@ TEST(InsideOut, NeedsAThresholdAboveZero)
   expectInsideOut(*fieldOf(inward), around, false, -0.5);
   expectInsideOut(*fieldOf(inward), around, false, 1.5); // two solids through each other
   expectInsideOut(*fieldOf(inward.with(inward)), around, true, 1.5);
-}
-
-TEST(InsideOut, CanBeInterrupted)
-{
-  const Mesh inward = icosphere(2).reversed();
-  const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
-  Interruption executor(0);
-  EXPECT_THROW(
-    winding::countNegative(*fieldOf(inward), around, 0.5, executor), winding::Interrupted);
 }

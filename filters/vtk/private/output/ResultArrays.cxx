@@ -139,17 +139,6 @@ bool ResultArrays::hasNothingInside() const
   return std::find(first, last, 1) == last;
 }
 
-SideCounts ResultArrays::countSides(double threshold) const
-{
-  const FieldOutput pointers = this->output(InsideRule::signedThreshold, threshold);
-  const vtkIdType count = values_ ? values_->GetNumberOfValues() : 0;
-  const auto valueAt = [&pointers](std::size_t i)
-  {
-    return pointers.values ? static_cast<double>(pointers.values[i]) : pointers.doubleValues[i];
-  };
-  return winding::countSides(static_cast<std::size_t>(count), threshold, valueAt);
-}
-
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.

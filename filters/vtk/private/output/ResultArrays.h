@@ -1,7 +1,6 @@
 #pragma once
 
 #include "field/Field.h"
-#include "field/InsideOut.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -62,9 +61,6 @@ public:
 
   /// Whether there is an array of what is inside, and it has no 1.
   bool hasNothingInside() const;
-
-  /// The sides of about 100 000 values of the array of w; of none if there is no array of w.
-  SideCounts countSides(double threshold) const;
 
   /// Adds the arrays; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;

@@ -23,7 +23,7 @@ struct SourceReport
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report. `cells` counts those of the source, and `fix` says how its polygons have been
+/// Makes the report. `cells` counts the source's, and `fix` says how its polygons have been
 /// turned before: null if that was not asked for. The core's exceptions pass through.
 SourceReport reportOn(InputViews& source, const FaultShape& shape, const CellCounts& cells,
   const OrientedPolygons* fix, Executor& executor);

@@ -491,7 +491,7 @@ public:
     , newIds_(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1)
   {
     points_->SetDataType(mesh->GetPoints()->GetDataType());
-    surface_->GetPointData()->InterpolateAllocate(mesh->GetPointData());
+    surface_->GetPointData()->CopyAllocate(mesh->GetPointData());
     surface_->GetCellData()->CopyAllocate(mesh->GetCellData());
   }
 
@@ -557,7 +557,7 @@ private:
     vtkIdType& id = newIds_[static_cast<std::size_t>(node)];
     if (id < 0)
     {
-      id = points_->InsertNextPoint(mesh_->GetPoint(node));
+      id = points_->InsertNextPoint(pointOf(mesh_, node).data());
       surface_->GetPointData()->CopyData(mesh_->GetPointData(), node, id);
     }
     return id;

@@ -31,8 +31,8 @@ std::vector<Message> notesOn(const CellCounts& counts);
  * Returns the cells of a data set that make its surface. Ghosts are not among them, which another
  * piece of the data has too or which are hidden or refined. Where a mesh has cells of two and of
  * three dimensions, cells of one of these kinds are left out and counted. Returns the data set
- * itself if no cell is left out. `takesFaces` says that cells of three dimensions are, rather than
- * those of two. Throws Refusal, about data of that name, where some are left out
+ * itself if no cell is left out. `takesFaces` says that cells of three dimensions are, not of
+ * two. Throws Refusal, about data of that name, where some are left out
  * and cells cannot be followed (CellChecks.h).
  */
 vtkSmartPointer<vtkPointSet> ownCellsOf(

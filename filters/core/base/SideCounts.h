@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+namespace winding
+{
+
+/// The samples that are inside by InsideRule::signedThreshold, and those that would be if all faces
+/// or normals were turned round: w is −threshold or less there.
+struct SideCounts
+{
+  std::size_t samples = 0;
+  std::size_t inside = 0;
+  std::size_t negative = 0;
+
+  /// Counts one more value `times` times. A threshold of 0 or less has no other side.
+  void add(double value, double threshold, std::size_t times = 1)
+  {
+    samples += times;
+    inside += value >= threshold ? times : 0;
+    negative += threshold > 0 && value <= -threshold ? times : 0;
+  }
+
+  SideCounts& operator+=(const SideCounts& other)
+  {
+    samples += other.samples;
+    inside += other.inside;
+    negative += other.negative;
+    return *this;
+  }
+};
+
+/// Adds up what any number of threads count at once. Threads do not wait for each other: a few
+/// share a place at most.
+class SideTally
+{
+public:
+  void add(const SideCounts& counts)
+  {
+    if (counts.inside > 0 || counts.negative > 0)
+    {
+      Place& own = places_[numberOfThread() % places_.size()];
+      own.inside.fetch_add(counts.inside, std::memory_order_relaxed);
+      own.negative.fetch_add(counts.negative, std::memory_order_relaxed);
+    }
+  }
+
+  /// Returns the sums over all threads, of `samples` samples.
+  SideCounts counts(std::size_t samples) const
+  {
+    SideCounts sums;
+    sums.samples = samples;
+    for (const Place& place : places_)
+    {
+      sums.inside += place.inside;
+      sums.negative += place.negative;
+    }
+    return sums;
+  }
+
+private:
+  struct alignas(64) Place // a line of the cache
+  {
+    std::atomic<std::size_t> inside{0};
+    std::atomic<std::size_t> negative{0};
+  };
+
+  static std::size_t numberOfThread()
+  {
+    static std::atomic<std::size_t> threads{0};
+    thread_local const std::size_t number = threads++;
+    return number;
+  }
+
+  std::array<Place, 64> places_;
+};
+
+} // namespace winding
