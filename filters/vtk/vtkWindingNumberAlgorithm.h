@@ -347,9 +347,9 @@ public:
   /// Whether the source of the last execution is inside out: with rule SIGNED, more samples had a w
   /// of -WindingThreshold or less than of WindingThreshold or more. A warning has said what to do,
   /// which comes also where that holds for a hundredth of these samples: parts of a surface look
-  /// inward then. All samples count, whatever arrays are made, but only where one execution has them
-  /// all: it is false after a piece of a grid that is streamed. Near single points of clouds w grows
-  /// without bounds, of either sign: most normals must point inward there, too.
+  /// inward then. All samples count, whatever arrays are made, but only where one execution has
+  /// them all: it is false after a piece of a grid that is streamed. Near single points of clouds w
+  /// grows without bounds, of either sign: most normals must point inward there, too.
   vtkGetMacro(SourceIsInsideOut, bool);
   ///@}
 
