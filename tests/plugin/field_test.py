@@ -225,7 +225,7 @@ class TestField(unittest.TestCase):
         errors = errors_of(field)
         field.UpdatePipeline()
         self.assertEqual(len(errors), 1)
-        self.assertRegex(errors[0], "this takes about .* hours: use Method: Automatic, or ")
+        self.assertRegex(errors[0], "this takes about .* (hours|days): use Method: Automatic, or ")
         self.assertIn("(Longest Expected Time)", errors[0])
         self.assertEqual(information(field, "Status"), 1)
 

@@ -4,7 +4,7 @@ import unittest
 
 from paraview import simple
 
-from support import result, run_tests
+from support import result, run_tests, warnings_of
 
 BALLS = {"big": (0, 0, 0, 1.0), "small": (1.2, 0, 0, 0.6), "inner": (-0.2, 0, 0, 0.5)}
 
@@ -27,9 +27,12 @@ class TestLabels(unittest.TestCase):
 
     def test_blocks_have_a_label_each(self):
         labels = simple.WindingNumberLabels(Input=self.assembly(), Resolution=32)
+        warnings = warnings_of(labels)
         image = result(labels)
         found = values_of(image.GetPointData())
         self.assertEqual(set(found), {0, 1, 2})
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("others hide all voxels of some solids: use Overlap Rule", warnings[0])
         self.assertEqual(image.GetPointData().GetScalars().GetName(), "Label")
         labels.OverlapRule = "Smallest Volume"
         found = values_of(result(labels).GetPointData())
@@ -45,9 +48,11 @@ class TestLabels(unittest.TestCase):
     def test_regions_and_parts_of_one_surface(self):
         merged = simple.MergeBlocks(Input=self.assembly(), OutputDataSetType="Polygonal Mesh")
         expected = values_of(result(
-            simple.WindingNumberLabels(Input=self.assembly(), Resolution=24)).GetPointData())
+            simple.WindingNumberLabels(Input=self.assembly(), Resolution=24,
+                                       OverlapRule="Smallest Volume")).GetPointData())
         regions = simple.Connectivity(Input=merged, RegionIdAssignmentMode="Cell Count Descending")
-        labels = simple.WindingNumberLabels(Input=regions, Resolution=24)
+        labels = simple.WindingNumberLabels(
+            Input=regions, Resolution=24, OverlapRule="Smallest Volume")
         self.assertEqual(labels.RegionArray, "None")
         parts = values_of(result(labels).GetPointData())
         self.assertEqual([v == 0 for v in parts], [v == 0 for v in expected])

@@ -30,6 +30,7 @@ COMMON = {
     "NumberOfThreads": (3, "3"),
     "LongestExpectedTime": (30, "30"),
     "SourceDistribution": (2, "2"),
+    "UseSurfaceCells": (1, "1"),
 }
 ARRAYS = {
     "GenerateWindingNumber": (0, "0"),
@@ -49,6 +50,7 @@ GRID = {
 SETTABLE = {
     "SurfaceReport": {
         "NormalsArray": ("Orientation", "Orientation"),
+        "UseSurfaceCells": (1, "1"),
         "FixOrientation": (1, "1"),
         "FaultThickness": (0.25, "0.25"),
         "SourceDistribution": (1, "1"),
