@@ -6,7 +6,8 @@ import unittest
 
 from paraview import servermanager, simple
 
-from support import errors_of, information, result, run_tests, sphere_points, unit_sphere, value_at
+from support import (errors_of, information, result, run_tests, sphere_points, unit_sphere, value_at,
+                     warnings_of)
 
 
 class TestField(unittest.TestCase):
@@ -56,7 +57,10 @@ class TestField(unittest.TestCase):
             OutputScalarType="Double",
             ResultArrayName="w",
         )
+        warnings = warnings_of(field)
         image = result(field)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("the source is thinner than three voxels", warnings[0])
         self.assertEqual(image.GetBounds(), (0, 4, 0, 2, 0, 1))
         self.assertEqual(image.GetDimensions(), (5, 5, 2))
         self.assertEqual(image.GetCellData().GetArray("w").GetDataTypeAsString(), "double")
