@@ -1,6 +1,6 @@
 """Makes the closed meshes of several parts on which estimated normals are measured.
 
-Usage: assemblies.py <folder>
+Usage: assemblies.py <folder> [<meshes> [<overlaps> [<seed>]]]
 
 It writes four binary PLY files of triangles into the folder, which is made if there is none. Parts
 of one file neither touch nor overlap, and nothing is left to chance:
@@ -15,7 +15,12 @@ plates.ply  Four plates three spacings thick and as far apart. The spacing is th
 shells.ply  Two hollow balls, one in the other: four spheres, of which every second one is turned
             inside out. From outside to the middle, winding numbers are 0, 1, 0, 1 and 0.
 
-Needs NumPy.
+Where a folder of meshes is named, it writes files of random overlaps instead, 20 unless a number is
+given: overlap_1.ply and so on. Each has two to eight of the closed meshes of the folder (.obj, .ply
+and .stl), turned, scaled and moved at random and put into one another, with all walls that they
+have inside each other. The first has the given seed, or 1, and each other the next one.
+
+Needs NumPy, and VTK to read meshes.
 """
 
 import pathlib
@@ -130,22 +135,74 @@ def shells():
     return [sphere(1), inside_out(sphere(0.8)), sphere(0.6), inside_out(sphere(0.4))]
 
 
+def closed_meshes(folder):
+    """The closed meshes of a folder by name, outward, around the origin and of unit diagonal."""
+    from surface_peers import READERS, Mesh, read
+
+    meshes = {}
+    for path in sorted(pathlib.Path(folder).iterdir()):
+        if path.suffix not in READERS or path.suffix not in (".obj", ".ply", ".stl"):
+            continue
+        data = read(path)
+        if data.GetNumberOfPolys() == 0:
+            continue
+        mesh = Mesh(data)
+        ends = mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        keys, back = ends @ [len(mesh.points), 1], ends @ [1, len(mesh.points)]
+        if not np.array_equal(np.sort(keys), np.sort(back)):
+            continue  # edges do not cancel
+        low, size = mesh.points.min(axis=0), np.ptp(mesh.points, axis=0)
+        points = (mesh.points - low - size / 2) / np.linalg.norm(size)
+        a, b, c = (points[mesh.triangles[:, n]] for n in range(3))
+        part = points, mesh.triangles
+        meshes[path.name] = part if (np.cross(a, b) * c).sum() > 0 else inside_out(part)
+    return meshes
+
+
+def overlap(meshes, seed):
+    """The parts of a random overlap, and the names of their meshes."""
+    random = np.random.default_rng(seed)
+    names = [str(name) for name in random.choice(sorted(meshes), random.integers(2, 9), replace=False)]
+    parts = []
+    for name in names:
+        rotation, triangular = np.linalg.qr(random.normal(size=(3, 3)))
+        rotation *= np.sign(np.diag(triangular))
+        rotation[:, 0] *= np.linalg.det(rotation)  # no reflection
+        toward = random.normal(size=3)
+        center = 0.3 * random.random() * toward / np.linalg.norm(toward)
+        points, triangles = meshes[name]
+        parts.append((center + random.uniform(0.6, 1.2) * points @ rotation.T, triangles))
+    return parts, names
+
+
 def joined(parts):
     starts = np.cumsum([0] + [len(points) for points, _ in parts])
     return (np.vstack([points for points, _ in parts]),
             np.vstack([start + triangles for start, (_, triangles) in zip(starts, parts)]))
 
 
-def main(folder):
+def write(path, parts):
+    points, triangles = joined(parts)
+    large_meshes.write(path, points, triangles)
+    print(f"{path}: {len(triangles)} triangles", end="")
+
+
+def main(folder, meshes=None, overlaps=20, seed=1):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    for make in bones, gantry, plates, shells:
-        points, triangles = joined(make())
-        large_meshes.write(folder / f"{make.__name__}.ply", points, triangles)
-        print(f"{folder / make.__name__}.ply: {len(triangles)} triangles")
+    if meshes is None:
+        for make in bones, gantry, plates, shells:
+            write(folder / f"{make.__name__}.ply", make())
+            print()
+        return
+    meshes = closed_meshes(meshes)
+    for number in range(1, int(overlaps) + 1):
+        parts, names = overlap(meshes, int(seed) + number - 1)
+        write(folder / f"overlap_{number}.ply", parts)
+        print(f", seed {int(seed) + number - 1}: {', '.join(names)}")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if not 2 <= len(sys.argv) <= 5:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(*sys.argv[1:])
