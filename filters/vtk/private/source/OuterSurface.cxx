@@ -40,20 +40,18 @@ namespace
 constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
                           vtkDataSetAttributes::REFINEDCELL;
 
-/// Returns how many cells of a data set have the dimensions 0 to 3. Polydata has none with volume.
-std::array<vtkIdType, 4> cellsByDimension(vtkPointSet* mesh)
+/// Whether a data set has cells of two dimensions and of three. Polydata has none with volume.
+bool isMixed(vtkPointSet* mesh)
 {
-  std::array<vtkIdType, 4> counts = {};
-  if (vtkPolyData::SafeDownCast(mesh))
-  {
-    return counts;
-  }
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  bool hasFaces = false, hasVolumes = false;
+  const vtkIdType cells = vtkUnstructuredGrid::SafeDownCast(mesh) ? mesh->GetNumberOfCells() : 0;
+  for (vtkIdType cell = 0; cell < cells && !(hasFaces && hasVolumes); ++cell)
   {
     const int dimension = dimensionOf(mesh->GetCellType(cell));
-    counts[static_cast<std::size_t>(std::max(0, dimension))] += 1;
+    hasFaces |= dimension == 2;
+    hasVolumes |= dimension == 3;
   }
-  return counts;
+  return hasFaces && hasVolumes;
 }
 
 /// Returns the number of corners of a face, whose other nodes come after them.
@@ -697,22 +695,20 @@ vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkPointSet* mesh, bool takesFaces, const std::string& name, CellCounts& counts)
 {
   vtkUnsignedCharArray* flags = mesh->GetCellGhostArray();
-  const std::array<vtkIdType, 4> dimensions = cellsByDimension(mesh);
-  const bool isMixed = dimensions[2] > 0 && dimensions[3] > 0;
-  const vtkIdType cells = mesh->GetNumberOfCells();
-  const auto isGhost = [flags](vtkIdType cell)
+  const int unwanted = !isMixed(mesh) ? -1 : takesFaces ? 3 : 2;
+  if (!flags && unwanted < 0)
   {
-    return flags && cell < flags->GetNumberOfTuples() && (flags->GetValue(cell) & ghostCell) != 0;
-  };
-  const int unwanted = takesFaces ? 3 : 2;
+    return mesh;
+  }
+  const vtkIdType cells = mesh->GetNumberOfCells();
   vtkNew<vtkIdList> own;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    if (isGhost(cell))
+    if (flags && cell < flags->GetNumberOfTuples() && (flags->GetValue(cell) & ghostCell) != 0)
     {
       continue;
     }
-    if (isMixed && dimensionOf(mesh->GetCellType(cell)) == unwanted)
+    if (unwanted > 0 && dimensionOf(mesh->GetCellType(cell)) == unwanted)
     {
       ++counts.leftOut;
       continue;
