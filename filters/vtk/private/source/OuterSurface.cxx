@@ -37,9 +37,6 @@ namespace winding
 namespace
 {
 
-constexpr int ghostCell = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-                          vtkDataSetAttributes::REFINEDCELL;
-
 /// Whether a data set has cells of two dimensions and of three. Polydata has none with volume.
 bool isMixed(vtkPointSet* mesh)
 {
@@ -691,6 +688,13 @@ std::vector<Message> notesOn(const CellCounts& counts)
   return notes;
 }
 
+bool isGhostCell(vtkUnsignedCharArray* flags, vtkIdType cell)
+{
+  constexpr int ghost = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+                        vtkDataSetAttributes::REFINEDCELL;
+  return flags && cell < flags->GetNumberOfTuples() && (flags->GetValue(cell) & ghost) != 0;
+}
+
 vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkPointSet* mesh, bool takesFaces, const std::string& name, CellCounts& counts)
 {
@@ -704,7 +708,7 @@ vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkNew<vtkIdList> own;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    if (flags && cell < flags->GetNumberOfTuples() && (flags->GetValue(cell) & ghostCell) != 0)
+    if (isGhostCell(flags, cell))
     {
       continue;
     }

@@ -3,6 +3,7 @@
 #include "base/Message.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <cstddef>
 #include <string>
@@ -10,6 +11,7 @@
 
 class vtkPointSet;
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 namespace winding
 {
@@ -27,9 +29,12 @@ struct CellCounts
 /// Returns what a user should know of cells that were counted.
 std::vector<Message> notesOn(const CellCounts& counts);
 
+/// Returns whether another piece of the data has a cell too, or it is hidden or refined, by the ghost
+/// array of its cells: null if there is none.
+bool isGhostCell(vtkUnsignedCharArray* flags, vtkIdType cell);
+
 /**
- * Returns the cells of a data set that make its surface. Ghosts are not among them, which another
- * piece of the data has too or which are hidden or refined. Where a mesh has cells of two and of
+ * Returns the cells of a data set that make its surface. Ghosts are not among them. Where a mesh has cells of two and of
  * three dimensions, cells of one of these kinds are left out and counted. Returns the data set
  * itself if no cell is left out. `takesFaces` says that cells of three dimensions are, not of
  * two. Throws Refusal, about data of that name, where some are left out

@@ -4,6 +4,7 @@
 #include "private/source/CellChecks.h"
 #include "private/source/FlatTriangles.h"
 #include "private/source/InputViews.h"
+#include "private/source/OuterSurface.h"
 #include "private/source/SourceParts.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
@@ -11,7 +12,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -91,7 +91,6 @@ struct OwnPolygons
 
 OwnPolygons ownPolygonsOf(vtkPolyData* leaf)
 {
-  constexpr int ghost = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   vtkUnsignedCharArray* flags = leaf->GetCellGhostArray();
   const vtkIdType before = leaf->GetNumberOfVerts() + leaf->GetNumberOfLines();
   OwnPolygons own;
@@ -100,7 +99,7 @@ OwnPolygons ownPolygonsOf(vtkPolyData* leaf)
   const vtkIdType* ids;
   for (vtkIdType i = 0; i < leaf->GetNumberOfPolys(); ++i)
   {
-    if (!flags || !(flags->GetValue(before + i) & ghost))
+    if (!isGhostCell(flags, before + i))
     {
       leaf->GetPolys()->GetCellAtId(i, size, ids);
       polygons->InsertNextCell(size, ids);
