@@ -9,6 +9,7 @@
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/InputViews.h"
+#include "private/source/OuterSurface.h"
 #include "private/source/PointOrientation.h"
 #include "private/source/PolygonOrientation.h"
 #include "private/source/SourceField.h"
@@ -146,13 +147,9 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::refuseHugeSource(*views,
     winding::withNormals(winding::bytesOfReport, this->FixOrientation != 0), "the report", ranks);
   views->gather(ranks);
-  std::vector<vtkSmartPointer<vtkPolyData>> leaves = 
-    winding::leavesAsPolyData(source, options.takesFaces);
-  if (views->isSurface())
-  {
-    views->triangles();
-  }
-  const winding::CellCounts counts = views->cellCounts();
+  winding::CellCounts counts;
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves =
+    winding::leavesAsPolyData(source, options.takesFaces, counts);
   const bool fixes = this->FixOrientation && views->isSurface();
   winding::OrientedPolygons fix;
   if (fixes)

@@ -69,8 +69,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
-  const auto own =
-    isMesh ? ownCellsOf(points, options_.takesFaces, name, counts_) : withoutGhosts(points, name);
+  const auto own = ownPartOf(points, options_.takesFaces, name, counts_);
   if (own->GetNumberOfPoints() == 0)
   {
     return;

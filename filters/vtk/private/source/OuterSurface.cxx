@@ -662,14 +662,6 @@ private:
 
 } // namespace
 
-CellCounts& CellCounts::operator+=(const CellCounts& other)
-{
-  turned += other.turned;
-  leftOut += other.leftOut;
-  flat += other.flat;
-  return *this;
-}
-
 std::vector<Message> notesOn(const CellCounts& counts)
 {
   std::vector<Message> notes;

@@ -22,8 +22,6 @@ struct CellCounts
   std::size_t turned = 0;  ///< cells with volume at the outer surface, ordered the other way round
   std::size_t leftOut = 0; ///< cells of two dimensions where there are three, or the latter
   std::size_t flat = 0;    ///< curved faces that no division brings near enough to their shape
-
-  CellCounts& operator+=(const CellCounts& other);
 };
 
 /// Returns what a user should know of cells that were counted.

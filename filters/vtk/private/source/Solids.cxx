@@ -91,7 +91,7 @@ vtkSmartPointer<vtkPointSet> checkedCells(vtkPointSet* data, bool takesFaces, Ce
     checkCells(data, name);
   }
   checkArrays(data, name);
-  return hasFaces(data) ? ownCellsOf(data, takesFaces, name, counts) : withoutGhosts(data, name);
+  return ownPartOf(data, takesFaces, name, counts);
 }
 
 /// A hash of points and cells; 0 where there are no points.

@@ -29,7 +29,45 @@ namespace winding
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces)
+/// Returns a cloud without points that another piece of the data has too, or that are hidden.
+vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string& name)
+{
+  constexpr int ghostPoint =
+    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  vtkUnsignedCharArray* flags = cloud->GetPointGhostArray();
+  const auto isGhost = [flags](vtkIdType point)
+  {
+    return (flags->GetValue(point) & ghostPoint) != 0;
+  };
+  bool isAny = false;
+  for (vtkIdType i = 0; flags && i < flags->GetNumberOfTuples() && !isAny; ++i)
+  {
+    isAny = isGhost(i);
+  }
+  if (!isAny)
+  {
+    return cloud;
+  }
+  checkCells(cloud, name);
+  checkArrays(cloud, name);
+  auto clean = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  clean->GetPointData()->CopyAllocate(cloud->GetPointData());
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    if (!isGhost(i))
+    {
+      double position[3];
+      cloud->GetPoint(i, position);
+      clean->GetPointData()->CopyData(cloud->GetPointData(), i, points->InsertNextPoint(position));
+    }
+  }
+  clean->SetPoints(points);
+  return clean;
+}
+
+vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces, CellCounts& counts)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
   {
@@ -37,7 +75,6 @@ vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces)
   }
   if (leaf->GetNumberOfPoints() > 0 && hasFaces(leaf))
   {
-    CellCounts counts; // of views of the same source
     const auto own = ownCellsOf(leaf, takesFaces, "the source", counts);
     return outerSurfaceOf(own, false, counts);
   }
@@ -115,56 +152,26 @@ SourceKind kindOf(vtkDataObject* source)
   return hasFaces(points) ? SourceKind::mesh : SourceKind::cloud;
 }
 
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string& name)
+vtkSmartPointer<vtkPointSet> ownPartOf(
+  vtkPointSet* leaf, bool takesFaces, const std::string& name, CellCounts& counts)
 {
-  constexpr int ghostPoint =
-    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  vtkUnsignedCharArray* flags = cloud->GetPointGhostArray();
-  const auto isGhost = [flags](vtkIdType point)
-  {
-    return (flags->GetValue(point) & ghostPoint) != 0;
-  };
-  bool isAny = false;
-  for (vtkIdType i = 0; flags && i < flags->GetNumberOfTuples() && !isAny; ++i)
-  {
-    isAny = isGhost(i);
-  }
-  if (!isAny)
-  {
-    return cloud;
-  }
-  checkCells(cloud, name);
-  checkArrays(cloud, name);
-  auto clean = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  clean->GetPointData()->CopyAllocate(cloud->GetPointData());
-  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
-  {
-    if (!isGhost(i))
-    {
-      double position[3];
-      cloud->GetPoint(i, position);
-      clean->GetPointData()->CopyData(cloud->GetPointData(), i, points->InsertNextPoint(position));
-    }
-  }
-  clean->SetPoints(points);
-  return clean;
+  return hasFaces(leaf) ? ownCellsOf(leaf, takesFaces, name, counts) : withoutGhosts(leaf, name);
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source, bool takesFaces)
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(
+  vtkDataObject* source, bool takesFaces, CellCounts& counts)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(source);
   if (!composite)
   {
-    return {leafAsPolyData(vtkPointSet::SafeDownCast(source), takesFaces)};
+    return {leafAsPolyData(vtkPointSet::SafeDownCast(source), takesFaces, counts)};
   }
   std::vector<vtkSmartPointer<vtkPolyData>> leaves;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    leaves.push_back(
-      leafAsPolyData(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()), takesFaces));
+    auto* leaf = vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject());
+    leaves.push_back(leafAsPolyData(leaf, takesFaces, counts));
   }
   return leaves;
 }

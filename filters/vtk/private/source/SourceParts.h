@@ -14,6 +14,8 @@ class vtkPolyData;
 namespace winding
 {
 
+struct CellCounts;
+
 /// Whether a data set has cells that bound something: of two dimensions or more.
 bool hasFaces(vtkPointSet* leaf);
 
@@ -32,11 +34,13 @@ enum class SourceKind
 SourceKind kindOf(vtkDataObject* source);
 
 /**
- * Returns a cloud without its ghosts, which are points that another piece of the data has too, or
- * that are hidden; the cloud itself if there are none. Throws Refusal, about data of that name,
- * where there are some and cells cannot be followed (CellChecks.h).
+ * Returns the part of a leaf that is its own: of a mesh ownCellsOf(), of a cloud the points that no
+ * other piece of the data has and that are not hidden. Returns the leaf itself if that is all of it.
+ * Throws Refusal, about data of that name, where it is not and cells cannot be followed
+ * (CellChecks.h).
  */
-vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string& name);
+vtkSmartPointer<vtkPointSet> ownPartOf(
+  vtkPointSet* leaf, bool takesFaces, const std::string& name, CellCounts& counts);
 
 /**
  * The leaves of a source, of the kinds that InputViews takes, as polydata: polydata as it is, other
@@ -44,7 +48,8 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string
  * source that is no composite is its own leaf. The cells of other meshes were checked
  * (CellChecks.h).
  */
-std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(vtkDataObject* source, bool takesFaces);
+std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(
+  vtkDataObject* source, bool takesFaces, CellCounts& counts);
 
 /// Leaves appended to each other, with the arrays that all have.
 vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves);
