@@ -129,6 +129,11 @@ int straightTypeOf(int cellType)
   return type < 0 ? cellType : type;
 }
 
+vtkIdType cornersOf(vtkCell* face)
+{
+  return face->IsLinear() ? face->GetNumberOfPoints() : face->GetNumberOfEdges();
+}
+
 vtkIdType fewestPointsOf(int cellType)
 {
   return kindOf(cellType).points;

@@ -2,6 +2,8 @@
 
 #include "vtkType.h"
 
+class vtkCell;
+
 namespace winding
 {
 
@@ -17,6 +19,9 @@ inline bool isCurved(int cellType)
 {
   return straightTypeOf(cellType) != cellType;
 }
+
+/// Returns the number of corners of a face, whose other points come after them.
+vtkIdType cornersOf(vtkCell* face);
 
 /// The least number of points that a cell of a type has; 0 for types without a number of their own.
 vtkIdType fewestPointsOf(int cellType);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace winding
+{
+
+class OuterPolygons;
+
+bool hasCurvedCells(vtkUnstructuredGrid* mesh);
+
+/// Returns the same mesh with straight edges between the corners of its cells.
+vtkSmartPointer<vtkUnstructuredGrid> straightened(vtkUnstructuredGrid* mesh);
+
+/**
+ * Divides the curved faces of a mesh that `polygons`, of the straightened mesh, are in place of.
+ * Other polygons stay. Faces that share an edge share the points on it. Distances and divisions are
+ * as for outerSurfaceOf(); `keepsPoints` has each face divided at its own nodes only. Sets `flat` to
+ * the number of faces that stay too far from their shape.
+ */
+vtkSmartPointer<vtkPolyData> dividedSurface(
+  vtkUnstructuredGrid* mesh, const OuterPolygons& polygons, bool keepsPoints, std::size_t& flat);
+
+} // namespace winding

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+class vtkPointSet;
+class vtkPolyData;
+
+namespace winding
+{
+
+/**
+ * Turns the polygons of a mesh's outer surface that look into their own cell (OuterPolygons.h),
+ * which is what the signed volume of the cell tells. Cells have straight edges. A polyhedron's faces
+ * are first oriented like each other. Returns the number of cells whose polygons were turned.
+ */
+std::size_t turnOutward(vtkPointSet* mesh, vtkPolyData* surface);
+
+} // namespace winding
