@@ -382,8 +382,7 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   if (facts.thin.count() > 0)
   {
     vtkWarningMacro(<< winding::lineOf({"some solids have no voxel inside",
-                      {{"choose smaller voxels",
-                         {winding::Parameter::resolution, winding::Parameter::voxelSize}},
+                      {winding::smallerVoxels(),
                         {"label what they touch", {{winding::Parameter::coverage, ANY}}}},
                       facts.thin.outOf(count)}));
   }

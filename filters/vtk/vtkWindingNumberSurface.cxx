@@ -149,8 +149,7 @@ void vtkWindingNumberSurface::CheckGrid() const
     if (dimensions[axis] < 2 && !this->CloseBorder)
     {
       throw winding::Refusal(winding::Message("the grid has one voxel" + along,
-        {{"choose smaller voxels", {winding::Parameter::resolution, winding::Parameter::voxelSize}},
-          {"choose more padding", {winding::Parameter::padding}}},
+        {winding::smallerVoxels(), {"choose more padding", {winding::Parameter::padding}}},
         "a surface needs two or more"));
     }
   }

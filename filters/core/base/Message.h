@@ -78,6 +78,12 @@ inline Remedy largerVoxels()
   return {"choose larger voxels", {Parameter::resolution, Parameter::voxelSize}};
 }
 
+/// Returns the remedy for voxels that are too few or too large.
+inline Remedy smallerVoxels()
+{
+  return {"choose smaller voxels", {Parameter::resolution, Parameter::voxelSize}};
+}
+
 /// Returns the remedy for results that are too large as a whole.
 inline Remedy inPieces()
 {

@@ -7,7 +7,6 @@ namespace winding
 
 std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, bool isEmpty)
 {
-  const Remedy smaller = {"choose smaller voxels", {Parameter::resolution, Parameter::voxelSize}};
   const Eigen::Vector3d low = grid.inGridUnits(source.min()), high = grid.inGridUnits(source.max());
   if (missesSource(grid, source))
   {
@@ -36,12 +35,12 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, bool i
     std::snprintf(facts, sizeof facts, "it has %.2g of them along %c%s",
       high[thinnest] - low[thinnest], "xyz"[thinnest], isEmpty ? ", and no sample is inside" : "");
     return Message("the source is thinner than three voxels",
-      {smaller, {"name voxels along each axis", {Parameter::samplingDimensions}}}, facts);
+      {smallerVoxels(), {"name voxels along each axis", {Parameter::samplingDimensions}}}, facts);
   }
   if (isEmpty)
   {
     return Message("no sample is inside",
-      {smaller, {"choose a grid around the source", {Parameter::samplingBounds}},
+      {smallerVoxels(), {"choose a grid around the source", {Parameter::samplingBounds}},
         {"look whether the source is closed", {Parameter::surfaceReport}}});
   }
   return std::nullopt;
