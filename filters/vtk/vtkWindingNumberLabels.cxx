@@ -322,7 +322,10 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
       this->VerifySolid(field, extent);
     }
   }
-  this->CountHidden(solids, hasVoxels, labels);
+  if (isWhole)
+  {
+    this->CountHidden(solids, hasVoxels, labels);
+  }
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;
   this->ExpectedMemory = memory;
