@@ -507,12 +507,6 @@ void vtkWindingNumberAlgorithm::TellSides(
   }
 }
 
-bool vtkWindingNumberAlgorithm::HaveNothingInside(const winding::SideCounts& sides) const
-{
-  return this->InsideRule != ODD && sides.inside == 0 &&
-         (this->InsideRule == SIGNED || sides.negative == 0);
-}
-
 void vtkWindingNumberAlgorithm::SetNamesInMessages(int names)
 {
   winding::setFrontEnd(

@@ -474,10 +474,6 @@ protected:
   void Evaluate(const winding::Field& field, vtkIdType samples, winding::SmpExecutor& executor,
     const std::function<void()>& work);
 
-  /// Returns whether samples of these sides are all outside. It is false for rule ODD, whose
-  /// samples are not counted.
-  bool HaveNothingInside(const winding::SideCounts& sides) const;
-
   /// Warns where sides say that the source is inside out, as a whole or in part, and sets
   /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
   void TellSides(

@@ -18,6 +18,19 @@
 
 vtkStandardNewMacro(vtkWindingNumberField);
 
+namespace
+{
+
+/// Returns whether samples of these sides are all outside: false for rule ODD, whose samples are not
+/// counted.
+bool areAllOutside(const winding::SideCounts& sides, int rule)
+{
+  return rule != vtkWindingNumberField::ODD && sides.inside == 0 &&
+         (rule == vtkWindingNumberField::SIGNED || sides.negative == 0);
+}
+
+} // namespace
+
 vtkWindingNumberField::vtkWindingNumberField()
 {
   this->SetResultArrayName("WindingNumber");
@@ -114,8 +127,8 @@ void vtkWindingNumberField::EvaluateVoxels(
         executor.setShare(1, 1);
         const winding::SideCounts counts = sides.counts(count);
         this->TellSides(field, counts, executor);
-        this->WarnOfGrid(
-          field, results.inside() ? results.hasNothingInside() : this->HaveNothingInside(counts));
+        this->WarnOfGrid(field,
+          results.inside() ? results.hasNothingInside() : areAllOutside(counts, this->InsideRule));
       }
     });
 }
