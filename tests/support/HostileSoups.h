@@ -1,5 +1,6 @@
 #pragma once
 
+#include "source/Grid.h"
 #include "support/Shapes.h"
 
 #include <cmath>
@@ -112,6 +113,15 @@ inline Mesh sheetsOf(std::size_t count, double height, unsigned seed)
     mesh.triangles.push_back({first, first + 2, first + 3});
   }
   return mesh;
+}
+
+/// A grid around bounds, with cubic voxels.
+inline winding::Grid gridAround(const winding::Bounds& bounds, int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = bounds;
+  request.resolution = resolution;
+  return winding::layOutGrid(request);
 }
 
 inline std::vector<std::pair<std::string, Mesh>> hostileSoups(std::size_t count)

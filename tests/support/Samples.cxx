@@ -50,6 +50,17 @@ std::vector<Point> randomPoints(std::size_t count, double low, double high, unsi
   return points;
 }
 
+std::vector<Point> randomPointsAround(
+  const winding::Bounds& bounds, std::size_t count, double low, double high, unsigned seed)
+{
+  std::vector<Point> points = randomPoints(count, low, high, seed);
+  for (Point& p : points)
+  {
+    p = bounds.min() + p.cwiseProduct(bounds.sizes());
+  }
+  return points;
+}
+
 winding::OrientedPointsView Cloud::view() const
 {
   return {{positions.empty() ? nullptr : positions[0].data(), positions.size()},

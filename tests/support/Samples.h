@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Bounds.h"
 #include "base/Evaluator.h"
 #include "base/Views.h"
 #include "source/PointCloud.h"
@@ -41,6 +42,10 @@ private:
 };
 
 std::vector<Point> randomPoints(std::size_t count, double low, double high, unsigned seed);
+
+/// Random points around bounds, from `low` to `high` of their sides: 0 to 1 is within.
+std::vector<Point> randomPointsAround(
+  const winding::Bounds& bounds, std::size_t count, double low, double high, unsigned seed);
 
 /// Points with normals, on the unit sphere or anywhere.
 struct Cloud

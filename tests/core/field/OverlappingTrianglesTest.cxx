@@ -33,14 +33,6 @@ using winding::Method;
 
 constexpr std::size_t triangles = 1500;
 
-Grid gridAround(const winding::Bounds& bounds, int resolution)
-{
-  winding::GridRequest request;
-  request.bounds = bounds;
-  request.resolution = resolution;
-  return winding::layOutGrid(request);
-}
-
 std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method, bool scattered)
 {
   FieldOptions options;
@@ -109,13 +101,7 @@ TEST_P(OverlappingTriangles, TakeNoMoreVectorsThanTheDirectSumAtScatteredSamples
   for (const std::size_t count : {300, 2000, 20000})
   {
     SCOPED_TRACE(count);
-    std::vector<Point> samples;
-    Random random(77);
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      const Point share = random.point(0, 1);
-      samples.push_back(surface.bounds.min() + share.cwiseProduct(Point(surface.bounds.sizes())));
-    }
+    const std::vector<Point> samples = randomPointsAround(surface.bounds, count, 0, 1, 77);
     const winding::VectorsView view(samples.data()->data(), count);
     std::vector<double> values(count);
     FieldOutput output;

@@ -51,28 +51,14 @@ struct Seconds
   double direct = HUGE_VAL, automatic = HUGE_VAL;
 };
 
-std::vector<Point> samplesIn(const winding::Bounds& bounds, std::size_t count)
-{
-  Random random(1601);
-  std::vector<Point> samples;
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    samples.push_back(bounds.min() + random.point(0, 1).cwiseProduct(Point(bounds.sizes())));
-  }
-  return samples;
-}
-
 Seconds secondsOf(const Case& one)
 {
   const Mesh mesh = one.mesh();
   const std::vector<winding::TrianglesView> views = {mesh.view()};
   winding::SerialExecutor serial;
   const winding::Bounds bounds = Field::build(views, FieldOptions(), serial)->info().bounds;
-  winding::GridRequest request;
-  request.bounds = bounds;
-  request.resolution = std::max(one.resolution, 2);
-  const Grid grid = winding::layOutGrid(request);
-  const std::vector<Point> samples = samplesIn(bounds, one.samples);
+  const Grid grid = gridAround(bounds, std::max(one.resolution, 2));
+  const std::vector<Point> samples = randomPointsAround(bounds, one.samples, 0, 1, 1601);
   std::vector<float> values(std::max(samples.size(), winding::sampleCount(grid.wholeExtent())));
   FieldOutput output;
   output.values = values.data();

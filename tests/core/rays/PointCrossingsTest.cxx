@@ -186,12 +186,7 @@ TEST(PointCrossings, AgreeWithTheDirectSum)
          torus(7, 5).mapped(stretched)})
   {
     const winding::Bounds bounds = clean(mesh).bounds;
-    std::vector<Point> samples = randomPoints(5000, -0.1, 1.1, 262);
-    for (Point& p : samples)
-    {
-      p = bounds.min() + p.cwiseProduct(bounds.sizes());
-    }
-    expectTheIntegers(mesh, samples);
+    expectTheIntegers(mesh, randomPointsAround(bounds, 5000, -0.1, 1.1, 262));
     expectTheIntegers(mesh, pointsNear(mesh, 1000, 1e-6 * bounds.sizes().minCoeff(), 263));
   }
 }
