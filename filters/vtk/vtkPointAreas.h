@@ -27,8 +27,8 @@
  * - ghost points, for which another piece of the data answers,
  * - the inner points of a mesh with volume cells. Points that its outer surface has several times,
  *   such as the points on the edges of a structured grid, have the areas of all of them. Areas of
- *   points that only the outer surface has, as VTK makes them for Lagrange and Bézier cells, are
- *   left out, with a warning.
+ *   points that only the outer surface has, as where Bézier cells are divided, are left out, with a
+ *   warning.
  *
  * Errors leave the output empty. They are: points without normals, method MESH for points without
  * triangles, an array that is not there, no usable point at all, and a value of PointAreaMethod or
