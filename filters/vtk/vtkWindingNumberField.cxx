@@ -21,8 +21,8 @@ vtkStandardNewMacro(vtkWindingNumberField);
 namespace
 {
 
-/// Returns whether samples of these sides are all outside: false for rule ODD, whose samples are not
-/// counted.
+/// Returns whether samples of these sides are all outside: false for rule ODD, whose samples are
+/// not counted.
 bool areAllOutside(const winding::SideCounts& sides, int rule)
 {
   return rule != vtkWindingNumberField::ODD && sides.inside == 0 &&

@@ -18,10 +18,10 @@ bool hasCurvedCells(vtkUnstructuredGrid* mesh);
 vtkSmartPointer<vtkUnstructuredGrid> straightened(vtkUnstructuredGrid* mesh);
 
 /**
- * Divides the curved faces of a mesh that `polygons`, of the straightened mesh, are in place of.
- * Other polygons stay. Faces that share an edge share the points on it. Distances and divisions are
- * as for outerSurfaceOf(); `keepsPoints` has each face divided at its own nodes only. Sets `flat` to
- * the number of faces that stay too far from their shape.
+ * Divides the curved faces of a mesh. `polygons` come from the straightened mesh, and straight
+ * ones stay. Faces that share an edge share the points on it. Distances and divisions are as for
+ * outerSurfaceOf(). `keepsPoints` has each face divided at its own nodes only. Sets `flat` to the
+ * number of faces that stay too far from their shape.
  */
 vtkSmartPointer<vtkPolyData> dividedSurface(
   vtkUnstructuredGrid* mesh, const OuterPolygons& polygons, bool keepsPoints, std::size_t& flat);

@@ -27,16 +27,16 @@ struct CellCounts
 /// Returns what a user should know of cells that were counted.
 std::vector<Message> notesOn(const CellCounts& counts);
 
-/// Returns whether another piece of the data has a cell too, or it is hidden or refined, by the ghost
-/// array of its cells: null if there is none.
+/// Returns whether another piece of the data has a cell too, or it is hidden or refined. `flags` is
+/// the ghost array of the cells, or null.
 bool isGhostCell(vtkUnsignedCharArray* flags, vtkIdType cell);
 
 /**
- * Returns the cells of a data set that make its surface. Ghosts are not among them. Where a mesh has cells of two and of
- * three dimensions, cells of one of these kinds are left out and counted. Returns the data set
- * itself if no cell is left out. `takesFaces` says that cells of three dimensions are, not of
- * two. Throws Refusal, about data of that name, where some are left out
- * and cells cannot be followed (CellChecks.h).
+ * Returns the cells of a data set that make its surface. Ghosts are not among them. Where a mesh
+ * has cells of two and of three dimensions, cells of one of these kinds are left out and counted.
+ * `takesFaces` says that cells of three dimensions are, not of two. Returns the data set itself if
+ * no cell is left out. Throws Refusal, about data of that name, where some are left out and cells
+ * cannot be followed (CellChecks.h).
  */
 vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkPointSet* mesh, bool takesFaces, const std::string& name, CellCounts& counts);

@@ -9,9 +9,9 @@ namespace winding
 {
 
 /**
- * Turns the polygons of a mesh's outer surface that look into their own cell (OuterPolygons.h),
- * which is what the signed volume of the cell tells. Cells have straight edges. A polyhedron's faces
- * are first oriented like each other. Returns the number of cells whose polygons were turned.
+ * Turns the polygons of a mesh's outer surface that look into their own cell (OuterPolygons.h), by
+ * the sign of the cell's volume. Cells have straight edges. A polyhedron's faces are first oriented
+ * like each other. Returns the number of cells whose polygons were turned.
  */
 std::size_t turnOutward(vtkPointSet* mesh, vtkPolyData* surface);
 

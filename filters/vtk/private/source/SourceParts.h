@@ -35,8 +35,8 @@ SourceKind kindOf(vtkDataObject* source);
 
 /**
  * Returns the part of a leaf that is its own: of a mesh ownCellsOf(), of a cloud the points that no
- * other piece of the data has and that are not hidden. Returns the leaf itself if that is all of it.
- * Throws Refusal, about data of that name, where it is not and cells cannot be followed
+ * other piece of the data has and that are not hidden. Returns the leaf itself if that is all of
+ * it. Throws Refusal, about data of that name, where it is not and cells cannot be followed
  * (CellChecks.h).
  */
 vtkSmartPointer<vtkPointSet> ownPartOf(
