@@ -1,5 +1,7 @@
 #include "files/ColumnNames.h"
 
+#include "files/Words.h"
+
 #include <algorithm>
 
 namespace winding
@@ -8,25 +10,30 @@ namespace winding
 namespace
 {
 
-/// A text with small letters for capital ones, of those that ASCII has.
-std::string inSmallLetters(std::string text)
+/// The names that programs give to one component.
+using Synonyms = std::vector<std::string>;
+
+/// A name in small letters, without a unit in brackets behind it.
+std::string withoutUnit(const std::string& name)
 {
-  for (char& c : text)
-  {
-    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  }
-  return text;
+  const std::string part = inSmallLetters(name.substr(0, name.find_first_of("([")));
+  return part.substr(0, part.find_last_not_of(' ') + 1);
 }
 
-/// The first columns of these names, in small letters or large ones; none where one is missing.
+/// The first columns of these names, one for each component; none where one is missing. The first
+/// synonym that is there counts.
 std::vector<std::size_t> columnsNamed(
-  const std::vector<std::string>& wanted, const std::vector<std::string>& names)
+  const std::vector<Synonyms>& wanted, const std::vector<std::string>& names)
 {
   std::vector<std::size_t> columns;
-  for (const std::string& name : wanted)
+  for (const Synonyms& synonyms : wanted)
   {
-    const auto found = std::find_if(names.begin(), names.end(),
-      [&name](const std::string& other) { return inSmallLetters(other) == name; });
+    auto found = names.end();
+    for (auto name = synonyms.begin(); name != synonyms.end() && found == names.end(); ++name)
+    {
+      found = std::find_if(names.begin(), names.end(),
+        [&name](const std::string& other) { return withoutUnit(other) == *name; });
+    }
     if (found == names.end())
     {
       return {};
@@ -41,16 +48,17 @@ std::vector<std::size_t> columnsNamed(
 std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names)
 {
   // The names by ParaView and by others; a table may have both.
-  std::vector<std::string> saved, usual = {"area"};
+  std::vector<Synonyms> saved, usual = {{"area"}};
   if (meaning == ColumnMeaning::positions)
   {
-    saved = {"points:0", "points:1", "points:2"};
-    usual = {"x", "y", "z"};
+    saved = {{"points:0"}, {"points:1"}, {"points:2"}};
+    usual = {{"x", "easting", "east"}, {"y", "northing", "north"},
+      {"z", "elevation", "height", "altitude"}};
   }
   else if (meaning == ColumnMeaning::normals)
   {
-    saved = {"normals:0", "normals:1", "normals:2"};
-    usual = {"nx", "ny", "nz"};
+    saved = {{"normals:0"}, {"normals:1"}, {"normals:2"}};
+    usual = {{"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
   }
   const std::vector<std::size_t> columns = columnsNamed(saved, names);
   return columns.empty() ? columnsNamed(usual, names) : columns;

@@ -15,14 +15,17 @@ namespace winding
 /// The things of points that columns may be.
 enum class ColumnMeaning
 {
-  positions, ///< x, y and z, or Points:0, Points:1 and Points:2
-  normals,   ///< nx, ny and nz, or Normals:0, Normals:1 and Normals:2
-  areas      ///< area
+  /// x, y and z, or Points:0, Points:1 and Points:2; each may also be easting, northing and
+  /// elevation, height or altitude
+  positions,
+  normals, ///< nx, ny and nz, or Normals:0, Normals:1 and Normals:2, or normal_x and so on
+  areas    ///< area
 };
 
 /// The columns that are these, one for each component; none where one of them is missing. Names may
-/// have small letters or large ones. Those with colons are the ones that ParaView gives to
-/// components; where a table has both, they count. Of several columns with one name the first does.
+/// have small letters or large ones, and a unit in brackets behind them. Those with colons are the
+/// ones that ParaView gives to components; where a table has both, they count. Of several columns with
+/// one name the first does.
 std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names);
 
 /// Names for the arrays of these columns, all different, and none of them taken: those of the

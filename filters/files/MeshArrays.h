@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/Message.h"
 #include "files/PlainArray.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace winding
 {
@@ -19,6 +21,19 @@ struct CellArrays
 
 /// One cell of all points, so that they can be seen; none where there are no points.
 CellArrays oneCellOf(std::size_t points);
+
+/// Appends cells to others.
+void append(CellArrays& cells, CellArrays more);
+
+/// Whether an id ends a strip of triangles, after which another one begins: -1, also without sign.
+inline bool endsStrip(double id)
+{
+  return id == -1 || id == 4294967295.0;
+}
+
+/// Returns the triangles of strips, which have the sense of the first one of their strip. Triangles
+/// with equal corners, by which strips are connected, are left out.
+CellArrays trianglesOfStrips(const CellArrays& strips);
 
 /// Vectors of three components each, one after the other. Only one of the arrays is filled: doubles
 /// for what needs their digits, floats for files that hold floats.
@@ -42,6 +57,7 @@ struct MeshArrays
   CellArrays vertices;                  ///< cells of single points or of many
   CellArrays lines;
   CellArrays polygons;
+  std::vector<Message> notes; ///< on what the file holds and the arrays do not
 };
 
 } // namespace winding

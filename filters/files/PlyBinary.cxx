@@ -5,6 +5,7 @@
 #include "files/PlyNumbers.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -91,22 +92,20 @@ public:
   MeshArrays run()
   {
     Progress progress(executor_);
-    const PlyElement* const vertex = header_.find("vertex");
-    const PlyElement* const face = header_.find("face");
     std::size_t start = header_.bytes;
     for (const PlyElement& element : header_.elements)
     {
-      const PlyProperty* const list = &element == face ? element.corners() : nullptr;
+      const PlyProperty* const list = element.hasFaces() ? element.corners() : nullptr;
       PlyElementReader reader(file_, header_.encoding, element, list, start);
       reader.findEnd();
       progress.set(this->shareAt(start), this->shareAt(reader.end()));
-      if (&element == vertex)
+      if (element.role == PlyRole::vertices)
       {
         this->readVertices(reader, element);
       }
-      else if (&element == face)
+      else if (element.hasFaces())
       {
-        this->readFaces(reader, element, vertex->count);
+        this->readFaces(reader, element);
       }
       else if (start < reader.end())
       {
@@ -147,13 +146,9 @@ private:
       executor_));
   }
 
-  void readFaces(PlyElementReader& reader, const PlyElement& face, std::int64_t vertices)
+  void readFaces(PlyElementReader& reader, const PlyElement& face)
   {
-    if (face.count == 0)
-    {
-      return;
-    }
-    CellArrays& cells = mesh_.polygons;
+    CellArrays cells;
     const PlyProperty& corners = *face.corners();
     do
     {
@@ -161,14 +156,17 @@ private:
       cells.offsets[0] = 0;
       cells.connectivity = PlainArray<std::int64_t>(reader.entries());
     } while (!reader.read(
-      [&](const PlyItems& items) { this->copyFaces(items, corners, vertices); }, executor_));
+      [&](const PlyItems& items) { this->copyFaces(items, corners, cells); }, executor_));
+    append(
+      mesh_.polygons, face.role == PlyRole::strips ? trianglesOfStrips(cells) : std::move(cells));
   }
 
-  void copyFaces(const PlyItems& items, const PlyProperty& corners, std::int64_t vertices)
+  void copyFaces(const PlyItems& items, const PlyProperty& corners, CellArrays& cells) const
   {
+    const std::int64_t vertices = header_.vertices().count;
     const auto [offset, length] = items.layout.place(corners);
     const std::size_t step = bytesOf(corners.type);
-    std::int64_t* const ids = mesh_.polygons.connectivity.data() + items.entry;
+    std::int64_t* const ids = cells.connectivity.data() + items.entry;
     bool allExist = true;
     if (items.count > 1)
     {
@@ -186,19 +184,18 @@ private:
     }
     if (!allExist)
     {
-      this->refuseFirstCorner(items, corners, vertices);
+      this->refuseBadCorners(items, corners);
     }
     for (std::size_t i = 0; i < items.count; ++i)
     {
-      mesh_.polygons.offsets[items.item + i + 1] =
-        static_cast<std::int64_t>(items.entry + (i + 1) * length);
+      cells.offsets[items.item + i + 1] = static_cast<std::int64_t>(items.entry + (i + 1) * length);
     }
   }
 
-  /// Refuses the first corner of the items that does not exist.
-  void refuseFirstCorner(
-    const PlyItems& items, const PlyProperty& corners, std::int64_t vertices) const
+  /// Refuses the first corner of the items that does not exist, if there is one.
+  void refuseBadCorners(const PlyItems& items, const PlyProperty& corners) const
   {
+    const std::int64_t vertices = header_.vertices().count;
     const auto [offset, length] = items.layout.place(corners);
     for (std::size_t i = 0; i < items.count; ++i)
     {
@@ -206,7 +203,7 @@ private:
       for (std::size_t corner = 0; corner < length; ++corner, at += bytesOf(corners.type))
       {
         const double id = plyNumberAt(corners.type, header_.encoding, at);
-        if (!(id >= 0 && id < static_cast<double>(vertices)))
+        if (!isPlyCorner(id, vertices, items.layout.element().role))
         {
           refusePly(file_, badPlyCorner(id, vertices));
         }

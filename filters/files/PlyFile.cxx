@@ -9,8 +9,10 @@ namespace winding
 MeshArrays readPly(const InputFile& file, Executor& executor)
 {
   const PlyHeader header = readPlyHeader(file);
-  return header.encoding == PlyEncoding::text ? readPlyText(file, header, executor)
-                                              : readPlyBinary(file, header, executor);
+  MeshArrays mesh = header.encoding == PlyEncoding::text ? readPlyText(file, header, executor)
+                                                         : readPlyBinary(file, header, executor);
+  mesh.notes = header.notes;
+  return mesh;
 }
 
 } // namespace winding

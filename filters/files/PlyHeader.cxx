@@ -1,9 +1,11 @@
 #include "files/PlyHeader.h"
 
+#include "files/MeshArrays.h"
 #include "files/Words.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string_view>
 
 namespace winding
@@ -25,6 +27,51 @@ constexpr TypeName typeNames[] = {{"char", "int8", PlyNumber::int8},
   {"ushort", "uint16", PlyNumber::uint16}, {"int", "int32", PlyNumber::int32},
   {"uint", "uint32", PlyNumber::uint32}, {"float", "float32", PlyNumber::float32},
   {"double", "float64", PlyNumber::float64}};
+
+template <class Named>
+const Named* findByName(const std::vector<Named>& candidates, const std::string& name)
+{
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+    [&name](const Named& candidate) { return candidate.name == name; });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+bool isInteger(PlyNumber type)
+{
+  return type != PlyNumber::float32 && type != PlyNumber::float64;
+}
+
+/// Whether programs call faces by a name. Cells of a mesh with volume have others.
+bool isNameOfFaces(const std::string& name)
+{
+  const char* const names[] = {"face", "faces", "polygon", "polygons", "facet", "facets",
+    "triangle", "triangles", "tri", "quad", "quads"};
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+PlyRole roleOf(const PlyElement& element)
+{
+  const std::string name = inSmallLetters(element.name);
+  if (element.count == 0 || !element.corners())
+  {
+    return PlyRole::other;
+  }
+  return isNameOfFaces(name)                       ? PlyRole::faces
+         : name.find("strip") != std::string::npos ? PlyRole::strips
+                                                   : PlyRole::other;
+}
+
+/// Whether an element that is not read has positions, or numbers of vertices.
+bool hasGeometry(const PlyElement& element)
+{
+  return !element.findNumbers(plyPosition).empty() ||
+         std::any_of(element.properties.begin(), element.properties.end(),
+           [](const PlyProperty& property)
+           {
+             return property.name.rfind("vertex", 0) == 0 ||
+                    (property.lengthType && isInteger(property.type));
+           });
+}
 
 /// Takes lines off the beginning of a file.
 class FirstBytes
@@ -175,6 +222,10 @@ private:
     }
     property.type = this->typeOf(type);
     property.name = this->word();
+    if (property.name.rfind("normal_", 0) == 0 && property.name.size() == 8)
+    {
+      property.name = std::string("n") + property.name.back(); // as PCL writes nx, ny and nz
+    }
     if (property.name.empty())
     {
       this->refuseLine("a property has no name");
@@ -194,28 +245,38 @@ private:
     this->refuseLine("a property has the unknown type " + shown(name));
   }
 
-  void check() const
+  void check()
   {
     if (!hasFormat_)
     {
       refusePly(file_, "the header has no format line of version 1.0");
     }
-    const PlyElement* const vertex = header_.find("vertex");
+    const PlyElement* const vertex = findByName(header_.elements, "vertex");
     if (!vertex || vertex->findNumbers(plyPosition).empty())
     {
       refusePly(file_, "the header has no vertices with x, y and z");
     }
-    for (const PlyElement& element : header_.elements)
+    for (PlyElement& element : header_.elements)
     {
       if (element.properties.empty() && element.count > 0)
       {
         refusePly(file_, "the header has an element " + element.name + " without properties");
       }
-    }
-    const PlyElement* const face = header_.find("face");
-    if (face && !face->corners())
-    {
-      refusePly(file_, "the header has faces without vertex_indices");
+      element.role = &element == vertex ? PlyRole::vertices : roleOf(element);
+      if (element.role != PlyRole::other || element.count == 0)
+      {
+        continue;
+      }
+      if (isNameOfFaces(inSmallLetters(element.name)))
+      {
+        file_.refuse("has faces without vertex_indices; give the list of their vertices this name");
+      }
+      if (hasGeometry(element))
+      {
+        header_.notes.push_back({"the element " + shown(element.name) + " is not read",
+          {{"save faces, if it has the surface", {}}},
+          std::to_string(element.count) + " items are passed over"});
+      }
     }
     for (const PlyElement& element : header_.elements)
     {
@@ -235,14 +296,6 @@ private:
   bool hasFormat_ = false;
   bool isComplete_ = false;
 };
-
-template <class Named>
-const Named* findByName(const std::vector<Named>& candidates, const std::string& name)
-{
-  const auto found = std::find_if(candidates.begin(), candidates.end(),
-    [&name](const Named& candidate) { return candidate.name == name; });
-  return found == candidates.end() ? nullptr : &*found;
-}
 
 /// A number that may be any, as files of floating-point ids and lengths have them.
 std::string inDigits(double number)
@@ -302,14 +355,25 @@ std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
 
 const PlyProperty* PlyElement::corners() const
 {
-  const PlyProperty* const found = this->find("vertex_indices");
-  const PlyProperty* const list = found ? found : this->find("vertex_index");
-  return list && list->lengthType ? list : nullptr;
+  for (const char* const usual : {"vertex_indices", "vertex_index"})
+  {
+    const PlyProperty* const list = this->find(usual);
+    if (list && list->lengthType)
+    {
+      return list;
+    }
+  }
+  const auto isList = [](const PlyProperty& property)
+  {
+    return property.lengthType && isInteger(property.type);
+  };
+  const auto list = std::find_if(properties.begin(), properties.end(), isList);
+  return std::count_if(properties.begin(), properties.end(), isList) == 1 ? &*list : nullptr;
 }
 
-const PlyElement* PlyHeader::find(const std::string& element) const
+const PlyElement& PlyHeader::vertices() const
 {
-  return findByName(elements, element);
+  return *findByName(elements, "vertex");
 }
 
 PlyHeader readPlyHeader(const InputFile& file)
@@ -325,6 +389,12 @@ void refusePly(const InputFile& file, const std::string& message)
 std::string badPlyLength(double length)
 {
   return "a list of " + inDigits(length) + " numbers; it is damaged";
+}
+
+bool isPlyCorner(double id, std::int64_t vertices, PlyRole role)
+{
+  return (id >= 0 && id < static_cast<double>(vertices)) ||
+         (role == PlyRole::strips && endsStrip(id));
 }
 
 std::string badPlyCorner(double id, std::int64_t vertices)

@@ -39,11 +39,21 @@ struct PlyProperty
   std::optional<PlyNumber> lengthType; ///< type of a list's length; none for single numbers
 };
 
+/// The meaning of the items of an element.
+enum class PlyRole
+{
+  vertices,
+  faces,
+  strips, ///< of triangles
+  other   ///< not read
+};
+
 /// A number of items with the same properties.
 struct PlyElement
 {
   std::string name;
   std::int64_t count = 0;
+  PlyRole role = PlyRole::other;
   std::vector<PlyProperty> properties;
 
   /// The first property of this name; null if there is none.
@@ -60,9 +70,11 @@ struct PlyElement
   /// none.
   std::vector<const PlyProperty*> textureCoordinates() const;
 
-  /// The list of the vertices of a face, by the name vertex_indices or vertex_index; null if there
-  /// is none.
+  /// The list of the vertices of a face or strip: vertex_indices or vertex_index, else the only
+  /// list of integers; null if there is none.
   const PlyProperty* corners() const;
+
+  bool hasFaces() const { return role == PlyRole::faces || role == PlyRole::strips; }
 };
 
 enum class PlyEncoding
@@ -79,12 +91,13 @@ inline const std::vector<const char*> plyNormal = {"nx", "ny", "nz"};
 struct PlyHeader
 {
   PlyEncoding encoding = PlyEncoding::text;
+  std::vector<Message> notes;       ///< on elements with geometry that are not read
   std::vector<PlyElement> elements; ///< in the order of the file
   std::size_t bytes = 0;            ///< length of the header
   std::size_t lines = 0;            ///< lines of the header
 
-  /// The first element of this name; null if there is none.
-  const PlyElement* find(const std::string& element) const;
+  /// The element of the vertices, which every header has.
+  const PlyElement& vertices() const;
 };
 
 /// Reads the header. Throws FileRefusal where the file is not PLY of version 1.0, promises more
@@ -97,6 +110,10 @@ PlyHeader readPlyHeader(const InputFile& file);
 
 /// Why a list of `length` numbers is refused, where that is no whole number from 0 on.
 std::string badPlyLength(double length);
+
+/// Whether a number names one of `vertices` vertices as the corner of a face or strip, or ends the
+/// latter.
+bool isPlyCorner(double id, std::int64_t vertices, PlyRole role);
 
 /// Why a corner at a vertex of this number is refused, where there are `vertices` vertices.
 std::string badPlyCorner(double id, std::int64_t vertices);

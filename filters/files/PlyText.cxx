@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -170,11 +171,11 @@ private:
 
   void readElement(const PlyElement& element, std::size_t first, std::size_t last)
   {
-    if (&element == header_.find("vertex"))
+    if (element.role == PlyRole::vertices)
     {
       this->readVertices(element, first, last);
     }
-    else if (&element == header_.find("face"))
+    else if (element.hasFaces())
     {
       this->readFaces(element, first, last);
     }
@@ -247,20 +248,24 @@ private:
     {
       return;
     }
-    mesh_.polygons.offsets = PlainArray<std::int64_t>(last - first + 1);
-    mesh_.polygons.offsets[0] = 0;
+    CellArrays cells;
+    cells.offsets = PlainArray<std::int64_t>(last - first + 1);
+    cells.offsets[0] = 0;
     try
     {
-      this->readUniformFaces(face, first, last);
+      this->readUniformFaces(face, first, last, cells);
     }
     catch (const NotUniform&)
     {
-      this->readAnyFaces(face, first, last);
+      this->readAnyFaces(face, first, last, cells);
     }
+    append(
+      mesh_.polygons, face.role == PlyRole::strips ? trianglesOfStrips(cells) : std::move(cells));
   }
 
   /// Reads faces of as many corners as the first one has. Throws NotUniform if others have others.
-  void readUniformFaces(const PlyElement& face, std::size_t first, std::size_t last)
+  void readUniformFaces(
+    const PlyElement& face, std::size_t first, std::size_t last, CellArrays& cells)
   {
     std::size_t length = 0;
     lines_.visit(
@@ -275,7 +280,6 @@ private:
     {
       throw NotUniform();
     }
-    CellArrays& cells = mesh_.polygons;
     cells.connectivity = PlainArray<std::int64_t>(length * (last - first));
     lines_.visit(
       first, last,
@@ -299,10 +303,9 @@ private:
       executor_);
   }
 
-  void readAnyFaces(const PlyElement& face, std::size_t first, std::size_t last)
+  void readAnyFaces(const PlyElement& face, std::size_t first, std::size_t last, CellArrays& cells)
   {
     const std::vector<std::size_t> starts = this->countCorners(face, first, last);
-    CellArrays& cells = mesh_.polygons;
     cells.connectivity = PlainArray<std::int64_t>(starts.back());
     lines_.visit(
       first, last,
@@ -366,7 +369,7 @@ private:
   template <class Place>
   void readFace(LineScanner& words, const PlyElement& face, const Place& place) const
   {
-    const std::int64_t vertices = header_.find("vertex")->count;
+    const std::int64_t vertices = header_.vertices().count;
     for (const PlyProperty& property : face.properties)
     {
       if (&property != face.corners())
@@ -379,7 +382,7 @@ private:
       for (std::size_t i = 0; i < corners; ++i)
       {
         const double id = takeNumber(words);
-        if (!(id >= 0 && id < static_cast<double>(vertices)))
+        if (!isPlyCorner(id, vertices, face.role))
         {
           words.refuse(badPlyCorner(id, vertices) + "; give another file");
         }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace winding
 {
@@ -32,6 +34,20 @@ bool isTiny(std::string_view word)
   return place < -exponent;
 }
 
+/// Whether `rest`, behind a 1, makes it one that is none, as older C libraries write it: 1.#IND,
+/// 1.#QNAN or 1.#INF. `value` then becomes that.
+bool isOldNotANumber(const char* rest, const char* last, double& value)
+{
+  const std::string_view mark(rest, static_cast<std::size_t>(last - rest));
+  if (mark.size() < 4 || mark[0] != '#' || rest[-1] != '.')
+  {
+    return false;
+  }
+  value = mark.substr(0, 4) == "#INF" ? std::copysign(HUGE_VAL, value)
+                                      : std::numeric_limits<double>::quiet_NaN();
+  return mark[1] == 'I' || mark[1] == 'Q' || mark[1] == 'S';
+}
+
 } // namespace
 
 bool parseNumber(std::string_view word, double& value)
@@ -41,7 +57,7 @@ bool parseNumber(std::string_view word, double& value)
   const auto result = std::from_chars(first, last, value);
   if (result.ptr != last || result.ec == std::errc::invalid_argument)
   {
-    return false;
+    return result.ec == std::errc() && isOldNotANumber(result.ptr, last, value);
   }
   if (result.ec == std::errc())
   {
@@ -73,6 +89,15 @@ bool parseInteger(std::string_view word, std::int64_t& value)
   const char* const last = word.data() + word.size();
   const auto result = std::from_chars(withoutPlus(word.data(), last), last, value);
   return result.ec == std::errc() && result.ptr == last;
+}
+
+std::string inSmallLetters(std::string text)
+{
+  for (char& c : text)
+  {
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return text;
 }
 
 std::string shown(std::string_view word)

@@ -54,7 +54,8 @@ inline std::size_t countWords(const char* at, const char* end)
 
 /**
  * Reads a word that is a number: correctly rounded, the same in every locale, with or without a
- * sign, NaN and infinities too. Numbers below the smallest double are 0, as rounding makes them.
+ * sign, NaN and infinities too, also as 1.#QNAN and 1.#INF. Numbers below the smallest double are
+ * 0, as rounding makes them.
  * False for all else, and for numbers beyond the largest double.
  */
 bool parseNumber(std::string_view word, double& value);
@@ -66,6 +67,9 @@ bool takeNumber(const char*& at, const char* end, double& value);
 /// Reads a word that is a whole number, with or without a sign. False if it is none, or does not
 /// fit into the value.
 bool parseInteger(std::string_view word, std::int64_t& value);
+
+/// A text with small letters for capital ones, of those that ASCII has.
+std::string inSmallLetters(std::string text);
 
 /// A word as messages may show it: in quotation marks, short, and without control characters.
 std::string shown(std::string_view word);
