@@ -34,16 +34,17 @@ bool ContentLines::Part::nextLine()
   return false;
 }
 
-ContentLines::ContentLines(const InputFile& file, Executor& executor)
+ContentLines::ContentLines(const InputFile& file, Executor& executor, const Letters& letters)
   : file_(file)
   , blocks_(file)
+  , letters_(letters)
   , starts_(blocks_.count() + 1)
 {
   runOrderedBlocks(
     blocks_.count(),
     [this](std::size_t block)
     {
-      const TextBlock text = blocks_.read(block);
+      const TextBlock text = this->read(block);
       for (LineScanner lines(file_, text); lines.nextLine();)
       {
         ++starts_[block + 1];
@@ -54,6 +55,14 @@ ContentLines::ContentLines(const InputFile& file, Executor& executor)
   {
     starts_[block + 1] += starts_[block];
   }
+}
+
+TextBlock ContentLines::read(std::size_t block) const
+{
+  TextBlock text = blocks_.read(block);
+  text.replace(',', letters_.comma);
+  text.replace(';', letters_.semicolon);
+  return text;
 }
 
 void ContentLines::visit(std::size_t first, std::size_t last,
@@ -71,7 +80,7 @@ void ContentLines::visit(std::size_t first, std::size_t last,
     [&](std::size_t index)
     {
       const std::size_t block = firstBlock + index;
-      const TextBlock text = blocks_.read(block);
+      const TextBlock text = this->read(block);
       Part part(file_, LineScanner(file_, text), starts_[block], starts_[block + 1], first, last);
       work(block, part);
     },
@@ -86,7 +95,7 @@ bool FirstLines::nextLine()
     {
       return false;
     }
-    text_.emplace(lines_.blocks_.read(nextBlock_++));
+    text_.emplace(lines_.read(nextBlock_++));
     words_.emplace(lines_.file_, *text_);
   }
   return true;

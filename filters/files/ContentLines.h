@@ -12,6 +12,14 @@
 namespace winding
 {
 
+/// The letters that stand for the commas and semicolons of a text: blanks, where these separate
+/// words.
+struct Letters
+{
+  char comma = ',';
+  char semicolon = ';';
+};
+
 /**
  * The lines of a text file with more on them than blanks and comments, numbered from 0
  * on: formats that promise a number of items, one on a line, find each by its number.
@@ -20,8 +28,9 @@ class ContentLines
 {
 public:
   /// Counts the lines, and reads the whole file for it. The file must live as long as this object.
-  /// Throws FileRefusal where it cannot be read, and Interrupted.
-  ContentLines(const InputFile& file, Executor& executor);
+  /// `letters` are written for others before words are taken. Throws FileRefusal where the file
+  /// cannot be read, and Interrupted.
+  ContentLines(const InputFile& file, Executor& executor, const Letters& letters = {});
 
   std::size_t count() const { return starts_.back(); }
 
@@ -62,8 +71,11 @@ public:
 private:
   friend class FirstLines;
 
+  TextBlock read(std::size_t block) const;
+
   const InputFile& file_;
   LineBlocks blocks_;
+  Letters letters_;
   std::vector<std::size_t> starts_; ///< the number of the first line of each block; last, of all
 };
 

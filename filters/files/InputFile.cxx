@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <string_view>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -82,6 +83,14 @@ void InputFile::read(std::size_t offset, char* bytes, std::size_t count) const
     bytes += taken;
     count -= static_cast<std::size_t>(taken);
   }
+}
+
+std::size_t InputFile::textStart() const
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  char first[mark.size()] = {};
+  this->read(0, first, std::min(sizeof first, size_));
+  return std::string_view(first, sizeof first) == mark ? mark.size() : 0;
 }
 
 std::size_t InputFile::lineOf(std::size_t offset) const

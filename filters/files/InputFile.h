@@ -55,6 +55,9 @@ public:
   /// The number of bytes when the file was opened.
   std::size_t size() const { return size_; }
 
+  /// The place where text begins: behind a byte order mark of UTF-8, if there is one.
+  std::size_t textStart() const;
+
   /// Copies `count` bytes from the place `offset` on. Throws FileRefusal if they are not there.
   void read(std::size_t offset, char* bytes, std::size_t count) const;
 

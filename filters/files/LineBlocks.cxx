@@ -56,7 +56,7 @@ std::size_t nextLine(const InputFile& file, std::size_t from, LineBlocks::Backsl
 LineBlocks::LineBlocks(
   const InputFile& file, std::size_t start, std::size_t bytesPerBlock, Backslash backslash)
   : file_(&file)
-  , starts_{start}
+  , starts_{std::max(start, file.textStart())}
 {
   while (starts_.back() < file.size())
   {

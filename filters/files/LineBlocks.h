@@ -3,6 +3,7 @@
 #include "files/InputFile.h"
 #include "files/PlainArray.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,15 @@ public:
 
   /// The lines. The last one ends with '\n' as all others do, whether the file's does or not.
   std::string_view text() const { return {bytes_.data(), bytes_.size()}; }
+
+  /// Writes one letter for another, in the text only.
+  void replace(char letter, char other)
+  {
+    if (letter != other)
+    {
+      std::replace(bytes_.begin(), bytes_.end(), letter, other);
+    }
+  }
 
   /// The place in the file of a byte of the text.
   std::size_t offsetOf(const char* at) const
@@ -51,7 +61,8 @@ public:
     isLetter
   };
 
-  /// Lines begin at `start`. Throws FileRefusal where the file cannot be read.
+  /// Lines begin at `start`, or behind the byte order mark of a file. Throws FileRefusal where the
+  /// file cannot be read.
   explicit LineBlocks(const InputFile& file, std::size_t start = 0,
     std::size_t bytesPerBlock = usualBytes, Backslash backslash = Backslash::isLetter);
 

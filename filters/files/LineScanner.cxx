@@ -30,8 +30,15 @@ bool LineScanner::nextLine()
     };
     const auto* const lineEnd =
       static_cast<const char*>(std::memchr(line_, '\n', bytesFrom(last_)));
-    const auto* const comment =
-      static_cast<const char*>(std::memchr(line_, '#', bytesFrom(lineEnd)));
+    const auto commentFrom = [&](const char* at)
+    {
+      return static_cast<const char*>(std::memchr(at, '#', static_cast<std::size_t>(lineEnd - at)));
+    };
+    const char* comment = commentFrom(line_);
+    while (comment && comment > line_ && comment[-1] == '.') // 1.#QNAN is a number (Words.h)
+    {
+      comment = commentFrom(comment + 1);
+    }
     next_ = lineEnd + 1;
     end_ = comment ? comment : lineEnd;
     at_ = skipBlanks(line_, end_);

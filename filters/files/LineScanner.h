@@ -26,6 +26,9 @@ public:
   /// The next word of the line; empty at its end.
   std::string_view word();
 
+  /// Returns the text that is left of the line.
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
+
   /// The number of words that are left on the line.
   std::size_t wordsLeft() const;
 

@@ -1,7 +1,17 @@
 #include "files/PointsFile.h"
 
 #include "base/Progress.h"
+#include "files/ColumnNames.h"
 #include "files/ContentLines.h"
+#include "files/Words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace winding
 {
@@ -18,10 +28,87 @@ struct Layout
   std::size_t points = 0;
   std::size_t firstLine = 0; ///< the number of the line of the first point
   std::size_t numbersPerLine = 3;
+  std::array<std::size_t, 3> position = {0, 1, 2};
+  std::array<std::size_t, 3> normal = {3, 4, 5};
+  bool hasNormals = false;
+  bool hasNames = false;
   bool normalsFollow = false; ///< in lines of their own, after all positions
-
-  bool hasNormals() const { return normalsFollow || numbersPerLine == 6; }
 };
+
+/// Whether commas are decimal points in a line of numbers: there are three words with one at most,
+/// and none at their ends.
+bool hasDecimalCommas(std::string_view line)
+{
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  std::size_t words = 0;
+  for (std::string_view word = takeWord(at, end); !word.empty(); word = takeWord(at, end))
+  {
+    if (std::count(word.begin(), word.end(), ',') > 1 || word.front() == ',' || word.back() == ',')
+    {
+      return false;
+    }
+    ++words;
+  }
+  return words >= 3;
+}
+
+/// Returns what stands for commas and semicolons, by the first line of numbers that has any.
+Letters lettersOf(const InputFile& file)
+{
+  constexpr std::size_t looked = 1 << 16;
+  const std::size_t start = file.textStart();
+  std::string text(std::min(looked, file.size() - start), ' ');
+  file.read(start, text.data(), text.size());
+  std::size_t next = 0;
+  while (next < text.size())
+  {
+    const std::size_t end = std::min(text.find('\n', next), text.size());
+    const std::string_view line =
+      std::string_view(text).substr(next, std::min(text.find('#', next), end) - next);
+    next = end + 1;
+    if (line.find(';') != std::string_view::npos)
+    {
+      return {'.', ' '};
+    }
+    const std::size_t comma = line.find(',');
+    if (comma != std::string_view::npos && line.find_first_of("0123456789") < comma)
+    {
+      return {hasDecimalCommas(line) ? '.' : ' ', ';'};
+    }
+  }
+  return {' ', ';'};
+}
+
+/// The words of a line of names, without the slashes that CloudCompare writes before them. None
+/// where the line begins with a number.
+std::vector<std::string> namesIn(LineScanner words)
+{
+  std::vector<std::string> names;
+  double value = 0;
+  if (words.tryNumber(value))
+  {
+    return names;
+  }
+  for (std::string_view word = words.word(); !word.empty(); word = words.word())
+  {
+    word.remove_prefix(names.empty() && word.substr(0, 2) == "//" ? 2 : 0);
+    if (!word.empty())
+    {
+      names.emplace_back(word);
+    }
+  }
+  return names;
+}
+
+/// Takes columns by their names. Returns whether all are there.
+bool takeColumns(
+  ColumnMeaning meaning, const std::vector<std::string>& names, std::array<std::size_t, 3>& columns)
+{
+  const std::vector<std::size_t> found = columnsOf(meaning, names);
+  std::copy(found.begin(), found.end(), columns.begin());
+  return !found.empty();
+}
 
 Layout findLayout(const InputFile& file, const ContentLines& lines)
 {
@@ -31,10 +118,18 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
     file.refuseEnd("it holds no points");
   }
   Layout layout;
+  const std::vector<std::string> names = namesIn(first.words());
+  const bool isComment = first.words().rest().substr(0, 2) == "//";
+  layout.hasNames = takeColumns(ColumnMeaning::positions, names, layout.position);
+  if ((layout.hasNames || isComment) && !first.nextLine())
+  {
+    file.refuseEnd("it holds no points");
+  }
+  layout.firstLine = layout.hasNames || isComment ? 1 : 0;
   const bool hasCount = first.words().wordsLeft() == 1;
   const auto promised = static_cast<std::size_t>(
     hasCount ? first.words().count("the number of points", bytesPerPoint) : 0);
-  layout.firstLine = hasCount ? 1 : 0;
+  layout.firstLine += hasCount ? 1 : 0;
   if (hasCount && !first.nextLine())
   {
     if (promised == 0)
@@ -44,14 +139,26 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
     file.refuseEnd("it promises " + std::to_string(promised) + " points but has none");
   }
   layout.numbersPerLine = first.words().wordsLeft();
-  if (layout.numbersPerLine != 3 && layout.numbersPerLine != 6)
+  if (layout.hasNames)
+  {
+    layout.hasNormals = takeColumns(ColumnMeaning::normals, names, layout.normal);
+    if (layout.numbersPerLine != names.size())
+    {
+      first.words().refuse("holds " + std::to_string(layout.numbersPerLine) +
+                           " words, but the first line has " + std::to_string(names.size()) +
+                           " names; write one for each column");
+    }
+  }
+  else if (layout.numbersPerLine != 3 && layout.numbersPerLine != 6)
   {
     first.words().refuse("holds " + std::to_string(layout.numbersPerLine) +
-                         " words; a point is x y z or x y z nx ny nz");
+                         " words; a point is x y z or x y z nx ny nz; where there are others, name "
+                         "all in a line before, as in x y z r g b nx ny nz");
   }
   const std::size_t found = lines.count() - layout.firstLine;
   layout.points = hasCount ? promised : found;
   layout.normalsFollow = hasCount && layout.numbersPerLine == 3 && found == 2 * promised;
+  layout.hasNormals |= layout.normalsFollow || (!layout.hasNames && layout.numbersPerLine == 6);
   if (!layout.normalsFollow && found != layout.points)
   {
     first.words().refuse("the file promises " + std::to_string(promised) + " points, but " +
@@ -60,35 +167,98 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
   return layout;
 }
 
-void readVector(LineScanner& words, const char* what, double* into)
+void copyVector(
+  const std::vector<double>& numbers, const std::array<std::size_t, 3>& columns, double* into)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    into[axis] = words.number(what);
-  }
+  std::transform(columns.begin(), columns.end(), into,
+    [&numbers](std::size_t column) { return numbers[column]; });
 }
 
 /// Reads the lines of a part into positions and normals.
 void readPart(ContentLines::Part& part, const Layout& layout, MeshArrays& mesh)
 {
+  std::vector<double> numbers(layout.numbersPerLine);
   while (part.nextLine())
   {
     LineScanner& words = part.words();
-    const std::size_t line = part.number() - layout.firstLine;
-    const bool isNormal = line >= layout.points;
-    readVector(words, "a number",
-      isNormal ? &mesh.normals.doubles[3 * (line - layout.points)]
-               : &mesh.points.doubles[3 * line]);
-    if (layout.numbersPerLine == 6)
+    for (double& number : numbers)
     {
-      readVector(words, "a component of the normal", &mesh.normals.doubles[3 * line]);
+      number = words.number("a number");
     }
     if (!words.word().empty())
     {
       words.refuse("holds more than the " + std::to_string(layout.numbersPerLine) +
                    " numbers of the lines before");
     }
+    const std::size_t line = part.number() - layout.firstLine;
+    if (line >= layout.points)
+    {
+      copyVector(numbers, layout.position, &mesh.normals.doubles[3 * (line - layout.points)]);
+      continue;
+    }
+    copyVector(numbers, layout.position, &mesh.points.doubles[3 * line]);
+    if (layout.hasNormals && !layout.normalsFollow)
+    {
+      copyVector(numbers, layout.normal, &mesh.normals.doubles[3 * line]);
+    }
   }
+}
+
+/// The number that stands for full intensity if vectors are colours; none if they are normals.
+std::optional<double> intensityOf(const PlainArray<double>& vectors)
+{
+  constexpr double most = 65535, tolerance = 0.01;
+  bool areWhole = true;
+  double largest = 0;
+  std::size_t finite = 0, units = 0;
+  for (const double* at = vectors.begin(); at < vectors.end(); at += 3)
+  {
+    const double length = std::hypot(at[0], at[1], at[2]);
+    if (!std::isfinite(length))
+    {
+      continue;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      areWhole = areWhole && at[i] == std::floor(at[i]);
+      largest = std::max(largest, at[i]);
+      if (at[i] < 0 || at[i] > most || (!areWhole && largest > 1))
+      {
+        return {};
+      }
+    }
+    ++finite;
+    units += std::abs(length - 1) < tolerance ? 1 : 0;
+  }
+  if (largest == 0 || (largest <= 1 && 2 * units >= finite))
+  {
+    return {};
+  }
+  return largest <= 1 ? 1 : largest <= 255 ? 255 : most;
+}
+
+/// Makes colours of normals that are some.
+void tellColors(MeshArrays& mesh)
+{
+  PlainArray<double>& vectors = mesh.normals.doubles;
+  const std::optional<double> intensity = intensityOf(vectors);
+  if (!intensity)
+  {
+    return;
+  }
+  mesh.colors = PlainArray<std::uint8_t>(vectors.size());
+  mesh.colorComponents = 3;
+  std::transform(vectors.begin(), vectors.end(), mesh.colors.begin(),
+    [&intensity](double value)
+    {
+      return static_cast<std::uint8_t>(
+        std::isfinite(value) ? std::lround(255 * value / *intensity) : 0);
+    });
+  mesh.normals = {};
+  mesh.notes.push_back({"columns 4 to 6 are taken for colours",
+    {{"estimate normals", {Parameter::estimateNormals}},
+      {"if they are normals, name them x y z nx ny nz in a line before", {}}},
+    "the points have no normals"});
 }
 
 } // namespace
@@ -97,15 +267,19 @@ MeshArrays readPoints(const InputFile& file, Executor& executor)
 {
   Progress progress(executor);
   progress.set(0, 0.2); // counting takes a fifth of the time
-  const ContentLines lines(file, executor);
+  const ContentLines lines(file, executor, lettersOf(file));
   const Layout layout = findLayout(file, lines);
   MeshArrays mesh;
   mesh.points.doubles = PlainArray<double>(3 * layout.points);
-  mesh.normals.doubles = PlainArray<double>(layout.hasNormals() ? 3 * layout.points : 0);
+  mesh.normals.doubles = PlainArray<double>(layout.hasNormals ? 3 * layout.points : 0);
   progress.set(0.2, 1);
   lines.visit(
     layout.firstLine, lines.count(),
     [&](std::size_t, ContentLines::Part& part) { readPart(part, layout, mesh); }, executor);
+  if (!layout.hasNames && !layout.normalsFollow)
+  {
+    tellColors(mesh);
+  }
   mesh.vertices = oneCellOf(layout.points);
   return mesh;
 }
