@@ -103,9 +103,19 @@ bool RowScanner::nextNumber(double& value)
   }
   const RowScanner before = *this;
   std::string_view field;
-  if (this->nextField(field) && parseNumber(contentOf(field), value))
+  if (this->nextField(field))
   {
-    return true;
+    std::string number(contentOf(field));
+    if (parseNumber(number, value))
+    {
+      return true;
+    }
+    const std::size_t comma = separator_ == ';' ? number.find(',') : std::string::npos;
+    if (comma != std::string::npos && parseNumber(number.replace(comma, 1, "."), value))
+    {
+      hasDecimalCommas_ = true;
+      return true;
+    }
   }
   *this = before;
   return false;

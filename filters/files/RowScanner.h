@@ -36,8 +36,11 @@ public:
   bool nextField(std::string_view& field);
 
   /// Takes the next field of the row as a number. Where it is none the field is left, and the
-  /// result is false.
+  /// result is false. Between semicolons a comma may be the decimal point.
   bool nextNumber(double& value);
+
+  /// Whether a comma was the decimal point of any number.
+  bool hasDecimalCommas() const { return hasDecimalCommas_; }
 
   /// Passes over the fields that are left. False where the row does not end.
   bool passRow();
@@ -67,6 +70,7 @@ private:
   const char* end_;
   char separator_;
   RowState state_ = RowState::ended;
+  bool hasDecimalCommas_ = false;
 };
 
 /// A field without spaces and quotation marks around it. Two marks within are still two.

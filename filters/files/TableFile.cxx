@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -84,6 +85,7 @@ public:
     progress.set(0, texts ? 0.7 : 1);
     rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
     rows_.checkEnd();
+    table_.hasDecimalCommas = hasDecimalCommas_;
     bool hasTexts = false;
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
@@ -124,6 +126,10 @@ private:
         table_.rows[part.number()] = {text, fields.row().size()};
       }
     }
+    if (part.fields().hasDecimalCommas())
+    {
+      hasDecimalCommas_ = true;
+    }
   }
 
   void readField(TableRows::Part& part, std::size_t index)
@@ -144,11 +150,21 @@ private:
       return;
     }
     part.fields().nextField(field);
-    if (!target.mayBeText)
+    const std::string_view content = contentOf(field);
+    if (target.mayBeText)
     {
-      part.refuse(shown(contentOf(field)) + " in column " + table_.names[index] + " is no number");
+      isText_[index] = true;
     }
-    isText_[index] = true;
+    else if (content.empty())
+    {
+      target.first[target.step * part.number()] = std::numeric_limits<double>::quiet_NaN();
+    }
+    else
+    {
+      part.refuse(shown(content) + " in column " + table_.names[index] + " is no number; " +
+                  (content.find(',') == std::string_view::npos ? "correct it, or leave it empty"
+                                                               : "write a decimal point"));
+    }
   }
 
   void readTexts(TableRows::Part& part, TextColumns& texts)
@@ -181,7 +197,7 @@ private:
     {
       part.refuse("has " + std::to_string(fields) + (fields == 1 ? " field" : " fields") +
                   ", but the header names " + std::to_string(targets_.size()) +
-                  "; it is truncated or damaged");
+                  "; give each row a field for every column, and decimal points to numbers");
     }
   }
 
@@ -190,45 +206,59 @@ private:
   PointTable& table_;
   std::vector<Target> targets_;           ///< one for each column
   std::vector<std::atomic<bool>> isText_; ///< of each column, whether a field was no number
+  std::atomic<bool> hasDecimalCommas_{false};
 };
 
-/// The words for a table without positions.
-std::string withoutPositions(const PointTable& table, char separator)
+/// The words for a table without positions, by the names between its separators.
+std::string withoutPositions(const std::vector<std::string>& names, char separator)
 {
   const std::string none = "has no columns x, y and z";
-  const auto has = [&table](char letter)
+  const char* at = names.empty() ? nullptr : names[0].data();
+  const std::size_t words = names.size() == 1 ? countWords(at, at + names[0].size()) : 0;
+  return none + (words >= 3 ? ", since blanks separate its fields; give it the suffix .xyz"
+                            : std::string("; name them in the first line, separated by ") +
+                                (separator == '\t' ? "tabs" : "commas"));
+}
+
+/// Reads the header with the first separator that gives it positions. Throws FileRefusal where none
+/// does.
+TableHeader readHeader(const InputFile& file, const TableOptions& options, char& separator)
+{
+  for (const char candidate : {options.separator, ';', ',', '\t'})
   {
-    return table.names.size() == 1 && table.names[0].find(letter) != std::string::npos;
-  };
-  if (separator == ',' && has('\t'))
-  {
-    return none + ", since tabs separate its fields; give it the suffix .tsv";
+    separator = candidate;
+    try
+    {
+      TableHeader header = readTableHeader(file, separator, options.bytesPerBlock);
+      if (!columnsOf(ColumnMeaning::positions, header.names).empty())
+      {
+        return header;
+      }
+    }
+    catch (const FileRefusal& refusal)
+    {
+      if (refusal.fault() != FileFault::format)
+      {
+        throw; // else a quotation mark may end its field before another separator
+      }
+    }
   }
-  if (separator == '\t' && has(','))
-  {
-    return none + ", since commas separate its fields; give it the suffix .csv";
-  }
-  const std::string wanted = separator == '\t' ? "tabs" : "commas";
-  return none + (has(';') ? ", since semicolons separate its fields; put " + wanted + " there"
-                          : "; name them in the first line, separated by " + wanted);
+  const TableHeader header = readTableHeader(file, options.separator, options.bytesPerBlock);
+  file.refuse(withoutPositions(header.names, options.separator));
 }
 
 } // namespace
 
 PointTable readPointTable(const InputFile& file, const TableOptions& options, Executor& executor)
 {
-  TableHeader header = readTableHeader(file, options.separator, options.bytesPerBlock);
   PointTable table;
+  TableHeader header = readHeader(file, options, table.separator);
   table.header = std::move(header.text);
   table.names = std::move(header.names);
   const auto positions = columnsOf(ColumnMeaning::positions, table.names);
-  if (positions.empty())
-  {
-    file.refuse(withoutPositions(table, options.separator));
-  }
   Progress progress(executor);
   progress.set(0, 0.2); // finding the rows takes a fifth of the time
-  const TableRows rows(file, options.separator, header.end, options.bytesPerBlock, executor);
+  const TableRows rows(file, table.separator, header.end, options.bytesPerBlock, executor);
   FieldsParser parser(file, rows, table);
   parser.readInto(table.points.points.doubles, positions);
   std::set<std::string> taken;

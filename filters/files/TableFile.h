@@ -30,7 +30,7 @@ public:
 /// The way to read a table, and what of it.
 struct TableOptions
 {
-  char separator = ',';         ///< or a tab
+  char separator = ',';         ///< or a tab; another one counts where this gives no positions
   bool normalsAndAreas = true;  ///< whether these columns are read apart, or are like all others
   bool rows = false;            ///< whether the texts of the rows are kept
   TextColumns* texts = nullptr; ///< null where columns that have no meaning are not wanted
@@ -50,6 +50,8 @@ struct TableColumn
 struct PointTable
 {
   MeshArrays points;                ///< with normals and areas where there are these columns
+  char separator = ',';             ///< a comma, a tab or a semicolon
+  bool hasDecimalCommas = false;    ///< whether commas are the decimal points of any numbers
   std::string header;               ///< the text of the first row, and the end of its last line
   std::vector<std::string> names;   ///< of all columns, as the header has them
   std::vector<TableColumn> columns; ///< those that have no meaning, if they are wanted
@@ -63,8 +65,9 @@ struct PointTable
  * columns x, y and z, normals from nx, ny and nz, areas from area, where there are any.
  * columnsOf() says which names mean these, and namesOfArrays() gives the other columns theirs;
  * normals and areas, "Normals" and "Area", are taken. Fields may be in quotation marks, as
- * RFC 4180 has it, blank lines are passed over, and so is a byte order mark. All points are in one
- * vertex cell.
+ * RFC 4180 has it, blank lines are passed over, and so are a byte order mark, slashes before the
+ * first name and a number of points on a line of its own behind the names. Empty fields of
+ * positions, normals and areas are NaN. All points are in one vertex cell.
  *
  * Throws FileRefusal for a table without x, y and z, for rows with more or fewer fields than the
  * header, for fields that are no numbers in columns that have to be, and for quotation marks that

@@ -13,8 +13,6 @@ namespace winding
 namespace
 {
 
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-
 [[noreturn]] void refuseQuotation(const InputFile& file, std::size_t offset)
 {
   file.refuseLine(offset, "a quotation mark is not closed, or not at the end of its field");
@@ -64,11 +62,8 @@ Stretch visitWholeRows(
 
 TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce)
 {
-  char first[byteOrderMark.size()] = {};
-  file.read(0, first, std::min(sizeof first, file.size()));
-  const bool hasMark = std::string_view(first, sizeof first) == byteOrderMark;
   TableHeader header;
-  header.end = hasMark ? byteOrderMark.size() : 0;
+  header.end = file.textStart();
   const auto take = [&header, separator](const RowScanner& row)
   {
     header.text.assign(row.rowStart(), row.rest().data());
@@ -89,6 +84,22 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
     }
     bytes *= stretch.end == header.end ? 2 : 1;
     header.end = stretch.end;
+  }
+  bool isCount = false;
+  const Stretch next = visitWholeRows(file, header.end, separator, bytesAtOnce,
+    [&isCount](const RowScanner& row)
+    {
+      const std::string_view text = contentOf(row.row());
+      isCount = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+      return false;
+    });
+  if (isCount && header.names.size() > 1)
+  {
+    header.end = next.end;
+  }
+  if (!header.names.empty() && header.names[0].rfind("//", 0) == 0)
+  {
+    header.names[0].erase(0, 2);
   }
   return header;
 }

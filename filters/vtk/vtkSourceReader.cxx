@@ -8,6 +8,7 @@
 #include "files/TableFile.h"
 #include "private/output/HandedArrays.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 
 #include "vtkDoubleArray.h"
@@ -127,6 +128,16 @@ std::string vtkSourceReader::GetRow(vtkIdType point) const
   return row < this->Table->rows.size() ? std::string(this->Table->rows[row]) : std::string();
 }
 
+char vtkSourceReader::GetSeparator() const
+{
+  return this->Table->separator;
+}
+
+bool vtkSourceReader::GetHasDecimalCommas() const
+{
+  return this->Table->hasDecimalCommas;
+}
+
 int vtkSourceReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -175,6 +186,10 @@ void vtkSourceReader::Read(
     return;
   }
   winding::MeshArrays mesh = format->read(file, executor);
+  for (const winding::Message& note : mesh.notes)
+  {
+    vtkWarningMacro(<< file.name() << ": " << winding::lineOf(note));
+  }
   winding::handOver(mesh, output);
 }
 

@@ -136,6 +136,13 @@ public:
   /// none where no table was read.
   vtkStringArray* GetColumnNames() { return this->ColumnNames; }
 
+  /// Returns the letter between the fields of a table, a comma, a tab or a semicolon, after an
+  /// update.
+  char GetSeparator() const;
+
+  /// Returns whether commas are the decimal points of a table that was read.
+  bool GetHasDecimalCommas() const;
+
 protected:
   vtkSourceReader();
   ~vtkSourceReader() override;

@@ -9,6 +9,7 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace
@@ -40,7 +41,8 @@ void writeTable(const AnswerTable& table, OutputFile& file)
 {
   std::optional<QueryTable>& queries = table.queries.table;
   vtkDataSet* const data = table.answer.data;
-  const char separator = separatorOf(file.name());
+  const char separator = queries ? queries->separator() : separatorOf(file.name());
+  const bool hasDecimalCommas = queries && queries->hasDecimalCommas();
   const char* const lineEnd = queries ? queries->lineEnd() : "\n";
   std::string text =
     queries ? queries->header() : std::string("x") + separator + "y" + separator + "z";
@@ -81,7 +83,12 @@ void writeTable(const AnswerTable& table, OutputFile& file)
     for (vtkDataArray* result : results)
     {
       text += separator;
+      const std::size_t start = text.size();
       appendExact(text, result->GetTuple1(i));
+      if (hasDecimalCommas)
+      {
+        std::replace(text.begin() + static_cast<std::ptrdiff_t>(start), text.end(), '.', ',');
+      }
     }
     text += lineEnd;
     if (text.size() >= bytesAtOnce)

@@ -29,6 +29,7 @@ struct AnswerTable
   bool isExtracted;                 ///< whether the answer has only what is inside
 };
 
-/// Writes a table, with commas or tabs by the suffix of the file; commit() is left to the caller.
-/// Throws Failure when the file cannot be written whole, or the program is interrupted.
+/// Writes a table, with the separators and decimal points of the queries, or by the suffix of the
+/// file if these are no table; commit() is left to the caller. Throws Failure when the file cannot
+/// be written whole, or the program is interrupted.
 void writeTable(const AnswerTable& table, OutputFile& file);

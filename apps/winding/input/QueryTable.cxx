@@ -36,6 +36,16 @@ bool QueryTable::hasColumn(const std::string& name) const
          reader_->GetOutput()->GetPointData()->HasArray(name.c_str()) != 0;
 }
 
+char QueryTable::separator() const
+{
+  return reader_->GetSeparator();
+}
+
+bool QueryTable::hasDecimalCommas() const
+{
+  return reader_->GetHasDecimalCommas();
+}
+
 std::string QueryTable::row(vtkIdType point) const
 {
   return reader_->GetRow(point);

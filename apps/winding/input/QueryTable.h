@@ -34,6 +34,12 @@ public:
   /// The end of the first row's last line, "\n" or "\r\n".
   const char* lineEnd() const { return lineEnd_; }
 
+  /// The letter between its fields.
+  char separator() const;
+
+  /// Whether commas are its decimal points.
+  bool hasDecimalCommas() const;
+
   /// Returns the text of the row of `point`, without the end of its last line.
   std::string row(vtkIdType point) const;
 
