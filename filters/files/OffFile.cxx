@@ -39,16 +39,22 @@ bool takePrefix(std::string_view& word, std::string_view prefix)
 bool readKeyword(LineScanner& words)
 {
   std::string_view keyword = words.word();
-  takePrefix(keyword, "ST");
-  takePrefix(keyword, "C");
-  const bool hasNormals = takePrefix(keyword, "N");
-  if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
+  bool hasNormals = false, isSpatial = true;
+  for (bool isPrefix = true; isPrefix;)
   {
-    words.refuse("vertices of other than three dimensions cannot be read");
+    const bool isNormals = takePrefix(keyword, "N");
+    const bool isDimension = takePrefix(keyword, "4") || takePrefix(keyword, "n");
+    hasNormals = hasNormals || isNormals;
+    isSpatial = isSpatial && !isDimension;
+    isPrefix = isNormals || isDimension || takePrefix(keyword, "C") || takePrefix(keyword, "ST");
   }
   if (keyword != "OFF")
   {
-    words.refuse("is not an OFF file: the keyword OFF is missing");
+    words.refuse("is not an OFF file: the keyword OFF is missing; write it before the numbers");
+  }
+  if (!isSpatial)
+  {
+    words.refuse("vertices have not three dimensions; give a file without 4 and n before OFF");
   }
   return hasNormals;
 }
@@ -58,7 +64,7 @@ Header readHeader(const InputFile& file, const ContentLines& lines)
   FirstLines first(lines);
   if (!first.nextLine())
   {
-    file.refuse("is not an OFF file: the keyword OFF is missing");
+    file.refuse("is not an OFF file: it has no lines; give another file");
   }
   Header header;
   header.hasNormals = readKeyword(first.words());
@@ -250,6 +256,12 @@ MeshArrays readOff(const InputFile& file, Executor& executor)
   if (header.faces == 0)
   {
     mesh.vertices = oneCellOf(header.vertices);
+  }
+  if (lines.count() > header.end())
+  {
+    mesh.notes.push_back({"lines behind the last face are not read",
+      {{"correct the counts in the first lines, if these are faces", {}}},
+      "there are " + std::to_string(lines.count() - header.end())});
   }
   return mesh;
 }
