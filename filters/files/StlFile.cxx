@@ -3,10 +3,11 @@
 #include "files/BinaryNumbers.h"
 #include "files/OrderedBlocks.h"
 #include "files/StlText.h"
+#include "files/Words.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
+#include <string>
 
 namespace winding
 {
@@ -32,17 +33,33 @@ std::size_t promisedTriangles(const InputFile& file)
   return numberAt<std::uint32_t, isBigEndianMachine>(bytes);
 }
 
+/// Whether a file is binary. Throws FileRefusal for text of another format.
 bool isBinary(const InputFile& file)
 {
-  char bytes[5] = {};
-  file.read(0, bytes, std::min(sizeof bytes, file.size()));
-  for (char& letter : bytes)
-  {
-    letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  }
   // Some programs begin binary files with "solid", too, as text files begin.
-  return std::string_view(bytes, sizeof bytes) != "solid" ||
-         file.size() == headerBytes + triangleBytes * promisedTriangles(file);
+  if (file.size() == headerBytes + triangleBytes * promisedTriangles(file))
+  {
+    return true;
+  }
+  constexpr std::size_t looked = 1024;
+  const std::size_t start = file.textStart();
+  std::string head(std::min(looked, file.size() - start), ' ');
+  file.read(start, head.data(), head.size());
+  std::size_t word = head.find_first_not_of(" \t\r\n");
+  while (word < head.size() && head[word] == '#')
+  {
+    word = head.find_first_not_of(" \t\r\n", head.find('\n', word));
+  }
+  if (word < head.size() && inSmallLetters(head.substr(word, 5)) == "solid")
+  {
+    return false;
+  }
+  if (head.find('\0') == std::string::npos)
+  {
+    file.refuse("is not STL: it is text without solid at its beginning; give it the suffix of its "
+                "format");
+  }
+  return true;
 }
 
 void checkSize(const InputFile& file)

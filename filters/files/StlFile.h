@@ -11,7 +11,7 @@ namespace winding
  * Reads a surface of triangles from stereolithography files (.stl), binary ones or text, whose
  * words may be in small letters or capital ones, with any number of solids behind each other. A
  * file is binary where it has the size of a binary file of the number of triangles that it
- * promises, or where it does not begin with "solid".
+ * promises, or where it is no text. Text begins with "solid", behind blank lines or not.
  *
  * Each triangle has three points of its own, in the order of the file, as floats from binary files
  * and doubles from text; nothing is welded. The normals and attributes of facets, colours and the

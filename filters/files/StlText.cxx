@@ -221,7 +221,7 @@ private:
       const State next = keywordOf(word).next[state];
       if (next == faulty)
       {
-        scanner.refuse(shown(word) + " stands where " + expected[state] + " should; it is damaged");
+        scanner.refuse(shown(word) + " stands where " + expected[state] + " should; correct it");
       }
       state = next;
     }
