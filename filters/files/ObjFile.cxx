@@ -5,9 +5,10 @@
 #include "files/OrderedBlocks.h"
 #include "files/Words.h"
 
+#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 namespace winding
@@ -28,6 +29,7 @@ struct Counts
   std::int64_t items[3] = {};
   std::int64_t cells[3] = {};
   std::int64_t corners[3] = {};
+  std::int64_t freeForms = 0; ///< curves and surfaces
 
   void add(const Counts& other)
   {
@@ -37,16 +39,24 @@ struct Counts
       cells[kind] += other.cells[kind];
       corners[kind] += other.corners[kind];
     }
+    freeForms += other.freeForms;
   }
 };
 
-/// The statements that are read.
+/// The statements that are read or counted.
 enum class Statement
 {
   other,
   item,
-  cell
+  cell,
+  freeForm
 };
+
+bool isFreeForm(std::string_view keyword)
+{
+  const char* const names[] = {"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp", "res"};
+  return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
+}
 
 /// A line, or several that backslashes connect, and its statement.
 class ObjLines
@@ -76,7 +86,7 @@ public:
     const std::string_view keyword = takeWord(at_, end_);
     if (keyword.empty() || keyword.size() > 2)
     {
-      return Statement::other;
+      return isFreeForm(keyword) ? Statement::freeForm : Statement::other;
     }
     const char first = keyword[0], second = keyword.size() > 1 ? keyword[1] : '\0';
     if (first == 'v')
@@ -85,7 +95,8 @@ public:
       return kind > 0 || second == '\0' ? Statement::item : Statement::other;
     }
     kind = first == 'f' ? 2 : first == 'l' ? 1 : 0;
-    return second == '\0' && (kind > 0 || first == 'p') ? Statement::cell : Statement::other;
+    const bool isWhole = second == '\0' || keyword == "fo"; // the older name of f
+    return isWhole && (kind > 0 || first == 'p') ? Statement::cell : Statement::other;
   }
 
   bool takeNumber(double& value) { return winding::takeNumber(at_, end_, value); }
@@ -131,6 +142,7 @@ Counts countsOf(std::string_view text)
   {
     const Statement statement = lines.takeStatement(kind);
     counts.items[kind] += statement == Statement::item ? 1 : 0;
+    counts.freeForms += statement == Statement::freeForm ? 1 : 0;
     if (statement == Statement::cell)
     {
       ++counts.cells[kind];
@@ -168,6 +180,7 @@ public:
     {
       mesh_.normals = {};
     }
+    this->addNotes();
     return std::move(mesh_);
   }
 
@@ -189,6 +202,23 @@ private:
     if (starts_.back().items[0] == 0)
     {
       file_.refuse("is not OBJ: it has no line with a vertex; give another file");
+    }
+  }
+
+  void addNotes()
+  {
+    const Counts& all = starts_.back();
+    if (all.freeForms > 0)
+    {
+      mesh_.notes.push_back({"free-form curves and surfaces are not read",
+        {{"export them as polygons", {}}}, "there are " + std::to_string(all.freeForms)});
+    }
+    if (all.items[2] > 0 && !normalsFit_ && all.cells[2] == 0)
+    {
+      mesh_.notes.push_back(
+        {"normals that fit no vertices are not read", {{"export one for each vertex", {}}},
+          std::to_string(all.items[2]) + " normals for " + std::to_string(all.items[0]) +
+            " vertices"});
     }
   }
 
@@ -272,10 +302,6 @@ private:
       {
         this->refuse(lines, text,
           std::string("a ") + itemNames[kind] + " without its numbers; it is truncated or damaged");
-      }
-      if (kind == 0 && !std::isfinite(values[i]))
-      {
-        this->refuse(lines, text, "a vertex that is not a number; remove it and its faces");
       }
     }
     double* const into = kind == 0   ? mesh_.points.doubles.data()

@@ -13,13 +13,13 @@ namespace winding
  * line. Corners name vertices from 1 on, or with negative numbers back from the last one before.
  *
  * Normals (vn) belong to vertices where there are as many of them as vertices, and no corner
- * names the normal of another vertex; else they are left out. Texture coordinates (vt), colours,
- * groups and materials are passed over.
+ * names the normal of another vertex; else they are left out, with a note where there are no
+ * faces. Texture coordinates (vt), colours, groups and materials are passed over, and so are
+ * free-form curves and surfaces, which a note counts.
  *
  * Throws FileRefusal for files without vertices, vertices, normals and texture coordinates without
- * their numbers, vertices that are not finite, faces with fewer than three corners, and corners
- * that name what does not exist. Throws Interrupted. The result is the same for any number of
- * threads.
+ * their numbers, faces with fewer than three corners, and corners that name what does not exist.
+ * Throws Interrupted. The result is the same for any number of threads.
  *
  * The format is described in "Object Files (.obj)", Advanced Visualizer Manual, Wavefront
  * Technologies, appendix B1.
