@@ -1,6 +1,7 @@
 #include "vtkPointAreas.h"
 
 #include "base/Progress.h"
+#include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/OutwardNormals.h"
 #include "private/pipeline/ErrorReports.h"
@@ -232,12 +233,29 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
     winding::withNormals(
       winding::bytesOfAreas, winding::mayFindConsistentNormals(properties.field)),
     "the areas", ranks);
-  const std::vector<winding::OrientedPointsView> own = input.orientedPoints();
+  std::vector<winding::OrientedPointsView> own = input.orientedPoints();
   input.gather(ranks);
-  const std::vector<winding::OrientedPointsView> all =
-    input.isGathered() ? input.orientedPoints() : own;
+  std::vector<winding::OrientedPointsView> all = input.isGathered() ? input.orientedPoints() : own;
   winding::PointCloud cloud = winding::sanitize(all, executor);
   const bool estimates = cloud.normals.size() < cloud.positions.size();
+  if (estimates)
+  {
+    if (this->EstimateNormals == 0)
+    {
+      throw winding::Refusal(winding::missingNormals(true));
+    }
+    for (std::vector<winding::OrientedPointsView>* views : {&own, &all})
+    {
+      for (winding::OrientedPointsView& view : *views)
+      {
+        view.normals = {};
+      }
+    }
+  }
+  else if (this->EstimateNormals != 0 && !cloud.positions.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::keptNormals()));
+  }
   this->FindNormalsAndAreas(cloud, executor);
   const auto getsNormals = [&](vtkPointSet* pointSet)
   {

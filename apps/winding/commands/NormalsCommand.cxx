@@ -73,25 +73,6 @@ vtkSmartPointer<vtkPolyData> bare(vtkPointSet* data)
   return cloud;
 }
 
-/// Refuses points whose normals all have length 0, as programs write that have none.
-void checkNormals(vtkPointSet* input, const std::string& file)
-{
-  vtkDataArray* const normals = input->GetPointData()->GetNormals();
-  for (vtkIdType id = 0; normals && id < normals->GetNumberOfTuples(); ++id)
-  {
-    double normal[3];
-    normals->GetTuple(id, normal);
-    if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0)
-    {
-      return;
-    }
-  }
-  if (normals)
-  {
-    throw Failure(EXIT_REFUSED, file, "has normals of length 0 only; --replace estimates others");
-  }
-}
-
 /// The points that have a place and a normal; the filter has warned of others.
 vtkSmartPointer<vtkPolyData> oriented(vtkPointSet* found)
 {
@@ -178,10 +159,6 @@ void runNormals(const Options& options, Messages& messages)
   {
     throw Failure(EXIT_REFUSED, options.input, "has no points; give a file that has some");
   }
-  if (!options.replace)
-  {
-    checkNormals(input, options.input);
-  }
   vtkNew<vtkPointAreas> filter;
   filter->SetInputDataObject(options.replace ? bare(input).Get() : input.Get());
   filter->EstimateNormalsOn();
@@ -198,12 +175,6 @@ void runNormals(const Options& options, Messages& messages)
   figures.find = stopwatch.seconds() - figures.read;
   const bool areEstimated = *filter->GetNormalEstimationUsed() != '\0';
   figures.areMesh = !areEstimated && !figures.haveNormals;
-  if (!areEstimated)
-  {
-    messages.warn(options.input + ": --replace estimates other normals; without it, " +
-                  (figures.haveNormals ? "points keep the normals that they have"
-                                       : "points of a mesh get the normals of its faces"));
-  }
   const auto cloud = oriented(vtkPointSet::SafeDownCast(filter->GetOutput()));
   writeCloud(cloud, output, messages);
   output.commit();

@@ -96,7 +96,8 @@ enum class Parameter
   image,
   contour,
   tube,
-  orientedNormals
+  orientedNormals,
+  replacedNormals
 };
 
 } // namespace winding

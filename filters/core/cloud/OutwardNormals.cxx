@@ -133,12 +133,18 @@ OutwardNormals giveOutwardNormals(
   return found;
 }
 
-Message missingNormals()
+Message missingNormals(bool areZero)
 {
-  return {"the points have no normals",
+  return {areZero ? "all normals have length 0" : "the points have no normals",
     {{"", {{Parameter::estimateNormals, 1}}},
       {"compute oriented ones first", {Parameter::orientedNormals}}},
     "without them nothing tells inside from outside"};
+}
+
+Message keptNormals()
+{
+  return {"normals are taken as given or from faces",
+    {{"to estimate others, give the points alone", {Parameter::replacedNormals}}}};
 }
 
 Message adviceOnNormals(const CloudOrientation& orientation)

@@ -36,8 +36,11 @@ struct OutwardNormals
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
   const PointAreaOptions& areas, Executor& executor);
 
-/// Returns what users of a cloud without normals can do.
-Message missingNormals();
+/// Returns what users of a cloud without normals can do, or of one whose normals are all 0.
+Message missingNormals(bool areZero = false);
+
+/// Returns what users can do who ask for estimated normals of points that have some.
+Message keptNormals();
 
 /// Returns what users of estimated normals can do where their field is not clear, with figures.
 Message adviceOnNormals(const CloudOrientation& orientation);

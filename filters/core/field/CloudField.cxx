@@ -53,7 +53,12 @@ CloudField::CloudField(
   info_.normalsAreEstimated = cloud_.normals.size() < cloud_.positions.size();
   if (info_.normalsAreEstimated && !options.estimateNormals)
   {
-    throw Refusal(missingNormals());
+    throw Refusal(missingNormals(std::any_of(views.begin(), views.end(),
+      [](const OrientedPointsView& view) { return !view.normals.empty(); })));
+  }
+  if (options.estimateNormals && !info_.normalsAreEstimated && info_.primitives > 0)
+  {
+    info_.warnings.push_back(keptNormals());
   }
   this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);

@@ -108,13 +108,7 @@ Message mainAdviceOn(const CloudReport& report)
   const bool onlyZeros = report.zeroNormals + report.nonFinite == report.points;
   if (!report.hasNormals || onlyZeros)
   {
-    Message message = missingNormals();
-    if (onlyZeros)
-    {
-      message.fault = "all normals have length 0";
-      message.facts = "leave them out first";
-    }
-    return message;
+    return missingNormals(report.hasNormals);
   }
   if (report.places == 1)
   {

@@ -421,12 +421,37 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
   return surface;
 }
 
-PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor)
+bool haveDirections(const VectorsView& normals)
 {
-  for (const OrientedPointsView& view : views)
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Eigen::Vector3d normal = normals[i];
+    if (normal.allFinite() && normal != Eigen::Vector3d::Zero())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void removeEmptyNormals(std::vector<OrientedPointsView>& views)
+{
+  const bool isAny = std::any_of(views.begin(), views.end(),
+    [](const OrientedPointsView& view) { return haveDirections(view.normals); });
+  for (OrientedPointsView& view : views)
+  {
+    view.normals = isAny ? view.normals : VectorsView();
+  }
+}
+
+PointCloud sanitize(const std::vector<OrientedPointsView>& given, Executor& executor)
+{
+  for (const OrientedPointsView& view : given)
   {
     checkLengths(view);
   }
+  std::vector<OrientedPointsView> views = given;
+  removeEmptyNormals(views);
   const bool withNormals = allOrNone(
     views, "normals", [](const OrientedPointsView& view) { return view.normals.empty(); });
   const bool withAreas =
@@ -461,11 +486,10 @@ PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& exec
   cloud.badAreaPoints = sumOf(faults, PointFault::badArea);
   if (cloud.inputPoints > 0 && cloud.dropped() == cloud.inputPoints)
   {
-    throw Refusal("mend the cloud: all " + std::to_string(cloud.inputPoints) +
-                  " points are unusable, " + std::to_string(cloud.nonFinitePoints) +
-                  " with NaN or infinite values, " + std::to_string(cloud.zeroNormalPoints) +
-                  " with normals of length 0, " + std::to_string(cloud.badAreaPoints) +
-                  " with negative areas");
+    throw Refusal(Message("all points are unusable", {{"give points with a place", {}}},
+      "of " + std::to_string(cloud.inputPoints) + ", " + std::to_string(cloud.nonFinitePoints) +
+        " have NaN or infinite values, " + std::to_string(cloud.zeroNormalPoints) +
+        " normals of length 0, " + std::to_string(cloud.badAreaPoints) + " negative areas"));
   }
 
   const std::vector<std::size_t> starts = startsOfKept(faults);
@@ -556,12 +580,14 @@ Bounds boundsOf(const std::vector<OrientedPointsView>& views)
   return boundsOf(views, serial);
 }
 
-Bounds boundsOf(const std::vector<OrientedPointsView>& views, Executor& executor)
+Bounds boundsOf(const std::vector<OrientedPointsView>& given, Executor& executor)
 {
-  for (const OrientedPointsView& view : views)
+  for (const OrientedPointsView& view : given)
   {
     checkLengths(view);
   }
+  std::vector<OrientedPointsView> views = given;
+  removeEmptyNormals(views);
   const Bounds bounds = boundsOfUsable(
     views,
     [](const OrientedPointsView& view, std::size_t point, Bounds& box)

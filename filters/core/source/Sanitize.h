@@ -36,6 +36,12 @@ double largestArea(const Bounds& bounds);
 /// Throws Refusal when the arrays of a view differ in length.
 void checkLengths(const OrientedPointsView& view);
 
+/// Whether any of some normals is finite and not 0. Programs write zeros where they have none.
+bool haveDirections(const VectorsView& normals);
+
+/// Takes the normals away from views if none has any direction, so that they lack normals.
+void removeEmptyNormals(std::vector<OrientedPointsView>& views);
+
 /**
  * Makes one source of several views, in their order; the source is the same for every executor.
  * Takes linear time and, for a surface, 5 bytes per point of the input and 8 per point that
@@ -43,7 +49,7 @@ void checkLengths(const OrientedPointsView& view);
  * had to be dropped, when a number is out of range (points that no triangle uses count for clouds
  * only), when a view's arrays differ in length, when there are more than 2³¹ − 1 triangles or
  * vertices remain, or for more than 2³² − 1 points; throws Interrupted when the executor was
- * interrupted.
+ * interrupted. A cloud whose normals all have length 0 becomes one without normals.
  */
 Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor);
 PointCloud sanitize(const std::vector<OrientedPointsView>& views, Executor& executor);
