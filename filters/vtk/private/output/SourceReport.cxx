@@ -155,7 +155,9 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
   writer.measure("outward_share", orientation(&CloudOrientation::outward));
   writer.measure("inward_share", orientation(&CloudOrientation::inward));
   writer.box("bbox", report.bounds);
-  writer.text("advice", lineOf(adviceOn(report)));
+  const std::vector<Message> advice =
+    source.hasOnlyLines() ? std::vector<Message>{onlyLines()} : adviceOn(report);
+  writer.text("advice", lineOf(advice));
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "private/source/FlatTriangles.h"
 #include "private/source/PointArrays.h"
 #include "private/source/SourceParts.h"
+#include "source/Sanitize.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -69,6 +70,10 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   const bool isMesh = hasFaces(points);
   const bool isSurface = isMesh && !options_.asPoints;
+  if (isSurface)
+  {
+    countLoose(points, counts_);
+  }
   const auto own = ownPartOf(points, options_.takesFaces, name, counts_);
   if (own->GetNumberOfPoints() == 0)
   {
@@ -115,6 +120,12 @@ bool InputViews::lacksNormals() const
   return std::any_of(leaves_.begin(), leaves_.end(),
     [this](vtkPointSet* leaf)
     { return !hasFaces(leaf) && !normalsOf(leaf, options_.normalsArray); });
+}
+
+bool InputViews::hasOnlyLines() const
+{
+  return !isSurface_ && this->lacksNormals() &&
+         std::any_of(leaves_.begin(), leaves_.end(), hasLines);
 }
 
 vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
@@ -334,12 +345,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
   const bool withoutNormals = this->lacksNormals();
   if (withoutNormals && !options_.estimateNormals)
   {
-    if (std::any_of(leaves_.begin(), leaves_.end(), hasLines))
-    {
-      throw Refusal(Message("the input has only lines, which bound nothing",
-        {{"make a surface of them first", {Parameter::tube}}}));
-    }
-    throw Refusal(missingNormals());
+    throw Refusal(this->hasOnlyLines() ? onlyLines() : missingNormals());
   }
   std::vector<OrientedPointsView> views;
   pointSets_.clear();
@@ -360,6 +366,10 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
     vtkDataArray* ownNormals = normalsOf(leaf, options_.normalsArray);
+    if (isMesh && ownNormals && !haveDirections(this->vectorsOf(ownNormals)))
+    {
+      ownNormals = nullptr; // the faces have directions
+    }
     const MeshVertices* vertices = isMesh && (!ownNormals || options_.areas == AreaSource::mesh)
                                      ? &this->verticesOf(leaf)
                                      : nullptr;
@@ -381,6 +391,12 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     pointSets_.push_back(leaf);
   }
   return views;
+}
+
+Message onlyLines()
+{
+  return {"the input has only lines, which bound nothing",
+    {{"make a surface of them first", {Parameter::tube}}}};
 }
 
 std::vector<VectorsView> InputViews::points()

@@ -109,6 +109,9 @@ public:
   /// All points of the source, those without triangles too.
   std::vector<VectorsView> points();
 
+  /// Whether the points of this rank's part belong to lines, and have no normals.
+  bool hasOnlyLines() const;
+
   /// Counts of the cells of this rank's part; what views show is known once they are made.
   const CellCounts& cellCounts() const { return counts_; }
 
@@ -148,5 +151,8 @@ private:
   std::vector<std::vector<std::int64_t>> ids_;
   std::vector<MeshVertices> vertices_;
 };
+
+/// Returns what users of a source of lines can do.
+Message onlyLines();
 
 } // namespace winding

@@ -60,6 +60,12 @@ std::vector<Message> notesOn(const CellCounts& counts)
       {"cells with and without volume are mixed", {{"choose which", {Parameter::surfaceCells}}},
         std::to_string(counts.leftOut) + " cells of the other kind are left out"});
   }
+  if (counts.loose > 0)
+  {
+    notes.push_back(
+      {"lines and single points bound nothing", {{"make faces of them, if they are walls", {}}},
+        std::to_string(counts.loose) + " are left out"});
+  }
   if (counts.flat > 0)
   {
     notes.push_back({"curved cells are cut off", {{"divide them finer first", {}}},
@@ -67,6 +73,22 @@ std::vector<Message> notesOn(const CellCounts& counts)
                                     "their triangles"});
   }
   return notes;
+}
+
+void countLoose(vtkPointSet* mesh, CellCounts& counts)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(mesh))
+  {
+    counts.loose +=
+      static_cast<std::size_t>(polyData->GetNumberOfLines() + polyData->GetNumberOfVerts());
+    return;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  for (vtkIdType cell = 0; grid && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int dimension = dimensionOf(grid->GetCellType(cell));
+    counts.loose += dimension == 0 || dimension == 1 ? 1 : 0;
+  }
 }
 
 bool isGhostCell(vtkUnsignedCharArray* flags, vtkIdType cell)

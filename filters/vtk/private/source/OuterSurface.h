@@ -21,11 +21,15 @@ struct CellCounts
 {
   std::size_t turned = 0;  ///< cells with volume at the outer surface, ordered the other way round
   std::size_t leftOut = 0; ///< cells of two dimensions where there are three, or the latter
+  std::size_t loose = 0;   ///< lines and single points, where there are faces or cells with volume
   std::size_t flat = 0;    ///< curved faces that no division brings near enough to their shape
 };
 
 /// Returns what a user should know of cells that were counted.
 std::vector<Message> notesOn(const CellCounts& counts);
+
+/// Counts the lines and single points of a mesh.
+void countLoose(vtkPointSet* mesh, CellCounts& counts);
 
 /// Returns whether another piece of the data has a cell too, or it is hidden or refined. `flags` is
 /// the ghost array of the cells, or null.

@@ -69,6 +69,10 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string
 
 vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces, CellCounts& counts)
 {
+  if (hasFaces(leaf))
+  {
+    countLoose(leaf, counts);
+  }
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
   {
     return polyData;
