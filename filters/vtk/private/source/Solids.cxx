@@ -49,6 +49,11 @@ Refusal refusedRegions(const std::string& fault)
 vtkDataArray* regionsOf(vtkPointSet* data, const std::string& name)
 {
   vtkDataArray* regions = data->GetCellData()->GetArray(name.c_str());
+  if (!regions && data->GetCellData()->HasArray(name.c_str()) != 0)
+  {
+    throw Refusal(Message("'" + name + "' holds text, and regions are integers",
+      {{"number its values in another array", {Parameter::regionArray}}}));
+  }
   if (!regions)
   {
     const bool isOfPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
