@@ -25,7 +25,7 @@ bool isOff(std::string_view text)
     text.remove_prefix(std::min(start, text.size()));
   }
   const std::string_view word = takeWord(text);
-  return word.size() >= 3 && word.size() <= 8 && word.substr(word.size() - 3) == "OFF" &&
+  return word.size() >= 3 && word.size() <= 9 && word.substr(word.size() - 3) == "OFF" &&
          std::all_of(word.begin(), word.end(),
            [](char c) { return (c >= 'A' && c <= 'Z') || c == '4' || c == 'n'; });
 }
@@ -87,7 +87,11 @@ void checkContentFits(const std::string& fileName)
 {
   const std::string suffix = suffixOf(fileName);
   const std::string name = suffix.size() > 1 ? suffix.substr(1) : suffix;
-  const std::string head = beginningOf(fileName, 1024);
+  std::string head = beginningOf(fileName, 1024);
+  if (startsWith(head, "\xEF\xBB\xBF"))
+  {
+    head.erase(0, 3); // a byte order mark
+  }
   if (const char* compressed = compressedKind(head))
   {
     throw Failure(EXIT_REFUSED, fileName,

@@ -1,5 +1,6 @@
 #include "input/ReaderProcess.h"
 
+#include "files/Text.h"
 #include "input/DataStream.h"
 #include "input/ReaderChild.h"
 #include "program/Failure.h"
@@ -8,13 +9,18 @@
 #include "program/Progress.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellType.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkVersionMacros.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -174,9 +180,48 @@ std::string endInWords(int status)
   return reader + (signal == 0 ? "gives it up" : "crashes on it") + "; it is damaged";
 }
 
-/// Takes messages up to the last one.
+/// The newest version of VTK's XML formats that this VTK reads. Another layout of polyhedra came
+/// with 2.3, and older readers pass over it in silence.
+constexpr bool knowsPolyhedra = VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4;
+constexpr std::pair<int, int> newestFormat = {2, knowsPolyhedra ? 3 : 2};
+
+/// The version of a file of VTK's XML formats if it is newer than what VTK reads; else empty.
+std::string newerFormat(const std::string& fileName)
+{
+  const std::string head = beginningOf(fileName, 1024), attribute = " version=\"";
+  const std::size_t at = head.find(attribute, std::min(head.find("<VTKFile"), head.size()));
+  std::pair<int, int> version;
+  const bool isThere = at != std::string::npos && std::sscanf(head.c_str() + at + attribute.size(),
+                                                    "%d.%d", &version.first, &version.second) == 2;
+  return isThere && version > newestFormat
+           ? std::to_string(version.first) + "." + std::to_string(version.second)
+           : "";
+}
+
+/// Throws Failure for what cannot be read of a newer format, unless a condition holds.
+void requireKnown(bool condition, const std::string& fileName, const std::string& newer)
+{
+  if (!condition)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "was written by a newer VTK, format " + newer + "; save its surface there, as .ply");
+  }
+}
+
+bool hasPolyhedra(vtkPointSet* data)
+{
+  bool isAny = false;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells() && !isAny; ++cell)
+  {
+    isAny = data->GetCellType(cell) == VTK_POLYHEDRON;
+  }
+  return isAny;
+}
+
+/// Takes messages up to the last one. `newer` is the version of a format that is newer than VTK's,
+/// or empty.
 vtkSmartPointer<vtkPointSet> receive(
-  ReaderProcess& process, const std::string& fileName, Messages& messages)
+  ReaderProcess& process, const std::string& fileName, const std::string& newer, Messages& messages)
 {
   vtkNew<vtkAlgorithm> follower; // has the progress of the reader
   const Progress progress(follower, Phase::reading, messages.isQuiet());
@@ -192,16 +237,19 @@ vtkSmartPointer<vtkPointSet> receive(
       warnings.push_back(process.takeText());
       break;
     case ReaderMessage::error:
+      requireKnown(newer.empty(), fileName, newer);
       messages.DisplayErrorText(process.takeText().c_str());
       messages.throwIfError(fileName);
       break;
     case ReaderMessage::failure:
     {
+      requireKnown(newer.empty(), fileName, newer);
       const auto status = static_cast<ExitStatus>(process.take<int>());
       throw Failure(status, process.takeText());
     }
     case ReaderMessage::data:
       auto data = receiveData(process);
+      requireKnown(newer.empty() || knowsPolyhedra || !hasPolyhedra(data), fileName, newer);
       for (const std::string& warning : warnings)
       {
         messages.DisplayWarningText(warning.c_str());
@@ -217,12 +265,14 @@ vtkSmartPointer<vtkPointSet> readInProcess(
   const std::string& fileName, const VtkFormat& format, Messages& messages)
 {
   ReaderProcess process(fileName, format);
+  const std::string newer = newerFormat(fileName);
   try
   {
-    return receive(process, fileName, messages);
+    return receive(process, fileName, newer, messages);
   }
   catch (const ReaderEnded&)
   {
+    requireKnown(newer.empty(), fileName, newer);
     const int status = process.waitForEnd();
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_NO_MEMORY)
     {

@@ -159,12 +159,19 @@ void checkGridCell(
   vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
 {
   const int type = grid->GetCellType(cell);
+  const std::string ofCell = "cell " + std::to_string(cell) + " of " + name;
   if (dimensionOf(type) < 0)
   {
-    refuseCell(name, cell, "has type " + std::to_string(type) + ", which VTK does not know");
+    throw Refusal(Message(ofCell + " has unknown type " + std::to_string(type),
+      {{"use a VTK that knows it", {}}, {"leave these cells out", {}}}));
   }
   if (!hasFacesOfItsType(grid, cell))
   {
+    if (type == VTK_POLYHEDRON)
+    {
+      throw Refusal(Message(ofCell + " is a polyhedron without faces",
+        {{"read it with a newer VTK, if one has written it", {}}, {"give it faces", {}}}));
+    }
     refuseCell(name, cell, "has faces that are not there, or none where it needs some");
   }
   double degrees[3];
