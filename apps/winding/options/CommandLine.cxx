@@ -9,6 +9,9 @@
 #include "vtkWindingNumberLabels.h"
 
 #include <algorithm>
+#include <climits>
+#include <cmath>
+#include <cstdlib>
 
 namespace
 {
@@ -240,11 +243,32 @@ std::string nameOfAll(const std::vector<std::string>& files)
                            : files[0] + " and " + std::to_string(files.size() - 1) + " more";
 }
 
+/// Returns what to give in place of a word that is no number for its option, by the parser's words
+/// "Could not convert: --option = word". Returns nothing for other words.
+std::string wordsForNumber(const std::string& text)
+{
+  const std::string before = "Could not convert: ", between = " = ";
+  const std::size_t at = text.find(between);
+  if (text.rfind(before, 0) != 0 || at == std::string::npos)
+  {
+    return "";
+  }
+  const std::string option = text.substr(before.size(), at - before.size());
+  const std::string word = text.substr(at + between.size());
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  const bool isNumber = end != word.c_str() && *end == '\0' && std::abs(value) <= INT_MAX;
+  return option + " is " + word + "; give " +
+         (isNumber ? "a whole number, like " + std::to_string(std::lround(value)) : "a number");
+}
+
 /// The words of the parser on one line, and where to look further.
 std::string explanation(const CLI::App& app, const CLI::ParseError& error, const std::string& first)
 {
   std::string text = error.what();
   std::replace(text.begin(), text.end(), '\n', ' ');
+  const std::string number = wordsForNumber(text);
+  text = number.empty() ? text : number;
   const auto commands = app.get_subcommands();
   if (commands.empty() && !first.empty() && first[0] != '-')
   {
