@@ -24,8 +24,8 @@ enum class ColumnMeaning
 
 /// The columns that are these, one for each component; none where one of them is missing. Names may
 /// have small letters or large ones, and a unit in brackets behind them. Those with colons are the
-/// ones that ParaView gives to components; where a table has both, they count. Of several columns with
-/// one name the first does.
+/// ones that ParaView gives to components; where a table has both, they count. Of several columns
+/// with one name the first does.
 std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names);
 
 /// Names for the arrays of these columns, all different, and none of them taken: those of the

@@ -256,7 +256,7 @@ void tellColors(MeshArrays& mesh)
     });
   mesh.normals = {};
   mesh.notes.push_back({"columns 4 to 6 are taken for colours",
-    {{"estimate normals", {Parameter::estimateNormals}},
+    {{"estimate normals", {{Parameter::estimateNormals, 1}}},
       {"if they are normals, name them x y z nx ny nz in a line before", {}}},
     "the points have no normals"});
 }

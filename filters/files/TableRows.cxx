@@ -93,13 +93,10 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
       isCount = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
       return false;
     });
-  if (isCount && header.names.size() > 1)
-  {
-    header.end = next.end;
-  }
   if (!header.names.empty() && header.names[0].rfind("//", 0) == 0)
   {
     header.names[0].erase(0, 2);
+    header.end = isCount ? next.end : header.end;
   }
   return header;
 }

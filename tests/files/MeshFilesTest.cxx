@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -61,8 +62,6 @@ TEST(ObjFile, Refusals)
   expect("f 1 2 3\n", "is not OBJ");
   expect("v 0 0 0\nv 0 0\n", "line 2: a vertex without its numbers; it is truncated or damaged");
   expect("v 0 0 zero\n", "line 1: a vertex without its numbers");
-  expect("v 0 0 nan\n", "line 1: a vertex that is not a number; remove it and its faces");
-  expect("v 0 -inf 0\n", "line 1: a vertex that is not a number");
   expect("v 0 0 0\nvn 1 0\n", "line 2: a normal without its numbers");
   expect("v 0 0 0\nvt\n", "line 2: a texture coordinate without its numbers");
   expect(threeVertices + "f 1 2\n",
@@ -86,6 +85,85 @@ TEST(ObjFile, Refusals)
   expect(threeVertices + "f 1 2 /3\n", "line 4: vertex  does not exist");
 }
 
+/// Vertices that are no numbers are read: what is left out of a source, and counted, is its own
+/// matter. Older C libraries write 1.#QNAN and 1.#INF.
+TEST(MeshFiles, MayHaveVerticesThatAreNoNumbers)
+{
+  for (const std::string vertex : {"nan -inf 0", "-1.#IND 1.#INF 0", "NaN(ind) infinity 0"})
+  {
+    const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n" + vertex + "\n";
+    const MeshArrays meshes[] = {parsed(readObj, threeVertices + "v " + vertex + "\nf 1 2 3\n"),
+      parsed(readOff, "OFF\n4 1 0\n" + triangle + "3 0 1 2\n"), parsed(readPoints, triangle)};
+    for (const MeshArrays& mesh : meshes)
+    {
+      ASSERT_EQ(mesh.points.count(), 4u) << vertex;
+      EXPECT_TRUE(std::isnan(mesh.points.doubles[9])) << vertex;
+      EXPECT_TRUE(std::isinf(mesh.points.doubles[10])) << vertex;
+      EXPECT_EQ(mesh.points.doubles[11], 0) << vertex;
+    }
+  }
+}
+
+TEST(MeshFiles, MayBeginWithAByteOrderMark)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(parsed(readObj, mark + threeVertices + "f 1 2 3\n").points.count(), 3u);
+  EXPECT_EQ(parsed(readOff, mark + "OFF\n1 0 0\n0 0 0\n").points.count(), 1u);
+  EXPECT_EQ(parsed(readPoints, mark + "0 0 0\n1;1;1\n").points.count(), 2u);
+}
+
+TEST(ObjFile, GeometryThatIsNotReadIsNoted)
+{
+  const MeshArrays mesh = parsed(readObj,
+    threeVertices + "cstype bspline\nsurf 0 1 0 1 1 2 3\ncurv 0 1 1 2\ncurv2 1 2\nfo 1 2 3\n");
+  ASSERT_EQ(mesh.notes.size(), 1u);
+  EXPECT_EQ(sentenceOf(mesh.notes[0]),
+    "free-form curves and surfaces are not read: export them as polygons; there are 3");
+  expectCells(mesh.polygons, {0, 3}, {0, 1, 2});
+  const MeshArrays points = parsed(readObj, threeVertices + "vn 0 0 1\n");
+  ASSERT_EQ(points.notes.size(), 1u);
+  EXPECT_EQ(sentenceOf(points.notes[0]), "normals that fit no vertices are not read: export one "
+                                         "for each vertex; 1 normals for 3 vertices");
+  EXPECT_EQ(parsed(readObj, threeVertices + "vn 0 0 1\nf 1//1 2//1 3//1\n").notes.size(), 0u);
+}
+
+TEST(OffFile, PrefixesInAnyOrder)
+{
+  const std::string ofNormals = "3 1 0\n0 0 0 0 0 1 9 9 9 1\n1 0 0 0 0 1 9 9 9 1\n0 1 0 0 0 1 9 9 "
+                                "9 1\n3 0 1 2\n";
+  for (const std::string prefix : {"N", "CN", "NC", "STCN", "NCST", "CSTN", "NST"})
+  {
+    const MeshArrays mesh = parsed(readOff, prefix + "OFF\n" + ofNormals);
+    EXPECT_EQ(vectorOf(mesh.normals.doubles), (std::vector<double>{0, 0, 1, 0, 0, 1, 0, 0, 1}));
+    EXPECT_EQ(mesh.points.doubles[3], 1) << prefix;
+    EXPECT_EQ(mesh.notes.size(), 0u) << prefix;
+  }
+  for (const std::string prefix : {"", "C", "ST", "CST", "STC"})
+  {
+    EXPECT_EQ(parsed(readOff, prefix + "OFF\n" + ofNormals).normals.count(), 0u) << prefix;
+  }
+  for (const std::string prefix : {"4", "n", "4n", "C4", "NCn", "N4", "STCN4n"})
+  {
+    EXPECT_EQ(refusalOf(readOff, prefix + "OFF\n" + ofNormals),
+      "line 1: vertices have not three dimensions; give a file without 4 and n before OFF");
+  }
+  for (const std::string keyword : {"3 1 0", "XOFF", "OFFX", "NOF"})
+  {
+    EXPECT_EQ(refusalOf(readOff, keyword + "\n" + ofNormals),
+      "line 1: is not an OFF file: the keyword OFF is missing; write it before the numbers");
+  }
+}
+
+TEST(OffFile, LinesBehindTheLastFaceAreNoted)
+{
+  const MeshArrays mesh = parsed(readOff, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n");
+  EXPECT_EQ(mesh.polygons.count(), 1u);
+  ASSERT_EQ(mesh.notes.size(), 1u);
+  EXPECT_EQ(sentenceOf(mesh.notes[0]),
+    "lines behind the last face are not read: correct the "
+    "counts in the first lines, if these are faces; there are 1");
+}
+
 TEST(OffFile, CellsBySize)
 {
   const MeshArrays mesh =
@@ -101,6 +179,78 @@ TEST(PointsFile, AllAreInOneCell)
   expectCells(cloud.vertices, {0, 2}, {0, 1});
   EXPECT_EQ(vectorOf(cloud.normals.doubles), (std::vector<double>{0, 0, 1, 0, 1, 0}));
   EXPECT_EQ(parsed(readPoints, "0\n").vertices.count(), 0u);
+}
+
+/// Expects that three columns behind the position are colours, with these bytes, or normals.
+void expectColors(const std::string& text, const std::vector<std::uint8_t>& colors)
+{
+  const MeshArrays cloud = parsed(readPoints, text);
+  EXPECT_EQ(vectorOf(cloud.colors), colors) << text;
+  EXPECT_EQ(cloud.normals.count() == 0, !colors.empty()) << text;
+  ASSERT_EQ(cloud.notes.size(), colors.empty() ? 0u : 1u) << text;
+  if (!colors.empty())
+  {
+    EXPECT_EQ(cloud.notes[0].fault, "columns 4 to 6 are taken for colours");
+    EXPECT_EQ(cloud.notes[0].remedies.at(0).settings.at(0).parameter, Parameter::estimateNormals);
+  }
+}
+
+TEST(PointsFile, ColoursAreNoNormals)
+{
+  expectColors("0 0 0 255 0 0\n1 0 0 0 7 255\n", {255, 0, 0, 0, 7, 255});
+  expectColors("0 0 0 2 0 0\n1 0 0 0 0 1\n", {2, 0, 0, 0, 0, 1});
+  expectColors("0 0 0 65535 0 0\n1 0 0 0 257 0\n", {255, 0, 0, 0, 1, 0});
+  expectColors("0 0 0 1 1 1\n1 0 0 0 0 0\n1 0 1 nan 0 0\n", {255, 255, 255, 0, 0, 0, 0, 0, 0});
+  expectColors("0 0 0 0.2 0.4 0.6\n1 0 0 1 1 0.6\n", {51, 102, 153, 255, 255, 153});
+  expectColors("2\n0,0,0,10,20,30\n1,0,0,10,20,30\n", {10, 20, 30, 10, 20, 30});
+  expectColors("0 0 0 0 0 1\n1 0 0 0 0.6 0.8\n", {}); // unit vectors
+  expectColors("0 0 0 0 0 200\n1 0 0 0 0 -200\n", {});
+  expectColors("0 0 0 0 0 20.5\n1 0 0 3 4 5\n", {});
+  expectColors("0 0 0 0 0 0\n1 0 0 0 0 0\n", {}); // the core takes these for none
+  expectColors("x y z nx ny nz\n0 0 0 9 9 9\n1 0 0 9 9 9\n", {});
+  expectColors("1\n0 0 0\n9 9 9\n", {}); // in lines behind all positions
+}
+
+TEST(PointsFile, AnythingSeparatesNumbers)
+{
+  const std::vector<double> points = {0.5, 1, 2, -3.25, 1e-3, 4}, normals = {0, 0, 1, 1, 0, 0};
+  for (const std::string text : {"0.5 1 2 0 0 1\n-3.25 1e-3 4 1 0 0\n",
+         "0.5,1,2,0,0,1\n-3.25,1e-3,4,1,0,0\n", "0.5, 1, 2, 0, 0, 1\n-3.25 ,1e-3 ,4 ,1 ,0 ,0\n",
+         "0.5;1;2;0;0;1\n-3.25;1e-3;4;1;0;0\n", "0,5;1;2;0;0;1\n-3,25;1e-3;4;1;0;0\n",
+         "0,5 1 2 0 0 1\n-3,25 1e-3 4 1 0 0\n", "# a, b\n0.5,1,2 0,0,1\n-3.25,1e-3,4 1,0,0\n",
+         "0.5\t1\t2\t0\t0\t1\r\n-3.25\t1e-3\t4\t1\t0\t0\r\n",
+         "2\n0.5,1,2\n-3.25,1e-3,4\n0,0,1\n1,0,0\n"})
+  {
+    const MeshArrays cloud = parsed(readPoints, text);
+    EXPECT_EQ(vectorOf(cloud.points.doubles), points) << text;
+    EXPECT_EQ(vectorOf(cloud.normals.doubles), normals) << text;
+  }
+  EXPECT_EQ(parsed(readPoints, "1 2 3\n1,5 2 3\n").points.doubles[3], 1.5)
+    << "the first line with a comma says what it is";
+}
+
+TEST(PointsFile, NamesSayWhatColumnsAre)
+{
+  for (const std::string names : {"x y z r g b nx ny nz", "//X Y Z R G B Nx Ny Nz",
+         "X;Y;Z;R;G;B;normal_x;normal_y;normal_z", "easting,northing,height,r,g,b,nx,ny,nz"})
+  {
+    for (const std::string count : {"", "1\n"})
+    {
+      const MeshArrays cloud = parsed(readPoints, names + "\n" + count + "1 2 3 9 9 9 0 1 0\n");
+      EXPECT_EQ(vectorOf(cloud.points.doubles), (std::vector<double>{1, 2, 3})) << names;
+      EXPECT_EQ(vectorOf(cloud.normals.doubles), (std::vector<double>{0, 1, 0})) << names;
+      EXPECT_EQ(cloud.notes.size(), 0u) << names;
+    }
+  }
+  const MeshArrays others = parsed(readPoints, "intensity z y x\n9 3 2 1\n");
+  EXPECT_EQ(vectorOf(others.points.doubles), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(others.normals.count(), 0u);
+  EXPECT_EQ(parsed(readPoints, "// a comment\n1 2 3\n").points.count(), 1u);
+  EXPECT_EQ(refusalOf(readPoints, "1 2 3 4 5 6 7 8 9\n"),
+    "line 1: holds 9 words; a point is x y z or x y z nx ny nz; where there are others, name all "
+    "in a line before, as in x y z r g b nx ny nz");
+  EXPECT_EQ(refusalOf(readPoints, "x y z\n1 2 3 4\n"),
+    "line 2: holds 4 words, but the first line has 3 names; write one for each column");
 }
 
 /// Files of several blocks.

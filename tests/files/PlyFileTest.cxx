@@ -156,6 +156,117 @@ TEST(PlyFile, WhatElseThereIsIsPassedOver)
   }
 }
 
+/// A file of five vertices and of items of one list each, in elements one behind the other.
+struct ListElement
+{
+  std::string name, list, type;
+  std::vector<Ids> items;
+};
+
+std::string fileOfLists(const std::string& format, const std::vector<ListElement>& elements)
+{
+  Body body(format);
+  std::string header = vertexHead(5);
+  for (int i = 0; i < 15; ++i)
+  {
+    body.add<float>(i);
+    if (i % 3 == 2)
+    {
+      body.endItem();
+    }
+  }
+  for (const ListElement& element : elements)
+  {
+    header += "element " + element.name + " " + std::to_string(element.items.size()) +
+              "\nproperty list int " + element.type + " " + element.list + "\n";
+    for (const Ids& item : element.items)
+    {
+      body.addList("int", element.type, item).endItem();
+    }
+  }
+  return head(format, header) + body.bytes();
+}
+
+TEST(PlyFile, StripsBecomeTriangles)
+{
+  for (const std::string format : formats)
+  {
+    for (const std::string name : {"tristrips", "tristrip", "triangle_strips", "Strips"})
+    {
+      for (const std::string type : {"int", "uint", "short", "char", "double"})
+      {
+        const std::int64_t end = type == "uint" ? 4294967295 : -1;
+        SCOPED_TRACE(format + " " + name + " " + type);
+        const MeshArrays one =
+          parsed(readPly, fileOfLists(format,
+                            {{name, "vertex_indices", type,
+                              {{0, 1, 2, 3, 4, end, end, 0, 1, end, 2, 3, 4, end, 4, 4, 3, 2}}}}));
+        expectCells(
+          one.polygons, {0, 3, 6, 9, 12, 15}, {0, 1, 2, 2, 1, 3, 2, 3, 4, 2, 3, 4, 3, 4, 2});
+        EXPECT_EQ(one.notes.size(), 0u);
+        const MeshArrays several =
+          parsed(readPly, fileOfLists(format,
+                            {{name, "vertex_index", type, {{0, 1, 2}, {}, {1, 2, 3, 4}, {end}}}}));
+        expectCells(several.polygons, {0, 3, 6, 9}, {0, 1, 2, 1, 2, 3, 3, 2, 4});
+      }
+    }
+    EXPECT_EQ(
+      refusalOf(
+        readPly, fileOfLists(format, {{"tristrips", "vertex_indices", "int", {{0, 1, 2, -1, -2}}}}))
+          .find("vertex -2 does not exist; there are 5, counted from 0") == std::string::npos,
+      false)
+      << format;
+    EXPECT_NE(
+      refusalOf(readPly, fileOfLists(format, {{"face", "vertex_indices", "int", {{0, 1, 2, -1}}}})),
+      "")
+      << "only strips go on behind -1";
+  }
+}
+
+TEST(PlyFile, FacesOfSeveralElementsComeInTheirOrder)
+{
+  for (const std::string format : formats)
+  {
+    const MeshArrays mesh = parsed(readPly,
+      fileOfLists(format,
+        {{"tristrips", "vertex_indices", "int", {{0, 1, 2, 3}}},
+          {"Face", "vertex_index", "uint", {{4, 3, 2}, {0, 1, 2, 3}}},
+          {"face", "vertex_indices", "int", {}}, {"polygon", "corner_ids", "uchar", {{2, 3, 4}}}}));
+    expectCells(
+      mesh.polygons, {0, 3, 6, 9, 13, 16}, {0, 1, 2, 2, 1, 3, 4, 3, 2, 0, 1, 2, 3, 2, 3, 4});
+    EXPECT_EQ(mesh.notes.size(), 0u) << format;
+  }
+}
+
+TEST(PlyFile, GeometryThatIsNotReadIsNoted)
+{
+  for (const std::string format : formats)
+  {
+    const MeshArrays mesh = parsed(
+      readPly, fileOfLists(format,
+                 {{"trifans", "vertex_indices", "int", {{0, 1, 2, 3}}},
+                   {"cell", "vertex_indices", "int", {{0, 1, 2, 3}, {1, 2, 3, 4}}},
+                   {"weights", "values", "float", {{1}}}, {"edge", "vertex_indices", "int", {}}}));
+    EXPECT_EQ(mesh.polygons.count(), 0u);
+    ASSERT_EQ(mesh.notes.size(), 2u) << format;
+    EXPECT_EQ(sentenceOf(mesh.notes[1]), "the element \"cell\" is not read: save faces, if it has "
+                                         "the surface; 2 items are passed over");
+  }
+  const std::string header = vertexHead(1) + "element edge 1\nproperty int vertex1\nproperty int "
+                                             "vertex2\nelement camera 1\nproperty float view_px\n";
+  EXPECT_EQ(parsed(readPly, head("ascii", header) + "0 0 0\n0 0\n1\n").notes.size(), 1u);
+}
+
+TEST(PlyFile, NormalsMayHaveTheNamesOfPcl)
+{
+  const std::string normals =
+    "property float normal_x\nproperty float normal_y\nproperty float normal_z\n";
+  EXPECT_EQ(
+    vectorOf(
+      parsed(readPly, head("ascii", vertexHead(1) + normals) + "0 0 0 1 2 3\n").normals.doubles),
+    (std::vector<double>{1, 2, 3}));
+}
+
 TEST(PlyFile, FacesOfManyCorners)
 {
   for (const std::string format : formats)

@@ -44,8 +44,13 @@ TEST(PlyFile, RefusalsOfHeaders)
     "the header has no vertices with x, y and z");
   expect(first + vertex + "element nothing 2\nend_header\n0 0 0\n",
     "the header has an element nothing without properties");
-  expect(first + vertex + "element face 1\nproperty int vertex_indices\nend_header\n0 0 0\n0\n",
-    "the header has faces without vertex_indices");
+  for (const std::string corners : {"property int vertex_indices\n",
+         "property list uchar int a\nproperty list uchar int b\n", "property list int float a\n"})
+  {
+    EXPECT_EQ(
+      refusalOf(readPly, first + vertex + "element face 1\n" + corners + "end_header\n0 0 0\n0\n"),
+      "has faces without vertex_indices; give the list of their vertices this name");
+  }
   for (const std::string format : formats)
   {
     expect(head(format, vertexHead(99999999)) + "0 0 0\n",

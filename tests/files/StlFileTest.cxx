@@ -143,7 +143,8 @@ TEST(StlFile, LargeTextIsTheSameForAllExecutors)
 
 TEST(StlFile, RefusalsOfBinaries)
 {
-  EXPECT_EQ(refusalOf(readStl, "x"), "is not STL: it has 1 bytes, less than a header");
+  EXPECT_EQ(
+    refusalOf(readStl, std::string(1, '\0')), "is not STL: it has 1 bytes, less than a header");
   const std::string good = binaryFile(3);
   EXPECT_EQ(refusalOf(readStl, good.substr(0, good.size() - 1)),
     "promises 3 triangles but holds 2; it is truncated, or not STL");
@@ -153,6 +154,27 @@ TEST(StlFile, RefusalsOfBinaries)
   many[83] = '\x7f';
   EXPECT_EQ(refusalOf(readStl, many),
     "promises 2130706435 triangles but holds 3; it is truncated, or not STL");
+}
+
+TEST(StlFile, TextMayBeginBehindBlanksAndComments)
+{
+  for (const std::string before : {"\n\n", "\r\n \t", "\xEF\xBB\xBF", "# solid\n# ball\n", "\n#\n"})
+  {
+    expectTriangles(parsed(readStl, before + textFile(2)), 2, false);
+  }
+}
+
+TEST(StlFile, OtherTextIsSaidToBeThat)
+{
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const std::string text : {"x", "ply\nformat ascii 1.0\n", "# a\n# b", "\n \n"})
+  {
+    for (const std::string behind : {"", obj.c_str()})
+    {
+      EXPECT_EQ(refusalOf(readStl, text + behind + std::string(200, ' ')),
+        "is not STL: it is text without solid at its beginning; give it the suffix of its format");
+    }
+  }
 }
 
 TEST(StlFile, RefusalsOfText)
@@ -176,15 +198,15 @@ TEST(StlFile, RefusalsOfText)
   expect("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nfacet\n"
          "outer loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nendloop\n"
          "endfacet\nendsolid\n",
-    "line 6: \"endloop\" stands where vertex should; it is damaged");
+    "line 6: \"endloop\" stands where vertex should; correct it");
   expect("solid\n" + loop + "facet\nendfacet\nendsolid\n",
-    "line 2: \"outer\" stands where facet should; it is damaged");
+    "line 2: \"outer\" stands where facet should; correct it");
   expect("solid\nfacet\n" + loop + "endfacet\nsolid\nendsolid\n",
-    "line 9: \"solid\" stands where facet should; it is damaged");
+    "line 9: \"solid\" stands where facet should; correct it");
   expect("solid\nfoo\nfacet\n" + loop + "endfacet\nendsolid\n",
-    "line 2: \"foo\" stands where facet should; it is damaged");
+    "line 2: \"foo\" stands where facet should; correct it");
   expect("solid\nendsolid\nfacet\n" + loop + "endfacet\nendsolid\n",
-    "line 3: \"facet\" stands where solid should; it is damaged");
+    "line 3: \"facet\" stands where solid should; correct it");
 }
 
 TEST(StlFile, EveryTruncationIsRefused)

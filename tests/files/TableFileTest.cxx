@@ -207,11 +207,73 @@ TEST(TableFile, TabsSeparate)
   const Table table = read("x\ty\tz\tt\n1\t 2\t3\ta,b\n4\t5\t6\t\n", way);
   EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(table.texts.at(0), (Texts{"a,b", ""}));
-  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x\ty\tz\n1\t2\t3\n\t\t\n \n"),
-    "line 3: \"\" in column x is no number")
-    << "a row of empty fields is one";
-  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x,y,z\n1,2,3\n"),
-    "has no columns x, y and z, since commas separate its fields; give it the suffix .csv");
+  way.withOthers = false;
+  const Table gaps = read("x\ty\tz\n1\t2\t3\n\t\t\n \n", way);
+  ASSERT_EQ(gaps.points.points.count(), 2u) << "a row of empty fields is one";
+  EXPECT_TRUE(std::isnan(gaps.points.points.doubles[3]));
+  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x\ty\tz\n1,5\t2\t3\n"),
+    "line 2: \"1,5\" in column x is no number; write a decimal point");
+}
+
+/// Excel and R write what is usual in their country, whatever the suffix is.
+TEST(TableFile, OtherLettersMaySeparate)
+{
+  for (const char preferred : {',', '\t'})
+  {
+    Way way = withOthers;
+    way.separator = preferred;
+    for (const std::string text : {"x;y;z;t\n1.5;2;3;7\n", "x;y;z;t\n1,5;2;3;7\n",
+           "\"x\";\"y\";\"z\";\"t\"\n1,5;\"2,0\";3;7,0\n", "x,y,z,t\n1.5,2,3,7\n",
+           "\"x\",\"y\",\"z\",\"t\"\n\"1.5\",2,3,7\n", "x\ty\tz\tt\n1.5\t2\t3\t7\n"})
+    {
+      const Table table = read(text, way);
+      EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1.5, 2, 3})) << text;
+      EXPECT_EQ(vectorOf(table.columns.at(0).numbers), (Numbers{7})) << text;
+      EXPECT_NE(text.find(table.separator), std::string::npos) << text;
+      EXPECT_EQ(table.hasDecimalCommas, text.find("1,5") != std::string::npos) << text;
+    }
+  }
+}
+
+TEST(TableFile, TextOfCloudCompare)
+{
+  for (const std::string count : {"", "2\n"})
+  {
+    const Table table = read("//X;Y;Z;R;Nx;Ny;Nz\n" + count + "1;2;3;9;0;0;1\n4;5;6;9;0;1;0\n");
+    EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{0, 0, 1, 0, 1, 0}));
+    EXPECT_EQ(table.header, "//X;Y;Z;R;Nx;Ny;Nz\n");
+  }
+}
+
+TEST(TableFile, NamesOfSurveyors)
+{
+  for (const std::string names : {"Easting,Northing,Elevation", "east,north,height",
+         "EASTING (m),NORTHING (m),ALTITUDE[m]", "X [ft],northing,Height", "x,y,elevation"})
+  {
+    EXPECT_EQ(
+      vectorOf(read("id," + names + "\n7,1,2,3\n").points.points.doubles), (Numbers{1, 2, 3}))
+      << names;
+  }
+  EXPECT_EQ(vectorOf(read("northing,easting,height,z\n1,2,3,4\n").points.points.doubles),
+    (Numbers{2, 1, 4}))
+    << "z is a height of its own name";
+}
+
+TEST(TableFile, EmptyFieldsAreNoNumbers)
+{
+  const Table table = read("t,x,y,z,nx,ny,nz,area\n<1,1,2,3,0,0,1,\n,, ,,,,,\n,1,\"\",3,,,,2\n");
+  const auto isNan = [](double number)
+  {
+    return std::isnan(number);
+  };
+  const auto count = [&isNan](const PlainArray<double>& numbers)
+  {
+    return std::count_if(numbers.begin(), numbers.end(), isNan);
+  };
+  EXPECT_EQ(count(table.points.points.doubles), 4);
+  EXPECT_EQ(count(table.points.normals.doubles), 6);
+  EXPECT_EQ(count(table.points.areas), 2);
 }
 
 TEST(TableFile, WithoutRows)
@@ -238,32 +300,31 @@ TEST(TableFile, Refusals)
   expect("", "is empty");
   expect("\n \n", none);
   expect("\xEF\xBB\xBF", none);
-  expect("\xEF\xBB\xBF\n x;y;z\r\n1;2;3\n",
-    missing + ", since semicolons separate its fields; put commas there");
-  expect(
-    "x\ty\tz\n1\t2\t3\n", missing + ", since tabs separate its fields; give it the suffix .tsv");
+  expect("x y z\n1 2 3\n", missing + ", since blanks separate its fields; give it the suffix .xyz");
+  const std::string rows =
+    ", but the header names 3; give each row a field for every column, and decimal points to "
+    "numbers";
+  const std::string words = " is no number; correct it, or leave it empty";
   expect("x,y\n1,2\n", none);
   expect("1,2,3\n4,5,6\n", none);
-  expect(
-    "x,y,z\n1,2\n", "line 2: has 2 fields, but the header names 3; it is truncated or damaged");
-  expect("\nx,y,z\n1,2,3\n\n1,2,3,4\n",
-    "line 5: has 4 fields, but the header names 3; it is truncated or damaged");
-  expect("x,y,z\n1\n", "line 2: has 1 field, but the header names 3; it is truncated or damaged");
-  expect("x,y,z\n1,two,3\n", "line 2: \"two\" in column y is no number");
-  expect("x,y,z\n1,,3\n", "line 2: \"\" in column y is no number");
-  expect("x,y,z\n1,1e400,3\n", "line 2: \"1e400\" in column y is no number");
-  expect("X,y,z\n0x10,2,3\n", "line 2: \"0x10\" in column X is no number");
-  expect("x,y,z,Area\n1,2,3,4 m\n", "line 2: \"4 m\" in column Area is no number");
-  expect("x,y,z\n1,\"a\nb\",3\n", "line 2: \"a?b\" in column y is no number");
-  expect(
-    "x,y,z\n1,-,3,4\n", "line 2: has 4 fields, but the header names 3; it is truncated or damaged");
+  expect("x,y,z\n1,2\n", "line 2: has 2 fields" + rows);
+  expect("\nx,y,z\n1,2,3\n\n1,2,3,4\n", "line 5: has 4 fields" + rows);
+  expect("x,y,z\n1\n", "line 2: has 1 field" + rows);
+  expect("x,y,z\n1,5,2,5,3,5\n", "line 2: has 6 fields" + rows);
+  expect("x,y,z\n1,two,3\n", "line 2: \"two\" in column y" + words);
+  expect("x,y,z\n1,1e400,3\n", "line 2: \"1e400\" in column y" + words);
+  expect("X,y,z\n0x10,2,3\n", "line 2: \"0x10\" in column X" + words);
+  expect("x,y,z,Area\n1,2,3,4 m\n", "line 2: \"4 m\" in column Area" + words);
+  expect("x,y,z\n1,\"a\nb\",3\n", "line 2: \"a?b\" in column y" + words);
+  expect("x,y,z\n1,\"2,5\",3\n", "line 2: \"2,5\" in column y is no number; write a decimal point");
+  expect("x,y,z\n1,-,3,4\n", "line 2: has 4 fields" + rows);
   expect("x,y,z\n1,a,\"b\n", "line 2: " + mark);
   expect("x,y,\"z\n1,2,3\n", "line 1: " + mark);
   expect("x,y,z,t\n1,2,3,\"a\nb\n5,6,7,8\n", "line 2: " + mark);
   expect("x,y,z,t\n1,2,3,4\n1,2,3,\"a\"b\n", "line 3: " + mark);
   expect("x,y,z,t\n1,2,3,\"a\nb\"c\n", "line 2: " + mark);
   expect("x,y,z,t\n\"1\" 2,2,3,4\n", "line 2: " + mark);
-  expect(std::string("x,y,z\n1,\0,3\n", 12), "line 2: \"?\" in column y is no number");
+  expect(std::string("x,y,z\n1,\0,3\n", 12), "line 2: \"?\" in column y" + words);
 }
 
 /// The first fault is told, though a quotation mark further on is found before.

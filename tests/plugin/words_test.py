@@ -49,6 +49,10 @@ class TestWords(unittest.TestCase):
                 UseInputBounds=0, SamplingBounds=[0, 1] * 3),
             "a number out of range": field(mesh("cube.off"), Padding=-1),
             "too many voxels": field(mesh("cube.off"), VoxelSize=1e-12),
+            "lines next to faces": field(mesh("loose.off")),
+            "normals of length 0": field(points("zeros.xyz")),
+            "normals where others are wanted": field(points("octahedron.xyz"), EstimateNormals=1),
+            "columns of colours": message_of(points("colours.xyz")).split(": ", 1)[1],
             "faces that look inward": field(mesh("inward.off")),
             "the report on faces that look inward": " ".join(
                 information(report, "Advice").split()),

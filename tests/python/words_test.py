@@ -27,6 +27,12 @@ def mesh(name):
     return points, np.concatenate([faces[:, :3], faces[:, [0, 2, 3]]])
 
 
+def reading(name):
+    reader = vtkSourceReader()
+    reader.SetFileName(str(FOLDER / name))
+    return reader
+
+
 def message_of(call, *arguments, **options):
     """What a call says, as an error or a warning."""
     with warnings.catch_warnings(record=True) as notes:
@@ -56,22 +62,30 @@ class WordsTest(unittest.TestCase):
             "a grid within the solid": message_of(
                 vtkwinding.surface, *cube, resolution=4, bounds=[0.4, 0.6] * 3),
         }
+        octahedron = np.loadtxt(FOLDER / "octahedron.xyz")
+        found["normals where others are wanted"] = message_of(
+            field, octahedron[:, :3], normals=octahedron[:, 3:], estimate_normals=True,
+            resolution=4)
+        zeros = np.loadtxt(FOLDER / "zeros.xyz")
+        found["normals of length 0"] = message_of(
+            field, zeros[:, :3], normals=zeros[:, 3:], resolution=4)
         report = vtkSurfaceReport()
-        reader = vtkSourceReader()
-        reader.SetFileName(str(FOLDER / "inward.off"))
-        report.SetInputConnection(reader.GetOutputPort())
-        # Functions of arrays say themselves that points have no normals.
-        points = vtkSourceReader()
-        points.SetFileName(str(FOLDER / "bare.xyz"))
-        field = vtkWindingNumberField()
-        field.SetInputConnection(points.GetOutputPort())
-        found["points without normals"] = message_of(_run.run, field)
+        report.SetInputConnection(reading("inward.off").GetOutputPort())
+        # Functions of arrays say themselves that points have no normals, and take no lines.
+        for name, subject in [("bare.xyz", "points without normals"),
+                              ("loose.off", "lines next to faces")]:
+            source = reading(name)
+            field = vtkWindingNumberField()
+            field.SetResolution(4)
+            field.SetInputConnection(source.GetOutputPort())
+            found[subject] = message_of(_run.run, field)
+        colours = message_of(_run.run, reading("colours.xyz"))
+        found["columns of colours"] = colours.split(": ", 1)[1]
         found["the report on faces that look inward"] = _run.run(report).GetAdvice()
         self.assertEqual(found, messages_of("Python"))
 
     def test_are_setters_outside_of_this_package(self):
-        reader = vtkSourceReader()
-        reader.SetFileName(str(FOLDER / "bare.xyz"))
+        reader = reading("bare.xyz")
         field = vtkWindingNumberField()
         field.SetInputConnection(reader.GetOutputPort())
         self.assertIn("estimate_normals=True", message_of(_run.run, field))

@@ -67,6 +67,12 @@ std::map<std::string, std::string> allMessages()
     });
   found["a number out of range"] =
     messageOfField("cube.off", [](auto* field) { field->SetPadding(-1); });
+  found["lines next to faces"] = messageOfField("loose.off");
+  found["normals of length 0"] = messageOfField("zeros.xyz");
+  found["normals where others are wanted"] =
+    messageOfField("octahedron.xyz", [](auto* field) { field->EstimateNormalsOn(); });
+  const std::string ofReader = messageOf(reading("colours.xyz"));
+  found["columns of colours"] = ofReader.substr(ofReader.find(": ") + 2);
   found["too many voxels"] =
     messageOfField("cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
   found["faces that look inward"] = messageOfField("inward.off");
