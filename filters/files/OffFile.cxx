@@ -64,7 +64,7 @@ Header readHeader(const InputFile& file, const ContentLines& lines)
   FirstLines first(lines);
   if (!first.nextLine())
   {
-    file.refuse("is not an OFF file: it has no lines; give another file");
+    file.refuse("is not an OFF file: the keyword OFF is missing");
   }
   Header header;
   header.hasNormals = readKeyword(first.words());

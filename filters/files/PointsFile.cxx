@@ -230,7 +230,7 @@ std::optional<double> intensityOf(const PlainArray<double>& vectors)
     ++finite;
     units += std::abs(length - 1) < tolerance ? 1 : 0;
   }
-  if (largest == 0 || (largest <= 1 && 2 * units >= finite))
+  if (largest == 0 || 2 * units >= finite)
   {
     return {};
   }

@@ -16,8 +16,8 @@ namespace winding
  * Numbers may stand between blanks, commas or semicolons, and have decimal commas where blanks or
  * semicolons stand between them. Names in a line before all others, behind "//" or not, say what
  * the columns are (ColumnNames.h), however many there are. Without names, three columns behind the
- * position are its normal, unless they are colours: none is negative, and they are whole numbers
- * up to 65535, or up to 1 and mostly far from unit vectors. A note then says so.
+ * position are its normal, unless they are colours: none is negative, they are whole numbers up to
+ * 65535, or up to 1, and most are no unit vectors. A note then says so.
  *
  * Throws FileRefusal for all else, and Interrupted. The result is the same for any number of
  * threads.

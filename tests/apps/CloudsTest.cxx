@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -200,6 +201,47 @@ TEST_F(Clouds, OfTablesHaveColumnsByAnyUsualName)
       "--resolution", "4", "--areas", "array", "--json"});
     ASSERT_EQ(outcome.status, 0) << header << outcome;
     EXPECT_DOUBLE_EQ(outcome.json()["input"]["mean_area"], 0.5) << header;
+  }
+}
+
+/// Zeros for normals, in every format that has any.
+TEST_F(Clouds, WithZerosForNormalsGetThemEstimated)
+{
+  Cloud zeros = sphereCloud(200);
+  std::string table = "x;y;z;nx;ny;nz\n", ply = "ply\nformat ascii 1.0\nelement vertex 200\n";
+  for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+  {
+    ply += std::string("property double ") + name + "\n";
+  }
+  ply += "end_header\n";
+  zeros.normals.assign(200, {0, 0, 0});
+  std::string rows = asXyz(zeros);
+  ply += rows;
+  std::replace(rows.begin(), rows.end(), ' ', ';');
+  for (std::size_t end = rows.find(";\n"); end != std::string::npos; end = rows.find(";\n"))
+  {
+    rows.erase(end, 1);
+  }
+  zeros.normals.clear();
+  const std::string bare = folder.write("bare.xyz", asXyz(zeros));
+  zeros.normals.assign(200, {0, 0, 0});
+  const auto fieldOf = [this](const std::string& file)
+  {
+    return runProgram({"field", file, "-o", folder.path("w.vti"), "--resolution", "8", "--json",
+      "--estimate-normals"});
+  };
+  const auto expected = fieldOf(bare).json()["input"]["mean_area"];
+  for (const std::string& file : {folder.write("zeros.xyz", asXyz(zeros)),
+         folder.write("zeros.ply", ply), folder.write("zeros.csv", table + rows)})
+  {
+    const Outcome run = fieldOf(file);
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err, "");
+    EXPECT_TRUE(run.json()["input"]["normals_estimated"].get<bool>()) << run;
+    EXPECT_NEAR(run.json()["input"]["mean_area"].get<double>(), expected, 1e-6);
+    EXPECT_TRUE(runProgram({"field", file, "-o", folder.path("w.vti")})
+                  .saysInOneLine({"all normals have length 0: use --estimate-normals"}));
+    EXPECT_EQ(runProgram({"normals", file, "-o", folder.path("n.ply"), "--quiet"}).status, 0);
   }
 }
 

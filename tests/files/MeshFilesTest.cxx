@@ -198,7 +198,8 @@ void expectColors(const std::string& text, const std::vector<std::uint8_t>& colo
 TEST(PointsFile, ColoursAreNoNormals)
 {
   expectColors("0 0 0 255 0 0\n1 0 0 0 7 255\n", {255, 0, 0, 0, 7, 255});
-  expectColors("0 0 0 2 0 0\n1 0 0 0 0 1\n", {2, 0, 0, 0, 0, 1});
+  expectColors("0 0 0 2 0 0\n1 0 0 0 3 1\n", {2, 0, 0, 0, 3, 1});
+  expectColors("0 0 0 2 0 0\n1 0 0 0 0 1\n", {});
   expectColors("0 0 0 65535 0 0\n1 0 0 0 257 0\n", {255, 0, 0, 0, 1, 0});
   expectColors("0 0 0 1 1 1\n1 0 0 0 0 0\n1 0 1 nan 0 0\n", {255, 255, 255, 0, 0, 0, 0, 0, 0});
   expectColors("0 0 0 0.2 0.4 0.6\n1 0 0 1 1 0.6\n", {51, 102, 153, 255, 255, 153});

@@ -257,7 +257,7 @@ TEST(ContradictingData, IdsOfPolyDataWithGhosts)
 
 TEST(ContradictingData, TypesOfCells)
 {
-  expectRefused(gridOf(200, {0, 1, 2, 3}), "has type 200, which VTK does not know");
+  expectRefused(gridOf(200, {0, 1, 2, 3}), "has unknown type 200: use a VTK that knows it");
   expectRefused(gridOf(VTK_HEXAHEDRON, {0, 1, 2, 3}), "has 4 points");
   expectRefused(gridOf(VTK_QUADRATIC_TETRA, {0, 1, 2, 3}), "has 4 points");
   expectRefused(gridOf(VTK_TRIANGLE, {0, 1}), "has 2 points");
@@ -319,25 +319,25 @@ TEST(ContradictingData, FacesOfPolyhedra)
   type->InsertNextValue(VTK_POLYHEDRON);
   auto bare = polyhedron();
   bare->SetCells(type, cellsOf({0, 4}, {0, 1, 2, 3}), nullptr, nullptr);
-  expectRefused(bare, "none where it needs some");
+  expectRefused(bare, "is a polyhedron without faces");
   type->SetValue(0, VTK_TETRA);
   auto dressed = polyhedron();
   dressed->SetCells(type, dressed->GetCells(), dressed->GetFaceLocations(), dressed->GetFaces());
   expectRefused(dressed, "has faces that are not there");
   auto empty = polyhedron();
   empty->GetFaces()->SetValue(0, 0);
-  expectRefused(empty, "or none where it needs some");
+  expectRefused(empty, "is a polyhedron without faces");
   for (const vtkIdType count : {vtkIdType(-1), vtkIdType(5), vtkIdType(4000000000), largest})
   {
     auto grid = polyhedron();
     grid->GetFaces()->SetValue(5, count); // the size of the second face
-    expectRefused(grid, "has faces that are not there");
+    expectRefused(grid, "is a polyhedron without faces: read it with a newer VTK");
     grid = polyhedron();
     grid->GetFaces()->SetValue(0, count);
-    expectRefused(grid, "has faces that are not there");
+    expectRefused(grid, "is a polyhedron without faces: read it with a newer VTK");
     grid = polyhedron();
     grid->GetFaceLocations()->SetValue(0, count == 5 ? 17 : count);
-    expectRefused(grid, "has faces that are not there");
+    expectRefused(grid, "is a polyhedron without faces: read it with a newer VTK");
   }
 #endif
 }

@@ -110,12 +110,23 @@ TEST(ReaderOfTables, WithoutRows)
 TEST(ReaderOfTables, Refusals)
 {
   expectRefusal("", "is empty", end, ".csv");
-  expectRefusal("x;y;z\n1;2;3\n", "has no columns x, y and z", format, ".csv");
-  expectRefusal("x,y,z\n1,2,3\n", "give it the suffix .csv", format, ".tsv");
+  expectRefusal("x y z\n1 2 3\n", "has no columns x, y and z", format, ".csv");
+  expectRefusal("x y z\n1 2 3\n", "give it the suffix .xyz", format, ".tsv");
   expectRefusal("x,y,z\n1,2,3\n1,2\n", "line 3: has 2 fields", format, ".csv");
   expectRefusal("x,y,z\n1,2,three\n", "line 2: \"three\" in column z", format, ".csv");
-  expectRefusal("x,y,z,nx,ny,nz\n1,2,3,4,5,\n", "column nz is no number", format, ".csv");
+  expectRefusal("x,y,z,nx,ny,nz\n1,2,3,4,5,-\n", "column nz is no number", format, ".csv");
   expectRefusal("x,y,z,t\n1,2,3,\"a\n", "line 2: a quotation mark", format, ".csv");
+}
+
+TEST(ReaderOfTables, SaysWhatSeparates)
+{
+  vtkNew<vtkSourceReader> reader;
+  const TextFile file("x;y;z\n1,5;2;3\n", ".csv");
+  reader->SetFileName(file.path());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetPoint(0)[0], 1.5);
+  EXPECT_EQ(reader->GetSeparator(), ';');
+  EXPECT_TRUE(reader->GetHasDecimalCommas());
 }
 
 TEST(ReaderOfTables, NothingIsLeftOfTheFileBefore)

@@ -236,6 +236,35 @@ TEST_F(SourceKinds, CloudWithoutNormalsIsRefusedWithTheRemedy)
   expectRefused(cloud(false), "vtkPCANormalEstimation");
 }
 
+/// Programs write zeros, or NaN, where they have no normals.
+TEST_F(SourceKinds, NormalsWithoutDirectionsAreNone)
+{
+  probe->EstimateNormalsOn();
+  const double estimated = this->windingNumber(cloud(false), 0, 0, 0);
+  EXPECT_NEAR(estimated, 1, 0.1);
+  for (const double value : {0.0, nan})
+  {
+    auto empty = cloud();
+    empty->GetPointData()->GetNormals()->Fill(value);
+    probe->EstimateNormalsOn();
+    EXPECT_EQ(this->windingNumber(empty, 0, 0, 0), estimated);
+    EXPECT_TRUE(probe->GetNormalsWereEstimated());
+    EXPECT_EQ(probe->GetNumberOfDroppedPrimitives(), 0);
+    probe->EstimateNormalsOff();
+    this->expectRefused(empty, "all normals have length 0: use EstimateNormalsOn()");
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, empty);
+    blocks->SetBlock(1, cloud());
+    EXPECT_NEAR(this->windingNumber(blocks, 0, 0, 0), 1, 0.1) << "some have directions";
+    EXPECT_EQ(probe->GetNumberOfDroppedPrimitives(), empty->GetNumberOfPoints());
+    auto mesh = sphere();
+    mesh->GetPointData()->GetNormals()->Fill(value);
+    probe->SetSourceAsPoints(1);
+    EXPECT_NEAR(this->windingNumber(mesh, 0, 0, 0), 1, 0.1) << "those of the faces";
+    probe->SetSourceAsPoints(0);
+  }
+}
+
 TEST_F(SourceKinds, MissingNormalsAreRefusedWhenTheyAreNeeded)
 {
   // The information is not refused: a user interface asks for it before it can offer to estimate

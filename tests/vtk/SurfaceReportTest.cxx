@@ -249,6 +249,23 @@ TEST_F(SurfaceReport, OfPointsWithoutNormalsIsNoError)
   EXPECT_NE(std::string(filter->GetAdvice()).find("EstimateNormals"), std::string::npos);
 }
 
+TEST_F(SurfaceReport, SaysThatLinesBoundNothing)
+{
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({0, 1, 2});
+  auto lines = sphere();
+  lines->GetPointData()->SetNormals(nullptr);
+  lines->SetLines(line);
+  this->reportOn(lines);
+  EXPECT_NE(text("advice").find("lines and single points bound nothing"), std::string::npos)
+    << text("advice");
+  EXPECT_NE(text("advice").find("1 are left out"), std::string::npos);
+  lines->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  this->reportOn(lines);
+  EXPECT_EQ(text("advice").rfind("the input has only lines, which bound nothing", 0), 0u)
+    << text("advice");
+}
+
 TEST_F(SurfaceReport, TakesTheNormalsArrayThatIsNamed)
 {
   auto source = cloud();
