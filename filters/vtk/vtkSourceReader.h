@@ -8,16 +8,16 @@
  *
  * - PLY (.ply), as text or in either order of bytes: vertices, and faces; at
  *   the vertices, where there are any, normals "Normals", colours of bytes "RGB" or "RGBA", and
- *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Other elements
- *   and properties are passed over.
+ *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Strips of
+ *   triangles (tristrips) become triangles. Other elements and properties are passed over.
  * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
  *   in the order of the file. The filters of this module weld them; others may need
  *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
  *   many as vertices and no corner names the normal of another vertex. Texture coordinates,
- *   colours, groups and materials are passed over.
+ *   colours, groups, materials and free-form geometry are passed over.
  * - Geomview's Object File Format (.off), as text: the keyword OFF with the prefixes ST, C and N in
- *   this order, the counts on the same line or the next, comments from '#' on, one vertex and one
+ *   any order, the counts on the same line or the next, comments from '#' on, one vertex and one
  *   face on a line. Faces with two corners become lines, those with one become vertices; a file
  *   without faces gives one cell of all its points. Vertex normals (NOFF) become "Normals"; colours
  *   and texture coordinates are passed over. Binary files are refused, and so are the prefixes 4
@@ -25,8 +25,12 @@
  * - Points (.xyz, .pwn), one on a line, as `x y z` or `x y z nx ny nz`, the same on all lines, with
  *   comments from '#' on. The first line may be the number of points; the normals may then also
  *   stand in lines of their own after all positions, as the classic .pwn has it: n, n lines of
- *   `x y z`, n lines of `nx ny nz`. All points are in one cell, so that they can be seen.
- * - Tables of points, with commas (.csv) or tabs (.tsv). See below.
+ *   `x y z`, n lines of `nx ny nz`. Columns that are named in a line before all others may be any.
+ *   Three columns of colours behind the position become "RGB". Commas or semicolons may separate
+ *   numbers. All points are in one cell, so that they can be seen.
+ * - Tables of points, with commas (.csv), tabs (.tsv) or semicolons. See below.
+ *
+ * Geometry that a file has and that is not read is a warning, and so are colours of points.
  *
  * Points are in double precision where the file holds more digits than single precision has: in all
  * text, and where PLY has numbers of type double or integers of four bytes. So are normals. They
@@ -42,15 +46,16 @@
  *   where all fields are numbers, vtkStringArray otherwise. A column without a name becomes Column
  *   and its number, from 1 on; where another array has the name, the number stands behind it.
  *
- * These names may have small letters or large ones. Positions and normals may also have the names
- * that ParaView gives to components when it saves data as a table, "Points:0" to "Points:2" and
- * "Normals:0" to "Normals:2"; where a table has both, ParaView's count. Of several columns with one
- * such name the first counts, and the ones behind it are like all others.
+ * These names may have small letters or large ones, and a unit in brackets. Positions may also be
+ * easting, northing and elevation, height or altitude. Positions and normals may also have the
+ * names that ParaView gives to components when it saves data as a table, "Points:0" to "Points:2"
+ * and "Normals:0" to "Normals:2"; where a table has both, ParaView's count. Of several columns with
+ * one such name the first counts, and the ones behind it are like all others.
  *
  * Fields may be in quotation marks, as RFC 4180 has it, with separators, ends of lines and doubled
  * quotation marks in them. Lines may end in "\n" or "\r\n", blank lines are no rows, and a byte
- * order mark is passed over. A quotation mark that is not closed makes the rest of the file one
- * row, which is then refused.
+ * order mark is passed over. Empty fields of positions, normals and areas are NaN. A quotation mark
+ * that is not closed makes the rest of the file one row, which is then refused.
  *
  * The file is read by as many threads as vtkSMPTools has, and the result is the same for any number
  * of them. It takes little memory in addition to the output, unless rows are kept.

@@ -39,6 +39,12 @@ def off(points, faces):
         points + [(len(f), *f, 0.5, 0.5, 0.5) for f in faces]
     )
     yield "points", "OFF\n" + text([(len(points), 0, 0)] + points)
+    yield "normals_colours", "NCOFF\n" + text(
+        [(len(points), len(faces), 0)]
+        + [p + (0, 0, 1, 255, 0, 0, 255) for p in points]
+        + [(len(f), *f) for f in faces]
+        + [(3, 0, 1, 2)]
+    )
 
 
 def obj(points, faces):
@@ -49,6 +55,7 @@ def obj(points, faces):
     yield "slashes", "# made by hand\n" + vertices + extras + text(
         ("f", *(f"{i + 1}/1/1" for i in f)) for f in faces
     ) + "l 1 2 3\np 1\n"
+    yield "free_form", "\ufeff" + vertices + "v nan 1.#INF 0\nsurf 0 1 0 1 1 2 3\nfo 1 2 3\n"
 
 
 def stl(points, faces):
@@ -61,6 +68,7 @@ def stl(points, faces):
         lines += ["  vertex %g %g %g" % corner for corner in triangle]
         lines += [" endloop", "endfacet"]
     yield "text", "\n".join(lines + ["endsolid part", ""])
+    yield "blank", "\n \n# a part\n" + "\n".join(lines + ["endsolid part", ""])
     body = b"".join(numbers([(0, 0, 1), *triangle], "f", "<") + b"\0\0" for triangle in triangles)
     yield "binary", b"made by hand".ljust(80) + struct.pack("<I", len(triangles)) + body
 
@@ -83,9 +91,19 @@ def ply(points, faces):
         f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty float x\n"
         "property float y\nproperty float z\nend_header\n"
     ) + text(points)
+    strips = [0, 1, 2, -1, -1, 2, 1, 0]
+    several = header("ascii").replace("face", "polygon").replace(
+        "end_header", "element tristrips 1\nproperty list int int vertex_indices\nelement edge 1\n"
+        "property int vertex1\nproperty int vertex2\nend_header")
+    yield "strips", several + text(points) + listed + text([(len(strips), *strips), (0, 1)])
     for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
         body = b"".join(struct.pack(f"{order}B{len(f)}i", len(f), *f) for f in faces)
         yield form, header(form).encode() + numbers(points, "f", order) + body
+        yield f"strips_{form}", (
+            header(form).replace(f"face {len(faces)}", "tristrips 1").replace("uchar", "int").encode()
+            + numbers(points, "f", order)
+            + numbers([(len(strips), *strips)], "i", order)
+        )
         # Other elements and properties, with lists, before and between what is read.
         more = (
             f"ply\nformat {form} 1.0\nelement other 2\nproperty list short char values\n"
@@ -263,11 +281,18 @@ def table(points, separator):
     yield "lines", lines(
         ("x", "y", "z", "note"), [p + ('"two\nlines, ""quoted"""',) for p in points]
     )
+    semicolons = "//X;Y;Z (m);nx;ny;nz\n" + f"{len(points)}\n" + "".join(
+        ";".join(f"{x:.3f}" for x in p + p).replace(".", ",") + "\n" for p in points
+    )
+    yield "semicolons", semicolons + ";;;;;\n"
 
 
 def cloud(points):
     yield "plain", text(points)
     yield "normals", "# made by hand\n" + text(p + (0, 0, 1) for p in points)
+    yield "colours", text(p + (255, 128, 0) for p in points).replace(" ", ", ")
+    yield "named", "//X Y Z R Nx Ny Nz\n" + text(p + (9, 0, 0, 1) for p in points)
+    yield "commas", text(p + (0, 0, 1) for p in points).replace(".", ",")
     yield "counted", text([(len(points),)]) + text(points) + text([(0, 0, 1)] * len(points))
 
 
