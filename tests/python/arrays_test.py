@@ -243,7 +243,7 @@ class BadInputTest(unittest.TestCase):
 
     def test_clouds_without_normals(self):
         self.refuses(ValueError, "normals of a cloud", POINTS, CORNERS)
-        self.refuses(vtkwinding.WindingError, "normals of length 0", POINTS, CORNERS,
+        self.refuses(vtkwinding.WindingError, "normals have length 0", POINTS, CORNERS,
                      normals=CORNERS * 0)
         self.refuses(ValueError, "faces or normals", POINTS, CORNERS, CUBE, normals=CORNERS)
         self.refuses(TypeError, "give the array itself, as normals", POINTS, CORNERS,

@@ -70,7 +70,8 @@ class WordsTest(unittest.TestCase):
         found["normals of length 0"] = message_of(
             field, zeros[:, :3], normals=zeros[:, 3:], resolution=4)
         report = vtkSurfaceReport()
-        report.SetInputConnection(reading("inward.off").GetOutputPort())
+        inward_reader = reading("inward.off")  # a connection does not keep its reader
+        report.SetInputConnection(inward_reader.GetOutputPort())
         # Functions of arrays say themselves that points have no normals, and take no lines.
         for name, subject in [("bare.xyz", "points without normals"),
                               ("loose.off", "lines next to faces")]:

@@ -264,11 +264,27 @@ TEST(SanitizeCloud, DropsAndCountsBadPoints)
   }
 }
 
+TEST(SanitizeCloud, TakesNormalsWithoutDirectionsForNone)
+{
+  const std::vector<double> positions = {0, 0, 0, 1, 0, 0}, zeros(6, 0);
+  const std::vector<double> mixed = {0, 0, 0, 0, 0, 2};
+  const OrientedPointsView empty = {{positions.data(), 2}, {zeros.data(), 2}, {}};
+  const winding::PointCloud bare = sanitize(std::vector<OrientedPointsView>{empty, empty});
+  EXPECT_EQ(bare.positions.size(), 4u);
+  EXPECT_TRUE(bare.normals.empty());
+  EXPECT_EQ(bare.dropped(), 0u);
+  EXPECT_EQ(boundsOf(std::vector<OrientedPointsView>{empty}).max(), Point(1, 0, 0));
+  const OrientedPointsView some = {{positions.data(), 2}, {mixed.data(), 2}, {}};
+  const winding::PointCloud cloud = sanitize(std::vector<OrientedPointsView>{empty, some});
+  EXPECT_EQ(cloud.normals.size(), 1u) << "where any has a direction, the others are left out";
+  EXPECT_EQ(cloud.zeroNormalPoints, 3u);
+}
+
 TEST(SanitizeCloud, RefusesWhatIsBadAltogetherAndArraysOfDifferentLengths)
 {
-  const std::vector<double> zeros(12, 0), ones(12, 1);
-  expectRefused(
-    std::vector<OrientedPointsView>{{{ones.data(), 4}, {zeros.data(), 4}, {}}}, "all 4 points");
+  const std::vector<double> nans(12, std::nan("")), ones(12, 1);
+  expectRefused(std::vector<OrientedPointsView>{{{nans.data(), 4}, {ones.data(), 4}, {}}},
+    "all points are unusable: give points with a place; of 4, 4 have NaN");
   expectRefused(
     std::vector<OrientedPointsView>{{{ones.data(), 4}, {ones.data(), 3}, {}}}, "3 normals");
   expectRefused(
