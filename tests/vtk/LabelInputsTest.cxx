@@ -12,6 +12,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -282,6 +283,14 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   expectRefused(blocks, "leave block 'Block 3' out");
   expectRefused(points, "give blocks, one for each solid");
 
+  const auto named = withRegions(balls, 1);
+  vtkNew<vtkStringArray> names;
+  names->SetName("Names");
+  names->SetNumberOfValues(named->GetNumberOfCells());
+  named->GetCellData()->AddArray(names);
+  labels->SetRegionArray("Names");
+  expectRefused(named, "'Names' holds text, and regions are integers: number its values in another "
+                       "array (SetRegionArray())");
   labels->SetRegionArray("Nothing");
   expectRefused(withRegions(balls, 1), "'Nothing' is no array of the cells");
   labels->SetRegionArray("Region");
