@@ -115,7 +115,8 @@ public:
   /// The ways in which the normals of points that have none are estimated.
   enum NormalEstimationType
   {
-    ESTIMATION_AUTOMATIC = 0, ///< the spanning tree where its check finds it right, else the other
+    ESTIMATION_AUTOMATIC = 0, ///< the spanning tree where it is right, else what the field agrees
+                              ///< with, walls within other solids included
     SPANNING_TREE = 1,        ///< orientations are handed on from neighbour to neighbour
     WINDING_CONSISTENT = 2    ///< orientations that the winding number agrees with
   };

@@ -126,23 +126,20 @@ std::vector<unsigned char> NormalPatches::areOpposite() const
   return areOpposite;
 }
 
-void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const
+NormalPatches::Followers NormalPatches::followersOf(const Largest& patches) const
 {
   SensedSets sets = sets_;
-  // Sets with a sense are never united with each other. Senses are kept by representative.
-  std::vector<unsigned char> hasSense(places_, 0);
-  for (std::size_t patch = 0; patch < patches.count(); ++patch)
+  const auto none = static_cast<std::uint32_t>(patches.count());
+  // Sets with a patch are never united with each other. Patches and senses are kept by
+  // representative.
+  Followers followers = {std::vector<std::uint32_t>(places_), std::vector<unsigned char>(places_)};
+  std::vector<std::uint32_t> patchOfRoot(places_, none);
+  std::vector<unsigned char> isRootOpposite(places_, 0);
+  for (std::uint32_t patch = 0; patch < none; ++patch)
   {
     const std::uint32_t place = patches.places[patches.starts[patch]];
-    hasSense[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(place)).representative)] =
-      1;
-  }
-  std::vector<unsigned char> isRootTurned(places_, 0);
-  for (const std::uint32_t place : patches.places)
-  {
-    const SensedSets::Place found = sets.find(static_cast<std::int32_t>(place));
-    isRootTurned[static_cast<std::size_t>(found.representative)] =
-      (isTurned[place] != 0) != found.isOpposite;
+    patchOfRoot[static_cast<std::size_t>(
+      sets.find(static_cast<std::int32_t>(place)).representative)] = patch;
   }
   for (std::size_t i = joined_; i < links_.size(); ++i)
   {
@@ -151,25 +148,42 @@ void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& i
     const SensedSets::Place b = sets.find(static_cast<std::int32_t>(link.to));
     const auto first = static_cast<std::size_t>(a.representative);
     const auto second = static_cast<std::size_t>(b.representative);
-    if (first == second || (hasSense[first] && hasSense[second]))
+    if (first == second || (patchOfRoot[first] != none && patchOfRoot[second] != none))
     {
       continue;
     }
     const bool areRootsOpposite = (link.areOpposite != 0) != (a.isOpposite != b.isOpposite);
     const std::size_t low = std::min(first, second);
-    const bool isSensed = hasSense[first] || hasSense[second];
-    const std::size_t known = hasSense[second] ? second : first;
-    const bool isKnownTurned = isRootTurned[known] != 0;
+    const std::size_t known = patchOfRoot[second] != none ? second : first;
+    const std::uint32_t patch = patchOfRoot[known];
+    const bool isKnownOpposite = isRootOpposite[known] != 0;
     sets.unite(static_cast<std::int32_t>(link.from), static_cast<std::int32_t>(link.to),
       link.areOpposite != 0);
-    hasSense[low] = isSensed;
-    isRootTurned[low] = isKnownTurned != (known != low && areRootsOpposite);
+    patchOfRoot[low] = patch;
+    isRootOpposite[low] = isKnownOpposite != (known != low && areRootsOpposite);
   }
   for (std::size_t place = 0; place < places_; ++place)
   {
     const SensedSets::Place found = sets.find(static_cast<std::int32_t>(place));
-    isTurned[place] =
-      (isRootTurned[static_cast<std::size_t>(found.representative)] != 0) != found.isOpposite;
+    const auto root = static_cast<std::size_t>(found.representative);
+    followers.patchOf[place] = patchOfRoot[root];
+    followers.areOpposite[place] = (isRootOpposite[root] != 0) != found.isOpposite;
+  }
+  return followers;
+}
+
+void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const
+{
+  const Followers followers = this->followersOf(patches);
+  std::vector<unsigned char> isPatchTurned(patches.count() + 1, 0);
+  for (std::size_t patch = 0; patch < patches.count(); ++patch)
+  {
+    const std::uint32_t place = patches.places[patches.starts[patch]];
+    isPatchTurned[patch] = isTurned[place] != followers.areOpposite[place];
+  }
+  for (std::size_t place = 0; place < places_; ++place)
+  {
+    isTurned[place] = isPatchTurned[followers.patchOf[place]] != followers.areOpposite[place];
   }
 }
 

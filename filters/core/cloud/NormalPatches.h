@@ -38,12 +38,19 @@ public:
   /// the patch's first place.
   std::vector<unsigned char> areOpposite() const;
 
-  /// Hands senses on to all places: first from the patches that have one, along the steps in order
-  /// of their doubt, then among the rest. isTurned: for the places of these patches, whether their
-  /// normals are to be turned. Other places' entries are set.
+  /// The patches that all places follow: their own, or the one that the steps of least doubt lead
+  /// to. Places that no step joins to any patch follow one more, which has the last number.
+  struct Followers
+  {
+    std::vector<std::uint32_t> patchOf;     ///< by place
+    std::vector<unsigned char> areOpposite; ///< whether to turn a place to agree with its patch
+  };
+  Followers followersOf(const Largest& patches) const;
+
+  /// Hands senses on to all places from the patches that they follow. isTurned: for the places of
+  /// these patches, whether their normals are to be turned. Other places' entries are set.
   void handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const;
 
-private:
   /// A step and whether its normals have opposite senses. Both ends are neighbours of each other
   /// mostly, and have one link then.
   struct Link
@@ -54,7 +61,11 @@ private:
     std::uint32_t areOpposite : 1;
   };
 
-  std::vector<Link> links_; ///< in order of their doubt
+  /// All steps, in order of their doubt.
+  const std::vector<Link>& links() const { return links_; }
+
+private:
+  std::vector<Link> links_;
   std::size_t joined_ = 0;  ///< links that have been looked at
   mutable SensedSets sets_; ///< finding a set shortens the way to it for the next time
   std::size_t places_;

@@ -2,7 +2,8 @@
 
 #include "base/Progress.h"
 #include "cloud/ConsistentNormals.h"
-#include "cloud/SheetCuts.h"
+#include "cloud/OverlappingNormals.h"
+#include "cloud/PlaceNormals.h"
 #include "source/UnitNormal.h"
 #include "source/UnitScale.h"
 
@@ -74,6 +75,35 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
   return orientation;
 }
 
+/// Returns normals for solids that lie in each other where they have the least faults, and
+/// consistent ones elsewhere. byTree: the outward normals of the spanning tree, by point.
+Normals overlappingOrConsistent(
+  const DistinctPoints& places, Normals byTree, int neighbors, Executor& executor)
+{
+  Progress progress(executor);
+  progress.set(0, 0.1);
+  const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
+  OverlappingNormals::Found overlapping =
+    OverlappingNormals(places, count, executor).improved(normalsByPlace(places, byTree));
+  // Where solids do not meet, one within another might as well be a cavity, which consistent normals
+  // take it for; where none is within another, these have been found with more care.
+  if (areFarMore(overlapping.faultsByParity, overlapping.faults))
+  {
+    return places.byPoint(overlapping.normals);
+  }
+  progress.set(0.1, 0.97);
+  Normals consistent = consistentNormals(places, neighbors, executor, std::move(byTree)).normals;
+  constexpr double few = 0.02;
+  if (overlapping.withinSolids < few)
+  {
+    return consistent;
+  }
+  progress.set(0.97, 1);
+  const double faults =
+    OverlappingNormals(places, count, executor).faultsOf(normalsByPlace(places, consistent));
+  return areFarMore(faults, overlapping.faults) ? places.byPoint(overlapping.normals) : consistent;
+}
+
 } // namespace
 
 OutwardNormals giveOutwardNormals(
@@ -106,30 +136,14 @@ OutwardNormals giveOutwardNormals(
   {
     return found;
   }
-  const CloudOrientation ofTree = found.orientation;
-  std::vector<Eigen::Vector3d> byTree = std::exchange(cloud.normals, {});
-  const bool isTreeClear = estimation == NormalEstimation::automatic && ofTree.isClear();
-  const std::vector<Eigen::Vector3d> normals =
-    isTreeClear ? byTree : std::vector<Eigen::Vector3d>();
-  const std::vector<double> areasByTree = isTreeClear ? cloud.areas : std::vector<double>();
-  progress.set(std::max(endOfTree, endOfPlaces), 0.9);
-  ConsistentNormals consistent =
-    consistentNormals(places, areas.neighbors, executor, std::move(byTree));
-  found.estimation = NormalEstimation::consistent;
-  progress.set(0.9, 0.98);
-  found.orientation =
-    takeOutward(cloud, places, std::move(consistent.normals), hasOwnAreas, areas, executor);
+  Normals normals = std::exchange(cloud.normals, {});
+  progress.set(std::max(endOfTree, endOfPlaces), 0.98);
+  normals = estimation == NormalEstimation::automatic && places.size() > 1
+              ? overlappingOrConsistent(places, std::move(normals), areas.neighbors, executor)
+              : consistentNormals(places, areas.neighbors, executor, std::move(normals)).normals;
   progress.set(0.98, 1);
-  // Walls inside of another solid, turned round, make the field a little clearer, but wrong.
-  constexpr double littleClearer = 0.05;
-  const double gain = found.orientation.outward - ofTree.outward;
-  if (isTreeClear &&
-      (gain <= 0 || (gain < littleClearer && cutSheets(places, normals, cloud.normals, executor))))
-  {
-    cloud.normals = normals;
-    cloud.areas = areasByTree;
-    return {NormalEstimation::spanningTree, ofTree};
-  }
+  found.estimation = NormalEstimation::consistent;
+  found.orientation = takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor);
   return found;
 }
 

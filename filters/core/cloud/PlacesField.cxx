@@ -5,9 +5,28 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace winding
 {
+
+namespace
+{
+
+/// Returns the places to look at.
+std::vector<std::uint32_t> evenlyChosen(std::size_t places)
+{
+  constexpr std::size_t most = 1536;
+  const std::size_t step = std::max<std::size_t>(1, (places + most - 1) / most);
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t place = step / 2; place < places; place += step)
+  {
+    chosen.push_back(static_cast<std::uint32_t>(place));
+  }
+  return chosen;
+}
+
+} // namespace
 
 Normals turned(Normals normals, const Turns& turns)
 {
@@ -19,18 +38,19 @@ Normals turned(Normals normals, const Turns& turns)
 }
 
 PlacesField::PlacesField(const DistinctPoints& places, const std::vector<double>& spacings,
-  double spread, Executor& executor)
+  double spread, std::vector<std::uint32_t> lookedAt, Executor& executor)
   : places_(places)
   , spacings_(spacings)
   , spread_(spread)
   , executor_(executor)
+  , lookedAt_(std::move(lookedAt))
 {
-  constexpr std::size_t most = 1536;
-  const std::size_t step = std::max<std::size_t>(1, (places.size() + most - 1) / most);
-  for (std::size_t place = step / 2; place < places.size(); place += step)
-  {
-    lookedAt_.push_back(static_cast<std::uint32_t>(place));
-  }
+}
+
+PlacesField::PlacesField(const DistinctPoints& places, const std::vector<double>& spacings,
+  double spread, Executor& executor)
+  : PlacesField(places, spacings, spread, evenlyChosen(places.size()), executor)
+{
 }
 
 Eigen::MatrixXd PlacesField::sharesOf(

@@ -24,17 +24,24 @@ Normals turned(Normals normals, const Turns& turns);
 
 /**
  * The winding numbers of the places of a cloud for any normals. A place has the square of its
- * spacing for an area and is spread over some spacings. Values are looked at in up to 1536 of the
- * places, evenly chosen, and summed directly, in parts that take little memory. All results are the
- * same for any executor. All methods throw Interrupted.
+ * spacing for an area and is spread over some spacings. Values are looked at in some of the places,
+ * and summed directly, in parts that take little memory. All results are the same for any executor.
+ * All methods throw Interrupted.
  */
 class PlacesField
 {
 public:
-  /// spread: the length over which places are spread, in their spacings. Places and spacings must
-  /// outlive this.
+  /// Looks at up to 1536 of the places, evenly chosen. spread: the length over which places are
+  /// spread, in their spacings. Places and spacings must outlive this.
   PlacesField(const DistinctPoints& places, const std::vector<double>& spacings, double spread,
     Executor& executor);
+
+  /// Looks at the places given.
+  PlacesField(const DistinctPoints& places, const std::vector<double>& spacings, double spread,
+    std::vector<std::uint32_t> lookedAt, Executor& executor);
+
+  /// Returns the places looked at.
+  const std::vector<std::uint32_t>& lookedAt() const { return lookedAt_; }
 
   /// Returns the share of each patch, by column, in w at the places looked at.
   Eigen::MatrixXd sharesOf(
