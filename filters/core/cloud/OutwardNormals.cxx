@@ -85,8 +85,8 @@ Normals overlappingOrConsistent(
   const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
   OverlappingNormals::Found overlapping =
     OverlappingNormals(places, count, executor).improved(normalsByPlace(places, byTree));
-  // Where solids do not meet, one within another might as well be a cavity, which consistent normals
-  // take it for; where none is within another, these have been found with more care.
+  // Where solids do not meet, one within another might as well be a cavity, which consistent
+  // normals take it for; where none is within another, these have been found with more care.
   if (areFarMore(overlapping.faultsByParity, overlapping.faults))
   {
     return places.byPoint(overlapping.normals);
