@@ -13,9 +13,8 @@ namespace winding
 /// How the normals of points that have none are estimated.
 enum class NormalEstimation
 {
-  /// The spanning tree where its check (CloudOrientation.h) finds it right, else the other one or,
-  /// where that has more faults, the tree's patches turned for solids in each other
-  /// (OverlappingNormals.h).
+  /// The spanning tree where its check (CloudOrientation.h) finds it right, else
+  /// automaticNormals().
   automatic,
   spanningTree, ///< planes and orientations that are handed on: estimateNormals()
   consistent    ///< planes and orientations that the field agrees with: ConsistentNormals.h

@@ -1,9 +1,8 @@
 #include "cloud/OutwardNormals.h"
 
 #include "base/Progress.h"
+#include "cloud/AutomaticNormals.h"
 #include "cloud/ConsistentNormals.h"
-#include "cloud/OverlappingNormals.h"
-#include "cloud/PlaceNormals.h"
 #include "source/UnitNormal.h"
 #include "source/UnitScale.h"
 
@@ -75,35 +74,6 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
   return orientation;
 }
 
-/// Returns normals for solids that lie in each other where they have the least faults, and
-/// consistent ones elsewhere. byTree: the outward normals of the spanning tree, by point.
-Normals overlappingOrConsistent(
-  const DistinctPoints& places, Normals byTree, int neighbors, Executor& executor)
-{
-  Progress progress(executor);
-  progress.set(0, 0.1);
-  const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
-  OverlappingNormals::Found overlapping =
-    OverlappingNormals(places, count, executor).improved(normalsByPlace(places, byTree));
-  // Where solids do not meet, one within another might as well be a cavity, which consistent
-  // normals take it for; where none is within another, these have been found with more care.
-  if (areFarMore(overlapping.faultsByParity, overlapping.faults))
-  {
-    return places.byPoint(overlapping.normals);
-  }
-  progress.set(0.1, 0.97);
-  Normals consistent = consistentNormals(places, neighbors, executor, std::move(byTree)).normals;
-  constexpr double few = 0.02;
-  if (overlapping.withinSolids < few)
-  {
-    return consistent;
-  }
-  progress.set(0.97, 1);
-  const double faults =
-    OverlappingNormals(places, count, executor).faultsOf(normalsByPlace(places, consistent));
-  return areFarMore(faults, overlapping.faults) ? places.byPoint(overlapping.normals) : consistent;
-}
-
 } // namespace
 
 OutwardNormals giveOutwardNormals(
@@ -139,7 +109,7 @@ OutwardNormals giveOutwardNormals(
   Normals normals = std::exchange(cloud.normals, {});
   progress.set(std::max(endOfTree, endOfPlaces), 0.98);
   normals = estimation == NormalEstimation::automatic && places.size() > 1
-              ? overlappingOrConsistent(places, std::move(normals), areas.neighbors, executor)
+              ? automaticNormals(places, std::move(normals), areas.neighbors, executor)
               : consistentNormals(places, areas.neighbors, executor, std::move(normals)).normals;
   progress.set(0.98, 1);
   found.estimation = NormalEstimation::consistent;

@@ -25,13 +25,11 @@ struct OutwardNormals
  * vectors to that precision. The areas belong to the unit vectors that sanitize() makes of them,
  * so that points that were stored with their normals have the same areas when they come back.
  *
- * Automatic takes the spanning tree where its field is clear nearly everywhere. Otherwise its
- * patches are turned for solids that lie in each other (OverlappingNormals.h). These normals are
- * taken at once where walls go through solids; elsewhere they are compared with consistent ones,
- * which are taken unless they have far more faults. Noisy points get consistent normals. Either
- * way is reported as consistent. The bits are the same for any executor and any order of the
- * points. Takes the time and memory of estimateNormals(), consistentNormals() and pointAreas().
- * Shows progress within the executor's share. Throws Interrupted, and Refusal as pointAreas() does.
+ * Automatic takes the spanning tree where its field is clear nearly everywhere, and otherwise
+ * automaticNormals(), which are reported as consistent. The bits are the same for any executor and
+ * any order of the points. Takes the time and memory of estimateNormals(), consistentNormals() and
+ * pointAreas(). Shows progress within the executor's share. Throws Interrupted, and Refusal as
+ * pointAreas() does.
  */
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
   const PointAreaOptions& areas, Executor& executor);

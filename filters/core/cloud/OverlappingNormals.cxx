@@ -2,7 +2,6 @@
 
 #include "base/Progress.h"
 #include "cloud/CloudNoise.h"
-#include "cloud/NeighborGraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,21 +120,16 @@ bool isCut(const NormalPatches::Link& link, const Turns& turns)
 } // namespace
 
 OverlappingNormals::OverlappingNormals(
-  const DistinctPoints& places, std::size_t neighbors, Executor& executor)
+  const DistinctPoints& places, const NeighborGraph& graph, Executor& executor)
   : places_(places)
   , executor_(executor)
-{
-  const NeighborGraph graph(places, neighbors, executor);
-  spacings_ = spacingsOf(places, graph);
-  if (isNoisy(places, graph, spacings_, executor))
-  {
-    return;
-  }
+  , spacings_(spacingsOf(places, graph))
   // Planes through few places are on one sheet mostly, and through more they are not as rough.
-  planes_ = planeNormals(places, graph, (fewNeighbors + neighbors) / 2, executor);
-  patches_ = std::make_unique<NormalPatches>(places, graph, planes_, executor);
-  field_ = std::make_unique<const PlacesField>(places, spacings_, 1,
-    placesOnSheets(planeDeviations(places, graph, fewNeighbors, executor), spacings_), executor);
+  , planes_(planeNormals(places, graph, (fewNeighbors + graph.neighborsPerPlace()) / 2, executor))
+  , patches_(places, graph, planes_, executor)
+  , field_(places, spacings_, 1,
+      placesOnSheets(planeDeviations(places, graph, fewNeighbors, executor), spacings_), executor)
+{
 }
 
 /// Returns what a cut through a step costs.
@@ -148,7 +142,7 @@ double OverlappingNormals::costOf(const NormalPatches::Link& link) const
 double OverlappingNormals::cutsOf(const Turns& turns) const
 {
   double cuts = 0;
-  for (const NormalPatches::Link& link : patches_->links())
+  for (const NormalPatches::Link& link : patches_.links())
   {
     if (link.doubt >= mostDoubt)
     {
@@ -166,7 +160,7 @@ double OverlappingNormals::faultsOf(const Normals& normals) const
   {
     turns[place] = planes_[place].dot(normals[place]) < 0;
   }
-  return faultsAtWalls(field_->valuesOf(normals, Turns(places_.size(), 0))) + this->cutsOf(turns);
+  return faultsAtWalls(field_.valuesOf(normals, Turns(places_.size(), 0))) + this->cutsOf(turns);
 }
 
 /// Returns the search for signs of patches, with bonds for the steps between them.
@@ -175,7 +169,7 @@ OverlapSigns OverlappingNormals::signsOf(
 {
   const auto size = static_cast<Eigen::Index>(patches);
   Eigen::MatrixXd bonds = Eigen::MatrixXd::Zero(size, size);
-  for (const NormalPatches::Link& link : patches_->links())
+  for (const NormalPatches::Link& link : patches_.links())
   {
     if (link.doubt >= mostDoubt)
     {
@@ -189,31 +183,28 @@ OverlapSigns OverlappingNormals::signsOf(
       bonds(to, from) += bond;
     }
   }
-  return {field_->sharesOf(planes_, followers.areOpposite, inOrderOfPatches(followers, patches)),
+  return {field_.sharesOf(planes_, followers.areOpposite, inOrderOfPatches(followers, patches)),
     std::move(bonds)};
 }
 
-OverlappingNormals::Found OverlappingNormals::improved(const Normals& senses)
+OverlappingNormals::Found OverlappingNormals::improved(const Normals& senses) const
 {
   constexpr std::size_t fewestPlaces = 5, mostPatches = 256;
   constexpr double mostFault = 0.25;
   constexpr float doubts[] = {0.1f, 0.15f, 0.2f};
   Found found;
-  if (!patches_)
-  {
-    return found;
-  }
   found.faults = std::numeric_limits<double>::infinity();
   Turns best(places_.size(), 0);
+  NormalPatches growing(patches_);
   Progress progress(executor_);
   for (std::size_t i = 0; i < std::size(doubts); ++i)
   {
     constexpr double ofDoubt = 1.0 / std::size(doubts);
     progress.set(ofDoubt * static_cast<double>(i), ofDoubt * static_cast<double>(i + 1));
-    patches_->grow(doubts[i]);
-    const NormalPatches::Largest largest = patches_->largest(fewestPlaces, mostPatches);
+    growing.grow(doubts[i]);
+    const NormalPatches::Largest largest = growing.largest(fewestPlaces, mostPatches);
     const std::size_t patches = largest.count() + 1;
-    const NormalPatches::Followers followers = patches_->followersOf(largest);
+    const NormalPatches::Followers followers = growing.followersOf(largest);
     const OverlapSigns search = this->signsOf(followers, patches);
     const auto faultsOfSigns = [&](const Eigen::VectorXd& signs)
     {
@@ -226,7 +217,7 @@ OverlappingNormals::Found OverlappingNormals::improved(const Normals& senses)
       found.faults = faults;
       const Eigen::VectorXd w = search.valuesOf(signs);
       found.withinSolids = (w.array() >= 1).cast<double>().mean();
-      const Parity parity = parityOf(w, field_->lookedAt(), followers, signs);
+      const Parity parity = parityOf(w, field_.lookedAt(), followers, signs);
       found.faultsByParity = faultsOfSigns(parity.signs) + mostFault * parity.contrary;
       best = turnsBy(signs, followers);
     }

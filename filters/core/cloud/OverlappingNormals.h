@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "cloud/NeighborGraph.h"
 #include "cloud/NormalPatches.h"
 #include "cloud/OverlapSigns.h"
 #include "cloud/PlacesField.h"
@@ -8,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <vector>
 
 namespace winding
@@ -30,12 +30,12 @@ namespace winding
 class OverlappingNormals
 {
 public:
-  /// neighbors: the most neighbours that planes go through. There must be two places or more, which
-  /// must outlive this. Takes about 250 bytes per place, and half as much from then on.
-  OverlappingNormals(const DistinctPoints& places, std::size_t neighbors, Executor& executor);
+  /// The graph has the most neighbours that planes go through. The places must outlive this, and
+  /// must not be noisy (isNoisy()), for noise makes areas too large to say what w is. Takes about
+  /// 120 bytes per place.
+  OverlappingNormals(const DistinctPoints& places, const NeighborGraph& graph, Executor& executor);
 
-  /// Returns the faults of unit normals, by place: 0.0001 to 0.04 where they are right. Points must
-  /// not be noisy.
+  /// Returns the faults of unit normals, by place: 0.0001 to 0.04 where they are right.
   double faultsOf(const Normals& normals) const;
 
   /// Normals, and their faults.
@@ -51,9 +51,8 @@ public:
 
   /// Turns patches of normals (NormalPatches.h) as long as that lowers the faults, beginning with
   /// the senses of normals that are right in part. Several bounds of doubt are tried, and the
-  /// normals with the least faults are taken. There are none for noisy points (isNoisy()), whose
-  /// areas are too large to say what w is.
-  Found improved(const Normals& senses);
+  /// normals with the least faults are taken. Takes as much memory again.
+  Found improved(const Normals& senses) const;
 
 private:
   double costOf(const NormalPatches::Link& link) const;
@@ -62,10 +61,10 @@ private:
 
   const DistinctPoints& places_;
   Executor& executor_;
-  std::vector<double> spacings_;
-  Normals planes_; ///< their normals in either sense
-  std::unique_ptr<NormalPatches> patches_;
-  std::unique_ptr<const PlacesField> field_;
+  const std::vector<double> spacings_;
+  const Normals planes_; ///< their normals in either sense
+  const NormalPatches patches_;
+  const PlacesField field_;
 };
 
 /// Whether some faults are far more than others, which are the faults of normals that are right.
