@@ -205,9 +205,11 @@ void readPart(ContentLines::Part& part, const Layout& layout, MeshArrays& mesh)
 }
 
 /// The number that stands for full intensity if vectors are colours; none if they are normals.
+/// Colours may be means of others. Of a few vectors, fractions beyond 1 are taken for normals.
 std::optional<double> intensityOf(const PlainArray<double>& vectors)
 {
   constexpr double most = 65535, tolerance = 0.01;
+  constexpr std::size_t few = 16;
   bool areWhole = true;
   double largest = 0;
   std::size_t finite = 0, units = 0;
@@ -222,7 +224,7 @@ std::optional<double> intensityOf(const PlainArray<double>& vectors)
     {
       areWhole = areWhole && at[i] == std::floor(at[i]);
       largest = std::max(largest, at[i]);
-      if (at[i] < 0 || at[i] > most || (!areWhole && largest > 1))
+      if (at[i] < 0 || at[i] > most)
       {
         return {};
       }
@@ -230,7 +232,8 @@ std::optional<double> intensityOf(const PlainArray<double>& vectors)
     ++finite;
     units += std::abs(length - 1) < tolerance ? 1 : 0;
   }
-  if (largest == 0 || 2 * units >= finite)
+  const bool areOdd = !areWhole && largest > 1 && finite < few;
+  if (largest == 0 || areOdd || 2 * units >= finite)
   {
     return {};
   }

@@ -96,6 +96,7 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
   if (!header.names.empty() && header.names[0].rfind("//", 0) == 0)
   {
     header.names[0].erase(0, 2);
+    header.names[0].erase(0, header.names[0].find_first_not_of(" \t"));
     header.end = isCount ? next.end : header.end;
   }
   return header;

@@ -181,6 +181,18 @@ TEST(PointsFile, AllAreInOneCell)
   EXPECT_EQ(parsed(readPoints, "0\n").vertices.count(), 0u);
 }
 
+TEST(PointsFile, ColoursMayBeMeansOfOthers)
+{
+  std::string text;
+  for (int i = 0; i < 20; ++i)
+  {
+    text += std::to_string(i) + " 0 0 " + std::to_string(100 + i) + ".5 127.25 30\n";
+  }
+  const MeshArrays cloud = parsed(readPoints, text);
+  EXPECT_EQ(cloud.normals.count(), 0u);
+  EXPECT_EQ(cloud.notes.size(), 1u);
+}
+
 /// Expects that three columns behind the position are colours, with these bytes, or normals.
 void expectColors(const std::string& text, const std::vector<std::uint8_t>& colors)
 {
