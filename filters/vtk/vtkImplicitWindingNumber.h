@@ -104,6 +104,12 @@ public:
   vtkSetMacro(UseSurfaceCells, vtkTypeBool);
   vtkGetMacro(UseSurfaceCells, vtkTypeBool);
   vtkBooleanMacro(UseSurfaceCells, vtkTypeBool);
+  vtkSetMacro(OrientFaces, vtkTypeBool);
+  vtkGetMacro(OrientFaces, vtkTypeBool);
+  vtkBooleanMacro(OrientFaces, vtkTypeBool);
+  vtkSetMacro(IgnoreOpenParts, vtkTypeBool);
+  vtkGetMacro(IgnoreOpenParts, vtkTypeBool);
+  vtkBooleanMacro(IgnoreOpenParts, vtkTypeBool);
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   vtkSetMacro(EstimateNormals, vtkTypeBool);
@@ -156,6 +162,8 @@ protected:
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
   vtkTypeBool UseSurfaceCells = 0;
+  vtkTypeBool OrientFaces = 0;
+  vtkTypeBool IgnoreOpenParts = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;

@@ -75,13 +75,15 @@
  *   2 there if it is a solid; it may also be a cavity that is inside out.
  * - **one_sided_components**: parts, connected through edges that two triangles share, that cannot
  *   be oriented.
- * - **duplicate_faces**: triangles beyond the first with the same vertices.
+ * - **open_parts_inside**: open sheets inside of closed or nearly closed parts, as baffles are.
+ * - **duplicate_faces**: triangles of faces that are there before, in either sense. Volume and area
+ *   leave out those with the same sense.
  * - **degenerate**: triangles that were left out because two of their vertices are one.
  * - **zero_area**: triangles with three vertices on a line.
  * - **invalid_ids**: triangles that were left out because one of their points does not exist.
  * - **euler**: vertices − edges + triangles.
- * - **volume**: the enclosed volume, negative if the surface is inside out; without meaning for
- *   open surfaces.
+ * - **volume**: the enclosed volume, negative if the surface is inside out; of an open surface, the
+ *   volume of the cones from the middle of the bounds.
  * - **area**: the sum of the triangles' areas.
  * - **fractional_share**: the share (0 to 1) of samples whose w is farther than 0.1 from an
  *   integer, which shows how open the surface is; 0 if it is closed. The samples are the centres of
@@ -93,6 +95,7 @@
  *   UseSurfaceCells.
  * - **flipped_triangles**, with FixOrientation only: triangles that were turned round.
  * - **flipped_components**, with FixOrientation only: parts with a triangle that was turned round.
+ * - **left_out_faces**, with FixOrientation only: polygons that were there before.
  *
  * Clouds have:
  * - **points**: number of points.

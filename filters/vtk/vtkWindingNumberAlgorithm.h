@@ -199,6 +199,23 @@ public:
   ///@}
 
   ///@{
+  /// Whether faces are turned first: neighbours agree then, solids look outward, and the walls
+  /// of cavities inward. Faces that are there more than once are taken once. Parts that have one
+  /// side only stay as they are. Clouds have no faces. Default off.
+  vtkSetMacro(OrientFaces, vtkTypeBool);
+  vtkGetMacro(OrientFaces, vtkTypeBool);
+  vtkBooleanMacro(OrientFaces, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether open parts inside of closed ones, as the baffles of a tank, are left out, after
+  /// faces are turned. They bound nothing, but add to w all around them. Default off.
+  vtkSetMacro(IgnoreOpenParts, vtkTypeBool);
+  vtkGetMacro(IgnoreOpenParts, vtkTypeBool);
+  vtkBooleanMacro(IgnoreOpenParts, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The name of the point data array with the normals of a cloud, which need not have unit length.
   /// Default: no name, for the active normals; the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
@@ -484,6 +501,8 @@ protected:
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
   vtkTypeBool UseSurfaceCells = 0;
+  vtkTypeBool OrientFaces = 0;
+  vtkTypeBool IgnoreOpenParts = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = ESTIMATION_AUTOMATIC;
@@ -500,6 +519,7 @@ protected:
   int SourceKind = NO_SOURCE;
   int Status = DONE;
   bool SourceIsInsideOut = false;
+  bool SourceLooksInward = false; ///< as a whole or in part, as TellSides() finds
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;

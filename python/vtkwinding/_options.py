@@ -87,6 +87,8 @@ class Options:
     longest_expected_time: float = 600
     as_points: bool = False
     surface_cells: bool = False
+    orient_faces: bool = False
+    ignore_open_parts: bool = False
     estimate_normals: bool = False
     normal_estimation: str = "auto"
     n_neighbors: int = 20
@@ -104,6 +106,8 @@ class Options:
             number("longest_expected_time", self.longest_expected_time, 0))
         algorithm.SetSourceAsPoints(flag("as_points", self.as_points))
         algorithm.SetUseSurfaceCells(flag("surface_cells", self.surface_cells))
+        algorithm.SetOrientFaces(flag("orient_faces", self.orient_faces))
+        algorithm.SetIgnoreOpenParts(flag("ignore_open_parts", self.ignore_open_parts))
         algorithm.SetEstimateNormals(flag("estimate_normals", self.estimate_normals))
         algorithm.SetNormalEstimation(
             choice("normal_estimation", self.normal_estimation, NORMAL_ESTIMATIONS))

@@ -208,7 +208,7 @@ TEST_F(CheckCommand, InvertedSurfaces)
   EXPECT_EQ(report["one_sided_components"], 0);
   EXPECT_EQ(report["fractional_share"], 0);
   EXPECT_FALSE(report.contains("flipped_triangles"));
-  EXPECT_NE(report["advice"].get<std::string>().find("--fix-orientation"), std::string::npos);
+  EXPECT_NE(report["advice"].get<std::string>().find("--orient"), std::string::npos);
 }
 
 TEST_F(CheckCommand, FixesTheOrientationAndWritesTheResult)

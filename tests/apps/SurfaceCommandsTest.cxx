@@ -170,8 +170,7 @@ TEST(SurfaceCommand, EmptySurfacesAreToldWithRemedies)
             "check)\n");
 }
 
-/// The command is read from the warning, and its outcome is then evaluated in place of the input.
-TEST_P(SurfaceCommands, TheCommandThatAWarningNamesMendsFacesThatLookInward)
+TEST_P(SurfaceCommands, TheOptionThatAWarningNamesTurnsFacesThatLookInward)
 {
   Mesh mesh = sphere(3);
   for (auto& triangle : mesh.triangles)
@@ -181,25 +180,13 @@ TEST_P(SurfaceCommands, TheCommandThatAWarningNamesMendsFacesThatLookInward)
   in = folder.write("inward.off", asOff(mesh));
   const std::string out = folder.path("out.vtp");
   const std::string warning = runProgram({GetParam(), in, "-o", out, "--resolution", "12"}).err;
-  const std::string program = "winding check ";
-  const std::size_t begin = warning.find(program);
+  const std::string before = "turn the faces (";
+  const std::size_t begin = warning.find(before);
   ASSERT_NE(begin, std::string::npos) << warning;
-  std::istringstream words(warning.substr(begin, warning.find(')', begin) - begin));
-  std::string word;
-  words >> word;
-  std::vector<std::string> command;
-  std::string fixed;
-  while (words >> word)
-  {
-    if (word.rfind("FIXED", 0) == 0)
-    {
-      fixed = folder.path(word);
-    }
-    command.push_back(word == "INPUT" ? in : word.rfind("FIXED", 0) == 0 ? fixed : word);
-  }
-  const Outcome check = runProgram(command);
-  ASSERT_EQ(check.status, 0) << check;
-  const Outcome run = runProgram({GetParam(), fixed, "-o", out, "--resolution", "12", "--json"});
+  const std::string option =
+    warning.substr(begin + before.size(), warning.find(')', begin) - begin - before.size());
+  const Outcome run =
+    runProgram({GetParam(), in, "-o", out, "--resolution", "12", "--json", option});
   EXPECT_EQ(run.status, 0) << run;
   EXPECT_EQ(run.err, "");
   EXPECT_GT(run.json()["output"]["cells"], 0);

@@ -6,6 +6,7 @@
 #include "report/SurfaceReport.h"
 #include "source/Sanitize.h"
 #include "surface/Orientation.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 
@@ -41,6 +42,32 @@ std::size_t disagreements(const SurfaceEdges& edges)
     [](const SurfaceEdges::Pair& pair) { return !pair.agrees; }));
 }
 
+/// Checks that faces which are left out are there once more, and that the rest agrees.
+std::string checkOnce(
+  const Surface& surface, const Orientation& found, const PolygonParts& parts, Executor& executor)
+{
+  const RepeatedFaces faces = repeatedFaces(surface, parts);
+  Surface rest = surface;
+  apply(found, rest);
+  const auto leftOut =
+    static_cast<std::size_t>(std::count(found.isLeftOut.begin(), found.isLeftOut.end(), char(1)));
+  if (rest.triangles.size() + leftOut != surface.triangles.size())
+  {
+    return "apply() leaves out other triangles than orientation does";
+  }
+  for (std::size_t i = 0; i < faces.kinds.size(); ++i)
+  {
+    if (found.isLeftOut[i] && faces.kinds[i] == FaceKind::single)
+    {
+      return "a face that is there once is left out";
+    }
+  }
+  const SurfaceEdges edges = edgesOf(rest, executor);
+  return !parts.empty() || contradictionsOf(rest, edges).edges == 0
+           ? std::string()
+           : "triangles disagree once faces are left out";
+}
+
 std::string checkAny(Choices& choices)
 {
   const Mesh mesh = randomMesh(choices, 40);
@@ -64,8 +91,8 @@ std::string checkAny(Choices& choices)
   const SurfaceEdges edges = edgesOf(surface, serial);
   const Orientation found = orient(surface, edges, parts, serial);
   const Orientation again = orient(surface, edgesOf(surface, backward), parts, backward);
-  if (found.isTurned != again.isTurned || found.triangles != again.triangles ||
-      found.components != again.components)
+  if (found.isTurned != again.isTurned || found.isLeftOut != again.isLeftOut ||
+      found.triangles != again.triangles || found.components != again.components)
   {
     return "orientation depends on the executor";
   }
@@ -75,6 +102,10 @@ std::string checkAny(Choices& choices)
   {
     return "orientation counts other triangles than it turns";
   }
+  if (!found.isLeftOut.empty())
+  {
+    return checkOnce(surface, found, parts, serial);
+  }
   const Surface result = turned(surface, found.isTurned);
   const SurfaceEdges left = edgesOf(result, serial), expected = edges.withTurned(found.isTurned);
   if (left.size() != expected.size() || disagreements(left) != disagreements(expected))
@@ -82,7 +113,7 @@ std::string checkAny(Choices& choices)
     return "the edges of a turned surface are not those that are promised";
   }
   // Polygons may tie triangles together that disagree; without them one-sided parts alone may.
-  if (parts.empty() && disagreements(left) > 0 && countOneSided(surface, edges) == 0)
+  if (parts.empty() && disagreements(left) > 0 && contradictionsOf(surface, edges).oneSided == 0)
   {
     return "triangles disagree though no part is one-sided";
   }

@@ -181,6 +181,41 @@ TEST(ReportOnRanks, RefusesToTurnFacesThatOthersHave)
   EXPECT_EQ(log.errors().empty(), ranks() == 1) << log.errors();
 }
 
+TEST(ProbeOnRanks, TurnsTheFacesOfAllTogether)
+{
+  const Mesh outward = shapes::icosphere(3);
+  Mesh turned = outward;
+  for (std::size_t i = 0; i < turned.triangles.size(); i += 3)
+  {
+    std::swap(turned.triangles[i][1], turned.triangles[i][2]);
+  }
+  vtkNew<vtkPoints> points;
+  shapes::Random random(813 + static_cast<unsigned>(rank()));
+  for (int i = 0; i < 200; ++i)
+  {
+    points->InsertNextPoint(random.point(-1.2, 1.2).data());
+  }
+  vtkNew<vtkPolyData> queries;
+  queries->SetPoints(points);
+  const auto probeOf = [&](vtkPolyData* source, bool isAlone)
+  {
+    auto probe = filterOf<vtkWindingNumberProbe>(queries, isAlone);
+    probe->SetSourceData(source);
+    probe->SetMethod(vtkWindingNumberProbe::DIRECT);
+    probe->OrientFacesOn();
+    updatePiece(probe);
+    return probe;
+  };
+  const auto expected = probeOf(partOf(outward, whole, 0, 1), true);
+  for (const Deal& deal : deals())
+  {
+    SCOPED_TRACE(deal.name);
+    const auto found = probeOf(partOf(turned, deal, rank(), ranks()), false);
+    expectSame(found->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+      expected->GetOutput()->GetPointData()->GetArray("WindingNumber"));
+  }
+}
+
 TEST(AreasOnRanks, NormalsOfOwnPointsAreThoseOfOneRank)
 {
   const Mesh mesh = shapes::icosphere(3);

@@ -31,6 +31,8 @@ COMMON = {
     "LongestExpectedTime": (30, "30"),
     "SourceDistribution": (2, "2"),
     "UseSurfaceCells": (1, "1"),
+    "OrientFaces": (1, "1"),
+    "IgnoreOpenParts": (1, "1"),
 }
 ARRAYS = {
     "GenerateWindingNumber": (0, "0"),

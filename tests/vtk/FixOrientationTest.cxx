@@ -9,6 +9,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkImplicitWindingNumber.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -149,7 +150,7 @@ TEST_F(FixOrientation, IsOffUnlessAskedFor)
   EXPECT_EQ(this->fixed(source)->GetPolys(), source->GetPolys());
   EXPECT_GT(filter->GetNumberOfInconsistentEdges(), 0);
   EXPECT_FALSE(filter->GetReport()->HasArray("flipped_triangles"));
-  EXPECT_NE(std::string(filter->GetAdvice()).find("FixOrientation"), std::string::npos);
+  EXPECT_NE(std::string(filter->GetAdvice()).find("OrientFacesOn()"), std::string::npos);
   EXPECT_EQ(log.warnings(), "");
 }
 
@@ -375,6 +376,76 @@ TEST_F(FixOrientation, OrientsTheLeavesOfACompositeTogether)
   EXPECT_TRUE(filter->GetClosed());
   EXPECT_EQ(output->GetNumberOfPolys(), whole->GetNumberOfPolys());
   EXPECT_NEAR(this->windingNumber(output), 1, 1e-3);
+}
+
+TEST_F(FixOrientation, KeepsOneOfDoubledPolygonsWithItsData)
+{
+  const auto ball = sphere();
+  std::vector<Polygon> polygons = polygonsOf(ball->GetPolys());
+  const std::size_t count = polygons.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    // Reversed as a whole a quadrilateral is cut along its other diagonal.
+    Polygon back = polygons[i];
+    std::reverse(back.begin(), back.end());
+    polygons.push_back(back);
+  }
+  polygons.push_back(polygons.front());
+  const auto doubled = withPolygons(ball, polygons);
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < doubled->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(i);
+  }
+  doubled->GetCellData()->AddArray(numbers);
+
+  vtkPolyData* result = this->fixed(doubled);
+  EXPECT_EQ(polygonsOf(result->GetPolys()), polygonsOf(ball->GetPolys()));
+  vtkDataArray* kept = result->GetCellData()->GetArray("Number");
+  ASSERT_EQ(kept->GetNumberOfTuples(), static_cast<vtkIdType>(count));
+  EXPECT_EQ(kept->GetComponent(static_cast<vtkIdType>(count) - 1, 0), count - 1.0);
+  EXPECT_EQ(filter->GetReport()->GetArray("left_out_faces")->GetComponent(0, 0), count + 1.0);
+}
+
+TEST_F(FixOrientation, IsWhatOtherFiltersDoByThemselves)
+{
+  const auto ball = sphere();
+  std::vector<Polygon> twoSided = polygonsOf(ball->GetPolys());
+  for (Polygon back : polygonsOf(ball->GetPolys()))
+  {
+    std::reverse(back.begin(), back.end());
+    twoSided.push_back(back);
+  }
+  const std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkPolyData>> cases[] = {
+    {shuffled(ball, 5), ball}, {inverted(ball), ball}, {withPolygons(ball, twoSided), ball}};
+  for (const auto& [source, expected] : cases)
+  {
+    vtkNew<vtkWindingNumberField> field, right;
+    for (const auto& [algorithm, input] : {std::pair(field.Get(), source), {right.Get(), expected}})
+    {
+      algorithm->SetInputData(input);
+      algorithm->SetResolution(16);
+    }
+    field->OrientFacesOn();
+    const ErrorLog log(field);
+    field->Update();
+    right->Update();
+    EXPECT_EQ(log.warnings(), "");
+    vtkDataArray* found = field->GetOutput()->GetPointData()->GetScalars();
+    vtkDataArray* wanted = right->GetOutput()->GetPointData()->GetScalars();
+    ASSERT_EQ(found->GetNumberOfTuples(), wanted->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(found->GetComponent(i, 0), wanted->GetComponent(i, 0)) << i;
+    }
+
+    vtkNew<vtkImplicitWindingNumber> function;
+    function->SetInput(source);
+    EXPECT_GT(function->EvaluateFunction(0.1, 0, 0), 0);
+    function->OrientFacesOn();
+    EXPECT_NEAR(function->EvaluateFunction(0.1, 0, 0), -0.5, 1e-12);
+  }
 }
 
 TEST_F(FixOrientation, LeavesGhostsAlone)

@@ -139,10 +139,10 @@ TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
     (std::vector<std::string>{"kind", "triangles", "vertices", "vertices_merged", "closed",
       "boundary_edges", "boundary_loops", "nonmanifold_edges", "inconsistent_edges",
       "net_boundary_edges", "components_vertex", "components_edge", "closed_components",
-      "inverted_components", "nested_solids", "one_sided_components", "duplicate_faces",
-      "degenerate", "zero_area", "unreferenced_vertices", "euler", "volume", "area",
-      "fractional_share", "turned_cells", "left_out_cells", "bbox", "non_finite", "invalid_ids",
-      "advice"}));
+      "inverted_components", "nested_solids", "one_sided_components", "open_parts_inside",
+      "duplicate_faces", "degenerate", "zero_area", "unreferenced_vertices", "euler", "volume",
+      "area", "fractional_share", "turned_cells", "left_out_cells", "bbox", "non_finite",
+      "invalid_ids", "advice"}));
   for (const std::string& name : this->names())
   {
     EXPECT_TRUE(output->GetFieldData()->HasArray(name.c_str())) << name;

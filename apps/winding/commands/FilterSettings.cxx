@@ -28,6 +28,8 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);
   filter->SetUseSurfaceCells(options.surfaceCells);
+  filter->SetOrientFaces(options.orientFaces);
+  filter->SetIgnoreOpenParts(options.ignoreOpenParts);
   filter->SetEstimateNormals(options.estimateNormals);
   filter->SetNormalEstimation(options.normalEstimation);
   filter->SetPointAreaMethod(options.areas);

@@ -200,9 +200,10 @@ void addNormals(CLI::App& app, Options& options)
 void addCheck(CLI::App& app, Options& options)
 {
   CLI::App* check = addCommand(app, options, "check", "Health of a surface or cloud");
-  CLI::Option* fix = check->add_flag("--fix-orientation", options.fixOrientation,
+  CLI::Option* fix = check->add_flag("--fix-orientation,--orient", options.fixOrientation,
     "Turn polygons round so that neighbours agree, and closed components so that they are outward, "
-    "those inside an odd number of others inward; then report on the result");
+    "those inside an odd number of others inward; keep one of doubled ones; then report on the "
+    "result");
   CLI::Option* output = check->add_option("-o,--output", options.output,
     "With --fix-orientation: the surface that results, .vtp .ply .stl .obj");
   CLI::Option* faults = check->add_option("--blocks", options.faults,

@@ -175,6 +175,14 @@ void addMethod(CLI::App* command, Options& options)
   command->add_flag("--points", options.asPoints, "Take a mesh as a cloud of its vertices")
     ->group(group);
   addSurfaceCells(command, options);
+  command
+    ->add_flag("--orient", options.orientFaces,
+      "Turn faces first so that solids look outward, and take faces once that are there more often")
+    ->group(group);
+  command
+    ->add_flag("--ignore-open-parts", options.ignoreOpenParts,
+      "Leave out open sheets inside of closed parts, as baffles")
+    ->group(group);
 }
 
 void addFieldOptions(CLI::App* command, Options& options)

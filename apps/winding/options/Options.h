@@ -33,6 +33,8 @@ struct Options
   bool replace = false; ///< whether normals are estimated for points that have some
   bool asPoints = false;
   bool surfaceCells = false;
+  bool orientFaces = false;
+  bool ignoreOpenParts = false;
 
   // The output. Choices have the numbers that the filters give them.
   double threshold = 0.5;

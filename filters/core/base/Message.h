@@ -2,6 +2,7 @@
 
 #include "base/Parameter.h"
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,6 +73,14 @@ struct Message
   }
 };
 
+/// Returns a share, 0 to 1, as a percentage of two digits.
+inline std::string percentOf(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, share < 0.095 ? "%.2g %%" : "%.0f %%", 100 * share);
+  return text;
+}
+
 /// Returns the remedy for voxels that are too many or too small.
 inline Remedy largerVoxels()
 {
@@ -82,6 +91,13 @@ inline Remedy largerVoxels()
 inline Remedy smallerVoxels()
 {
   return {"choose smaller voxels", {Parameter::resolution, Parameter::voxelSize}};
+}
+
+/// Returns the remedy for solids that are thinner than a voxel.
+inline Remedy touchedVoxels()
+{
+  constexpr int any = 1; // as Coverage::any
+  return {"take voxels that it touches", {{Parameter::coverage, any}}};
 }
 
 /// Returns the remedy for results that are too large as a whole.

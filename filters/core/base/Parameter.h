@@ -19,6 +19,8 @@ enum class Parameter
   // the source
   sourceAsPoints,
   surfaceCells,
+  orientFaces,
+  ignoreOpenParts,
   sourceDistribution,
   normalsArray,
   estimateNormals,
@@ -92,7 +94,6 @@ enum class Parameter
   voxelArray,
   pieces,
   surfaceReport,
-  turnedFaces,
   image,
   contour,
   tube,

@@ -105,6 +105,9 @@ struct TrianglesView
 {
   VectorsView points;
   TriangleIdsView triangles;
+  /// By triangle, whether it belongs to the polygon of the triangle before it; null where each is a
+  /// polygon of its own. Sums do not need it.
+  const char* isContinued = nullptr;
 };
 
 /// Points with normals and areas: as many of each as there are points, or none.

@@ -45,6 +45,13 @@ CloudField::CloudField(
       " with normals of length 0, " + std::to_string(cloud_.badAreaPoints) +
       " with negative areas)");
   }
+  if (options.orientFaces || options.ignoreOpenParts)
+  {
+    const Parameter asked =
+      options.orientFaces ? Parameter::orientFaces : Parameter::ignoreOpenParts;
+    info_.warnings.emplace_back(
+      "points have no faces to turn or leave out", std::vector<Remedy>{{"", {{asked, 0}}}});
+  }
   if (options.neighbors < 3)
   {
     throw Refusal(Message(Parameter::numberOfNeighbors,

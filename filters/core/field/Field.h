@@ -11,6 +11,7 @@
 #include "cloud/PointAreas.h"
 #include "rays/RowCrossings.h"
 #include "source/Grid.h"
+#include "surface/Openings.h"
 
 #include <functional>
 #include <limits>
@@ -66,6 +67,11 @@ struct FieldOptions
   /// of the point's spacing, which is the square root of its area; 0 to mostRegularization. 0
   /// leaves the pure dipole.
   double regularization = 0;
+  /// Whether triangles are turned first, so that solids have an outside, and doubled faces are
+  /// taken once (Orientation.h). Property (5) of Field holds no longer where areas are equal.
+  bool orientFaces = false;
+  /// Whether open parts inside of closed ones are left out (OpenParts.h), after that.
+  bool ignoreOpenParts = false;
   /// Whether scattered samples will be asked for rather than grids: methods that share work along
   /// the rows of a grid are no use then.
   bool scattered = false;
@@ -75,7 +81,8 @@ struct FieldOptions
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
            estimateNormals == other.estimateNormals && normalEstimation == other.normalEstimation &&
            pointAreaMethod == other.pointAreaMethod && neighbors == other.neighbors &&
-           regularization == other.regularization && scattered == other.scattered;
+           regularization == other.regularization && orientFaces == other.orientFaces &&
+           ignoreOpenParts == other.ignoreOpenParts && scattered == other.scattered;
   }
 };
 
@@ -83,17 +90,20 @@ struct FieldOptions
 struct FieldInfo
 {
   bool isSurface = true;
-  std::size_t inputPrimitives = 0;  ///< triangles or points that came in
-  std::size_t primitives = 0;       ///< triangles or points that w is the sum over
-  std::size_t distinct = 0;         ///< those that differ: equal triangles are summed once
-  std::size_t dropped = 0;          ///< primitives with NaN, bad ids, zero normals, negative areas
-  std::size_t weldedVertices = 0;   ///< a surface's different vertices, or a cloud's points
-  std::size_t boundaryEdges = 0;    ///< edges used by one triangle
-  std::size_t netBoundaryEdges = 0; ///< edges whose uses do not cancel: 0 makes w an integer
+  std::size_t inputPrimitives = 0; ///< triangles or points that came in
+  std::size_t primitives = 0;      ///< triangles or points that w is the sum over
+  std::size_t distinct = 0;        ///< those that differ: equal triangles are summed once
+  std::size_t dropped = 0;         ///< primitives with NaN, bad ids, zero normals, negative areas
+  std::size_t weldedVertices = 0;  ///< a surface's different vertices, or a cloud's points
+  std::size_t boundaryEdges = 0;   ///< edges used by one triangle
+  std::size_t contradictingEdges = 0; ///< edges that two triangles use in the same sense
+  std::size_t netBoundaryEdges = 0;   ///< edges whose uses do not cancel: 0 makes w an integer
   /// Triangles that close the surface for method rows. It is 0 where the boundary alone shows that
   /// they are too many: then they are not made.
   std::size_t capTriangles = 0;
-  double pointArea = 0;             ///< mean area of a cloud's points
+  Openings openings;       ///< of a surface
+  bool isTwoSided = false; ///< whether all faces are there in both senses, so that nothing is left
+  double pointArea = 0;    ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;

@@ -1,5 +1,6 @@
 #include "field/SurfaceField.h"
 
+#include "base/DisjointSets.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldChoice.h"
@@ -12,6 +13,9 @@
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "surface/OpenParts.h"
+#include "surface/Orientation.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +24,44 @@
 namespace winding
 {
 
+namespace
+{
+
+/// Returns whether triangles that are connected through vertices are closed by themselves.
+bool hasClosedPiece(const Surface& surface, const BoundaryEdges& boundary)
+{
+  DisjointSets pieces(surface.vertices.size());
+  std::size_t count = surface.vertices.size();
+  for (const Triangle& triangle : surface.triangles)
+  {
+    count -= pieces.unite(triangle[0], triangle[1]);
+    count -= pieces.unite(triangle[1], triangle[2]);
+  }
+  std::vector<char> isOpen(surface.vertices.size(), 0);
+  for (const BoundaryEdge& edge : boundary)
+  {
+    char& isOpenPiece = isOpen[static_cast<std::size_t>(pieces.find(edge.from))];
+    count -= !isOpenPiece;
+    isOpenPiece = 1;
+  }
+  return count > 0;
+}
+
+} // namespace
+
 SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
 {
+  if (options.orientFaces)
+  {
+    const PolygonParts parts = polygonPartsOf(views);
+    apply(orient(surface_, edgesOf(surface_, executor), parts, executor), surface_);
+  }
+  if (options.ignoreOpenParts)
+  {
+    leaveOut(surface_, openPartsInside(surface_, edgesOf(surface_, executor), executor).isInside);
+  }
   info_.inputPrimitives = surface_.inputTriangles;
   info_.primitives = surface_.triangles.size();
   info_.dropped = surface_.dropped();
@@ -40,14 +78,19 @@ SurfaceField::SurfaceField(
   }
   BoundaryChain chain = boundaryChain(surface_, executor);
   info_.boundaryEdges = chain.edgesOfOneTriangle;
+  info_.contradictingEdges = chain.contradictingEdges;
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
-  // They ascend, so that the last one is the largest.
-  if (!merged_.multiplicities.empty() && merged_.multiplicities.back() == 0)
+  if (!options.orientFaces)
   {
-    info_.warnings.emplace_back("every face is there with both senses",
-      std::vector<Remedy>{{"keep one of each pair", {}}}, "nothing is left of them");
+    this->warnOfRepeatedFaces(chain, views, executor);
+  }
+  this->warnOfContradictions(executor);
+  this->warnOfOpenParts(chain, executor);
+  if (!chain.edges.empty())
+  {
+    info_.openings = openingsOf(chain.edges, surface_, this->area());
   }
   this->chooseMethod(options, chain, executor);
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
@@ -86,6 +129,83 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
     }
     merged_.bounds = surface_.bounds;
     distinct_ = &merged_;
+  }
+}
+
+/// Warns of faces that are there more than once, unless they are walls between solids that touch.
+void SurfaceField::warnOfRepeatedFaces(
+  const BoundaryChain& chain, const std::vector<TrianglesView>& views, Executor& executor)
+{
+  // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
+  // no other touches, are looked for in small surfaces.
+  constexpr std::size_t few = 1000;
+  const bool hasPolygons = std::any_of(views.begin(), views.end(),
+    [](const TrianglesView& view) { return view.isContinued != nullptr; });
+  if (merged_.triangles.empty() && surface_.triangles.size() > few &&
+      (chain.crowdedVertices.empty() || !hasPolygons))
+  {
+    return;
+  }
+  const PolygonParts parts = polygonPartsOf(views);
+  // Parts that were left out have taken polygons' numbers with them.
+  const bool areAll = parts.size() == surface_.triangles.size();
+  const RepeatedFaces faces = repeatedFaces(surface_, areAll ? parts : PolygonParts());
+  info_.isTwoSided = faces.cancelAll();
+  if (info_.isTwoSided)
+  {
+    info_.warnings.push_back(twoSidedAdvice());
+  }
+  else if (faces.areAny())
+  {
+    const std::vector<char> isLeftOut =
+      facesToLeaveOut(surface_, edgesOf(surface_, executor), faces);
+    const auto count =
+      static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
+    if (count > 0)
+    {
+      info_.warnings.emplace_back("faces are there more than once: they add up, or cancel",
+        std::vector<Remedy>{{"take each once", {{Parameter::orientFaces, 1}}}},
+        std::to_string(count) + " of " + std::to_string(isLeftOut.size()) + " triangles");
+    }
+  }
+}
+
+/// Warns of triangles that run along an edge in the same sense.
+void SurfaceField::warnOfContradictions(Executor& executor)
+{
+  if (info_.contradictingEdges == 0)
+  {
+    return;
+  }
+  const Contradictions found = contradictionsOf(surface_, edgesOf(surface_, executor));
+  if (found.oneSided > 0)
+  {
+    info_.warnings.emplace_back(std::to_string(found.oneSided) +
+                                (found.oneSided == 1 ? " part has" : " parts have") +
+                                " one side only, and no orientation");
+  }
+  if (found.edges > 0)
+  {
+    info_.warnings.emplace_back("faces contradict each other, so that parts cancel",
+      std::vector<Remedy>{{"turn them", {{Parameter::orientFaces, 1}}}},
+      "two have the same sense at " + std::to_string(found.edges) +
+        (found.edges == 1 ? " edge" : " edges"));
+  }
+}
+
+/// Warns of open parts inside of closed ones.
+void SurfaceField::warnOfOpenParts(const BoundaryChain& chain, Executor& executor)
+{
+  const bool mayBe = chain.edgesOfOneTriangle > 0 &&
+                     (!chain.crowdedVertices.empty() || hasClosedPiece(surface_, chain.edges));
+  const std::size_t parts =
+    mayBe ? openPartsInside(surface_, edgesOf(surface_, executor), executor).count : 0;
+  if (parts > 0)
+  {
+    info_.warnings.emplace_back("open parts lie inside of closed ones",
+      std::vector<Remedy>{{"leave them out", {{Parameter::ignoreOpenParts, 1}}}},
+      std::to_string(parts) + (parts == 1 ? " part bounds" : " parts bound") +
+        " nothing, but w changes around " + (parts == 1 ? "it" : "them"));
   }
 }
 

@@ -48,6 +48,10 @@ protected:
 
 private:
   void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
+  void warnOfRepeatedFaces(
+    const BoundaryChain& chain, const std::vector<TrianglesView>& views, Executor& executor);
+  void warnOfContradictions(Executor& executor);
+  void warnOfOpenParts(const BoundaryChain& chain, Executor& executor);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);

@@ -3,6 +3,7 @@
 #include "base/InsideRule.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ void add(Advice& advice, std::size_t count, const char* one, const char* many,
   }
 }
 
-const Remedy turnedFaces = {"", {Parameter::turnedFaces}};
+const Remedy turnedFaces = {"", {{Parameter::orientFaces, 1}}};
 const Remedy absoluteRule = {
   "", {{Parameter::insideRule, static_cast<int>(InsideRule::absoluteThreshold)}}};
 
@@ -43,27 +44,44 @@ bool isInsideOut(const OrientationCounts& counts)
 }
 
 /// Adds which components are oriented wrongly.
-void addOrientation(Advice& advice, const OrientationCounts& counts)
+void addOrientation(Advice& advice, const OrientationCounts& counts, bool isInsideOutSaid)
 {
-  if (!isInsideOut(counts))
+  if (!isInsideOutSaid)
   {
-    add(advice, counts.inverted, "part is", "parts are", "inside out", {turnedFaces});
+    const std::size_t solids = counts.closed + counts.nearlyClosed;
+    if (counts.inverted > 0)
+    {
+      advice.emplace_back(std::to_string(counts.inverted) + " of " +
+                            counted(solids, "solid part is", "solid parts are") + " inside out",
+        std::vector<Remedy>{turnedFaces});
+    }
     add(advice, counts.nestedSolids, "part is", "parts are",
       "oriented outward inside others, with winding numbers of 2",
-      {{"where they are cavities", {Parameter::turnedFaces}}});
+      {{"where they are cavities", {{Parameter::orientFaces, 1}}}});
   }
   add(advice, counts.oneSided, "part has", "parts have", "one side only, and no orientation");
+}
+
+/// Whether the first advice is that all of it is inside out.
+bool isSaidInsideOut(const SurfaceReport& report)
+{
+  return isInsideOut(report.orientation) &&
+         (report.edges.isClosed() || report.edges.inconsistent == 0);
 }
 
 Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
 {
   const EdgeCounts& edges = report.edges;
+  if (report.isTwoSided)
+  {
+    return {twoSidedAdvice()};
+  }
   if (surface.triangles.empty())
   {
     return {{"nothing to evaluate: there are no triangles that bound anything, so the field is 0"}};
   }
   Advice advice;
-  if (isInsideOut(report.orientation) && (edges.isClosed() || edges.inconsistent == 0))
+  if (isSaidInsideOut(report))
   {
     advice.emplace_back("inside out", std::vector<Remedy>{absoluteRule, turnedFaces});
   }
@@ -75,7 +93,9 @@ Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   if (edges.inconsistent > 0)
   {
     add(advice, edges.inconsistent, "edge is", "edges are",
-      "inconsistently oriented, so that parts cancel each other", {turnedFaces});
+      "inconsistently oriented, so that parts cancel each other",
+      report.orientation.contradictions > 0 ? std::vector<Remedy>{turnedFaces}
+                                            : std::vector<Remedy>());
     return advice;
   }
   if (edges.boundary == 0)
@@ -83,16 +103,16 @@ Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
     return {{"open, though every edge has two triangles or more: at non-manifold edges they do not "
              "cancel; near those winding numbers are between integers"}};
   }
+  if (report.openings.areWide())
+  {
+    advice.push_back(openSideAdvice(report.openings));
+  }
   advice.emplace_back(
     "open: " + counted(edges.boundary, "boundary edge in ", "boundary edges in ") +
     counted(edges.boundaryLoops, "loop", "loops") +
-    "; near them winding numbers are between integers");
+    "; near them winding numbers are between integers" +
+    ", and the volume is that up to the middle of the bounds");
   return advice;
-}
-
-std::string percent(double share)
-{
-  return std::to_string(std::lround(100 * share)) + " %";
 }
 
 Message mainAdviceOn(const CloudReport& report)
@@ -120,7 +140,7 @@ Message mainAdviceOn(const CloudReport& report)
   constexpr double manyOpposite = 0.2;
   if (report.oppositeNeighbors > manyOpposite)
   {
-    return {percent(report.oppositeNeighbors) +
+    return {percentOf(report.oppositeNeighbors) +
             " of neighbours have opposite normals: unless parts are as thin as the points are far "
             "apart, the normals contradict each other and cancel; orient them first"};
   }
@@ -130,7 +150,7 @@ Message mainAdviceOn(const CloudReport& report)
     char medians[80];
     std::snprintf(medians, sizeof medians, "%.2f and %.2f", orientation.behind, orientation.before);
     return {"the field tells inside from outside at " +
-            percent(std::max(orientation.outward, orientation.inward)) +
+            percentOf(std::max(orientation.outward, orientation.inward)) +
             " of the points (it is mostly " + medians +
             " behind and before them): the cloud is open, has parts as thin as its points are far "
             "apart, or its normals contradict each other"};
@@ -152,17 +172,32 @@ bool hasOutlier(const CloudReport& report)
          spacing.largest > 0.25 * report.bounds.diagonal().norm();
 }
 
+/// Adds what is wrong with parts of a surface.
+void addFaults(Advice& advice, const SurfaceReport& report)
+{
+  addOrientation(advice, report.orientation, isSaidInsideOut(report));
+  add(advice, report.openPartsInside, "open part lies", "open parts lie",
+    "inside of closed ones: they bound nothing, but change winding numbers around them",
+    {{"leave them out", {{Parameter::ignoreOpenParts, 1}}}});
+  add(advice, report.edges.nonManifold, "edge is", "edges are",
+    "non-manifold (more than two triangles meet there): where parts overlap, winding numbers may "
+    "be other than 0 and 1");
+  add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
+    "others: equal ones add up, opposite ones cancel",
+    report.mendableTriangles > 0
+      ? std::vector<Remedy>{{"take each once", {{Parameter::orientFaces, 1}}}}
+      : std::vector<Remedy>());
+}
+
 } // namespace
 
 Advice adviceOn(const Surface& surface, const SurfaceReport& report)
 {
   Advice advice = mainAdviceOn(surface, report);
-  addOrientation(advice, report.orientation);
-  add(advice, report.edges.nonManifold, "edge is", "edges are",
-    "non-manifold (more than two triangles meet there): where parts overlap, winding numbers may "
-    "be other than 0 and 1");
-  add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
-    "others: equal ones add up, opposite ones cancel");
+  if (!report.isTwoSided)
+  {
+    addFaults(advice, report);
+  }
   add(advice, surface.nonFiniteTriangles, "triangle is", "triangles are",
     "left out for NaN or infinite coordinates");
   add(advice, surface.invalidIdTriangles, "triangle is", "triangles are",

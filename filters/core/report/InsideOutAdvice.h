@@ -18,21 +18,29 @@ inline std::vector<Remedy> waysOutOfInward(const std::string& what)
   const bool hasFaces = what.rfind("faces", 0) == 0;
   return {{"", {{Parameter::insideRule, static_cast<int>(InsideRule::absoluteThreshold)}}},
     {"turn the " + what,
-      hasFaces ? std::vector<Setting>{Parameter::turnedFaces} : std::vector<Setting>{}}};
+      hasFaces ? std::vector<Setting>{{Parameter::orientFaces, 1}} : std::vector<Setting>{}}};
+}
+
+/// Returns the warning that a surface is of open sheets.
+inline Message openSheetsAdvice()
+{
+  return {"parts are open sheets, which bound nothing", {{"close them", {}}},
+    "w is about 0.5 behind them and -0.5 before them"};
 }
 
 /// Returns the warning that a source is inside out, as a whole or in part. `what` is "faces",
 /// "normals", or "faces or normals" where either may be the cause.
 inline Message insideOutAdvice(const std::string& what, const SideCounts& sides, double threshold)
 {
-  const auto percent = [&sides](std::size_t count)
+  const auto share = [&sides](std::size_t count)
   {
-    return 100 * static_cast<double>(count) / static_cast<double>(sides.samples);
+    return percentOf(static_cast<double>(count) / static_cast<double>(sides.samples));
   };
-  char shares[200];
-  std::snprintf(shares, sizeof shares,
-    "w is %.3g or less at %.2g %% of the samples, and %.3g or more at %.2g %%", -threshold,
-    percent(sides.negative), threshold, percent(sides.inside));
+  char limit[32];
+  std::snprintf(limit, sizeof limit, "%.3g", threshold);
+  const std::string shares = std::string("w is -") + limit + " or less at " +
+                             share(sides.negative) + " of the samples, and " + limit +
+                             " or more at " + share(sides.inside);
   return {what + " look inward", waysOutOfInward(what), shares};
 }
 

@@ -6,7 +6,9 @@
 #include "source/UnitScale.h"
 #include "surface/ClosedComponents.h"
 #include "surface/NearlyClosed.h"
+#include "surface/OpenParts.h"
 #include "surface/Orientation.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 
@@ -15,18 +17,6 @@ namespace winding
 
 namespace
 {
-
-std::size_t countDuplicates(const Surface& surface)
-{
-  TriangleList sorted = surface.triangles;
-  for (Triangle& triangle : sorted)
-  {
-    std::sort(triangle.begin(), triangle.end());
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const auto unique = std::unique(sorted.begin(), sorted.end());
-  return static_cast<std::size_t>(sorted.end() - unique);
-}
 
 std::size_t countVertexComponents(const Surface& surface)
 {
@@ -70,7 +60,9 @@ OrientationCounts countOrientations(
       }
     }
   }
-  counts.oneSided = countOneSided(surface, edges);
+  const Contradictions contradictions = contradictionsOf(surface, edges);
+  counts.contradictions = contradictions.edges;
+  counts.oneSided = contradictions.oneSided;
   return counts;
 }
 
@@ -117,17 +109,35 @@ EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges)
   return counts;
 }
 
-SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+SurfaceReport reportOn(
+  const Surface& surface, const SurfaceEdges& edges, Executor& executor, const PolygonParts& parts)
 {
   SurfaceReport report;
   report.edges = countEdges(surface, edges);
   report.orientation = countOrientations(surface, edges, executor);
   report.vertexComponents = countVertexComponents(surface);
-  report.duplicateTriangles = countDuplicates(surface);
+  const RepeatedFaces faces = repeatedFaces(surface, parts);
+  report.isTwoSided = faces.cancelAll();
+  for (const FaceKind kind : faces.kinds)
+  {
+    report.duplicateTriangles += kind == FaceKind::repeated || kind == FaceKind::opposite;
+  }
+  if (faces.areAny())
+  {
+    const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces);
+    report.mendableTriangles =
+      static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
+  }
+  report.openPartsInside = openPartsInside(surface, edges, executor).count;
   const Eigen::Vector3d center =
     surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
-  for (const Triangle& triangle : surface.triangles)
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
+    if (faces.kinds[i] == FaceKind::repeated)
+    {
+      continue;
+    }
+    const Triangle& triangle = surface.triangles[i];
     // Only the volume uses offsets from the centre: their rounding would give area to triangles
     // whose vertices lie on a line.
     const Eigen::Vector3d& a = surface.vertices[triangle[0]];

@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "source/Surface.h"
+#include "surface/Openings.h"
 #include "surface/SurfaceEdges.h"
 
 namespace winding
@@ -30,11 +31,12 @@ EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges);
 /// w near them is about 1 inside and 0 outside, or −1 inside if they are inverted.
 struct OrientationCounts
 {
-  std::size_t closed = 0;       ///< components whose edges cancel
-  std::size_t nearlyClosed = 0; ///< open components that a cap closes
-  std::size_t inverted = 0;     ///< both kinds of them, inward inside an even number of others
-  std::size_t nestedSolids = 0; ///< both kinds of them, outward inside an odd number of others
-  std::size_t oneSided = 0;     ///< parts that no turning could make agree
+  std::size_t closed = 0;         ///< components whose edges cancel
+  std::size_t nearlyClosed = 0;   ///< open components that a cap closes
+  std::size_t inverted = 0;       ///< both kinds of them, inward inside an even number of others
+  std::size_t nestedSolids = 0;   ///< both kinds of them, outward inside an odd number of others
+  std::size_t contradictions = 0; ///< edges at which triangles disagree, though turning would help
+  std::size_t oneSided = 0;       ///< parts that no turning could make agree
 };
 
 /// The health of a surface. The counts of dropped triangles are in the Surface.
@@ -43,17 +45,23 @@ struct SurfaceReport
   EdgeCounts edges;
   OrientationCounts orientation;
   std::size_t vertexComponents = 0;   ///< pieces of the surface connected through vertices
-  std::size_t duplicateTriangles = 0; ///< triangles beyond the first with the same three vertices
+  std::size_t duplicateTriangles = 0; ///< triangles of faces that are there before
+  std::size_t mendableTriangles = 0;  ///< of these, the ones that Orientation.h leaves out
+  bool isTwoSided = false;            ///< whether all faces are there in both senses
+  std::size_t openPartsInside = 0;    ///< open parts inside of closed ones (OpenParts.h)
   std::size_t zeroAreaTriangles = 0;  ///< triangles with three different vertices on a line
-  double area = 0;
+  Openings openings;                  ///< left to the caller, who has the boundary chain
+  double area = 0;                    ///< of all triangles except repeated ones
   double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
 
   /// The number V − E + F of vertices, edges and triangles: 2 for a sphere, 0 for a torus.
   long long eulerCharacteristic = 0;
 };
 
-/// Examines a surface; the report is the same for every executor. Throws Interrupted.
-SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
+/// Examines a surface; the report is the same for every executor. `parts` says which triangles are
+/// of one polygon. Throws Interrupted.
+SurfaceReport reportOn(const Surface& surface, const SurfaceEdges& edges, Executor& executor,
+  const PolygonParts& parts = PolygonParts());
 
 /// Counts of the points that a surface was made from, whether triangles use them or not.
 struct VertexCounts

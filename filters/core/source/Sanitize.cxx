@@ -547,6 +547,30 @@ bool isUsable(const TrianglesView& view, std::size_t triangle)
   return faultOf(view, triangle) == TriangleFault::none;
 }
 
+PolygonParts polygonPartsOf(const std::vector<TrianglesView>& views)
+{
+  PolygonParts parts;
+  if (std::none_of(views.begin(), views.end(),
+        [](const TrianglesView& view) { return view.isContinued != nullptr; }))
+  {
+    return parts;
+  }
+  for (const TrianglesView& view : views)
+  {
+    bool isPolygonThere = false;
+    for (std::size_t i = 0; i < view.triangles.size(); ++i)
+    {
+      isPolygonThere = isPolygonThere && view.isContinued && view.isContinued[i];
+      if (isUsable(view, i))
+      {
+        parts.push_back(isPolygonThere);
+        isPolygonThere = true;
+      }
+    }
+  }
+  return parts;
+}
+
 bool isUsable(const OrientedPointsView& view, std::size_t point)
 {
   return faultOf(view, point) == PointFault::none;

@@ -62,6 +62,9 @@ bool isUsable(const TrianglesView& view, std::size_t triangle);
 bool isUsable(const OrientedPointsView& view, std::size_t point);
 ///@}
 
+/// Returns which triangles are parts of one polygon, in the surface that sanitize() makes.
+PolygonParts polygonPartsOf(const std::vector<TrianglesView>& views);
+
 ///@{
 /// The bounds that sanitize() would find, without building anything; empty for no valid primitive.
 /// Throws Refusal for coordinates out of range, and when a view's arrays differ in length; with an

@@ -15,6 +15,13 @@ namespace winding
 /// Three vertex ids; positive orientation is counter-clockwise seen from outside.
 using Triangle = std::array<std::int32_t, 3>;
 
+/**
+ * The triangles that are parts of one polygon: an entry per triangle says whether it belongs to the
+ * polygon of the triangle before it. Without entries each triangle is a polygon of its own. The
+ * triangles of a polygon are in one component, for they have their sense in common.
+ */
+using PolygonParts = std::vector<char>;
+
 /// Triangles, which may be many millions.
 using TriangleList = UninitializedVector<Triangle>;
 

@@ -36,6 +36,9 @@ struct BoundaryChain
   /// odd numbers.
   std::size_t edgesOfOneTriangle = 0;
 
+  /// The number of edges that two triangles use in the same sense: they contradict each other.
+  std::size_t contradictingEdges = 0;
+
   /// The ends of all edges that more than two triangles use, or two in the same sense: each edge of
   /// a triangle that is there more than once is one of these, except for two opposite triangles
   /// that no other touches. A vertex may be listed several times.

@@ -24,13 +24,7 @@ struct Components
   std::size_t size() const { return isClosed.size(); }
 };
 
-/**
- * Finds which triangles are parts of one polygon: an entry per triangle says whether it belongs to
- * the polygon of the triangle before it. Without entries each triangle is a polygon of its own. The
- * triangles of a polygon are in one component, for they have their sense in common.
- */
-using PolygonParts = std::vector<char>;
-
+/// Finds the components of a surface. The triangles of a polygon, which `parts` names, are in one.
 Components componentsOf(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts = PolygonParts());
 

@@ -3,6 +3,8 @@
 #include "base/DisjointSets.h"
 #include "source/UnitScale.h"
 #include "surface/NearlyClosed.h"
+#include "surface/OpenParts.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -315,9 +317,8 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   return result;
 }
 
-} // namespace
-
-Orientation orient(
+/// Orients a surface whose faces are there once each.
+Orientation orientOnce(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
 {
   const Patches patches(surface, edges, parts);
@@ -356,11 +357,73 @@ Orientation orient(
   return result;
 }
 
-std::size_t countOneSided(const Surface& surface, const SurfaceEdges& edges)
+} // namespace
+
+Orientation orient(
+  const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
 {
+  const RepeatedFaces faces = repeatedFaces(surface, parts);
+  if (!faces.areAny())
+  {
+    return orientOnce(surface, edges, parts, executor);
+  }
+  Orientation result;
+  result.isLeftOut = facesToLeaveOut(surface, edges, faces);
+  Surface once;
+  PolygonParts partsOfOnce;
+  std::vector<std::size_t> numbers;
+  once.vertices = surface.vertices;
+  once.bounds = surface.bounds;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    if (!result.isLeftOut[i])
+    {
+      once.triangles.push_back(surface.triangles[i]);
+      numbers.push_back(i);
+      partsOfOnce.push_back(!parts.empty() && parts[i]);
+    }
+  }
+  const Orientation found =
+    orientOnce(once, edgesOf(once, executor), parts.empty() ? parts : partsOfOnce, executor);
+  result.triangles = found.triangles;
+  result.components = found.components;
+  result.isTurned.resize(surface.triangles.size(), 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    result.isTurned[numbers[i]] = found.isTurned[i];
+  }
+  turn(once, found.isTurned);
+  const OpenParts sheets = openPartsInside(once, edgesOf(once, executor), executor);
+  for (std::size_t i = 0; i < sheets.isInside.size(); ++i)
+  {
+    const bool isOfPair = faces.kinds[numbers[i]] == FaceKind::facing;
+    result.isLeftOut[numbers[i]] = sheets.isInside[i] && isOfPair;
+  }
+  return result;
+}
+
+void apply(const Orientation& orientation, Surface& surface)
+{
+  turn(surface, orientation.isTurned);
+  leaveOut(surface, orientation.isLeftOut);
+}
+
+Contradictions contradictionsOf(const Surface& surface, const SurfaceEdges& edges)
+{
+  Contradictions found;
   const bool allAgree = std::all_of(edges.pairs.begin(), edges.pairs.end(),
     [](const SurfaceEdges::Pair& pair) { return pair.agrees; });
-  return allAgree ? 0 : Patches(surface, edges, {}).oneSided();
+  if (!allAgree)
+  {
+    const Patches patches(surface, edges, {});
+    found.oneSided = patches.oneSided();
+    for (const SurfaceEdges::Pair& pair : edges.pairs)
+    {
+      const auto triangle = static_cast<std::size_t>(pair.triangles[0]);
+      found.edges += !pair.agrees && !patches.isOneSided(patches.of(triangle));
+    }
+  }
+  return found;
 }
 
 } // namespace winding

@@ -7,17 +7,20 @@
 namespace winding
 {
 
-/// The triangles to turn round so that a surface has an outside.
+/// The triangles to turn round, and to leave out, so that a surface has an outside.
 struct Orientation
 {
-  std::vector<char> isTurned; ///< by triangle
-  std::size_t triangles = 0;  ///< number of triangles that are turned
+  std::vector<char> isTurned;  ///< by triangle
+  std::vector<char> isLeftOut; ///< by triangle; empty where all stay
+  std::size_t triangles = 0;   ///< number of triangles that are turned
   /// The number of components with a triangle that is turned, as Components counts them afterwards.
   std::size_t components = 0;
 };
 
 /**
- * Finds an orientation in three steps:
+ * Finds an orientation. Faces that are there more than once are left out first, so that each
+ * bounds once (RepeatedFaces.h). Of open sheets drawn from both sides, those inside of closed parts
+ * are left out with both (OpenParts.h). Three steps follow:
  * 1. Triangles that share an edge with no third one are made to run along it in opposite
  *    directions, and those of a polygon keep the sense that they have in common. A patch, a
  *    connected set of these triangles, that admits this is turned as a whole from here on, at first
@@ -38,8 +41,17 @@ struct Orientation
 Orientation orient(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor);
 
-/// Counts the patches, sets of triangles connected through edges that two triangles share, that no
-/// turning can make agree: they have one side only.
-std::size_t countOneSided(const Surface& surface, const SurfaceEdges& edges);
+/// Turns triangles of a surface round, and removes those that are left out.
+void apply(const Orientation& orientation, Surface& surface);
+
+/// Counts of what keeps triangles from agreeing. Patches are sets of triangles connected through
+/// edges that two triangles share.
+struct Contradictions
+{
+  std::size_t oneSided = 0; ///< patches that no turning can make agree
+  std::size_t edges = 0;    ///< edges in other patches that two triangles use in the same sense
+};
+
+Contradictions contradictionsOf(const Surface& surface, const SurfaceEdges& edges);
 
 } // namespace winding

@@ -212,16 +212,17 @@ TEST(Orientation, LeavesWhatIsOneSided)
 {
   const Mesh strip = shuffled(moebiusStrip(20), 761, 0.3);
   const Surface surface = clean(strip);
-  EXPECT_EQ(winding::countOneSided(surface, edgesOf(surface)), 1u);
+  EXPECT_EQ(winding::contradictionsOf(surface, edgesOf(surface)).oneSided, 1u);
   EXPECT_EQ(orient(surface).triangles, 0u);
   // A component beside the one-sided one is oriented.
   const Mesh both = strip.with(shuffled(ball({7, 0, 0}, 1), 762));
   const Surface found = oriented(both);
   EXPECT_NEAR(windingAt(found, {7, 0, 0}) - windingAt(clean(strip), {7, 0, 0}), 1, 1e-9);
-  EXPECT_EQ(winding::countOneSided(found, edgesOf(found)), 1u);
-  EXPECT_EQ(winding::countOneSided(clean(icosphere(2)), edgesOf(clean(icosphere(2)))), 0u);
+  EXPECT_EQ(winding::contradictionsOf(found, edgesOf(found)).oneSided, 1u);
+  EXPECT_EQ(
+    winding::contradictionsOf(clean(icosphere(2)), edgesOf(clean(icosphere(2)))).oneSided, 0u);
   const Surface mixed = clean(shuffled(icosphere(2), 763));
-  EXPECT_EQ(winding::countOneSided(mixed, edgesOf(mixed)), 0u);
+  EXPECT_EQ(winding::contradictionsOf(mixed, edgesOf(mixed)).oneSided, 0u);
 }
 
 TEST(Orientation, LeavesWhatIsOneSidedAlsoWhereALargePartMeetsIt)

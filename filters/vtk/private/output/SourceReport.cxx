@@ -8,7 +8,7 @@
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"
 #include "report/FractionalShare.h"
-#include "source/Surface.h"
+#include "source/Sanitize.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -82,11 +82,12 @@ private:
 vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
   const CellCounts& cells, const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
-  const std::shared_ptr<const Field> field =
-    Field::build(source.triangles(), FieldOptions(), executor);
+  const std::vector<TrianglesView> triangles = source.triangles();
+  const std::shared_ptr<const Field> field = Field::build(triangles, FieldOptions(), executor);
   const Surface& surface = *field->surface();
   const SurfaceEdges edgeLists = edgesOf(surface, executor);
-  const SurfaceReport report = reportOn(surface, edgeLists, executor);
+  SurfaceReport report = reportOn(surface, edgeLists, executor, polygonPartsOf(triangles));
+  report.openings = field->info().openings;
   const VertexCounts vertices = countVertices(source.points(), surface, executor);
   const EdgeCounts& edges = report.edges;
   writer.text("kind", "surface");
@@ -105,6 +106,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   writer.count("inverted_components", report.orientation.inverted);
   writer.count("nested_solids", report.orientation.nestedSolids);
   writer.count("one_sided_components", report.orientation.oneSided);
+  writer.count("open_parts_inside", report.openPartsInside);
   writer.count("duplicate_faces", report.duplicateTriangles);
   writer.count("degenerate", surface.collapsedTriangles);
   writer.count("zero_area", report.zeroAreaTriangles);
@@ -119,6 +121,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   {
     writer.count("flipped_triangles", fix->triangles);
     writer.count("flipped_components", fix->components);
+    writer.count("left_out_faces", fix->leftOut);
   }
   writer.box("bbox", surface.bounds);
   writer.count("non_finite", surface.nonFiniteTriangles);

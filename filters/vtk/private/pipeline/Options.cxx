@@ -62,12 +62,19 @@ const Choice* choiceOf(const Option& option, const Setting& setting)
   return found == option.choices.end() ? nullptr : &*found;
 }
 
+/// Returns the number that a setting proposes; empty for flags, and where it proposes none.
+std::string numberOf(const Option& option, const Setting& setting)
+{
+  return setting.value && option.kind != OptionKind::flag ? std::to_string(*setting.value) : "";
+}
+
 std::string inCxx(const Option& option, const Setting& setting)
 {
   const std::string property = option.property;
-  if (const Choice* choice = choiceOf(option, setting))
+  if (const std::string number = numberOf(option, setting); !number.empty())
   {
-    return "Set" + property + "(" + choice->constant + ")";
+    const Choice* choice = choiceOf(option, setting);
+    return "Set" + property + "(" + (choice ? choice->constant : number) + ")";
   }
   return setting.value ? property + (*setting.value != 0 ? "On()" : "Off()")
                        : "Set" + property + "()";
@@ -81,6 +88,11 @@ std::string inParaView(const Option& option, const Setting& setting)
     const std::string entry = choice->entry;
     return label + ": " + entry.substr(0, entry.find(' '));
   }
+  const std::string number = numberOf(option, setting);
+  if (!number.empty())
+  {
+    return label + ": " + number;
+  }
   return setting.value == 0 ? label + " off" : label;
 }
 
@@ -91,6 +103,11 @@ std::string inProgram(const Option& option, const Setting& setting)
   {
     return *choice->word ? name + " " + choice->word : name;
   }
+  const std::string number = numberOf(option, setting);
+  if (!number.empty())
+  {
+    return name + " " + number;
+  }
   return setting.value && std::to_string(*setting.value) == option.standard ? "no " + name : name;
 }
 
@@ -100,6 +117,11 @@ std::string inPython(const Option& option, const Setting& setting)
   if (const Choice* choice = choiceOf(option, setting))
   {
     return name + "'" + choice->word + "'";
+  }
+  const std::string number = numberOf(option, setting);
+  if (!number.empty())
+  {
+    return name + number;
   }
   return setting.value ? name + (*setting.value != 0 ? "True" : "False") : name;
 }

@@ -8,14 +8,6 @@ namespace winding
 namespace
 {
 
-void appendFan(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
-{
-  for (vtkIdType i = 2; i < size; ++i)
-  {
-    triangles.insert(triangles.end(), {ids[0], ids[i - 1], ids[i]});
-  }
-}
-
 /// A strip: every other triangle is turned round.
 void appendStrip(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>& triangles)
 {
@@ -27,30 +19,45 @@ void appendStrip(vtkIdType size, const vtkIdType* ids, std::vector<std::int64_t>
   }
 }
 
-template <class Append> std::vector<std::int64_t> flatten(vtkCellArray* cells, const Append& append)
+/// Calls append(size, ids) for each cell.
+template <class Append> void forEachCell(vtkCellArray* cells, const Append& append)
 {
-  std::vector<std::int64_t> triangles;
-  triangles.reserve(3 * static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
   vtkIdType size;
   const vtkIdType* ids;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     cells->GetCellAtId(cell, size, ids);
-    append(size, ids, triangles);
+    append(size, ids);
   }
-  return triangles;
 }
 
 } // namespace
 
-std::vector<std::int64_t> trianglesOfPolygons(vtkCellArray* polygons)
+FlatTriangles trianglesOfPolygons(vtkCellArray* polygons)
 {
-  return flatten(polygons, appendFan);
+  FlatTriangles triangles;
+  const auto corners = static_cast<std::size_t>(polygons->GetNumberOfConnectivityIds());
+  triangles.ids.reserve(3 * corners);
+  triangles.isContinued.reserve(corners);
+  forEachCell(polygons,
+    [&triangles](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        triangles.ids.insert(triangles.ids.end(), {ids[0], ids[i - 1], ids[i]});
+        triangles.isContinued.push_back(i > 2);
+      }
+    });
+  return triangles;
 }
 
 std::vector<std::int64_t> trianglesOfStrips(vtkCellArray* strips)
 {
-  return flatten(strips, appendStrip);
+  std::vector<std::int64_t> triangles;
+  triangles.reserve(3 * static_cast<std::size_t>(strips->GetNumberOfConnectivityIds()));
+  forEachCell(strips,
+    [&triangles](vtkIdType size, const vtkIdType* ids) { appendStrip(size, ids, triangles); });
+  return triangles;
 }
 
 } // namespace winding

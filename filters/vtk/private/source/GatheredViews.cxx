@@ -71,7 +71,7 @@ Ranks::Number hashOf(const std::vector<OrientedPointsView>& part)
 bool GatheredViews::gather(Ranks& ranks, const std::vector<TrianglesView>& own, bool onlyOnFirst)
 {
   std::vector<double> positions;
-  std::vector<int> ids;
+  std::vector<int> ids, continued;
   ranks.agree(
     [&]
     {
@@ -98,20 +98,29 @@ bool GatheredViews::gather(Ranks& ranks, const std::vector<TrianglesView>& own, 
             const std::int64_t id = view.triangles(i, corner);
             ids.push_back(id >= 0 && id < count ? static_cast<int>(first + id) : -1);
           }
+          continued.push_back(view.isContinued && view.isContinued[i]);
         }
       }
     });
   positions_ = ranks.gather(positions, onlyOnFirst);
   ids_ = ranks.gather(ids, onlyOnFirst);
+  // Triangles alone need not say that each is a polygon of its own.
+  const bool areTriangles = std::find(continued.begin(), continued.end(), 1) == continued.end();
+  continued_ = ranks.gather(areTriangles ? std::vector<int>() : continued, onlyOnFirst);
   if (onlyOnFirst && ranks.rank() > 0)
   {
     return false;
   }
   triangles_.clear();
+  isContinued_.clear();
+  isContinued_.reserve(static_cast<std::size_t>(ranks.count()));
   for (int rank = 0; rank < ranks.count(); ++rank)
   {
+    const int* ofRank = continued_.begin(rank);
+    isContinued_.emplace_back(ofRank, ofRank + continued_.count(rank));
     triangles_.push_back(
-      {vectorsOf(positions_, rank), TriangleIdsView(ids_.begin(rank), ids_.count(rank) / 3)});
+      {vectorsOf(positions_, rank), TriangleIdsView(ids_.begin(rank), ids_.count(rank) / 3),
+        isContinued_.back().empty() ? nullptr : isContinued_.back().data()});
   }
   return true;
 }

@@ -33,7 +33,8 @@ public:
 
 private:
   OfRanks<double> positions_, normals_, areas_;
-  OfRanks<int> ids_;
+  OfRanks<int> ids_, continued_;
+  std::vector<std::vector<char>> isContinued_; ///< by rank
   std::vector<TrianglesView> triangles_;
   std::vector<OrientedPointsView> points_;
 };

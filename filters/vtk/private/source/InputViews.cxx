@@ -5,7 +5,6 @@
 #include "cloud/OutwardNormals.h"
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
-#include "private/source/FlatTriangles.h"
 #include "private/source/PointArrays.h"
 #include "private/source/SourceParts.h"
 #include "source/Sanitize.h"
@@ -169,7 +168,7 @@ ScalarsView InputViews::scalarsOf(vtkDataArray* array)
   return this->viewOf<ScalarsView>(array);
 }
 
-TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
+TrianglesView InputViews::trianglesOf(const VectorsView& points, vtkCellArray* polygons)
 {
   // The array itself says what it is: the kinds of storage of vtkCellArray differ between versions.
   vtkDataArray* ids = polygons->GetConnectivityArray();
@@ -178,15 +177,16 @@ TriangleIdsView InputViews::idsOf(vtkCellArray* polygons)
     const auto count = static_cast<std::size_t>(polygons->GetNumberOfCells());
     if (ids->GetDataTypeSize() == sizeof(std::int64_t))
     {
-      return {static_cast<const std::int64_t*>(ids->GetVoidPointer(0)), count};
+      return {points, {static_cast<const std::int64_t*>(ids->GetVoidPointer(0)), count}};
     }
     if (ids->GetDataTypeSize() == sizeof(std::int32_t))
     {
-      return {static_cast<const std::int32_t*>(ids->GetVoidPointer(0)), count};
+      return {points, {static_cast<const std::int32_t*>(ids->GetVoidPointer(0)), count}};
     }
   }
-  ids_.push_back(trianglesOfPolygons(polygons));
-  return {ids_.back().data(), ids_.back().size() / 3};
+  flat_.push_back(trianglesOfPolygons(polygons));
+  const FlatTriangles& flat = flat_.back();
+  return {points, {flat.ids.data(), flat.isContinued.size()}, flat.isContinued.data()};
 }
 
 /// The polygons of a data set: its own, or the outer surface of volume cells.
@@ -214,12 +214,12 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
   const VectorsView points = this->vectorsOf(polyData->GetPoints()->GetData());
   if (polyData->GetNumberOfPolys() > 0)
   {
-    views.push_back({points, this->idsOf(polyData->GetPolys())});
+    views.push_back(this->trianglesOf(points, polyData->GetPolys()));
   }
   if (polyData->GetNumberOfStrips() > 0)
   {
-    ids_.push_back(trianglesOfStrips(polyData->GetStrips()));
-    views.push_back({points, {ids_.back().data(), ids_.back().size() / 3}});
+    flat_.push_back({trianglesOfStrips(polyData->GetStrips()), {}});
+    views.push_back({points, {flat_.back().ids.data(), flat_.back().ids.size() / 3}});
   }
 }
 

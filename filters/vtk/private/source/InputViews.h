@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.h"
+#include "private/source/FlatTriangles.h"
 #include "private/source/OuterSurface.h"
 #include "private/source/SourceDistribution.h"
 #include "source/MeshVertices.h"
@@ -121,7 +122,7 @@ private:
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);
   template <class View> View viewOf(vtkDataArray* array);
-  TriangleIdsView idsOf(vtkCellArray* polygons);
+  TrianglesView trianglesOf(const VectorsView& points, vtkCellArray* polygons);
   const std::vector<TrianglesView>& ownTriangles();
   const std::vector<OrientedPointsView>& ownOrientedPoints();
   std::vector<OrientedPointsView> findOrientedPoints();
@@ -148,7 +149,7 @@ private:
   // Views point into these where VTK's own memory would not do.
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
   std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
-  std::vector<std::vector<std::int64_t>> ids_;
+  std::vector<FlatTriangles> flat_;
   std::vector<MeshVertices> vertices_;
 };
 

@@ -112,55 +112,75 @@ OwnPolygons ownPolygonsOf(vtkPolyData* leaf)
   return own;
 }
 
-/// Turns the polygons of a leaf that are named, in ascending order.
-vtkSmartPointer<vtkPolyData> withTurned(vtkPolyData* leaf, const std::vector<vtkIdType>& turned)
+/// The polygons of a leaf that change, by ascending numbers.
+struct PolygonChanges
+{
+  std::vector<vtkIdType> turned, leftOut;
+
+  bool areNone() const { return turned.empty() && leftOut.empty(); }
+};
+
+/// Moves on to the next of `numbers` if `next` is at `number`. Returns whether it is.
+bool pass(std::vector<vtkIdType>::const_iterator& next, const std::vector<vtkIdType>& numbers,
+  vtkIdType number)
+{
+  const bool isAt = next != numbers.end() && *next == number;
+  next += isAt;
+  return isAt;
+}
+
+vtkSmartPointer<vtkPolyData> withChanges(vtkPolyData* leaf, const PolygonChanges& changes)
 {
   vtkNew<vtkCellArray> polygons;
-  auto next = turned.begin();
+  auto turned = changes.turned.begin(), leftOut = changes.leftOut.begin();
   std::vector<vtkIdType> reversed;
   vtkIdType size;
   const vtkIdType* ids;
   for (vtkIdType i = 0; i < leaf->GetNumberOfPolys(); ++i)
   {
+    if (pass(leftOut, changes.leftOut, i))
+    {
+      continue;
+    }
     leaf->GetPolys()->GetCellAtId(i, size, ids);
-    if (next != turned.end() && *next == i)
+    if (pass(turned, changes.turned, i))
     {
       // The polygon keeps its first point, so that the fan has the same triangles.
       reversed.assign(ids, ids + size);
       std::reverse(reversed.begin() + 1, reversed.end());
       ids = reversed.data();
-      ++next;
     }
     polygons->InsertNextCell(size, ids);
   }
-  return withCells(leaf, polygons, leaf->GetStrips());
+  const auto result = withCells(leaf, polygons, leaf->GetStrips());
+  if (!changes.leftOut.empty())
+  {
+    vtkNew<vtkCellData> data;
+    data->CopyAllocate(leaf->GetCellData());
+    const vtkIdType before = leaf->GetNumberOfVerts() + leaf->GetNumberOfLines();
+    leftOut = changes.leftOut.begin();
+    for (vtkIdType cell = 0, kept = 0; cell < leaf->GetNumberOfCells(); ++cell)
+    {
+      if (!pass(leftOut, changes.leftOut, cell - before))
+      {
+        data->CopyData(leaf->GetCellData(), cell, kept++);
+      }
+    }
+    result->GetCellData()->ShallowCopy(data);
+  }
+  return result;
 }
 
-/// The triangles of several leaves as a surface has them, and the polygons that they come from.
+/// The polygons that the triangles of a surface come from, in several leaves.
 struct PolygonTriangles
 {
   struct Origin
   {
     std::size_t leaf;
     vtkIdType polygon;
-
-    bool operator==(const Origin& other) const
-    {
-      return leaf == other.leaf && polygon == other.polygon;
-    }
   };
 
   std::vector<Origin> origins; ///< by triangle
-
-  PolygonParts parts() const
-  {
-    PolygonParts result(origins.size(), 0);
-    for (std::size_t i = 1; i < origins.size(); ++i)
-    {
-      result[i] = origins[i] == origins[i - 1];
-    }
-    return result;
-  }
 
   /// One view for each leaf that has polygons, in their order.
   void add(const TrianglesView& view, std::size_t leaf, const OwnPolygons& own)
@@ -206,23 +226,36 @@ OrientedPolygons orientPolygons(
   }
   const Surface surface = sanitize(triangles, executor);
   const Orientation orientation =
-    orient(surface, edgesOf(surface, executor), polygons.parts(), executor);
+    orient(surface, edgesOf(surface, executor), polygonPartsOf(triangles), executor);
 
-  std::vector<std::vector<vtkIdType>> turned(leaves.size());
+  std::vector<PolygonChanges> changes(leaves.size());
+  OrientedPolygons result;
   for (std::size_t i = 0; i < polygons.origins.size(); ++i)
   {
     const auto& [leaf, polygon] = polygons.origins[i];
-    if (orientation.isTurned[i] && (turned[leaf].empty() || turned[leaf].back() != polygon))
+    const auto note = [number = polygon](std::vector<vtkIdType>& numbers)
     {
-      turned[leaf].push_back(polygon);
+      const bool isNew = numbers.empty() || numbers.back() != number;
+      if (isNew)
+      {
+        numbers.push_back(number);
+      }
+      return isNew;
+    };
+    if (!orientation.isLeftOut.empty() && orientation.isLeftOut[i])
+    {
+      result.leftOut += note(changes[leaf].leftOut);
+    }
+    else if (orientation.isTurned[i])
+    {
+      note(changes[leaf].turned);
     }
   }
-  OrientedPolygons result;
   result.triangles = orientation.triangles;
   result.components = orientation.components;
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    result.leaves.push_back(turned[i].empty() ? leaves[i] : withTurned(bases[i], turned[i]));
+    result.leaves.push_back(changes[i].areNone() ? leaves[i] : withChanges(bases[i], changes[i]));
   }
   return result;
 }

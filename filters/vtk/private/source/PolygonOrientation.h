@@ -18,12 +18,14 @@ struct OrientedPolygons
   std::vector<vtkSmartPointer<vtkPolyData>> leaves;
   std::size_t triangles = 0;  ///< number of triangles turned; polygons are fans
   std::size_t components = 0; ///< number of components in which some were turned
+  std::size_t leftOut = 0;    ///< number of polygons left out
 };
 
 /**
- * Turns polygons round; they keep their first point. The strips of a leaf in which something is
+ * Turns polygons round, which keep their first point, and leaves polygons out that are there more
+ * than once (RepeatedFaces.h). The strips of a leaf in which something is
  * turned become triangles, each with the cell data of its strip. Points, point data, cell data and
- * all other cells stay as they are, and a leaf in which nothing is turned is the one that came in.
+ * all other cells stay as they are, and a leaf in which nothing changes is the one that came in.
  * Ghost cells are not looked at, and stay.
  *
  * Throws Refusal if all triangles are unusable, and Interrupted.

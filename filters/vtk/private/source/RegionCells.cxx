@@ -3,6 +3,7 @@
 #include "private/source/FlatTriangles.h"
 #include "private/source/InputViews.h"
 #include "source/Sanitize.h"
+#include "surface/OpenParts.h"
 #include "surface/SolidParts.h"
 
 #include "vtkCellArray.h"
@@ -13,6 +14,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 namespace winding
 {
@@ -137,7 +140,8 @@ std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data)
     data->GetNumberOfCells()};
 }
 
-std::vector<std::vector<vtkIdType>> solidCellsOf(vtkPolyData* surface, Executor& executor)
+std::vector<std::vector<vtkIdType>> solidCellsOf(
+  vtkPolyData* surface, bool ignoresOpenParts, Executor& executor)
 {
   InputViews views(surface, InputOptions(), &executor);
   const std::vector<TrianglesView> triangles = views.triangles();
@@ -170,14 +174,24 @@ std::vector<std::vector<vtkIdType>> solidCellsOf(vtkPolyData* surface, Executor&
     });
   const Surface clean = sanitize(triangles, executor);
   const SolidParts solids = solidPartsOf(clean, parts, executor);
+  OpenParts ignored;
+  if (ignoresOpenParts)
+  {
+    ignored = openPartsInside(clean, edgesOf(clean, executor), executor);
+  }
   std::vector<std::vector<vtkIdType>> cells(solids.count);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (!parts[i])
+    if (!parts[i] && (ignored.isInside.empty() || !ignored.isInside[i]))
     {
       cells[static_cast<std::size_t>(solids.ofTriangle[i])].push_back(faces[i]);
     }
   }
+  const auto isEmpty = [](const std::vector<vtkIdType>& ofSolid)
+  {
+    return ofSolid.empty();
+  };
+  cells.erase(std::remove_if(cells.begin(), cells.end(), isEmpty), cells.end());
   if (!cells.empty())
   {
     // They are left out and counted where the field of the first solid is built.

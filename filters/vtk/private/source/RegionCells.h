@@ -19,9 +19,10 @@ class Executor;
 std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data);
 
 /// The polygons and strips of each of the solids that a surface is made of (SolidParts.h), by their
-/// ids as cells. Strips belong to one solid. Throws Interrupted, and a Refusal if there is no
-/// usable polygon.
-std::vector<std::vector<vtkIdType>> solidCellsOf(vtkPolyData* surface, Executor& executor);
+/// ids as cells. Strips belong to one solid. `ignoresOpenParts` leaves out those inside of closed
+/// ones (OpenParts.h). Throws Interrupted, and a Refusal if there is no usable polygon.
+std::vector<std::vector<vtkIdType>> solidCellsOf(
+  vtkPolyData* surface, bool ignoresOpenParts, Executor& executor);
 
 /**
  * Some of the cells of a data set, in their order, with the points that they use. The cells of

@@ -150,7 +150,7 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
     const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
     if (options.regionArray.empty() || isNone)
     {
-      this->addParts(data_, ranks, executor);
+      this->addParts(data_, options, ranks, executor);
     }
     else
     {
@@ -210,7 +210,8 @@ void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& r
   }
 }
 
-void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
+void Solids::addParts(
+  vtkPointSet* data, const SolidOptions& options, Ranks& ranks, Executor& executor)
 {
   if (!ranks.isAlone() && !isWhole(data, ranks))
   {
@@ -221,7 +222,7 @@ void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
   const std::vector<Ranks::Number> counts = ranks.allGather(
     [&]() -> Ranks::Number
     {
-      this->findParts(data, executor);
+      this->findParts(data, options, executor);
       return cells_.size();
     });
   cells_.resize(static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end())));
@@ -233,7 +234,7 @@ void Solids::addParts(vtkPointSet* data, Ranks& ranks, Executor& executor)
 }
 
 /// Finds the cells of the parts that this rank has: of all, or of none.
-void Solids::findParts(vtkPointSet* data, Executor& executor)
+void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor& executor)
 {
   if (data->GetNumberOfPoints() == 0)
   {
@@ -248,7 +249,7 @@ void Solids::findParts(vtkPointSet* data, Executor& executor)
   {
     data_ = outerSurfaceOf(data, false, counts_);
   }
-  cells_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), executor);
+  cells_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, executor);
   if (cells_.size() > largestLabel)
   {
     throw Refusal(Message("the surface has too many parts for labels",

@@ -24,10 +24,11 @@ constexpr int largestLabel = 65535;
 /// The choices that decide what the solids of an input are.
 struct SolidOptions
 {
-  std::string regionArray; ///< of the cells of a single data set; empty for its connectivity
-  int labelOffset = 0;     ///< added to a region to give its label
-  bool takesFaces = false; ///< of a mesh that has cells with volume, too (OuterSurface.h)
-  bool asPoints = false;   ///< whether meshes are taken as the clouds of their points
+  std::string regionArray;       ///< of the cells of a single data set; empty for its connectivity
+  int labelOffset = 0;           ///< added to a region to give its label
+  bool ignoresOpenParts = false; ///< whether open parts inside of closed ones are no solids
+  bool takesFaces = false;       ///< of a mesh that has cells with volume, too (OuterSurface.h)
+  bool asPoints = false;         ///< whether meshes are taken as the clouds of their points
 };
 
 /**
@@ -72,8 +73,8 @@ public:
 private:
   void addBlocks(vtkDataObject* composite, Ranks& ranks);
   void addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& ranks);
-  void addParts(vtkPointSet* data, Ranks& ranks, Executor& executor);
-  void findParts(vtkPointSet* data, Executor& executor);
+  void addParts(vtkPointSet* data, const SolidOptions& options, Ranks& ranks, Executor& executor);
+  void findParts(vtkPointSet* data, const SolidOptions& options, Executor& executor);
   void makeNamesUnique();
 
   std::vector<unsigned short> labels_;

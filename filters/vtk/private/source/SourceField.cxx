@@ -117,6 +117,8 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addValue(options.input.areas);
   hash.addText(options.input.normalsArray);
   hash.addText(options.input.areaArray);
+  hash.addValue(options.field.orientFaces);
+  hash.addValue(options.field.ignoreOpenParts);
   hash.addValue(options.field.method);
   hash.addValue(options.field.tolerance);
   hash.addValue(options.field.normalEstimation);

@@ -80,6 +80,8 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.input.estimateNormals = object.GetEstimateNormals() != 0;
   options.input.areas = areaSource(areas);
   options.input.areaArray = textOf(object.GetAreaArray());
+  options.field.orientFaces = object.GetOrientFaces() != 0;
+  options.field.ignoreOpenParts = object.GetIgnoreOpenParts() != 0;
   options.field.method = coreMethod(object.GetMethod());
   options.field.tolerance = object.GetTolerance();
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
@@ -100,6 +102,8 @@ void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << object.GetTolerance() << "\n";
   os << indent << "SourceAsPoints: " << object.GetSourceAsPoints() << "\n";
   os << indent << "UseSurfaceCells: " << object.GetUseSurfaceCells() << "\n";
+  os << indent << "OrientFaces: " << object.GetOrientFaces() << "\n";
+  os << indent << "IgnoreOpenParts: " << object.GetIgnoreOpenParts() << "\n";
   os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
   os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
   os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/Surface.h"
+#include "surface/SurfaceEdges.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace winding
+{
+
+/// The open parts of a surface that lie inside of closed ones, as the baffles of a tank.
+struct OpenParts
+{
+  std::vector<char> isInside; ///< by triangle; empty where there are none
+  std::size_t count = 0;
+};
+
+/**
+ * Finds the open parts inside of closed ones: they bound nothing, but add to w all around them. A
+ * part is a set of triangles connected through edges that two of them share. Each other edge of it
+ * is used by it alone, or lies on a surface that is closed without it. The middles of triangles,
+ * and corners off the rest, lie where w of the closed and nearly closed rest is not 0
+ * (NearlyClosed.h). Parts that are nearly closed themselves do not count.
+ *
+ * Takes the time of edgesOf() where an edge has one triangle, and of PointCrossings for candidates.
+ * The same for every executor. Throws Interrupted.
+ */
+OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
+
+} // namespace winding

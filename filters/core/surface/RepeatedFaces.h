@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/Message.h"
+#include "source/Surface.h"
+#include "surface/SurfaceEdges.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace winding
+{
+
+/// The kind of a face, a triangle or a polygon, among the faces with the same corners in the same
+/// cyclic order, whichever way they run.
+enum class FaceKind : char
+{
+  single,   ///< there is no other
+  first,    ///< it stands for all of them, and most run as it does
+  repeated, ///< it adds nothing to the first, or to the pair
+  facing,   ///< as many run either way, and it is the first
+  opposite  ///< it is the first of these that runs the other way
+};
+
+struct RepeatedFaces
+{
+  std::vector<FaceKind> kinds; ///< by triangle
+  std::size_t repeated = 0;    ///< number of repeated faces
+  std::size_t pairs = 0;       ///< number of pairs of facing and opposite faces
+  std::size_t single = 0;      ///< number of single and first faces
+
+  bool areAny() const { return repeated + pairs > 0; }
+
+  /// Returns whether nothing is left of the surface: all its faces are there as often in one sense
+  /// as in the other.
+  bool cancelAll() const { return pairs > 0 && single == 0; }
+};
+
+/// Returns what to do about a surface that RepeatedFaces::cancelAll() is true for.
+inline Message twoSidedAdvice()
+{
+  return {"every face is there with both senses",
+    {{"keep one of each pair", {{Parameter::orientFaces, 1}}}}, "nothing is left of them"};
+}
+
+/// Finds the faces that are there more than once. `parts` says which triangles are of one polygon;
+/// polygons need not be cut into the same triangles. Takes O(n log n) time.
+RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
+
+/**
+ * Returns the triangles to leave out so that each face bounds once, by triangle. They are repeated
+ * faces, and the opposite ones of pairs in the skin of a solid that was drawn from both sides. They
+ * stay, set by connected set, where even numbers of single faces meet each of its edges: the walls
+ * between solids that touch, which bound nothing together.
+ */
+std::vector<char> facesToLeaveOut(
+  const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces);
+
+/// Removes triangles from a surface, and vertices that no others use. `isLeftOut` says by triangle
+/// which, and is empty for none.
+void leaveOut(Surface& surface, const std::vector<char>& isLeftOut);
+
+} // namespace winding

@@ -1,0 +1,83 @@
+#include "surface/Openings.h"
+
+#include "source/SourceArea.h"
+#include "support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Openings;
+
+Openings openingsOf(const Mesh& mesh)
+{
+  const winding::Surface surface = clean(mesh);
+  return winding::openingsOf(
+    boundaryOf(surface).edges, surface, areaOf(surface.vertices, surface.triangles));
+}
+
+/// The part of a sphere where some coordinates, the first ones, are 0 or more.
+Mesh partOfSphere(int coordinates)
+{
+  const Mesh ball = icosphere(4);
+  Mesh part = ball;
+  part.triangles.clear();
+  for (const auto& t : ball.triangles)
+  {
+    const Point middle = (ball.points[t[0]] + ball.points[t[1]] + ball.points[t[2]]) / 3;
+    if (middle.head(coordinates).minCoeff() >= 0)
+    {
+      part.triangles.push_back(t);
+    }
+  }
+  return part;
+}
+
+} // namespace
+
+TEST(Openings, AreSharesOfTheArea)
+{
+  EXPECT_EQ(openingsOf(icosphere(2)).share, 0);
+  EXPECT_NEAR(openingsOf(openCube()).share, 0.2, 1e-12);
+  EXPECT_NEAR(openingsOf(partOfSphere(1)).share, 0.5, 0.01);    // measured: 0.500
+  EXPECT_NEAR(openingsOf(partOfSphere(2)).share, 0.7071, 0.01); // measured: 0.704
+  EXPECT_NEAR(openingsOf(partOfSphere(3)).share, 0.866, 0.01);  // measured: 0.860
+  EXPECT_FALSE(openingsOf(partOfSphere(1)).areWide());
+  EXPECT_TRUE(openingsOf(partOfSphere(2)).areWide());
+
+  Mesh sheet;
+  sheet.points = {{5, 0, 1e9}, {6, 0, 1e9}, {6, 1, 1e9}, {5, 1, 1e9}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_NEAR(openingsOf(sheet).share, 1, 1e-12);
+  EXPECT_NEAR(openingsOf(sheet.with(sheet.reversed())).share, 0, 1e-12);
+}
+
+TEST(Openings, NameThePlanesThatTheyLieIn)
+{
+  // The upper half of a flat box, without its face at x = 0.
+  const Mesh box = cube({0, 0, 0}, {2, 2, 0.3});
+  Mesh part = box;
+  part.triangles.clear();
+  for (const auto& t : box.triangles)
+  {
+    const Point middle = (box.points[t[0]] + box.points[t[1]] + box.points[t[2]]) / 3;
+    if (middle[2] > 0 && middle[0] > 0)
+    {
+      part.triangles.push_back(t);
+    }
+  }
+  const Openings openings = openingsOf(part);
+  EXPECT_NEAR(openings.share, std::hypot(4, 0.6) / 5.8, 1e-12);
+  EXPECT_TRUE(openings.areWide());
+  EXPECT_EQ(openings.planes, "x = 0 and z = 0");
+  EXPECT_NE(openSideAdvice(openings).facts.find("at x = 0 and z = 0"), std::string::npos);
+  EXPECT_EQ(openingsOf(icosphere(1)).planes, "");
+  Mesh sheet;
+  sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(openingsOf(sheet).planes, "");
+}
