@@ -33,6 +33,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -291,6 +292,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject* source, const Samples& samples, std::size_t ownSamples)
 {
   this->SourceIsInsideOut = false;
+  this->SourceLooksInward = false;
   this->PrepareSeconds = 0;
   this->LookAtSource(source);
   this->SetProgressText("Preparing");
@@ -332,9 +334,14 @@ template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
-  if (!info.warnings.empty())
+  std::vector<winding::Message> warnings = info.warnings;
+  if (info.openings.areWide() && info.contradictingEdges == 0 && this->WindingThreshold > 0)
   {
-    vtkWarningMacro(<< winding::lineOf(info.warnings));
+    warnings.push_back(winding::openSideAdvice(info.openings));
+  }
+  if (!warnings.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(warnings));
   }
   if (info.primitives == 0)
   {
@@ -498,7 +505,15 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
 void vtkWindingNumberAlgorithm::TellSides(
   const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  if (this->InsideRule == SIGNED && winding::looksInward(field, sides, executor))
+  const winding::Inwardness inwardness = this->InsideRule == SIGNED
+                                           ? winding::inwardnessOf(field, sides, executor)
+                                           : winding::Inwardness::none;
+  this->SourceLooksInward = inwardness == winding::Inwardness::solids;
+  if (inwardness == winding::Inwardness::sheets && !field.info().openings.areWide())
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::openSheetsAdvice()));
+  }
+  if (this->SourceLooksInward)
   {
     this->SourceIsInsideOut = sides.negative > sides.inside;
     vtkWarningMacro(<< winding::lineOf(

@@ -127,8 +127,14 @@ void vtkWindingNumberField::EvaluateVoxels(
         executor.setShare(1, 1);
         const winding::SideCounts counts = sides.counts(count);
         this->TellSides(field, counts, executor);
+        const auto isInside = [&](int i, int j, int k)
+        {
+          return results.isInside(
+            winding::sampleNumber(samples, i, j, k), voxels.output.rule, voxels.output.threshold);
+        };
         this->WarnOfGrid(field,
-          results.inside() ? results.hasNothingInside() : areAllOutside(counts, this->InsideRule));
+          results.inside() ? results.hasNothingInside() : areAllOutside(counts, this->InsideRule),
+          isInside);
       }
     });
 }

@@ -8,6 +8,7 @@
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "private/source/SourceProperties.h"
 #include "report/GridAdvice.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
@@ -157,12 +158,23 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObj
   return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
 }
 
-void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty)
+void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty,
+  const std::function<bool(int i, int j, int k)>& isInside)
 {
-  if (field.info().primitives > 0)
+  if (field.info().primitives > 0 && !field.info().isTwoSided)
   {
-    const std::optional<winding::Message> advice = winding::gridAdvice(
-      this->GetSampling(), field.info().bounds, isEmpty && !this->SourceIsInsideOut);
+    const winding::Grid& grid = this->GetSampling();
+    winding::GridResult result;
+    result.isEmpty = isEmpty && !this->SourceIsInsideOut;
+    result.mayTouch = this->MayTouchVoxels();
+    if (isInside && !this->SourceLooksInward)
+    {
+      winding::SmpExecutor executor(this, this->NumberOfThreads);
+      executor.setShare(1, 1);
+      result.parts = winding::thinPartsOf(field, grid, isInside,
+        winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+    }
+    const auto advice = winding::gridAdvice(grid, field.info().bounds, result);
     if (advice)
     {
       vtkWarningMacro(<< winding::lineOf(*advice));

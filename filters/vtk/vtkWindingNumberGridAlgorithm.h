@@ -150,8 +150,13 @@ protected:
   const winding::Field& PrepareGridField(vtkDataObject* source);
 
   /// Warns of a grid that misses the source or is too coarse for it, or has no sample inside, which
-  /// `isEmpty` says. A source without primitives, or inside out, has been warned of before.
-  void WarnOfGrid(const winding::Field& field, bool isEmpty);
+  /// `isEmpty` says. Parts that are lost are looked for where `isInside` says which samples are
+  /// inside. A source without primitives, inside out or drawn from both sides has been warned of.
+  void WarnOfGrid(const winding::Field& field, bool isEmpty,
+    const std::function<bool(int i, int j, int k)>& isInside = nullptr);
+
+  /// Whether voxels that the source touches could count as inside, but do not.
+  virtual bool MayTouchVoxels() const { return false; }
 
   /// Throws a refusal if samples are to be verified and cannot be; `hasValues` says whether there
   /// will be an array of w.

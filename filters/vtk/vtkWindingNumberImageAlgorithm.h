@@ -105,6 +105,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
   bool InformationNeedsSource() const override { return true; }
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  bool MayTouchVoxels() const override { return this->Coverage == CENTER; }
 
   /// The type of the active scalars that the image will have.
   virtual int GetActiveScalarType() const = 0;

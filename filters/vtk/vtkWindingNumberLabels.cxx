@@ -186,12 +186,35 @@ bool vtkWindingNumberLabels::CountInward(const winding::Field& field,
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
-  const bool isInward = winding::looksInward(field, sides, executor);
+  const bool isInward =
+    winding::inwardnessOf(field, sides, executor) == winding::Inwardness::solids;
   if (isInward)
   {
     (hasInside ? this->Facts->partlyInsideOut : this->Facts->insideOut).add(name);
   }
   return isInward;
+}
+
+/// Counts a solid if parts of it are lost between voxels, which have no label there.
+void vtkWindingNumberLabels::LookForThinParts(
+  const winding::Field& field, const winding::LabelImage& labels, const std::string& name)
+{
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  const winding::LabelArrays& arrays = labels.arrays();
+  const auto parts = winding::thinPartsOf(
+    field, this->GetSampling(),
+    [&arrays](int i, int j, int k)
+    { return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0; },
+    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+  if (parts && parts->areWorthTelling())
+  {
+    this->Facts->lostInPart.add(name);
+    if (parts->share > this->Facts->largestLoss.share)
+    {
+      this->Facts->largestLoss = *parts;
+    }
+  }
 }
 
 /// Counts the solids that have voxels inside, but none with their label.
@@ -223,6 +246,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   options.labelOffset = this->LabelOffset;
   options.asPoints = this->SourceAsPoints != 0;
   options.takesFaces = this->UseSurfaceCells != 0;
+  options.ignoresOpenParts = this->IgnoreOpenParts != 0;
   const winding::Solids solids(source, options, this->GetRanks(), executor);
   this->Facts->expected = solids.size();
 
@@ -308,10 +332,14 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
         if (isWhole && field.info().primitives > 0)
         {
           hasVoxels[i] = hasInside;
-          if (!hasInside && !isInward)
+          if (!hasInside && !isInward && !field.info().isTwoSided)
           {
             const bool isMissed = winding::missesSource(grid, field.info().bounds);
             (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));
+          }
+          else if (hasInside && !isInward)
+          {
+            this->LookForThinParts(field, labels, solids.name(i));
           }
         }
       });
@@ -371,7 +399,8 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
     vtkWarningMacro(<< winding::lineOf({"some solids look inward and have no label",
                       winding::waysOutOfInward("faces or normals"), facts.insideOut.outOf(count)}));
   }
-  const auto advice = winding::gridAdvice(this->GetSampling(), facts.source.bounds, false);
+  const auto advice =
+    winding::gridAdvice(this->GetSampling(), facts.source.bounds, winding::GridResult());
   if (advice && facts.missed.count() == 0 && facts.source.primitives > 0)
   {
     vtkWarningMacro(<< winding::lineOf(*advice));
@@ -388,6 +417,13 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
                       {winding::smallerVoxels(),
                         {"label what they touch", {{winding::Parameter::coverage, ANY}}}},
                       facts.thin.outOf(count)}));
+  }
+  if (facts.lostInPart.count() > 0)
+  {
+    winding::Message lost =
+      winding::thinPartsAdvice(facts.largestLoss, this->GetSampling(), this->MayTouchVoxels());
+    lost.facts += "; " + facts.lostInPart.outOf(count);
+    vtkWarningMacro(<< winding::lineOf(lost));
   }
   if (facts.hidden.count() > 0)
   {

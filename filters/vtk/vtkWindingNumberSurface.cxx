@@ -271,7 +271,10 @@ void vtkWindingNumberSurface::FindEdges(
                           {"choose a larger grid",
                             {winding::Parameter::padding, winding::Parameter::samplingBounds}}})));
   }
-  this->WarnOfGrid(field, edges.size() == 0 && !isAllInside);
+  this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
+    [&edges](int i, int j, int k) {
+      return edges.isSampleInside({i, j, k});
+    });
 }
 
 void vtkWindingNumberSurface::FindRoots(

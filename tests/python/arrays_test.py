@@ -43,6 +43,24 @@ class ValuesTest(unittest.TestCase):
         self.assertEqual(value.dtype, np.float64)
         self.assertTrue(0.7 < value[0] < 0.95, value)  # 0.873: a sixth is missing in part
 
+    def test_faces_that_look_inward_or_both_ways(self):
+        both = np.concatenate([CUBE, CUBE[:, ::-1]])
+        for faces, words in ((CUBE[:, ::-1], "orient_faces=True"), (both, "both senses")):
+            with warnings.catch_warnings(record=True) as found:
+                warnings.simplefilter("always")
+                np.testing.assert_array_equal(contains(POINTS, CORNERS, faces), [False, False])
+                self.assertEqual(len(found), 1)
+                self.assertIn(words, str(found[0].message))
+            np.testing.assert_array_equal(
+                contains(POINTS, CORNERS, faces, orient_faces=True), [True, False])
+
+    def test_sheets_inside_may_be_left_out(self):
+        corners = np.concatenate([CORNERS, [[0.5, 0.3, 0.3], [0.5, 0.7, 0.3], [0.5, 0.5, 0.8]]])
+        faces = np.concatenate([CUBE, [[8, 9, 10]]])
+        self.assertNotEqual(winding_number([INSIDE], corners, faces)[0], 1)
+        value = winding_number([INSIDE], corners, faces, ignore_open_parts=True)
+        np.testing.assert_array_equal(value, [1])
+
     def test_clouds(self):
         points, _, normals = sphere()
         where = [[0, 0, 0.1], [1, 0, 0]]

@@ -22,12 +22,21 @@ SideCounts countSides(std::size_t values, double threshold, const ValueAt& value
   return counts;
 }
 
+/// Reasons why w is negative where it should be positive.
+enum class Inwardness
+{
+  none,
+  solids, ///< faces or normals look inward
+  sheets  ///< the surface is of open sheets, which have w of about ½ behind and −½ before them
+};
+
 /**
- * Returns whether faces or normals look inward, so that w is negative where it should be positive.
- * For surfaces that is where a hundredth or more of the samples off the outside are negative.
- * Near single points of a cloud w has any value; so for clouds most of these samples must be
- * negative, and most normals must point inward as well (CloudOrientation.h). Throws Interrupted.
+ * Returns whether faces or normals look inward. For surfaces that is where a hundredth or more of
+ * the samples off the outside are negative, unless they are open on a whole side (Openings.h), or
+ * no closed or nearly closed part is inverted (ClosedComponents.h). Near single points of a cloud w
+ * has any value; so for clouds most of these samples must be negative, and most normals must point
+ * inward as well (CloudOrientation.h). Throws Interrupted.
  */
-bool looksInward(const Field& field, const SideCounts& sides, Executor& executor);
+Inwardness inwardnessOf(const Field& field, const SideCounts& sides, Executor& executor);
 
 } // namespace winding

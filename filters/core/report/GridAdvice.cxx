@@ -5,26 +5,20 @@
 namespace winding
 {
 
-std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, bool isEmpty)
+std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result)
 {
-  const Eigen::Vector3d low = grid.inGridUnits(source.min()), high = grid.inGridUnits(source.max());
   if (missesSource(grid, source))
   {
     return Message(
       "the grid misses the source", {{"choose a grid around it", {Parameter::samplingBounds}}});
   }
+  const Eigen::Vector3d voxels = grid.inGridUnits(source.max()) - grid.inGridUnits(source.min());
   constexpr double fewest = 3;
   int thinnest = -1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (high[axis] < -0.5 || low[axis] > grid.dimensions[axis] - 0.5)
-    {
-      return Message(
-        "the grid misses the source", {{"choose a grid around it", {Parameter::samplingBounds}}});
-    }
-    const double voxels = high[axis] - low[axis];
-    const bool isThin = voxels > 0 && voxels < fewest;
-    if (isThin && (thinnest < 0 || voxels < high[thinnest] - low[thinnest]))
+    const bool isThin = voxels[axis] > 0 && voxels[axis] < fewest;
+    if (isThin && (thinnest < 0 || voxels[axis] < voxels[thinnest]))
     {
       thinnest = axis;
     }
@@ -32,16 +26,25 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, bool i
   if (thinnest >= 0)
   {
     char facts[120];
-    std::snprintf(facts, sizeof facts, "it has %.2g of them along %c%s",
-      high[thinnest] - low[thinnest], "xyz"[thinnest], isEmpty ? ", and no sample is inside" : "");
+    std::snprintf(facts, sizeof facts, "it has %.2g of them along %c%s", voxels[thinnest],
+      "xyz"[thinnest], result.isEmpty ? ", and no sample is inside" : "");
     return Message("the source is thinner than three voxels",
       {smallerVoxels(), {"name voxels along each axis", {Parameter::samplingDimensions}}}, facts);
   }
-  if (isEmpty)
+  if (result.parts && result.parts->areWorthTelling())
   {
-    return Message("no sample is inside",
-      {smallerVoxels(), {"choose a grid around the source", {Parameter::samplingBounds}},
-        {"look whether the source is closed", {Parameter::surfaceReport}}});
+    return thinPartsAdvice(*result.parts, grid, result.mayTouch);
+  }
+  if (result.isEmpty)
+  {
+    std::vector<Remedy> remedies = {smallerVoxels(),
+      {"choose a grid around the source", {Parameter::samplingBounds}},
+      {"look whether the source is closed", {Parameter::surfaceReport}}};
+    if (result.mayTouch)
+    {
+      remedies.push_back(touchedVoxels());
+    }
+    return Message("no sample is inside", remedies);
   }
   return std::nullopt;
 }

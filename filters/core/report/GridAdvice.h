@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Message.h"
+#include "report/ThinParts.h"
 #include "source/Grid.h"
 
 #include <optional>
@@ -9,12 +10,21 @@
 namespace winding
 {
 
+/// Facts about a result on a grid.
+struct GridResult
+{
+  bool isEmpty = false;           ///< whether no sample is inside
+  bool mayTouch = false;          ///< whether voxels could count that the source touches
+  std::optional<ThinParts> parts; ///< that the grid does not show
+};
+
 /**
  * Returns what to do about a grid that does not show a source with these bounds: where it misses
- * them, where the source has less than three voxels along an axis, or where no sample is inside,
- * which `isEmpty` says. An axis without any extent does not count: no grid would help.
+ * them, where the source has less than three voxels along an axis, where parts are lost between
+ * samples, or where no sample is inside. An axis without any extent does not count: no grid would
+ * help.
  */
-std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, bool isEmpty);
+std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result);
 
 /// Returns whether a grid has no voxel in common with the bounds of a source.
 bool missesSource(const Grid& grid, const Bounds& source);

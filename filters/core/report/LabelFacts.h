@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/Field.h"
+#include "report/ThinParts.h"
 
 #include <cstddef>
 #include <string>
@@ -52,6 +53,8 @@ struct LabelFacts
   NamedSolids insideOut;         ///< those where w is negative and nothing is inside
   NamedSolids missed;            ///< those that the grid misses
   NamedSolids thin;              ///< others without a voxel inside, which do not look inward
+  NamedSolids lostInPart;        ///< those with parts that are thinner than a voxel
+  ThinParts largestLoss;         ///< of these, the one with the largest share
   NamedSolids hidden;            ///< those whose voxels all have other labels
   NamedSolids partlyInsideOut;   ///< those where w is negative in part, and something is inside
   NamedSolids warned;            ///< those with a warning

@@ -40,7 +40,7 @@ Grid gridOver(const Point& low, const Point& high)
 bool looksInward(const Field& field, const winding::SideCounts& sides)
 {
   winding::SerialExecutor serial;
-  return winding::looksInward(field, sides, serial);
+  return winding::inwardnessOf(field, sides, serial) == winding::Inwardness::solids;
 }
 
 ///@{
@@ -161,6 +161,34 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   EXPECT_FALSE(looksInward(*field, sidesOf(*field, samples, 0.5)));
   EXPECT_FALSE(looksInward(*field, farBelow()));
   EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
+}
+
+TEST(InsideOut, IsNoSetOfOpenSheets)
+{
+  // Three squares through each other: w is 0.5 and −0.5 at the sides of each, with 0 of the others.
+  Mesh sheets;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Mesh square;
+    for (const auto& [u, v] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+    {
+      Point corner = Point::Zero();
+      corner[(axis + 1) % 3] = u;
+      corner[(axis + 2) % 3] = v;
+      square.points.push_back(corner);
+    }
+    square.triangles = {{0, 1, 2}, {0, 2, 3}};
+    sheets = sheets.with(square);
+  }
+  const auto field = fieldOf(sheets);
+  EXPECT_FALSE(field->info().openings.areWide()) << field->info().openings.share; // measured: 0.577
+  winding::SideCounts sides;
+  sides.samples = 100;
+  sides.negative = sides.inside = 4;
+  winding::SerialExecutor serial;
+  EXPECT_EQ(winding::inwardnessOf(*field, sides, serial), winding::Inwardness::sheets);
+  const auto box = fieldOf(openCube().reversed());
+  EXPECT_EQ(winding::inwardnessOf(*box, sides, serial), winding::Inwardness::solids);
 }
 
 TEST(InsideOut, IsASurfaceOfWhichAHundredthIsNegative)

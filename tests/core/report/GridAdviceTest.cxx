@@ -21,7 +21,7 @@ Grid unitVoxels()
 std::string faultOf(const Eigen::Vector3d& low, const Eigen::Vector3d& high, bool isEmpty)
 {
   const std::optional<winding::Message> advice =
-    winding::gridAdvice(unitVoxels(), Bounds(low, high), isEmpty);
+    winding::gridAdvice(unitVoxels(), Bounds(low, high), {isEmpty, false, {}});
   return advice ? advice->fault : "";
 }
 
@@ -41,8 +41,8 @@ TEST(GridAdvice, SaysWhatIsWrongWithAGrid)
   EXPECT_EQ(faultOf({1, 1, 1}, {8, 8, 3.5}, false), "the source is thinner than three voxels");
   EXPECT_EQ(faultOf({1, 1, 1}, {8, 8, 1}, true), "no sample is inside");
   EXPECT_EQ(faultOf({1, 1, 1}, {8, 8, 8}, true), "no sample is inside");
-  const auto thin = winding::gridAdvice(
-    unitVoxels(), Bounds(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(8, 3, 1.0004)), true);
+  const auto thin = winding::gridAdvice(unitVoxels(),
+    Bounds(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(8, 3, 1.0004)), {true, false, {}});
   ASSERT_TRUE(thin);
   EXPECT_EQ(thin->facts, "it has 0.0004 of them along z, and no sample is inside");
 }

@@ -139,6 +139,17 @@ bool ResultArrays::hasNothingInside() const
   return std::find(first, last, 1) == last;
 }
 
+bool ResultArrays::isInside(std::size_t sample, InsideRule rule, double threshold) const
+{
+  const auto number = static_cast<vtkIdType>(sample);
+  if (inside_)
+  {
+    return inside_->GetValue(number) != 0;
+  }
+  return values_ ? winding::isInside(values_->GetComponent(number, 0), rule, threshold)
+                 : distances_->GetComponent(number, 0) < 0;
+}
+
 void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
 {
   // SetScalars() would throw the array out that was active until now.

@@ -62,6 +62,10 @@ public:
   /// Whether there is an array of what is inside, and it has no 1.
   bool hasNothingInside() const;
 
+  /// Returns whether a sample is inside, by the first of these that there is: the array of what is
+  /// inside, values compared by the rule, distances below 0.
+  bool isInside(std::size_t sample, InsideRule rule, double threshold) const;
+
   /// Adds the arrays; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;
 

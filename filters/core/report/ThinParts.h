@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "base/InsideRule.h"
+#include "base/Message.h"
+#include "field/Field.h"
+#include "source/Grid.h"
+
+#include <functional>
+#include <optional>
+
+namespace winding
+{
+
+/// The part of a surface that a grid does not show, since what it encloses has no sample inside.
+struct ThinParts
+{
+  double share = 0;     ///< of the surface's area, 0 to 1
+  double thickness = 0; ///< nine tenths of that part are thicker, or 0 if it is not known
+
+  /// Returns whether they are a twentieth of the surface or more.
+  bool areWorthTelling() const;
+};
+
+/// Returns whether the sample (i, j, k) of a grid is inside.
+using IsSampleInside = std::function<bool(int i, int j, int k)>;
+
+/**
+ * Estimates which part of a field's surface is lost on a grid: of the cell of samples round a point
+ * no corner is inside. About 2000 points are taken (evenPoints()). Points in the grid's outer half
+ * voxel do not count. Thicknesses are measured along the normals of some of the lost points, up to
+ * the next triangle. Where the surface is open, points count as lost if w is inside by `rule`
+ * halfway there.
+ *
+ * Returns nothing for clouds. The estimate depends on the order of the triangles, and not on the
+ * executor. It takes a millisecond, and the time of 64 rays through all triangles where a twentieth
+ * of the surface is lost. Throws Interrupted.
+ */
+std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
+  const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor);
+
+/// Returns what to do about parts thinner than a voxel. `mayTouch` says whether voxels that the
+/// source touches could count.
+Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch);
+
+} // namespace winding

@@ -1,0 +1,113 @@
+#include "report/ThinParts.h"
+
+#include "support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+namespace
+{
+
+using namespace shapes;
+using winding::Extent;
+using winding::Grid;
+using winding::InsideRule;
+using winding::ThinParts;
+
+Grid gridAround(const Mesh& mesh, int resolution)
+{
+  winding::GridRequest request;
+  request.bounds = clean(mesh).bounds;
+  request.padding = 0.05;
+  request.resolution = resolution;
+  return layOutGrid(request);
+}
+
+std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double threshold = 0.5)
+{
+  winding::SerialExecutor serial;
+  const auto field = winding::Field::build({mesh.view()}, winding::FieldOptions(), serial);
+  const Extent extent = grid.wholeExtent();
+  std::vector<unsigned char> inside(winding::sampleCount(extent));
+  winding::FieldOutput output;
+  output.inside = inside.data();
+  output.threshold = threshold;
+  field->evaluate(grid, extent, output, serial);
+  return thinPartsOf(
+    *field, grid,
+    [&](int i, int j, int k) { return inside[winding::sampleNumber(extent, i, j, k)] != 0; },
+    InsideRule::signedThreshold, threshold, serial);
+}
+
+/// A hollow ball of radius 1.
+Mesh shell(double thickness)
+{
+  const Mesh ball = icosphere(4);
+  return ball.with(ball.reversed().mapped([&](const Point& p) { return (1 - thickness) * p; }));
+}
+
+} // namespace
+
+TEST(ThinParts, AreLostBetweenSamples)
+{
+  // A voxel of the first grid is 0.07 wide.
+  const Mesh thin = shell(0.02);
+  const auto lost = thinPartsOn(thin, gridAround(thin, 32));
+  ASSERT_TRUE(lost);
+  EXPECT_NEAR(lost->share, 0.24, 0.03);      // measured: 0.238
+  EXPECT_NEAR(lost->thickness, 0.02, 0.002); // measured: 0.0198
+
+  const winding::Message advice = thinPartsAdvice(*lost, gridAround(thin, 32), false);
+  EXPECT_EQ(advice.fault, "parts are thinner than a voxel");
+  EXPECT_NE(advice.facts.find("a resolution of 120 would keep it"), std::string::npos)
+    << advice.facts;
+  EXPECT_EQ(advice.remedies.size(), 1u);
+  EXPECT_EQ(thinPartsAdvice(*lost, gridAround(thin, 32), true).remedies.size(), 2u);
+
+  const auto kept = thinPartsOn(thin, gridAround(thin, 120));
+  ASSERT_TRUE(kept);
+  EXPECT_FALSE(kept->areWorthTelling()) << kept->share;
+}
+
+TEST(ThinParts, AreNoneOfSolidsThatAreThickEnough)
+{
+  for (const Mesh& solid : {icosphere(3), cube(), torus(60, 30), shell(0.4), surfaceOf(lShape()),
+         // walls inside of a solid
+         cube().with(cube({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7}))})
+  {
+    const auto parts = thinPartsOn(solid, gridAround(solid, 24));
+    ASSERT_TRUE(parts);
+    EXPECT_FALSE(parts->areWorthTelling()) << parts->share; // measured: 0.02 at most
+  }
+}
+
+TEST(ThinParts, WhatBoundsNothingIsNotLost)
+{
+  Mesh sheet;
+  sheet.points = {{0, 0, 0}, {1, 0, 0.3}, {1, 1, 0}, {0, 1, 0.2}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto parts = thinPartsOn(sheet, gridAround(sheet, 24));
+  ASSERT_TRUE(parts);
+  EXPECT_FALSE(parts->areWorthTelling()) << parts->share;
+}
+
+TEST(ThinParts, DependOnNoExecutorAndWantASurface)
+{
+  const std::vector<double> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  winding::OrientedPointsView view;
+  view.positions = {points.data(), 4};
+  view.normals = {points.data(), 4};
+  winding::SerialExecutor serial;
+  winding::FieldOptions options;
+  options.pointAreaMethod = winding::PointAreaMethod::constant;
+  options.pointArea = 1;
+  const auto cloud = winding::Field::build({view}, options, serial);
+  const auto nothing = [](int, int, int)
+  {
+    return false;
+  };
+  EXPECT_FALSE(
+    thinPartsOf(*cloud, gridAround(cube(), 8), nothing, InsideRule::signedThreshold, 0.5, serial));
+}
