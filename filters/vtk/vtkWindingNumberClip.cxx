@@ -3,7 +3,6 @@
 #include "base/Executor.h"
 #include "field/Field.h"
 #include "private/output/ResultArrays.h"
-#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/pipeline/VtkVersions.h"
 #include "private/probe/ClippedPart.h"
@@ -95,27 +94,7 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberClip::PartOf(
 int vtkWindingNumberClip::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->CutDistances = {};
   const int isDone = this->Superclass::RequestData(request, inputs, outputs);
-  const bool hadSamples = !this->CutDistances.empty();
   this->CutDistances = {};
-  vtkDataObject* output = vtkDataObject::GetData(outputs);
-  if (isDone && hadSamples && output->GetNumberOfElements(vtkDataObject::CELL) == 0)
-  {
-    this->TellEmpty();
-  }
   return isDone;
-}
-
-/// A source without primitives, or inside out, has been warned of before.
-void vtkWindingNumberClip::TellEmpty()
-{
-  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
-  {
-    const std::string side = this->InsideOut ? "outside" : "inside";
-    vtkWarningMacro(
-      << winding::lineOf(winding::Message("no point is " + side + ", so the result is empty",
-           {{"look whether Input and Source overlap", {}}, {"take a finer Input", {}},
-             {"look whether the Source is closed", {winding::Parameter::surfaceReport}}})));
-  }
 }

@@ -83,8 +83,6 @@ protected:
     vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside) override;
 
 private:
-  void TellEmpty();
-
   std::vector<double> CutDistances; ///< one for each sample, while the output is made
   vtkIdType SamplesDone = 0;        ///< samples of the data sets that have been cut
 };

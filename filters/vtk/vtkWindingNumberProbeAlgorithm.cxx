@@ -6,6 +6,8 @@
 #include "field/Field.h"
 #include "field/InsideOut.h"
 #include "private/output/ResultArrays.h"
+#include "private/pipeline/Options.h"
+#include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
@@ -189,12 +191,19 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
                                   ? this->PrepareField(source, *queries.grid(), count)
                                   : this->PrepareField(source, queries.samples(), count);
   this->EvaluateSamples(field, queries, results);
+  this->TellOutside(field, queries, results);
   if (this->InsideOut)
   {
     turnInsideOut(queries, results.inside()->GetPointer(0));
   }
   this->InsideFlags = results.inside();
   this->FinishSamples(field, queries, results.inside()->GetPointer(0));
+  if (this->KeepsPart() &&
+      this->GetRanks().allOf([&] { return queries.size() == 0 || results.hasNothingInside(); }) &&
+      queries.size() > 0)
+  {
+    this->TellEmpty();
+  }
   this->WriteOutput(input, queries, results, output);
   return 1;
 }
@@ -224,6 +233,42 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
       executor.setShare(progress, progress);
       this->TellSides(field, sides.counts(static_cast<std::size_t>(queries.size())), executor);
     });
+}
+
+/// Warns where none of many samples is inside, though they lie within the bounds of the source.
+void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
+  const winding::ProbeQueries& queries, const winding::ResultArrays& results)
+{
+  constexpr std::size_t many = 100;
+  std::size_t within = 0;
+  const winding::FieldInfo& info = field.info();
+  const bool isQuiet = this->KeepsPart() || this->SourceIsInsideOut || info.isTwoSided ||
+                       info.openings.areWide() || !results.hasNothingInside();
+  const auto count = static_cast<std::size_t>(isQuiet ? 0 : queries.size());
+  for (std::size_t i = 0; i < count && within < many; ++i)
+  {
+    within += info.bounds.contains(queries.position(i));
+  }
+  if (within == many && this->GetRanks().isAlone())
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::Message("no sample is inside",
+                      {{"look whether the source is closed", {winding::Parameter::surfaceReport}}},
+                      "100 or more lie within the bounds of the source")));
+  }
+}
+
+/// Warns of an empty result. A source without primitives, or inside out, has been warned of before.
+void vtkWindingNumberProbeAlgorithm::TellEmpty()
+{
+  if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
+  {
+    const std::string sample = this->SamplesCells() ? "no cell center is " : "no point is ";
+    vtkWarningMacro(
+      << winding::lineOf(winding::Message(
+           sample + (this->InsideOut ? "outside" : "inside") + ", so the result is empty",
+           {{"look whether Input and Source overlap", {}}, {"take a finer Input", {}},
+             {"look whether the Source is closed", {winding::Parameter::surfaceReport}}})));
+  }
 }
 
 void vtkWindingNumberProbeAlgorithm::FinishSamples(

@@ -128,6 +128,9 @@ protected:
   bool QueriesAreGrid = false; ///< of an image, in the last execution
 
 private:
+  void TellEmpty();
+  void TellOutside(const winding::Field& field, const winding::ProbeQueries& queries,
+    const winding::ResultArrays& results);
   void EvaluateSamples(const winding::Field& field, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results);
 

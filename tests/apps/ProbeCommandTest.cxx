@@ -85,12 +85,14 @@ TEST_F(ProbeCommand, FacesThatLookInwardAreToldWhereNothingIsInside)
   for (const char* out : {"out.csv", "out.vtp"})
   {
     const Outcome run = probe(inside, out, {"--extract"});
-    EXPECT_NE(
-      run.err.find("faces look inward: use --rule absolute, or turn the faces (winding check "),
+    EXPECT_NE(run.err.find("faces look inward: use --rule absolute, or turn the faces (--orient)"),
       std::string::npos)
       << run;
     EXPECT_EQ(probe(inside, out, {"--extract", "--rule", "absolute"}).err, "");
-    EXPECT_EQ(probe(outside, out, {"--extract"}).err, "");
+    const Outcome empty = probe(outside, out, {"--extract"});
+    EXPECT_TRUE(empty.err.find("no point is inside, so the result is empty") != std::string::npos)
+      << empty;
+    EXPECT_EQ(probe(outside, out).err, "");
   }
 }
 

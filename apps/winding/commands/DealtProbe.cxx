@@ -34,22 +34,26 @@ void execute(vtkWindingNumberProbe& probe, const Options& options, Messages& mes
 }
 
 /// Refuses queries that a probe would refuse, such as cells that contradict themselves, for bare
-/// points no longer show that. The probe that looks at them has a triangle for its source.
+/// points no longer show that. The probe that looks at them has a tetrahedron for its source.
 void checkQueries(vtkPointSet* queries, const Options& options, Messages& messages)
 {
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 0);
   corners->InsertNextPoint(1, 0, 0);
   corners->InsertNextPoint(0, 1, 0);
+  corners->InsertNextPoint(0, 0, 1);
   vtkNew<vtkCellArray> triangles;
-  triangles->InsertNextCell({0, 1, 2});
-  vtkNew<vtkPolyData> triangle;
-  triangle->SetPoints(corners);
-  triangle->SetPolys(triangles);
+  triangles->InsertNextCell({0, 2, 1});
+  triangles->InsertNextCell({0, 1, 3});
+  triangles->InsertNextCell({1, 2, 3});
+  triangles->InsertNextCell({0, 3, 2});
+  vtkNew<vtkPolyData> tetrahedron;
+  tetrahedron->SetPoints(corners);
+  tetrahedron->SetPolys(triangles);
   vtkNew<vtkWindingNumberProbe> probe;
   probe->SetController(nullptr);
   probe->SetInputDataObject(queries);
-  probe->SetSourceData(triangle);
+  probe->SetSourceData(tetrahedron);
   probe->SetMethod(vtkWindingNumberProbe::DIRECT);
   probe->SetNumberOfThreads(options.threads);
   probe->Update();

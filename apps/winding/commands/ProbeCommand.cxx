@@ -114,6 +114,20 @@ void printReport(const Options& options, vtkWindingNumberProbe& probe, const Pro
   }
 }
 
+/// Warns of a table that no row is extracted for, as the filter does of an empty part.
+void warnOfEmptyTable(const Options& options, vtkWindingNumberProbe& probe,
+  const ProbeAnswer& probed, Messages& messages)
+{
+  const bool isEmpty =
+    std::find(probed.inside.begin(), probed.inside.end(), 1) == probed.inside.end();
+  if (options.extract && isEmpty && !probed.inside.empty() && !probe.GetSourceIsInsideOut() &&
+      probe.GetNumberOfPrimitives() > 0)
+  {
+    messages.warn(options.queries + ": no point is " + (options.insideOut ? "outside" : "inside") +
+                  ", so the result is empty");
+  }
+}
+
 } // namespace
 
 void runProbe(const Options& options, Messages& messages)
@@ -144,6 +158,7 @@ void runProbe(const Options& options, Messages& messages)
     {
       if (isTable(options.output))
       {
+        warnOfEmptyTable(options, *probe, probed, messages);
         writeTable({queries, probed, resultNames(options), options.extract}, *output);
       }
       else
