@@ -155,9 +155,13 @@ Normals automaticNormals(
   const DistinctPoints& places, Normals byTree, int neighbors, Executor& executor)
 {
   const int count = std::max(neighbors, 3);
+  Progress progress(executor);
+  progress.set(0, 0.03);
   auto graph =
     std::make_unique<const NeighborGraph>(places, static_cast<std::size_t>(count), executor);
-  if (!isNoisy(places, *graph, spacingsOf(places, *graph), executor))
+  const bool isClean = !isNoisy(places, *graph, spacingsOf(places, *graph), executor);
+  progress.set(0.03, 1);
+  if (isClean)
   {
     return normalsOfClean(places, std::move(graph), std::move(byTree), count, executor);
   }
