@@ -505,9 +505,10 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
 void vtkWindingNumberAlgorithm::TellSides(
   const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  const winding::Inwardness inwardness = this->InsideRule == SIGNED
-                                           ? winding::inwardnessOf(field, sides, executor)
-                                           : winding::Inwardness::none;
+  // A surface that was drawn from both sides has been warned of.
+  const bool isAsked = this->InsideRule == SIGNED && !field.info().isTwoSided;
+  const winding::Inwardness inwardness =
+    isAsked ? winding::inwardnessOf(field, sides, executor) : winding::Inwardness::none;
   this->SourceLooksInward = inwardness == winding::Inwardness::solids;
   if (inwardness == winding::Inwardness::sheets && !field.info().openings.areWide())
   {
