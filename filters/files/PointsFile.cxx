@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,6 +103,24 @@ std::vector<std::string> namesIn(LineScanner words)
   return names;
 }
 
+/// The words of the last of the comments before the first line, which may be names.
+std::vector<std::string> wordsOfComment(const InputFile& file)
+{
+  constexpr std::size_t looked = 4096;
+  const std::size_t start = file.textStart();
+  std::string text(std::min(looked, file.size() - start), ' ');
+  file.read(start, text.data(), text.size());
+  std::istringstream lines(text);
+  std::string line, comment;
+  while (std::getline(lines, line) && !line.empty() && line.front() == '#')
+  {
+    comment = line.substr(1);
+  }
+  std::replace(comment.begin(), comment.end(), ',', ' ');
+  std::istringstream words(comment);
+  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
 /// Takes columns by their names. Returns whether all are there.
 bool takeColumns(
   ColumnMeaning meaning, const std::vector<std::string>& names, std::array<std::size_t, 3>& columns)
@@ -118,7 +138,7 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
     file.refuseEnd("it holds no points");
   }
   Layout layout;
-  const std::vector<std::string> names = namesIn(first.words());
+  std::vector<std::string> names = namesIn(first.words());
   const bool isComment = first.words().rest().substr(0, 2) == "//";
   layout.hasNames = takeColumns(ColumnMeaning::positions, names, layout.position);
   if ((layout.hasNames || isComment) && !first.nextLine())
@@ -139,6 +159,13 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
     file.refuseEnd("it promises " + std::to_string(promised) + " points but has none");
   }
   layout.numbersPerLine = first.words().wordsLeft();
+  if (!layout.hasNames)
+  {
+    const std::vector<std::string> words = wordsOfComment(file);
+    layout.hasNames = words.size() == layout.numbersPerLine &&
+                      takeColumns(ColumnMeaning::positions, words, layout.position);
+    names = layout.hasNames ? words : names;
+  }
   if (layout.hasNames)
   {
     layout.hasNormals = takeColumns(ColumnMeaning::normals, names, layout.normal);

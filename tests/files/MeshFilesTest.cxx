@@ -181,6 +181,16 @@ TEST(PointsFile, AllAreInOneCell)
   EXPECT_EQ(parsed(readPoints, "0\n").vertices.count(), 0u);
 }
 
+TEST(PointsFile, ACommentBeforeThePointsMayNameTheColumns)
+{
+  const MeshArrays cloud =
+    parsed(readPoints, "# a scan\n# x y z r g b nx ny nz\n1 2 3 9 8 7 0 0 1\n4 5 6 9 8 7 0 1 0\n");
+  EXPECT_EQ(vectorOf(cloud.points.doubles), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(vectorOf(cloud.normals.doubles), (std::vector<double>{0, 0, 1, 0, 1, 0}));
+  EXPECT_EQ(vectorOf(parsed(readPoints, "# x y z of a wall\n1 2 3\n").points.doubles),
+    (std::vector<double>{1, 2, 3}));
+}
+
 TEST(PointsFile, ColoursMayBeMeansOfOthers)
 {
   std::string text;
