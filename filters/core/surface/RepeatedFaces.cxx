@@ -79,49 +79,108 @@ private:
   std::vector<char> isForward_;
 };
 
-/// The uses of an edge by single faces, and by faces to leave out.
+/// The uses of an edge by faces of two kinds.
 struct UsesOfEdge
 {
-  std::size_t single = 0;
-  std::vector<std::int32_t> others; ///< triangles of faces that are there before
-
-  void add(std::int32_t triangle, const RepeatedFaces& faces)
-  {
-    const FaceKind kind = faces.kinds[static_cast<std::size_t>(triangle)];
-    single += kind == FaceKind::single;
-    if (kind == FaceKind::opposite || kind == FaceKind::repeated)
-    {
-      others.push_back(triangle);
-    }
-  }
+  std::size_t counted = 0;
+  std::vector<std::int32_t> listed; ///< triangles
 };
 
-/// Calls visit(uses) for each edge of faces that are there before.
-template <class Visit>
-void forEachEdgeOfOthers(const SurfaceEdges& edges, const RepeatedFaces& faces, const Visit& visit)
+/// Calls visit(uses) for each edge with listed faces. `add` puts a triangle into the uses.
+template <class Add, class Visit>
+void forEachEdgeOfListed(const SurfaceEdges& edges, const Add& add, const Visit& visit)
 {
   UsesOfEdge uses;
   const auto visitIfUsed = [&]
   {
-    if (!uses.others.empty())
+    if (!uses.listed.empty())
     {
       visit(uses);
     }
     uses = UsesOfEdge();
   };
+  for (const SurfaceEdges::Rim& rim : edges.rims)
+  {
+    add(rim.triangle, uses);
+    visitIfUsed();
+  }
   for (const SurfaceEdges::Pair& pair : edges.pairs)
   {
-    uses.add(pair.triangles[0], faces);
-    uses.add(pair.triangles[1], faces);
+    add(pair.triangles[0], uses);
+    add(pair.triangles[1], uses);
     visitIfUsed();
   }
   for (const SurfaceEdges::Crowd& crowd : edges.crowds)
   {
     for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
     {
-      uses.add(use->triangle, faces);
+      add(use->triangle, uses);
     }
     visitIfUsed();
+  }
+}
+
+/// The numbers of counted faces that meet the edges of a set of listed ones.
+struct MeetsAtEdges
+{
+  explicit MeetsAtEdges(std::size_t triangles)
+    : odd(triangles, 0)
+    , even(triangles, 0)
+  {
+  }
+
+  void add(std::int32_t set, std::size_t counted)
+  {
+    odd[set] |= static_cast<char>(counted % 2 == 1);
+    even[set] |= static_cast<char>(counted > 0 && counted % 2 == 0);
+  }
+
+  std::vector<char> odd, even; ///< by the first triangle of a set
+};
+
+/// Leaves out walls where solids that were drawn from both sides touch others: even numbers of
+/// other faces meet their edges.
+void leaveOutWalls(
+  const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
+{
+  const std::size_t count = isLeftOut.size();
+  if (std::find(faces.isOfMany.begin(), faces.isOfMany.end(), 1) == faces.isOfMany.end())
+  {
+    return;
+  }
+  const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
+  {
+    if (!isLeftOut[triangle] && faces.isOfMany[triangle])
+    {
+      uses.listed.push_back(triangle);
+    }
+    else
+    {
+      uses.counted += !isLeftOut[triangle];
+    }
+  };
+  DisjointSets sets(count);
+  forEachEdgeOfListed(edges, add,
+    [&sets](const UsesOfEdge& uses)
+    {
+      for (const std::int32_t triangle : uses.listed)
+      {
+        sets.unite(uses.listed.front(), triangle);
+      }
+    });
+  MeetsAtEdges meets(count);
+  forEachEdgeOfListed(edges, add,
+    [&](const UsesOfEdge& uses)
+    {
+      for (const std::int32_t triangle : uses.listed)
+      {
+        meets.add(sets.find(triangle), uses.counted);
+      }
+    });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t set = sets.find(static_cast<std::int32_t>(i));
+    isLeftOut[i] |= static_cast<char>(faces.isOfMany[i] && meets.even[set] && !meets.odd[set]);
   }
 }
 
@@ -137,10 +196,11 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
 
   RepeatedFaces result;
   result.kinds.resize(surface.triangles.size(), FaceKind::single);
-  const auto setKind = [&](std::size_t face, FaceKind kind)
+  result.isOfMany.resize(surface.triangles.size(), 0);
+  const auto fill = [&faces](auto& ofTriangles, std::size_t face, auto value)
   {
-    std::fill(result.kinds.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face)),
-      result.kinds.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face + 1)), kind);
+    std::fill(ofTriangles.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face)),
+      ofTriangles.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face + 1)), value);
   };
   for (std::size_t first = 0, last; first < order.size(); first = last)
   {
@@ -167,7 +227,8 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
                                                         : FaceKind::first;
       isThere = true;
       result.repeated += kind == FaceKind::repeated;
-      setKind(order[i], kind);
+      fill(result.kinds, order[i], kind);
+      fill(result.isOfMany, order[i], static_cast<char>(count > 2));
     }
     result.pairs += isPair;
     result.single += !isPair;
@@ -178,38 +239,48 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
 std::vector<char> facesToLeaveOut(
   const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces)
 {
+  const auto isThereBefore = [&faces](std::size_t triangle)
+  {
+    const FaceKind kind = faces.kinds[triangle];
+    return kind == FaceKind::repeated || kind == FaceKind::opposite;
+  };
+  const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
+  {
+    uses.counted += faces.kinds[triangle] == FaceKind::single;
+    if (isThereBefore(static_cast<std::size_t>(triangle)))
+    {
+      uses.listed.push_back(triangle);
+    }
+  };
   const std::size_t count = surface.triangles.size();
   DisjointSets sets(count);
-  forEachEdgeOfOthers(edges, faces,
+  forEachEdgeOfListed(edges, add,
     [&sets](const UsesOfEdge& uses)
     {
-      for (const std::int32_t triangle : uses.others)
+      for (const std::int32_t triangle : uses.listed)
       {
-        if (uses.single == 0)
+        if (uses.counted == 0)
         {
-          sets.unite(uses.others.front(), triangle);
+          sets.unite(uses.listed.front(), triangle);
         }
       }
     });
-  std::vector<char> meetsOdd(count, 0), meetsEven(count, 0); // by the first triangle of a set
-  forEachEdgeOfOthers(edges, faces,
+  MeetsAtEdges meets(count);
+  forEachEdgeOfListed(edges, add,
     [&](const UsesOfEdge& uses)
     {
-      for (const std::int32_t triangle : uses.others)
+      for (const std::int32_t triangle : uses.listed)
       {
-        const std::int32_t set = sets.find(triangle);
-        meetsOdd[set] |= static_cast<char>(uses.single % 2 == 1);
-        meetsEven[set] |= static_cast<char>(uses.single > 0 && uses.single % 2 == 0);
+        meets.add(sets.find(triangle), uses.counted);
       }
     });
   std::vector<char> isLeftOut(count, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::int32_t set = sets.find(static_cast<std::int32_t>(i));
-    const bool isThereBefore =
-      faces.kinds[i] == FaceKind::repeated || faces.kinds[i] == FaceKind::opposite;
-    isLeftOut[i] = isThereBefore && (meetsOdd[set] || !meetsEven[set]);
+    isLeftOut[i] = isThereBefore(i) && (meets.odd[set] || !meets.even[set]);
   }
+  leaveOutWalls(edges, faces, isLeftOut);
   return isLeftOut;
 }
 

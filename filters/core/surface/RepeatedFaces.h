@@ -24,6 +24,7 @@ enum class FaceKind : char
 struct RepeatedFaces
 {
   std::vector<FaceKind> kinds; ///< by triangle
+  std::vector<char> isOfMany;  ///< by triangle: whether three faces or more are equal
   std::size_t repeated = 0;    ///< number of repeated faces
   std::size_t pairs = 0;       ///< number of pairs of facing and opposite faces
   std::size_t single = 0;      ///< number of single and first faces
@@ -50,7 +51,8 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
  * Returns the triangles to leave out so that each face bounds once, by triangle. They are repeated
  * faces, and the opposite ones of pairs in the skin of a solid that was drawn from both sides. They
  * stay, set by connected set, where even numbers of single faces meet each of its edges: the walls
- * between solids that touch, which bound nothing together.
+ * between solids that touch, which bound nothing together. Where one of these is drawn from both
+ * sides, three faces or more are equal, and none of them stays.
  */
 std::vector<char> facesToLeaveOut(
   const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces);

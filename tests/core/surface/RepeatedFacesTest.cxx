@@ -140,6 +140,28 @@ TEST(RepeatedFaces, AWallStaysThoughBothSolidsHaveItInOneSense)
   EXPECT_EQ(outward(stack).triangles.size(), 24u);
 }
 
+TEST(RepeatedFaces, NoWallStaysWhereASolidThatTouchesIsDrawnFromBothSides)
+{
+  // Five boxes in a column, some of them from both sides, in any order of faces.
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Mesh block;
+    for (int i = 0; i < 5; ++i)
+    {
+      const Mesh box = moved(cube(), Point(0, 0, i));
+      block = block.with(i == 2 || random(0, 1) < 0.5 ? withRepeated(box, 0, 12, true) : box);
+    }
+    for (std::size_t i = block.triangles.size(); i > 1; --i)
+    {
+      std::swap(block.triangles[i - 1],
+        block.triangles[static_cast<std::size_t>(random(0, 1) * static_cast<double>(i))]);
+    }
+    EXPECT_NEAR(volumeOf(outward(block)), 5, 1e-12);
+  }
+}
+
 TEST(RepeatedFaces, TheMajorityOfThreeStands)
 {
   const Mesh ball = icosphere(1); // 80 triangles
