@@ -43,40 +43,16 @@ public:
     }
     for (const SurfaceEdges::Crowd& crowd : edges_.crowds)
     {
-      this->findOpenOnesAt(crowd);
+      edges_.forEachSet(crowd, sets_,
+        [this](std::int32_t set, std::int32_t net)
+        { isOpen_[set] |= static_cast<char>(net != 0); });
     }
   }
 
 private:
-  void findOpenOnesAt(const SurfaceEdges::Crowd& crowd)
-  {
-    uses_.assign(edges_.begin(crowd), edges_.end(crowd));
-    for (SurfaceEdges::Use& use : uses_)
-    {
-      use.triangle = sets_.find(use.triangle);
-    }
-    std::sort(uses_.begin(), uses_.end(),
-      [](const SurfaceEdges::Use& a, const SurfaceEdges::Use& b)
-      { return a.triangle < b.triangle; });
-    for (auto use = uses_.begin(); use != uses_.end();)
-    {
-      const std::int32_t set = use->triangle;
-      std::int32_t net = 0;
-      for (; use != uses_.end() && use->triangle == set; ++use)
-      {
-        net += use->sense;
-      }
-      if (net != 0)
-      {
-        isOpen_[set] = 1;
-      }
-    }
-  }
-
   const SurfaceEdges& edges_;
   DisjointSets sets_;
   std::vector<char> isOpen_; ///< by representative
-  std::vector<SurfaceEdges::Use> uses_;
 };
 
 } // namespace

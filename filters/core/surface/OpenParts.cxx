@@ -6,9 +6,9 @@
 #include "rays/PointCrossings.h"
 #include "surface/Components.h"
 #include "surface/NearlyClosed.h"
+#include "surface/RepeatedFaces.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace winding
 {
@@ -29,27 +29,15 @@ std::vector<char> sheetsByEdges(const Surface& surface, const SurfaceEdges& edge
   {
     hasRim[sets.find(rim.triangle)] = 1;
   }
-  std::vector<std::pair<std::int32_t, std::int32_t>> uses; // of an edge: set and sense
   for (const SurfaceEdges::Crowd& crowd : edges.crowds)
   {
-    uses.clear();
     std::int32_t net = 0;
     for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
     {
-      uses.emplace_back(sets.find(use->triangle), use->sense);
       net += use->sense;
     }
-    std::sort(uses.begin(), uses.end());
-    for (auto use = uses.begin(); use != uses.end();)
-    {
-      const std::int32_t set = use->first;
-      std::int32_t own = 0;
-      for (; use != uses.end() && use->first == set; ++use)
-      {
-        own += use->second;
-      }
-      isWall[set] |= static_cast<char>(own != net);
-    }
+    edges.forEachSet(crowd, sets,
+      [&](std::int32_t set, std::int32_t own) { isWall[set] |= static_cast<char>(own != net); });
   }
   std::vector<char> isSheet(surface.triangles.size());
   for (std::size_t i = 0; i < isSheet.size(); ++i)
@@ -59,27 +47,6 @@ std::vector<char> sheetsByEdges(const Surface& surface, const SurfaceEdges& edge
   }
   return isSheet;
 }
-
-/// Some triangles of a surface, over all of its vertices.
-struct Part
-{
-  Part(const Surface& surface, const std::vector<char>& isChosen, char choice)
-  {
-    chain.vertices = surface.vertices;
-    chain.bounds = surface.bounds;
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    {
-      if (isChosen[i] == choice)
-      {
-        chain.triangles.push_back(surface.triangles[i]);
-        numbers.push_back(i);
-      }
-    }
-  }
-
-  Surface chain;
-  std::vector<std::size_t> numbers; ///< of the triangles in the surface
-};
 
 Components nearlyClosedComponents(Surface& chain, Executor& executor)
 {
@@ -155,16 +122,20 @@ OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Exe
     return result;
   }
   std::vector<char> isSheet = sheetsByEdges(surface, edges);
+  if (std::find(isSheet.begin(), isSheet.end(), 1) == isSheet.end())
+  {
+    return result;
+  }
   {
     // Parts that are nearly closed by themselves are walls.
-    Part candidates(surface, isSheet, 1);
+    SurfacePart candidates(surface, isSheet, true);
     const Components components = nearlyClosedComponents(candidates.chain, executor);
     for (std::size_t i = 0; i < candidates.numbers.size(); ++i)
     {
       isSheet[candidates.numbers[i]] = !components.isClosed[components.ofTriangle[i]];
     }
   }
-  Part sheets(surface, isSheet, 1), walls(surface, isSheet, 0);
+  SurfacePart sheets(surface, isSheet, true), walls(surface, isSheet, false);
   if (sheets.numbers.empty() || walls.numbers.empty())
   {
     return result;

@@ -369,35 +369,31 @@ Orientation orient(
   }
   Orientation result;
   result.isLeftOut = facesToLeaveOut(surface, edges, faces);
-  Surface once;
+  SurfacePart once(surface, result.isLeftOut, false);
   PolygonParts partsOfOnce;
-  std::vector<std::size_t> numbers;
-  once.vertices = surface.vertices;
-  once.bounds = surface.bounds;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  for (const std::size_t number : once.numbers)
   {
-    if (!result.isLeftOut[i])
+    if (!parts.empty())
     {
-      once.triangles.push_back(surface.triangles[i]);
-      numbers.push_back(i);
-      partsOfOnce.push_back(!parts.empty() && parts[i]);
+      partsOfOnce.push_back(parts[number]);
     }
   }
-  const Orientation found =
-    orientOnce(once, edgesOf(once, executor), parts.empty() ? parts : partsOfOnce, executor);
+  const SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
+  const Orientation found = orientOnce(once.chain, edgesOfOnce, partsOfOnce, executor);
   result.triangles = found.triangles;
   result.components = found.components;
   result.isTurned.resize(surface.triangles.size(), 0);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (std::size_t i = 0; i < once.numbers.size(); ++i)
   {
-    result.isTurned[numbers[i]] = found.isTurned[i];
+    result.isTurned[once.numbers[i]] = found.isTurned[i];
   }
-  turn(once, found.isTurned);
-  const OpenParts sheets = openPartsInside(once, edgesOf(once, executor), executor);
+  turn(once.chain, found.isTurned);
+  const OpenParts sheets =
+    openPartsInside(once.chain, edgesOfOnce.withTurned(found.isTurned), executor);
   for (std::size_t i = 0; i < sheets.isInside.size(); ++i)
   {
-    const bool isOfPair = faces.kinds[numbers[i]] == FaceKind::facing;
-    result.isLeftOut[numbers[i]] = sheets.isInside[i] && isOfPair;
+    const bool isOfPair = faces.kinds[once.numbers[i]] == FaceKind::facing;
+    result.isLeftOut[once.numbers[i]] = sheets.isInside[i] && isOfPair;
   }
   return result;
 }

@@ -120,30 +120,57 @@ void forEachEdgeOfListed(const SurfaceEdges& edges, const Add& add, const Visit&
   }
 }
 
-/// The numbers of counted faces that meet the edges of a set of listed ones.
-struct MeetsAtEdges
+/// Connected sets of listed faces, and how other faces meet their edges.
+class ListedSets
 {
-  explicit MeetsAtEdges(std::size_t triangles)
-    : odd(triangles, 0)
-    , even(triangles, 0)
+public:
+  /// Sets go on through edges that other faces meet only if `areOnePastOthers`.
+  template <class Add>
+  ListedSets(
+    const SurfaceEdges& edges, std::size_t triangles, const Add& add, bool areOnePastOthers)
+    : sets_(triangles)
+    , meetsOdd_(triangles, 0)
+    , meetsEven_(triangles, 0)
   {
+    forEachEdgeOfListed(edges, add,
+      [&](const UsesOfEdge& uses)
+      {
+        for (const std::int32_t triangle : uses.listed)
+        {
+          if (uses.counted == 0 || areOnePastOthers)
+          {
+            sets_.unite(uses.listed.front(), triangle);
+          }
+        }
+      });
+    forEachEdgeOfListed(edges, add,
+      [&](const UsesOfEdge& uses)
+      {
+        for (const std::int32_t triangle : uses.listed)
+        {
+          const std::int32_t set = sets_.find(triangle);
+          meetsOdd_[set] |= static_cast<char>(uses.counted % 2 == 1);
+          meetsEven_[set] |= static_cast<char>(uses.counted > 0 && uses.counted % 2 == 0);
+        }
+      });
   }
 
-  void add(std::int32_t set, std::size_t counted)
+  /// Returns whether a triangle is of a wall: even numbers of other faces meet the set's edges.
+  bool isOfWall(std::size_t triangle)
   {
-    odd[set] |= static_cast<char>(counted % 2 == 1);
-    even[set] |= static_cast<char>(counted > 0 && counted % 2 == 0);
+    const std::int32_t set = sets_.find(static_cast<std::int32_t>(triangle));
+    return meetsEven_[set] && !meetsOdd_[set];
   }
 
-  std::vector<char> odd, even; ///< by the first triangle of a set
+private:
+  DisjointSets sets_;
+  std::vector<char> meetsOdd_, meetsEven_; ///< by the first triangle of a set
 };
 
-/// Leaves out walls where solids that were drawn from both sides touch others: even numbers of
-/// other faces meet their edges.
+/// Leaves out walls where solids that were drawn from both sides touch others.
 void leaveOutWalls(
   const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
 {
-  const std::size_t count = isLeftOut.size();
   if (std::find(faces.isOfMany.begin(), faces.isOfMany.end(), 1) == faces.isOfMany.end())
   {
     return;
@@ -159,28 +186,10 @@ void leaveOutWalls(
       uses.counted += !isLeftOut[triangle];
     }
   };
-  DisjointSets sets(count);
-  forEachEdgeOfListed(edges, add,
-    [&sets](const UsesOfEdge& uses)
-    {
-      for (const std::int32_t triangle : uses.listed)
-      {
-        sets.unite(uses.listed.front(), triangle);
-      }
-    });
-  MeetsAtEdges meets(count);
-  forEachEdgeOfListed(edges, add,
-    [&](const UsesOfEdge& uses)
-    {
-      for (const std::int32_t triangle : uses.listed)
-      {
-        meets.add(sets.find(triangle), uses.counted);
-      }
-    });
-  for (std::size_t i = 0; i < count; ++i)
+  ListedSets kept(edges, isLeftOut.size(), add, true);
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
   {
-    const std::int32_t set = sets.find(static_cast<std::int32_t>(i));
-    isLeftOut[i] |= static_cast<char>(faces.isOfMany[i] && meets.even[set] && !meets.odd[set]);
+    isLeftOut[i] |= static_cast<char>(faces.isOfMany[i] && kept.isOfWall(i));
   }
 }
 
@@ -253,35 +262,28 @@ std::vector<char> facesToLeaveOut(
     }
   };
   const std::size_t count = surface.triangles.size();
-  DisjointSets sets(count);
-  forEachEdgeOfListed(edges, add,
-    [&sets](const UsesOfEdge& uses)
-    {
-      for (const std::int32_t triangle : uses.listed)
-      {
-        if (uses.counted == 0)
-        {
-          sets.unite(uses.listed.front(), triangle);
-        }
-      }
-    });
-  MeetsAtEdges meets(count);
-  forEachEdgeOfListed(edges, add,
-    [&](const UsesOfEdge& uses)
-    {
-      for (const std::int32_t triangle : uses.listed)
-      {
-        meets.add(sets.find(triangle), uses.counted);
-      }
-    });
+  ListedSets others(edges, count, add, false);
   std::vector<char> isLeftOut(count, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::int32_t set = sets.find(static_cast<std::int32_t>(i));
-    isLeftOut[i] = isThereBefore(i) && (meets.odd[set] || !meets.even[set]);
+    isLeftOut[i] = isThereBefore(i) && !others.isOfWall(i);
   }
   leaveOutWalls(edges, faces, isLeftOut);
   return isLeftOut;
+}
+
+SurfacePart::SurfacePart(const Surface& surface, const std::vector<char>& isChosen, bool choice)
+{
+  chain.vertices = surface.vertices;
+  chain.bounds = surface.bounds;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    if ((isChosen[i] != 0) == choice)
+    {
+      chain.triangles.push_back(surface.triangles[i]);
+      numbers.push_back(i);
+    }
+  }
 }
 
 void leaveOut(Surface& surface, const std::vector<char>& isLeftOut)

@@ -57,6 +57,16 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
 std::vector<char> facesToLeaveOut(
   const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces);
 
+/// Some triangles of a surface, over all of its vertices.
+struct SurfacePart
+{
+  /// Takes the triangles whose entry of `isChosen` is `choice`.
+  SurfacePart(const Surface& surface, const std::vector<char>& isChosen, bool choice);
+
+  Surface chain;
+  std::vector<std::size_t> numbers; ///< of the triangles in the surface
+};
+
 /// Removes triangles from a surface, and vertices that no others use. `isLeftOut` says by triangle
 /// which, and is empty for none.
 void leaveOut(Surface& surface, const std::vector<char>& isLeftOut);

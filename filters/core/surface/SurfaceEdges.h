@@ -1,9 +1,11 @@
 #pragma once
 
+#include "base/DisjointSets.h"
 #include "base/Executor.h"
 #include "source/Surface.h"
 #include "surface/Edges.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,6 +52,30 @@ struct SurfaceEdges
 
   const Use* begin(const Crowd& crowd) const { return crowdUses.data() + crowd.firstUse; }
   const Use* end(const Crowd& crowd) const { return crowdUses.data() + crowd.endOfUses; }
+
+  /// Calls visit(set, net) for each set of triangles that uses the edge of a crowd, in ascending
+  /// order, with the sum of the senses of its uses.
+  template <class Visit>
+  void forEachSet(const Crowd& crowd, DisjointSets& sets, const Visit& visit) const
+  {
+    std::vector<Use> uses(this->begin(crowd), this->end(crowd));
+    for (Use& use : uses)
+    {
+      use.triangle = sets.find(use.triangle);
+    }
+    std::sort(
+      uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.triangle < b.triangle; });
+    for (auto use = uses.begin(); use != uses.end();)
+    {
+      const std::int32_t set = use->triangle;
+      std::int32_t net = 0;
+      for (; use != uses.end() && use->triangle == set; ++use)
+      {
+        net += use->sense;
+      }
+      visit(set, net);
+    }
+  }
 
   std::size_t size() const { return rims.size() + pairs.size() + crowds.size(); }
 
