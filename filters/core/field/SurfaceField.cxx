@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace winding
@@ -82,12 +83,17 @@ SurfaceField::SurfaceField(
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
+  std::optional<SurfaceEdges> edges;
+  const EdgesOnce edgesOnce = [&]() -> const SurfaceEdges&
+  {
+    return edges ? *edges : edges.emplace(edgesOf(surface_, executor));
+  };
   if (!options.orientFaces)
   {
-    this->warnOfRepeatedFaces(chain, views, executor);
+    this->warnOfRepeatedFaces(chain, views, edgesOnce);
   }
-  this->warnOfContradictions(executor);
-  this->warnOfOpenParts(chain, executor);
+  this->warnOfContradictions(edgesOnce);
+  this->warnOfOpenParts(chain, edgesOnce, executor);
   if (!chain.edges.empty())
   {
     info_.openings = openingsOf(chain.edges, surface_, this->area());
@@ -134,7 +140,7 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
 
 /// Warns of faces that are there more than once, unless they are walls between solids that touch.
 void SurfaceField::warnOfRepeatedFaces(
-  const BoundaryChain& chain, const std::vector<TrianglesView>& views, Executor& executor)
+  const BoundaryChain& chain, const std::vector<TrianglesView>& views, const EdgesOnce& edgesOnce)
 {
   // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
   // no other touches, are looked for in small surfaces.
@@ -157,8 +163,7 @@ void SurfaceField::warnOfRepeatedFaces(
   }
   else if (faces.areAny())
   {
-    const std::vector<char> isLeftOut =
-      facesToLeaveOut(surface_, edgesOf(surface_, executor), faces);
+    const std::vector<char> isLeftOut = facesToLeaveOut(surface_, edgesOnce(), faces);
     const auto count =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
     if (count > 0)
@@ -171,13 +176,13 @@ void SurfaceField::warnOfRepeatedFaces(
 }
 
 /// Warns of triangles that run along an edge in the same sense.
-void SurfaceField::warnOfContradictions(Executor& executor)
+void SurfaceField::warnOfContradictions(const EdgesOnce& edgesOnce)
 {
   if (info_.contradictingEdges == 0)
   {
     return;
   }
-  const Contradictions found = contradictionsOf(surface_, edgesOf(surface_, executor));
+  const Contradictions found = contradictionsOf(surface_, edgesOnce());
   if (found.oneSided > 0)
   {
     info_.warnings.emplace_back(std::to_string(found.oneSided) +
@@ -194,12 +199,12 @@ void SurfaceField::warnOfContradictions(Executor& executor)
 }
 
 /// Warns of open parts inside of closed ones.
-void SurfaceField::warnOfOpenParts(const BoundaryChain& chain, Executor& executor)
+void SurfaceField::warnOfOpenParts(
+  const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor)
 {
   const bool mayBe = chain.edgesOfOneTriangle > 0 &&
                      (!chain.crowdedVertices.empty() || hasClosedPiece(surface_, chain.edges));
-  const std::size_t parts =
-    mayBe ? openPartsInside(surface_, edgesOf(surface_, executor), executor).count : 0;
+  const std::size_t parts = mayBe ? openPartsInside(surface_, edgesOnce(), executor).count : 0;
   if (parts > 0)
   {
     info_.warnings.emplace_back("open parts lie inside of closed ones",

@@ -10,6 +10,9 @@
 #include "rays/PointCrossings.h"
 #include "source/Surface.h"
 #include "surface/BoundaryGradient.h"
+#include "surface/SurfaceEdges.h"
+
+#include <functional>
 
 namespace winding
 {
@@ -48,10 +51,14 @@ protected:
 
 private:
   void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
-  void warnOfRepeatedFaces(
-    const BoundaryChain& chain, const std::vector<TrianglesView>& views, Executor& executor);
-  void warnOfContradictions(Executor& executor);
-  void warnOfOpenParts(const BoundaryChain& chain, Executor& executor);
+
+  /// Gives the edges of the surface, which are found when they are first asked for.
+  using EdgesOnce = std::function<const SurfaceEdges&()>;
+
+  void warnOfRepeatedFaces(const BoundaryChain& chain, const std::vector<TrianglesView>& views,
+    const EdgesOnce& edgesOnce);
+  void warnOfContradictions(const EdgesOnce& edgesOnce);
+  void warnOfOpenParts(const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);
