@@ -21,7 +21,7 @@ namespace winding
  * byTree: the outward normals of the spanning tree, by point. neighbors: the most neighbours that
  * planes go through, at least 3. There must be two places or more. The bits are the same for any
  * executor and any order of the points. Takes the time and memory of consistentNormals() at most,
- * and a tenth more of the time. Throws Interrupted.
+ * and up to 15 % more of the time. Throws Interrupted.
  */
 Normals automaticNormals(
   const DistinctPoints& places, Normals byTree, int neighbors, Executor& executor);

@@ -13,8 +13,8 @@ namespace winding
 namespace
 {
 
-/// The least share that is worth a warning. Of the meshes of tests/bench/thin_parts.cxx that are as
-/// thick as three voxels everywhere, sharp edges lose 0.02 at most.
+/// The least share that is worth a warning. Solids that are thick enough lose less at sharp edges
+/// (ThinPartsTest.cxx).
 constexpr double leastShare = 0.05;
 
 /// The answer of the samples around a point.

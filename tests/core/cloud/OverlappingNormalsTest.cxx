@@ -151,7 +151,7 @@ struct Judged
     return overlapping.improved(winding::normalsByPlace(places, byTree(cloud)));
   }
 
-  /// The faults of right normals, some of which are turned round.
+  /// Returns the faults of right normals after some are turned round.
   double faultsWith(const std::function<bool(const Point&)>& isTurned) const
   {
     std::vector<Point> normals = cloud.normals;
