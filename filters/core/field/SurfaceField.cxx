@@ -1,6 +1,5 @@
 #include "field/SurfaceField.h"
 
-#include "base/DisjointSets.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldChoice.h"
@@ -13,6 +12,7 @@
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "surface/Components.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/RepeatedFaces.h"
@@ -31,21 +31,15 @@ namespace
 /// Returns whether triangles that are connected through vertices are closed by themselves.
 bool hasClosedPiece(const Surface& surface, const BoundaryEdges& boundary)
 {
-  DisjointSets pieces(surface.vertices.size());
-  std::size_t count = surface.vertices.size();
-  for (const Triangle& triangle : surface.triangles)
-  {
-    count -= pieces.unite(triangle[0], triangle[1]);
-    count -= pieces.unite(triangle[1], triangle[2]);
-  }
+  VertexPieces pieces(surface);
   std::vector<char> isOpen(surface.vertices.size(), 0);
   for (const BoundaryEdge& edge : boundary)
   {
-    char& isOpenPiece = isOpen[static_cast<std::size_t>(pieces.find(edge.from))];
-    count -= !isOpenPiece;
+    char& isOpenPiece = isOpen[static_cast<std::size_t>(pieces.sets.find(edge.from))];
+    pieces.count -= !isOpenPiece;
     isOpenPiece = 1;
   }
-  return count > 0;
+  return pieces.count > 0;
 }
 
 } // namespace

@@ -18,18 +18,6 @@ namespace winding
 namespace
 {
 
-std::size_t countVertexComponents(const Surface& surface)
-{
-  DisjointSets pieces(surface.vertices.size());
-  std::size_t count = surface.vertices.size();
-  for (const Triangle& triangle : surface.triangles)
-  {
-    count -= pieces.unite(triangle[0], triangle[1]);
-    count -= pieces.unite(triangle[1], triangle[2]);
-  }
-  return count;
-}
-
 OrientationCounts countOrientations(
   const Surface& surface, const SurfaceEdges& edges, Executor& executor)
 {
@@ -115,7 +103,7 @@ SurfaceReport reportOn(
   SurfaceReport report;
   report.edges = countEdges(surface, edges);
   report.orientation = countOrientations(surface, edges, executor);
-  report.vertexComponents = countVertexComponents(surface);
+  report.vertexComponents = VertexPieces(surface).count;
   const RepeatedFaces faces = repeatedFaces(surface, parts);
   report.isTwoSided = faces.cancelAll();
   for (const FaceKind kind : faces.kinds)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/DisjointSets.h"
 #include "source/Surface.h"
 #include "surface/SurfaceEdges.h"
 
@@ -22,6 +23,24 @@ struct Components
   std::vector<char> isClosed; ///< by component: all of its edges cancel, so its w is an integer
 
   std::size_t size() const { return isClosed.size(); }
+};
+
+/// The pieces of a surface that are connected through vertices.
+struct VertexPieces
+{
+  explicit VertexPieces(const Surface& surface)
+    : sets(surface.vertices.size())
+    , count(surface.vertices.size())
+  {
+    for (const Triangle& triangle : surface.triangles)
+    {
+      count -= sets.unite(triangle[0], triangle[1]);
+      count -= sets.unite(triangle[1], triangle[2]);
+    }
+  }
+
+  DisjointSets sets; ///< of vertices
+  std::size_t count;
 };
 
 /// Finds the components of a surface. The triangles of a polygon, which `parts` names, are in one.
