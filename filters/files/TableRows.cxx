@@ -58,45 +58,61 @@ Stretch visitWholeRows(
     state == RowState::broken || (isLast && state == RowState::cut)};
 }
 
+/// Calls take(row) for the first row from `start` on, if there is any. Returns the stretch up to its
+/// end. Reads twice as much until the row ends.
+template <class Take>
+Stretch visitFirstRow(const InputFile& file, std::size_t start, char separator,
+  std::size_t bytesAtOnce, const Take& take)
+{
+  bool isTaken = false;
+  Stretch stretch{start};
+  for (std::size_t bytes = bytesAtOnce; !isTaken && !stretch.isBroken && stretch.end < file.size();)
+  {
+    const std::size_t from = stretch.end;
+    stretch = visitWholeRows(file, from, separator, bytes,
+      [&](const RowScanner& row)
+      {
+        take(row);
+        isTaken = true;
+        return false;
+      });
+    bytes *= stretch.end == from ? 2 : 1;
+  }
+  return stretch;
+}
+
 } // namespace
 
 TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce)
 {
   TableHeader header;
-  header.end = file.textStart();
-  const auto take = [&header, separator](const RowScanner& row)
-  {
-    header.text.assign(row.rowStart(), row.rest().data());
-    RowScanner fields(header.text, separator);
-    fields.nextRow();
-    for (std::string_view field; fields.nextField(field);)
+  const Stretch first = visitFirstRow(file, file.textStart(), separator, bytesAtOnce,
+    [&header, separator](const RowScanner& row)
     {
-      header.names.push_back(unquoted(field));
-    }
-    return false;
-  };
-  for (std::size_t bytes = bytesAtOnce; header.names.empty() && header.end < file.size();)
-  {
-    const Stretch stretch = visitWholeRows(file, header.end, separator, bytes, take);
-    if (stretch.isBroken)
-    {
-      refuseQuotation(file, stretch.end);
-    }
-    bytes *= stretch.end == header.end ? 2 : 1;
-    header.end = stretch.end;
-  }
-  bool isCount = false;
-  const Stretch next = visitWholeRows(file, header.end, separator, bytesAtOnce,
-    [&isCount](const RowScanner& row)
-    {
-      const std::string_view text = contentOf(row.row());
-      isCount = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-      return false;
+      header.text.assign(row.rowStart(), row.rest().data());
+      RowScanner fields(header.text, separator);
+      fields.nextRow();
+      for (std::string_view field; fields.nextField(field);)
+      {
+        header.names.push_back(unquoted(field));
+      }
     });
+  if (first.isBroken)
+  {
+    refuseQuotation(file, first.end);
+  }
+  header.end = first.end;
   if (!header.names.empty() && header.names[0].rfind("//", 0) == 0)
   {
     header.names[0].erase(0, 2);
     header.names[0].erase(0, header.names[0].find_first_not_of(" \t"));
+    bool isCount = false;
+    const Stretch next = visitFirstRow(file, header.end, separator, bytesAtOnce,
+      [&isCount](const RowScanner& row)
+      {
+        const std::string_view text = contentOf(row.row());
+        isCount = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+      });
     header.end = isCount ? next.end : header.end;
   }
   return header;

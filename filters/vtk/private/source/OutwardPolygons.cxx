@@ -26,7 +26,8 @@ namespace winding
 namespace
 {
 
-/// The faces of a cell, by the ids of their corners in the order around them.
+/// The faces of a cell, by the ids of their corners in the order around them. Faces of fewer than
+/// three corners, which polyhedra may have, are left out.
 using CellFaces = std::vector<std::vector<vtkIdType>>;
 
 CellFaces cornersOfFaces(vtkCell* cell)
@@ -35,6 +36,10 @@ CellFaces cornersOfFaces(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* face = cell->GetFace(i);
+    if (cornersOf(face) < 3)
+    {
+      continue;
+    }
     const vtkIdType* ids = face->GetPointIds()->GetPointer(0);
     faces.emplace_back(ids, ids + cornersOf(face));
     if (face->GetCellType() == VTK_PIXEL)
