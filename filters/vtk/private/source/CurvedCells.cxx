@@ -55,7 +55,9 @@ public:
     }
     if (generic_->GetCellDimension() < 3)
     {
-      return generic_;
+      // Quadratic polygons are not divided: their edges' middles are corners of the surface.
+      const bool isDivided = static_cast<std::size_t>(cornersOf(generic_)) == corners.size();
+      return isDivided ? generic_.Get() : nullptr;
     }
     for (int i = 0; i < generic_->GetNumberOfFaces(); ++i)
     {
