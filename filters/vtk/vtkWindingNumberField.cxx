@@ -18,19 +18,6 @@
 
 vtkStandardNewMacro(vtkWindingNumberField);
 
-namespace
-{
-
-/// Returns whether samples of these sides are all outside: false for rule ODD, whose samples are
-/// not counted.
-bool areAllOutside(const winding::SideCounts& sides, int rule)
-{
-  return rule != vtkWindingNumberField::ODD && sides.inside == 0 &&
-         (rule == vtkWindingNumberField::SIGNED || sides.negative == 0);
-}
-
-} // namespace
-
 vtkWindingNumberField::vtkWindingNumberField()
 {
   this->SetResultArrayName("WindingNumber");
@@ -107,7 +94,7 @@ void vtkWindingNumberField::EvaluateVoxels(
   voxels.output.distanceLimit = this->GetDistanceLimit();
   winding::SideTally sides;
   const bool isWhole = samples == grid.wholeExtent();
-  voxels.output.sides = isWhole ? &sides : nullptr;
+  voxels.output.sides = &sides;
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const std::size_t count = winding::sampleCount(samples);
@@ -122,19 +109,19 @@ void vtkWindingNumberField::EvaluateVoxels(
     [&]
     {
       voxels.run(field, grid, samples, executor);
+      const winding::SideCounts counts = sides.counts(count);
+      this->NumberOfInsideSamples =
+        results.countInside().value_or(static_cast<vtkIdType>(counts.inside));
       if (isWhole)
       {
         executor.setShare(1, 1);
-        const winding::SideCounts counts = sides.counts(count);
         this->TellSides(field, counts, executor);
         const auto isInside = [&](int i, int j, int k)
         {
           return results.isInside(
             winding::sampleNumber(samples, i, j, k), voxels.output.rule, voxels.output.threshold);
         };
-        this->WarnOfGrid(field,
-          results.inside() ? results.hasNothingInside() : areAllOutside(counts, this->InsideRule),
-          isInside);
+        this->WarnOfGrid(field, this->NumberOfInsideSamples == 0, isInside);
       }
     });
 }
@@ -148,4 +135,5 @@ void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "DistanceBand: " << this->DistanceBand << "\n";
+  os << indent << "NumberOfInsideSamples: " << this->NumberOfInsideSamples << "\n";
 }

@@ -107,6 +107,10 @@ public:
   vtkGetMacro(DistanceBand, double);
   ///@}
 
+  /// The number of samples inside, of the extent that was executed last: as "Inside" says, by
+  /// coverage too, whether or not that array is made.
+  vtkGetMacro(NumberOfInsideSamples, vtkIdType);
+
 protected:
   vtkWindingNumberField();
   ~vtkWindingNumberField() override;
@@ -130,6 +134,7 @@ protected:
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   double DistanceBand = 0;
+  vtkIdType NumberOfInsideSamples = 0;
 
 private:
   winding::ResultOptions GetResultOptions() const;

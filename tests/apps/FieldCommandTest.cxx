@@ -171,6 +171,42 @@ TEST_F(FieldCommand, OutputOptions)
   EXPECT_LT(field->GetBounds()[1], 1) << "no padding: the outer samples are in the sphere's box";
 }
 
+TEST_F(FieldCommand, CountsWhatIsInside)
+{
+  const std::vector<std::string> small = {"--resolution", "9", "--quiet"};
+  for (const std::vector<std::string>& options :
+    std::vector<std::vector<std::string>>{{}, {"--inside"}, {"--inside-only"}, {"--method", "rows"},
+      {"--coverage", "any"}, {"--rule", "absolute"}, {"--rule", "odd"}, {"--threshold", "-1"},
+      {"--cells", "--pieces", "3"}, {"--cells", "--inside", "--pieces", "2", "--rule", "odd"}})
+  {
+    std::vector<std::string> arguments = small;
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const nlohmann::json report = run("a.vti", arguments).json();
+    arguments.emplace_back("--inside");
+    run("b.vti", arguments);
+    const auto read = image("b.vti");
+    vtkDataArray* inside = read->GetPointData()->GetArray("Inside")
+                             ? read->GetPointData()->GetArray("Inside")
+                             : read->GetCellData()->GetArray("Inside");
+    vtkIdType count = 0;
+    for (vtkIdType i = 0; i < inside->GetNumberOfTuples(); ++i)
+    {
+      count += inside->GetTuple1(i) != 0;
+    }
+    EXPECT_EQ(report["inside"], count) << ::testing::PrintToString(options);
+    EXPECT_GT(count, 0);
+  }
+  EXPECT_TRUE(run("c.vti", {"--pieces", "2"}).json()["inside"].is_null()) << "they share samples";
+  const Outcome people = runProgram({"field", in, "-o", folder.path("d.vti"), "--resolution", "9"});
+  EXPECT_NE(people.out.find("9 x 9 x 9 voxels, "), std::string::npos) << people;
+  EXPECT_NE(people.out.find(" inside, "), std::string::npos) << people;
+
+  const Outcome nothing = runProgram({"field", in, "-o", folder.path("e.vti"), "--resolution", "9",
+    "--pieces", "3", "--threshold", "5"});
+  EXPECT_EQ(nothing.status, 0);
+  EXPECT_NE(nothing.err.find("no sample is inside"), std::string::npos) << nothing;
+}
+
 TEST_F(FieldCommand, InsideOnlyIsInsideWithoutTheRest)
 {
   for (const bool cells : {false, true})

@@ -22,7 +22,7 @@ void writePieces(vtkWindingNumberField& field, const Options& options, Messages&
   const PiecesFile output(options.output, filesToKeep(options));
   FieldRun run(field, options, messages);
   writeFieldPieces(run, output);
-  run.report().print();
+  run.printReport();
 }
 
 void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages& messages)
@@ -42,7 +42,7 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
     }
     writeField(run, *output);
   }
-  run.report().print();
+  run.printReport();
 }
 
 } // namespace

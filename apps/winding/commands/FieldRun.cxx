@@ -122,6 +122,16 @@ void FieldRun::checkExecutions()
   }
 }
 
+void FieldRun::printReport()
+{
+  report_.print();
+  if (report_.hasNothingInside() && parallel::isFirst())
+  {
+    messages_.warn(options_.input + ": no sample is inside: look whether the source is closed "
+                                    "(winding check), or choose smaller voxels (--resolution)");
+  }
+}
+
 void FieldRun::startExecution()
 {
   execution_ = Stopwatch();

@@ -50,6 +50,9 @@ public:
   /// Throws Failure where an execution was not done, or the program was interrupted.
   void checkExecutions();
 
+  /// Prints the report, and warns where no sample of any piece is inside.
+  void printReport();
+
   /// Returns the time of all executions.
   double executionSeconds() const { return executionSeconds_; }
 

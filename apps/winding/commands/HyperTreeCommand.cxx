@@ -22,5 +22,5 @@ void runHyperTree(const Options& given, bool masksOutside, Messages& messages)
   FieldRun run(*field, options, messages);
   run.update();
   writeResult(run, field->GetOutput(), field->GetNumberOfLeaves(), output.get());
-  run.report().print();
+  run.printReport();
 }

@@ -120,7 +120,7 @@ void report(
   {
     run.report().add("labels", describeLabels(image, isWhole, options.cells));
   }
-  run.report().print();
+  run.printReport();
 }
 
 void writePieces(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)

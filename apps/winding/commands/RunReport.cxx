@@ -1,6 +1,7 @@
 #include "commands/RunReport.h"
 
 #include "commands/ReportParts.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "program/ParallelRun.h"
 #include "program/Threads.h"
@@ -8,7 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
-#include "vtkWindingNumberGridAlgorithm.h"
+#include "vtkWindingNumberField.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,22 @@ void RunReport::addExecution(double seconds)
   onSurface_ += filter_.GetNumberOfSamplesOnSurface();
   besidePoints_ += filter_.GetNumberOfSamplesBesidePoints();
   maxErrorBesidePoints_ = std::max(maxErrorBesidePoints_, filter_.GetMaxErrorBesidePoints());
+  if (auto* field = vtkWindingNumberField::SafeDownCast(&filter_))
+  {
+    inside_ += field->GetNumberOfInsideSamples();
+  }
+}
+
+bool RunReport::hasNothingInside() const
+{
+  return vtkWindingNumberField::SafeDownCast(&filter_) && inside_ == 0 &&
+         (this->isInPieces() || !parallel::isAlone());
+}
+
+/// Returns whether each piece of the result is written by itself.
+bool RunReport::isInPieces() const
+{
+  return options_.pieces > 1 || (suffixOf(options_.output) == ".pvti" && !parallel::isAlone());
 }
 
 void RunReport::takeFidelity(vtkPolyData* surface)
@@ -119,7 +136,7 @@ void RunReport::gatherFigures()
   {
     *figure = parallel::maximum(*figure);
   }
-  for (vtkIdType* number : {&verified_, &nearVerified_, &onSurface_, &besidePoints_})
+  for (vtkIdType* number : {&verified_, &nearVerified_, &onSurface_, &besidePoints_, &inside_})
   {
     *number = static_cast<vtkIdType>(parallel::sum(static_cast<double>(*number)));
   }
@@ -188,6 +205,11 @@ Json RunReport::report() const
     {"seconds", seconds}, {"peak_memory", largestMemory(peakMemories_)},
     {"threads", threadsUsed(options_.threads)}};
   addRanks(report, peakMemories_);
+  if (vtkWindingNumberField::SafeDownCast(&filter_))
+  {
+    // Pieces of points share the samples between them.
+    report["inside"] = this->isInPieces() && !options_.cells ? Json(nullptr) : Json(inside_);
+  }
   if (report["method"] == "rows")
   {
     report["cap_triangles"] = filter_.GetNumberOfCapTriangles();
@@ -272,9 +294,11 @@ std::string RunReport::summary(const Json& report) const
     }
   }
   const Json& grid = report["grid"]["dimensions"];
+  const bool isCounted = report.contains("inside") && report["inside"].is_number();
+  const std::string inside = isCounted ? report["inside"].dump() + " inside, " : "";
   text += "\nmethod " + report["method"].get<std::string>() + " (" +
           report["why"].get<std::string>() + "), " + grid[0].dump() + " x " + grid[1].dump() +
-          " x " + grid[2].dump() + " voxels, " +
+          " x " + grid[2].dump() + " voxels, " + inside +
           shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
   if (options_.verify > 0)
   {

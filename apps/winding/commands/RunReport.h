@@ -28,6 +28,10 @@ public:
   /// Sets what was written, unless it is an image.
   void setOutput(const Json& output) { output_ = output; }
 
+  /// Returns whether no piece of a field has a sample inside, once the report is printed. A field
+  /// that was made as a whole has warned of that itself.
+  bool hasNothingInside() const;
+
   /// Takes how near a surface is to the input from the arrays of FidelitySamples
   /// (vtkWindingNumberSurface.h), if it has any.
   void takeFidelity(vtkPolyData* surface);
@@ -42,6 +46,7 @@ private:
   void gatherFigures();
   Json report() const;
   Json describeGrid() const;
+  bool isInPieces() const;
   double distanceBand() const;
   void addErrors(Json& report) const;
   std::string errorsInWords(const Json& report) const;
@@ -72,5 +77,6 @@ private:
   vtkIdType onSurface_ = 0; ///< samples that were not compared
   vtkIdType besidePoints_ = 0;
   double maxErrorBesidePoints_ = 0;
+  vtkIdType inside_ = 0;             ///< samples of a field
   std::vector<double> peakMemories_; ///< of all ranks, in bytes
 };

@@ -27,5 +27,5 @@ void runSurface(const Options& given, Messages& messages)
   FieldRun run(*filter, options, messages);
   run.update();
   writeResult(run, filter->GetOutput(), output.get());
-  run.report().print();
+  run.printReport();
 }

@@ -49,5 +49,5 @@ void runVoxels(const Options& given, Messages& messages)
   messages.throwIfError(options.input);
   vtkPolyData* surface = voxels->GetOutput();
   writeResult(run, surface, &output);
-  run.report().print();
+  run.printReport();
 }

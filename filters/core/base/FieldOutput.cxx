@@ -37,6 +37,15 @@ double FieldOutput::kept(double value) const
   return this->doubleValues ? value : stored<float>(value);
 }
 
+template <InsideRule Rule, class Real>
+SideCounts FieldOutput::countSides(const Real* from, std::size_t count) const
+{
+  SideCounts counts;
+  std::for_each(from, from + count,
+    [&](Real value) { counts.add(this->kept(value), this->threshold, 1, Rule); });
+  return counts;
+}
+
 template <class Real>
 void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
 {
@@ -59,10 +68,11 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
   }
   if (this->sides)
   {
-    SideCounts counts;
-    std::for_each(
-      from, from + count, [&](Real value) { counts.add(this->kept(value), this->threshold); });
-    this->sides->add(counts);
+    this->sides->add(this->rule == InsideRule::signedThreshold
+                       ? this->countSides<InsideRule::signedThreshold>(from, count)
+                     : this->rule == InsideRule::absoluteThreshold
+                       ? this->countSides<InsideRule::absoluteThreshold>(from, count)
+                       : this->countSides<InsideRule::odd>(from, count));
   }
 }
 
@@ -87,7 +97,7 @@ void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
   if (this->sides)
   {
     SideCounts counts;
-    counts.add(this->kept(value), this->threshold, count);
+    counts.add(this->kept(value), this->threshold, count, this->rule);
     this->sides->add(counts);
   }
 }

@@ -21,7 +21,7 @@ struct FieldOutput
   unsigned char* inside = nullptr;
   InsideRule rule = InsideRule::signedThreshold;
   double threshold = 0.5;
-  /// Adds up the samples that are written, by w as the array stores it.
+  /// Adds up the samples that are written, by w as the array stores it, and by the rule.
   SideTally* sides = nullptr;
 
   /// Distances from the source, in its unit of length: negative inside, by the decision that goes
@@ -48,6 +48,8 @@ struct FieldOutput
   void writeDistance(double distance, std::size_t sample) const;
 
 private:
+  template <InsideRule Rule, class Real>
+  SideCounts countSides(const Real* from, std::size_t count) const;
   double kept(double value) const;
   bool isInsideAt(std::size_t sample) const;
 };

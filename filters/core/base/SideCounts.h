@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/InsideRule.h"
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -7,8 +9,8 @@
 namespace winding
 {
 
-/// The samples that are inside by InsideRule::signedThreshold, and those that would be if all faces
-/// or normals were turned round: w is −threshold or less there.
+/// The samples that are inside by a rule, and those where w is −threshold or less: they would be
+/// inside by InsideRule::signedThreshold if all faces or normals were turned round.
 struct SideCounts
 {
   std::size_t samples = 0;
@@ -16,10 +18,11 @@ struct SideCounts
   std::size_t negative = 0;
 
   /// Counts one more value `times` times. A threshold of 0 or less has no other side.
-  void add(double value, double threshold, std::size_t times = 1)
+  void add(double value, double threshold, std::size_t times = 1,
+    InsideRule rule = InsideRule::signedThreshold)
   {
     samples += times;
-    inside += value >= threshold ? times : 0;
+    inside += isInside(value, rule, threshold) ? times : 0;
     negative += threshold > 0 && value <= -threshold ? times : 0;
   }
 

@@ -128,15 +128,14 @@ FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
   return output;
 }
 
-bool ResultArrays::hasNothingInside() const
+std::optional<vtkIdType> ResultArrays::countInside() const
 {
   if (!inside_)
   {
-    return false;
+    return std::nullopt;
   }
   const unsigned char* first = inside_->GetPointer(0);
-  const unsigned char* last = first + inside_->GetNumberOfValues();
-  return std::find(first, last, 1) == last;
+  return std::count(first, first + inside_->GetNumberOfValues(), 1);
 }
 
 bool ResultArrays::isInside(std::size_t sample, InsideRule rule, double threshold) const

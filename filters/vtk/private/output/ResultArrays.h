@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <optional>
 #include <string>
 
 class vtkDataSetAttributes;
@@ -59,8 +60,8 @@ public:
   vtkFloatArray* coverage() const { return coverage_; }
   ///@}
 
-  /// Whether there is an array of what is inside, and it has no 1.
-  bool hasNothingInside() const;
+  /// Returns how many samples the array of what is inside has a 1 for; nothing without that array.
+  std::optional<vtkIdType> countInside() const;
 
   /// Returns whether a sample is inside, by the first of these that there is: the array of what is
   /// inside, values compared by the rule, distances below 0.
