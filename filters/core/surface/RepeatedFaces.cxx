@@ -1,83 +1,15 @@
 #include "surface/RepeatedFaces.h"
 
 #include "base/DisjointSets.h"
+#include "surface/FacesByCorners.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace winding
 {
 
 namespace
 {
-
-/// The corners of all faces, each from its lowest on towards the lower one of its neighbours.
-class Faces
-{
-public:
-  Faces(const Surface& surface, const PolygonParts& parts)
-  {
-    const TriangleList& triangles = surface.triangles;
-    for (std::size_t first = 0, last; first < triangles.size(); first = last)
-    {
-      last = first + 1;
-      while (last < triangles.size() && last < parts.size() && parts[last])
-      {
-        ++last;
-      }
-      corners_.insert(corners_.end(), triangles[first].begin(), triangles[first].end());
-      for (std::size_t i = first + 1; i < last; ++i)
-      {
-        // A fan goes on from the last corner, unless a triangle between them bounds nothing.
-        if (corners_.back() != triangles[i][1])
-        {
-          corners_.push_back(triangles[i][1]);
-        }
-        corners_.push_back(triangles[i][2]);
-      }
-      isForward_.push_back(this->putInOrder(starts_.back()));
-      starts_.push_back(corners_.size());
-      firstTriangles_.push_back(first);
-    }
-    firstTriangles_.push_back(triangles.size());
-  }
-
-  std::size_t size() const { return isForward_.size(); }
-  bool isForward(std::size_t face) const { return isForward_[face] != 0; }
-  std::size_t firstTriangle(std::size_t face) const { return firstTriangles_[face]; }
-
-  bool isLess(std::size_t a, std::size_t b) const
-  {
-    return std::lexicographical_compare(
-      this->begin(a), this->begin(a + 1), this->begin(b), this->begin(b + 1));
-  }
-
-private:
-  using Corner = std::vector<std::int32_t>::const_iterator;
-
-  Corner begin(std::size_t face) const
-  {
-    return corners_.begin() + static_cast<std::ptrdiff_t>(starts_[face]);
-  }
-
-  /// Puts the corners from `start` on in order. Returns whether the face runs as they do.
-  bool putInOrder(std::size_t start)
-  {
-    const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(start);
-    std::rotate(first, std::min_element(first, corners_.end()), corners_.end());
-    const bool isForward = *(first + 1) <= corners_.back();
-    if (!isForward)
-    {
-      std::reverse(first + 1, corners_.end());
-    }
-    return isForward;
-  }
-
-  std::vector<std::int32_t> corners_;
-  std::vector<std::size_t> starts_ = {0};
-  std::vector<std::size_t> firstTriangles_;
-  std::vector<char> isForward_;
-};
 
 /// The uses of an edge by faces of two kinds.
 struct UsesOfEdge
@@ -167,17 +99,15 @@ private:
   std::vector<char> meetsOdd_, meetsEven_; ///< by the first triangle of a set
 };
 
-/// Leaves out walls where solids that were drawn from both sides touch others.
-void leaveOutWalls(
-  const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
+/// Leaves out the walls between solids that touch, of the faces that `mayBeOfWall` is true for.
+/// Returns whether there are any.
+template <class MayBeOfWall>
+bool leaveOutWalls(
+  const SurfaceEdges& edges, const MayBeOfWall& mayBeOfWall, std::vector<char>& isLeftOut)
 {
-  if (std::find(faces.isOfMany.begin(), faces.isOfMany.end(), 1) == faces.isOfMany.end())
-  {
-    return;
-  }
   const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
   {
-    if (!isLeftOut[triangle] && faces.isOfMany[triangle])
+    if (!isLeftOut[triangle] && mayBeOfWall(static_cast<std::size_t>(triangle)))
     {
       uses.listed.push_back(triangle);
     }
@@ -187,61 +117,105 @@ void leaveOutWalls(
     }
   };
   ListedSets kept(edges, isLeftOut.size(), add, true);
+  bool areAny = false;
   for (std::size_t i = 0; i < isLeftOut.size(); ++i)
   {
-    isLeftOut[i] |= static_cast<char>(faces.isOfMany[i] && kept.isOfWall(i));
+    const bool isOfWall = !isLeftOut[i] && mayBeOfWall(i) && kept.isOfWall(i);
+    isLeftOut[i] |= static_cast<char>(isOfWall);
+    areAny |= isOfWall;
   }
+  return areAny;
+}
+
+/// Leaves out all walls if the faces of one do not cancel: one of its solids was drawn from both
+/// sides, or looks inward. The senses of the others' faces say nothing then.
+void leaveOutUnclearWalls(
+  const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
+{
+  const auto isUnclear = [&faces](std::size_t triangle)
+  {
+    const FaceKind kind = faces.kinds[triangle];
+    return faces.isOfMany[triangle] || kind == FaceKind::first || kind == FaceKind::repeated;
+  };
+  if (leaveOutWalls(edges, isUnclear, isLeftOut))
+  {
+    leaveOutWalls(
+      edges, [&faces](std::size_t i) { return faces.kinds[i] != FaceKind::single; }, isLeftOut);
+  }
+}
+
+/// Notes the kinds of equal faces, whose numbers are from `first` up to, without, `last`.
+template <class Number>
+void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedFaces& result)
+{
+  const auto count = static_cast<std::size_t>(last - first);
+  const auto forward = static_cast<std::size_t>(
+    std::count_if(first, last, [&faces](std::size_t face) { return faces.isForward(face); }));
+  const bool isPair = 2 * forward == count;
+  const bool isForward = isPair ? faces.isForward(*first) : 2 * forward > count;
+  bool isFirstThere = false, isOppositeThere = !isPair;
+  for (Number face = first; face != last; ++face)
+  {
+    bool& isThere = faces.isForward(*face) == isForward ? isFirstThere : isOppositeThere;
+    const FaceKind kind = isThere                     ? FaceKind::repeated
+                          : &isThere != &isFirstThere ? FaceKind::opposite
+                          : isPair                    ? FaceKind::facing
+                                                      : FaceKind::first;
+    isThere = true;
+    result.repeated += kind == FaceKind::repeated;
+    for (const std::int32_t triangle : faces.triangles(*face))
+    {
+      result.kinds[triangle] = kind;
+      result.isOfMany[triangle] = static_cast<char>(count > 2);
+    }
+  }
+  result.pairs += isPair;
+  result.single += !isPair;
 }
 
 } // namespace
 
 RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
 {
-  const Faces faces(surface, parts);
-  std::vector<std::size_t> order(faces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-    [&faces](std::size_t a, std::size_t b) { return faces.isLess(a, b); });
-
+  const FacesByCorners faces = facesOf(surface, parts);
   RepeatedFaces result;
   result.kinds.resize(surface.triangles.size(), FaceKind::single);
   result.isOfMany.resize(surface.triangles.size(), 0);
-  const auto fill = [&faces](auto& ofTriangles, std::size_t face, auto value)
-  {
-    std::fill(ofTriangles.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face)),
-      ofTriangles.begin() + static_cast<std::ptrdiff_t>(faces.firstTriangle(face + 1)), value);
-  };
-  for (std::size_t first = 0, last; first < order.size(); first = last)
-  {
-    std::size_t forward = 0;
-    for (last = first; last < order.size() && !faces.isLess(order[first], order[last]); ++last)
+  std::vector<std::size_t> single;
+  faces.forEachGroup(
+    [&](auto first, auto last)
     {
-      forward += faces.isForward(order[last]);
-    }
-    const std::size_t count = last - first;
-    if (count == 1)
+      if (last - first == 1)
+      {
+        single.push_back(*first);
+        return;
+      }
+      takeEqual(faces, first, last, result);
+    });
+  result.single += single.size();
+
+  std::sort(single.begin(), single.end());
+  const FacesByCorners quads = quadsOf(surface, faces, single);
+  quads.forEachGroup(
+    [&](auto first, auto last)
     {
-      ++result.single;
-      continue;
-    }
-    const bool isPair = 2 * forward == count;
-    const bool isForward = isPair ? faces.isForward(order[first]) : 2 * forward > count;
-    bool isFirstThere = false, isOppositeThere = !isPair;
-    for (std::size_t i = first; i < last; ++i)
-    {
-      bool& isThere = faces.isForward(order[i]) == isForward ? isFirstThere : isOppositeThere;
-      const FaceKind kind = isThere                     ? FaceKind::repeated
-                            : &isThere != &isFirstThere ? FaceKind::opposite
-                            : isPair                    ? FaceKind::facing
-                                                        : FaceKind::first;
-      isThere = true;
-      result.repeated += kind == FaceKind::repeated;
-      fill(result.kinds, order[i], kind);
-      fill(result.isOfMany, order[i], static_cast<char>(count > 2));
-    }
-    result.pairs += isPair;
-    result.single += !isPair;
-  }
+      const auto areTaken = [&](std::size_t quad)
+      {
+        const std::vector<std::int32_t> triangles = quads.triangles(quad);
+        return std::any_of(triangles.begin(), triangles.end(),
+          [&](std::int32_t triangle) { return result.kinds[triangle] != FaceKind::single; });
+      };
+      if (last - first > 1 && std::none_of(first, last, areTaken))
+      {
+        for (auto quad = first; quad != last; ++quad)
+        {
+          const auto triangle = static_cast<std::size_t>(quads.triangles(*quad).back());
+          const bool isPolygon = triangle < parts.size() && parts[triangle];
+          result.single -= isPolygon ? 1 : 2;
+        }
+        takeEqual(quads, first, last, result);
+      }
+    });
   return result;
 }
 
@@ -268,7 +242,7 @@ std::vector<char> facesToLeaveOut(
   {
     isLeftOut[i] = isThereBefore(i) && !others.isOfWall(i);
   }
-  leaveOutWalls(edges, faces, isLeftOut);
+  leaveOutUnclearWalls(edges, faces, isLeftOut);
   return isLeftOut;
 }
 

@@ -51,8 +51,8 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
  * Returns the triangles to leave out so that each face bounds once, by triangle. They are repeated
  * faces, and the opposite ones of pairs in the skin of a solid that was drawn from both sides. They
  * stay, set by connected set, where even numbers of single faces meet each of its edges: the walls
- * between solids that touch, which bound nothing together. Where one of these is drawn from both
- * sides, three faces or more are equal, and none of them stays.
+ * between solids that touch, which bound nothing together. No wall stays where the faces of one
+ * do not cancel, as where one of the solids looks inward or was drawn from both sides.
  */
 std::vector<char> facesToLeaveOut(
   const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces);
