@@ -42,8 +42,9 @@ Inwardness inwardnessOf(const Field& field, const SideCounts& sides, Executor& e
   }
   const FieldInfo& info = field.info();
   const bool areSheets =
-    info.openings.areWide() || (info.netBoundaryEdges > 0 && info.contradictingEdges == 0 &&
-                                 !hasInvertedPart(*field.surface(), executor));
+    info.openings.areWide() ||
+    (info.netBoundaryEdges > 0 && info.contradictingEdges == 0 && !info.openings.lookInward &&
+      !hasInvertedPart(*field.surface(), executor));
   return areSheets ? Inwardness::sheets : Inwardness::solids;
 }
 

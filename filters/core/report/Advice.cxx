@@ -103,7 +103,7 @@ Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
     return {{"open, though every edge has two triangles or more: at non-manifold edges they do not "
              "cancel; near those winding numbers are between integers"}};
   }
-  if (report.openings.areWide())
+  if (report.openings.areWide() || report.openings.lookInward)
   {
     advice.push_back(openSideAdvice(report.openings));
   }
@@ -180,8 +180,8 @@ void addFaults(Advice& advice, const SurfaceReport& report)
     "inside of closed ones: they bound nothing, but change winding numbers around them",
     {{"leave them out", {{Parameter::ignoreOpenParts, 1}}}});
   add(advice, report.edges.nonManifold, "edge is", "edges are",
-    "non-manifold (more than two triangles meet there): where parts overlap, winding numbers may "
-    "be other than 0 and 1");
+    "non-manifold (more than two triangles meet there): where parts overlap, and do not just "
+    "touch, winding numbers may be other than 0 and 1");
   add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
     "others: equal ones add up, opposite ones cancel",
     report.mendableTriangles > 0

@@ -12,17 +12,17 @@ namespace winding
 namespace
 {
 
-/// Returns the sides of the bounds in which openings lie, in words. The edges in a side go round an
-/// area there, seen from its middle, that is a twentieth of the surface's or more, and no triangle
-/// lies in it.
-std::string planesOf(const BoundaryEdges& boundary, const Surface& surface, double area)
+/// Finds the sides of the bounds in which openings lie. The edges in a side go round an area there,
+/// seen from its middle, that is a twentieth of the surface's or more, and no triangle lies in it.
+void findPlanes(
+  Openings& openings, const BoundaryEdges& boundary, const Surface& surface, double area)
 {
   const Bounds& bounds = surface.bounds;
   const std::vector<Eigen::Vector3d>& vertices = surface.vertices;
   const double reach = 1e-6 * bounds.sizes().maxCoeff();
   const double scale = unitScale(bounds);
   const Eigen::Vector3d center = bounds.center();
-  std::string planes;
+  int inward = 0, outward = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const double place : {bounds.min()[axis], bounds.max()[axis]})
@@ -49,11 +49,13 @@ std::string planesOf(const BoundaryEdges& boundary, const Surface& surface, doub
       {
         char text[60];
         std::snprintf(text, sizeof text, "%c = %.6g", "xyz"[axis], place);
-        planes += (planes.empty() ? "" : " and ") + std::string(text);
+        openings.planes += (openings.planes.empty() ? "" : " and ") + std::string(text);
+        // The vector areas of the faces and of what would close them add up to 0.
+        ++((twice > 0) == (place > center[axis]) ? inward : outward);
       }
     }
   }
-  return planes;
+  openings.lookInward = inward > 0 && outward == 0;
 }
 
 } // namespace
@@ -76,21 +78,27 @@ Openings openingsOf(const BoundaryEdges& boundary, const Surface& surface, doubl
     sum += static_cast<double>(edge.multiplicity) * p.cross(q);
   }
   openings.share = std::min(0.5 * sum.norm() / scaledArea, 1.0);
-  constexpr double mostOfSheet = 0.95;
-  if (openings.areWide() && openings.share < mostOfSheet)
+  constexpr double leastOfSide = 0.2;
+  if (openings.share > leastOfSide && !openings.areOfSheet())
   {
-    openings.planes = planesOf(boundary, surface, scaledArea);
+    findPlanes(openings, boundary, surface, scaledArea);
   }
   return openings;
 }
 
 Message openSideAdvice(const Openings& openings)
 {
+  const std::string facts = "openings" + (openings.planes.empty() ? "" : " at " + openings.planes) +
+                            " are " + percentOf(openings.share) + " as large as its faces";
+  if (openings.lookInward)
+  {
+    return {"the surface is open on a whole side and looks inward",
+      {{"turn its faces", {{Parameter::orientFaces, 1}}}}, facts};
+  }
   return {"the surface is open on a whole side",
     {{"close it by a base or its mirror image", {}},
       {"take all that its faces look away from", {{Parameter::windingThreshold, 0}}}},
-    "openings" + (openings.planes.empty() ? "" : " at " + openings.planes) + " are " +
-      percentOf(openings.share) + " as large as its faces"};
+    facts};
 }
 
 } // namespace winding

@@ -2,13 +2,16 @@
 
 #include "base/DisjointSets.h"
 #include "source/UnitScale.h"
+#include "surface/Boundary.h"
 #include "surface/NearlyClosed.h"
 #include "surface/OpenParts.h"
+#include "surface/Openings.h"
 #include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -291,6 +294,34 @@ void decideByNesting(const Surface& surface, const Components& components,
   }
 }
 
+/// Turns open components if a surface that is open on a whole side would look inward otherwise.
+void decideByOpenings(const Surface& surface, const Components& components,
+  std::vector<char>& isTurned, Executor& executor)
+{
+  if (std::find(components.isClosed.begin(), components.isClosed.end(), 0) ==
+      components.isClosed.end())
+  {
+    return;
+  }
+  std::vector<char> areTurned;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) // the components may have caps as well
+  {
+    areTurned.push_back(isTurned[components.ofTriangle[i]]);
+  }
+  Surface turned = surface;
+  turn(turned, areTurned);
+  const std::vector<double> areas = areasOf(turned);
+  const double scale = unitScale(turned.bounds);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / (2 * scale * scale);
+  if (openingsOf(boundaryChain(turned, executor).edges, turned, area).lookInward)
+  {
+    for (std::size_t i = 0; i < isTurned.size(); ++i)
+    {
+      isTurned[i] = (isTurned[i] != 0) != !components.isClosed[i];
+    }
+  }
+}
+
 /// Finds for each component whether step 3 turns it.
 std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
   const Components& components, const std::vector<TurnedArea>& areas,
@@ -308,6 +339,7 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   {
     decideByNesting(closedUp, solids, result, executor);
   }
+  decideByOpenings(turned, solids, result, executor);
   // Closed components are decided last and without caps: one that only a cap encloses is no cavity.
   decideByNesting(turned, components, result, executor);
   for (std::size_t i = 0; i < result.size(); ++i)

@@ -1,7 +1,9 @@
 #include "surface/Openings.h"
 
 #include "source/SourceArea.h"
+#include "support/EdgesOf.h"
 #include "support/Shapes.h"
+#include "surface/Orientation.h"
 
 #include <gtest/gtest.h>
 
@@ -75,9 +77,30 @@ TEST(Openings, NameThePlanesThatTheyLieIn)
   EXPECT_TRUE(openings.areWide());
   EXPECT_EQ(openings.planes, "x = 0 and z = 0");
   EXPECT_NE(openSideAdvice(openings).facts.find("at x = 0 and z = 0"), std::string::npos);
+  EXPECT_FALSE(openings.lookInward);
+  EXPECT_TRUE(openingsOf(part.reversed()).lookInward);
   EXPECT_EQ(openingsOf(icosphere(1)).planes, "");
   Mesh sheet;
   sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   EXPECT_EQ(openingsOf(sheet).planes, "");
+}
+
+TEST(Openings, LetAnInwardHalfBeTurned)
+{
+  winding::SerialExecutor serial;
+  for (const int coordinates : {1, 2, 3})
+  {
+    const Mesh half = partOfSphere(coordinates);
+    EXPECT_FALSE(openingsOf(half).lookInward);
+    EXPECT_TRUE(openingsOf(half.reversed()).lookInward);
+    for (const Mesh& mesh : {half, half.reversed()})
+    {
+      winding::Surface surface = clean(mesh);
+      apply(orient(surface, edgesOf(surface), {}, serial), surface);
+      const winding::Openings found = winding::openingsOf(
+        boundaryOf(surface).edges, surface, areaOf(surface.vertices, surface.triangles));
+      EXPECT_FALSE(found.lookInward) << coordinates;
+    }
+  }
 }
