@@ -17,6 +17,7 @@
 #include "report/Verify.h"
 #include "source/Grid.h"
 #include "source/SourceVolume.h"
+#include "surface/OpenParts.h"
 #include "voxels/LabelMerge.h"
 #include "voxels/SolidEvaluation.h"
 #include "voxels/VoxelEvaluation.h"
@@ -114,7 +115,7 @@ vtkIdType vtkWindingNumberLabels::GetNumberOfEmptySolids() const
 
 vtkIdType vtkWindingNumberLabels::GetNumberOfOpenSolids() const
 {
-  return static_cast<vtkIdType>(this->Facts->open.count());
+  return static_cast<vtkIdType>(this->Facts->open.count() + this->Facts->openParts.count());
 }
 
 vtkIdType vtkWindingNumberLabels::GetNumberOfInsideOutSolids() const
@@ -164,7 +165,8 @@ const winding::Field& vtkWindingNumberLabels::PrepareSolid(
   try
   {
     const winding::Field& field = this->PrepareGridField(solids.source(number));
-    this->Facts->add(this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name);
+    this->Facts->add(
+      this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name, solids.isOpenPart(number));
     return field;
   }
   catch (const winding::OutOfMemory&)
@@ -332,7 +334,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
         if (isWhole && field.info().primitives > 0)
         {
           hasVoxels[i] = hasInside;
-          if (!hasInside && !isInward && !field.info().isTwoSided)
+          if (!hasInside && !isInward && !field.info().isTwoSided && !solids.isOpenPart(i))
           {
             const bool isMissed = winding::missesSource(grid, field.info().bounds);
             (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));
@@ -388,6 +390,11 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   {
     vtkWarningMacro(<< "no voxel has the labels of empty blocks: leave them out; "
                     << facts.empty.outOf(count));
+  }
+  if (facts.openParts.count() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::openPartsAdvice(
+                      "they bound nothing; " + facts.openParts.outOf(count))));
   }
   if (facts.open.count() > 0)
   {

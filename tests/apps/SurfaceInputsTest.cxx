@@ -225,6 +225,10 @@ TEST_F(SurfaceInputs, BafflesAreCountedAndMayBeLeftOut)
     "--resolution", "24", "--ignore-open-parts", "--json"});
   EXPECT_EQ(labels.json()["labels"].size(), 1u) << labels;
   EXPECT_EQ(labels.err, "");
+  const Outcome bareLabels =
+    runProgram({"labels", tank, "-o", folder.path("labels.vti"), "--resolution", "24"});
+  EXPECT_EQ(count(bareLabels.err, "warning"), 1) << bareLabels;
+  EXPECT_EQ(count(bareLabels.err, "open parts lie inside of closed ones"), 1) << bareLabels;
 }
 
 TEST_F(SurfaceInputs, TerrainIsNoInwardSolid)

@@ -132,6 +132,25 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
   }
 }
 
+/// Returns whether a fiftieth or more of the triangles has crowded corners only, as quadrilaterals
+/// have that are there twice, cut along one diagonal and the other.
+bool SurfaceField::hasManyCrowdedTriangles(const BoundaryChain& chain) const
+{
+  if (chain.crowdedVertices.empty())
+  {
+    return false;
+  }
+  std::vector<char> isCrowded(surface_.vertices.size(), 0);
+  for (const std::int32_t vertex : chain.crowdedVertices)
+  {
+    isCrowded[vertex] = 1;
+  }
+  const auto count = std::count_if(surface_.triangles.begin(), surface_.triangles.end(),
+    [&isCrowded](const Triangle& t)
+    { return isCrowded[t[0]] && isCrowded[t[1]] && isCrowded[t[2]]; });
+  return 50 * static_cast<std::size_t>(count) >= surface_.triangles.size();
+}
+
 /// Warns of faces that are there more than once, unless they are walls between solids that touch.
 void SurfaceField::warnOfRepeatedFaces(
   const BoundaryChain& chain, const std::vector<TrianglesView>& views, const EdgesOnce& edgesOnce)
@@ -139,10 +158,8 @@ void SurfaceField::warnOfRepeatedFaces(
   // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
   // no other touches, are looked for in small surfaces.
   constexpr std::size_t few = 1000;
-  const bool hasPolygons = std::any_of(views.begin(), views.end(),
-    [](const TrianglesView& view) { return view.isContinued != nullptr; });
   if (merged_.triangles.empty() && surface_.triangles.size() > few &&
-      (chain.crowdedVertices.empty() || !hasPolygons))
+      !this->hasManyCrowdedTriangles(chain))
   {
     return;
   }
@@ -196,15 +213,15 @@ void SurfaceField::warnOfContradictions(const EdgesOnce& edgesOnce)
 void SurfaceField::warnOfOpenParts(
   const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor)
 {
-  const bool mayBe = chain.edgesOfOneTriangle > 0 &&
-                     (!chain.crowdedVertices.empty() || hasClosedPiece(surface_, chain.edges));
+  const bool mayBe = !chain.edges.empty() &&
+                     (!chain.crowdedVertices.empty() ||
+                       (chain.edgesOfOneTriangle > 0 && hasClosedPiece(surface_, chain.edges)));
   const std::size_t parts = mayBe ? openPartsInside(surface_, edgesOnce(), executor).count : 0;
   if (parts > 0)
   {
-    info_.warnings.emplace_back("open parts lie inside of closed ones",
-      std::vector<Remedy>{{"leave them out", {{Parameter::ignoreOpenParts, 1}}}},
-      std::to_string(parts) + (parts == 1 ? " part bounds" : " parts bound") +
-        " nothing, but w changes around " + (parts == 1 ? "it" : "them"));
+    info_.warnings.push_back(
+      openPartsAdvice(std::to_string(parts) + (parts == 1 ? " part bounds" : " parts bound") +
+                      " nothing, but w changes around " + (parts == 1 ? "it" : "them")));
   }
 }
 

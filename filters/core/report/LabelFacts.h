@@ -50,6 +50,7 @@ struct LabelFacts
   std::size_t solids = 0;        ///< number of those that were added
   NamedSolids empty;             ///< solids without primitives
   NamedSolids open;              ///< surfaces with net boundary edges
+  NamedSolids openParts;         ///< others that are open inside of closed ones
   NamedSolids insideOut;         ///< those where w is negative and nothing is inside
   NamedSolids missed;            ///< those that the grid misses
   NamedSolids thin;              ///< others without a voxel inside, which do not look inward
@@ -60,7 +61,7 @@ struct LabelFacts
   NamedSolids warned;            ///< those with a warning
   std::vector<Message> warnings; ///< of the first solid that has some
 
-  void add(const FieldInfo& info, const std::string& name)
+  void add(const FieldInfo& info, const std::string& name, bool isOpenPart)
   {
     ++solids;
     if (solids == 1 || info.primitives > largest)
@@ -80,7 +81,7 @@ struct LabelFacts
     }
     else if (info.isSurface && info.netBoundaryEdges > 0)
     {
-      open.add(name);
+      (isOpenPart ? openParts : open).add(name);
     }
     if (!info.warnings.empty())
     {

@@ -9,6 +9,9 @@
 #include "surface/RepeatedFaces.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace winding
 {
@@ -16,37 +19,118 @@ namespace winding
 namespace
 {
 
-/// Finds the triangles of sets that could be sheets by their edges.
-std::vector<char> sheetsByEdges(const Surface& surface, const SurfaceEdges& edges)
+/// Returns the sum of the senses of all triangles at an edge.
+std::int32_t netOf(const SurfaceEdges& edges, const SurfaceEdges::Crowd& crowd)
 {
-  DisjointSets sets(surface.triangles.size());
-  for (const SurfaceEdges::Pair& pair : edges.pairs)
-  {
-    sets.unite(pair.triangles[0], pair.triangles[1]);
-  }
-  std::vector<char> hasRim(surface.triangles.size(), 0), isWall(surface.triangles.size(), 0);
-  for (const SurfaceEdges::Rim& rim : edges.rims)
-  {
-    hasRim[sets.find(rim.triangle)] = 1;
-  }
-  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
-  {
-    std::int32_t net = 0;
-    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
-    {
-      net += use->sense;
-    }
-    edges.forEachSet(crowd, sets,
-      [&](std::int32_t set, std::int32_t own) { isWall[set] |= static_cast<char>(own != net); });
-  }
-  std::vector<char> isSheet(surface.triangles.size());
-  for (std::size_t i = 0; i < isSheet.size(); ++i)
-  {
-    const std::int32_t set = sets.find(static_cast<std::int32_t>(i));
-    isSheet[i] = hasRim[set] && !isWall[set];
-  }
-  return isSheet;
+  return std::accumulate(edges.begin(crowd), edges.end(crowd), std::int32_t{0},
+    [](std::int32_t sum, const SurfaceEdges::Use& use) { return sum + use.sense; });
 }
+
+/// The sets of triangles that could be sheets by their edges.
+class SheetsByEdges
+{
+public:
+  SheetsByEdges(const Surface& surface, const SurfaceEdges& edges)
+    : surface_(surface)
+    , edges_(edges)
+    , sets_(surface.triangles.size())
+    , states_(surface.triangles.size())
+  {
+    for (const SurfaceEdges::Pair& pair : edges.pairs)
+    {
+      sets_.unite(pair.triangles[0], pair.triangles[1]);
+    }
+    for (const SurfaceEdges::Rim& rim : edges.rims)
+    {
+      states_[sets_.find(rim.triangle)].hasRim = true;
+    }
+    for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+    {
+      const std::int32_t net = netOf(edges, crowd);
+      edges.forEachSet(crowd, sets_,
+        [&](std::int32_t set, std::int32_t own)
+        {
+          states_[set].isWall |= own != net;
+          states_[set].hasNet |= own != 0;
+        });
+    }
+    this->choosePartitions();
+  }
+
+  bool isSheet(std::size_t triangle)
+  {
+    const State& state = states_[sets_.find(static_cast<std::int32_t>(triangle))];
+    return state.hasRim && !state.isWall;
+  }
+
+private:
+  struct State
+  {
+    bool hasRim = false; ///< or counts as if it had one
+    bool isWall = false; ///< whether the others are not closed without it
+    bool hasNet = false; ///< whether it meets others at an edge at which it does not cancel
+  };
+
+  /// Gives partitions a rim. Where one meets the solid, the part of the solid on either side of it
+  /// could be left out instead. The set of the smallest area is the partition.
+  void choosePartitions()
+  {
+    std::map<std::int32_t, double> areas;
+    for (std::size_t i = 0; i < states_.size(); ++i)
+    {
+      const std::int32_t set = sets_.find(static_cast<std::int32_t>(i));
+      const State& state = states_[set];
+      if (state.hasNet && !state.hasRim && !state.isWall)
+      {
+        const Triangle& t = surface_.triangles[i];
+        const Eigen::Vector3d& a = surface_.vertices[t[0]];
+        const Eigen::Vector3d u = surface_.vertices[t[1]] - a, v = surface_.vertices[t[2]] - a;
+        areas[set] += u.cross(v).norm();
+      }
+    }
+    if (areas.empty())
+    {
+      return;
+    }
+    std::map<std::int32_t, std::vector<std::size_t>> crowds;
+    std::vector<char> isTaken(edges_.crowds.size(), 0);
+    for (std::size_t i = 0; i < isTaken.size(); ++i)
+    {
+      edges_.forEachSet(edges_.crowds[i], sets_,
+        [&](std::int32_t set, std::int32_t)
+        {
+          isTaken[i] |= static_cast<char>(states_[set].hasRim && !states_[set].isWall);
+          if (areas.count(set) > 0)
+          {
+            crowds[set].push_back(i);
+          }
+        });
+    }
+    std::vector<std::pair<double, std::int32_t>> byArea;
+    for (const auto& [set, area] : areas)
+    {
+      byArea.emplace_back(area, set);
+    }
+    std::sort(byArea.begin(), byArea.end());
+    for (const auto& [area, set] : byArea)
+    {
+      const std::vector<std::size_t>& own = crowds[set];
+      if (std::none_of(own.begin(), own.end(), [&](std::size_t i) { return isTaken[i] != 0; }))
+      {
+        states_[set].hasRim = true;
+        for (const std::size_t i : own)
+        {
+          isTaken[i] = 1;
+        }
+      }
+    }
+  }
+
+  const Surface& surface_;
+  const SurfaceEdges& edges_;
+  DisjointSets sets_;
+  std::vector<State> states_; ///< by the first triangle of a set
+};
 
 Components nearlyClosedComponents(Surface& chain, Executor& executor)
 {
@@ -117,11 +201,19 @@ std::vector<char> trianglesInside(
 OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
 {
   OpenParts result;
-  if (edges.rims.empty())
+  const bool isClosed = edges.rims.empty() && std::all_of(edges.crowds.begin(), edges.crowds.end(),
+                                                [&edges](const SurfaceEdges::Crowd& crowd)
+                                                { return netOf(edges, crowd) == 0; });
+  if (isClosed)
   {
     return result;
   }
-  std::vector<char> isSheet = sheetsByEdges(surface, edges);
+  std::vector<char> isSheet(surface.triangles.size());
+  SheetsByEdges byEdges(surface, edges);
+  for (std::size_t i = 0; i < isSheet.size(); ++i)
+  {
+    isSheet[i] = static_cast<char>(byEdges.isSheet(i));
+  }
   if (std::find(isSheet.begin(), isSheet.end(), 1) == isSheet.end())
   {
     return result;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/Message.h"
 #include "source/Surface.h"
 #include "surface/SurfaceEdges.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -20,13 +22,21 @@ struct OpenParts
 /**
  * Finds the open parts inside of closed ones: they bound nothing, but add to w all around them. A
  * part is a set of triangles connected through edges that two of them share. Each other edge of it
- * is used by it alone, or lies on a surface that is closed without it. The middles of triangles,
+ * is used by it alone, or lies on a surface that is closed without it, as all edges of a partition
+ * do. The middles of triangles,
  * and corners off the rest, lie where w of the closed and nearly closed rest is not 0
  * (NearlyClosed.h). Parts that are nearly closed themselves do not count.
  *
- * Takes the time of edgesOf() where an edge has one triangle, and of PointCrossings for candidates.
+ * Takes the time of PointCrossings for candidates.
  * The same for every executor. Throws Interrupted.
  */
 OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
+
+/// Returns what to do about open parts; `facts` counts them.
+inline Message openPartsAdvice(const std::string& facts)
+{
+  return {"open parts lie inside of closed ones",
+    {{"leave them out", {{Parameter::ignoreOpenParts, 1}}}}, facts};
+}
 
 } // namespace winding

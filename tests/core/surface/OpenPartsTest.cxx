@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace
 {
 
@@ -73,6 +76,25 @@ TEST(OpenParts, ASheetMayHangOnTheWall)
   EXPECT_EQ(parts.count, 1u);
   ASSERT_EQ(parts.isInside.size(), 13u);
   EXPECT_TRUE(parts.isInside[12]);
+}
+
+TEST(OpenParts, APartitionMayBeWeldedToTheWallAllRound)
+{
+  // Two boxes as one solid, with a wall between them.
+  Mesh box = cube({-1, -1, -1}, {1, 1, 1});
+  const Mesh next = box.mapped([](const Point& p) { return Point(p[0] + 2, p[1], p[2]); });
+  const auto isOfWall = [](const Mesh& mesh, const std::array<std::int32_t, 3>& t)
+  {
+    return mesh.points[t[0]][0] == 1 && mesh.points[t[1]][0] == 1 && mesh.points[t[2]][0] == 1;
+  };
+  Mesh hull = next;
+  hull.triangles.erase(std::remove_if(hull.triangles.begin(), hull.triangles.end(),
+                         [&](const auto& t) { return isOfWall(hull, t); }),
+    hull.triangles.end());
+  ASSERT_EQ(hull.triangles.size(), 10u);
+  EXPECT_EQ(openPartsOf(box.with(hull)).count, 1u);
+  EXPECT_EQ(openPartsOf(hull.with(box.reversed())).count, 0u) << "the wall may be of either box";
+  EXPECT_EQ(openPartsOf(box.with(next)).count, 0u) << "both walls cancel";
 }
 
 TEST(OpenParts, NearlyClosedPartsCountAsSolids)

@@ -140,8 +140,7 @@ std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data)
     data->GetNumberOfCells()};
 }
 
-std::vector<std::vector<vtkIdType>> solidCellsOf(
-  vtkPolyData* surface, bool ignoresOpenParts, Executor& executor)
+SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& executor)
 {
   InputViews views(surface, InputOptions(), &executor);
   const std::vector<TrianglesView> triangles = views.triangles();
@@ -174,30 +173,37 @@ std::vector<std::vector<vtkIdType>> solidCellsOf(
     });
   const Surface clean = sanitize(triangles, executor);
   const SolidParts solids = solidPartsOf(clean, parts, executor);
-  OpenParts ignored;
-  if (ignoresOpenParts)
+  const OpenParts open = openPartsInside(clean, edgesOf(clean, executor), executor);
+  const auto isOpen = [&open](std::size_t triangle)
   {
-    ignored = openPartsInside(clean, edgesOf(clean, executor), executor);
-  }
+    return !open.isInside.empty() && open.isInside[triangle];
+  };
   std::vector<std::vector<vtkIdType>> cells(solids.count);
+  std::vector<char> isOpenPart(solids.count, 1);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (!parts[i] && (ignored.isInside.empty() || !ignored.isInside[i]))
+    const auto solid = static_cast<std::size_t>(solids.ofTriangle[i]);
+    isOpenPart[solid] &= static_cast<char>(isOpen(i));
+    if (!parts[i] && !(ignoresOpenParts && isOpen(i)))
     {
-      cells[static_cast<std::size_t>(solids.ofTriangle[i])].push_back(faces[i]);
+      cells[solid].push_back(faces[i]);
     }
   }
-  const auto isEmpty = [](const std::vector<vtkIdType>& ofSolid)
+  SolidCells result;
+  for (std::size_t solid = 0; solid < solids.count; ++solid)
   {
-    return ofSolid.empty();
-  };
-  cells.erase(std::remove_if(cells.begin(), cells.end(), isEmpty), cells.end());
-  if (!cells.empty())
+    if (!cells[solid].empty())
+    {
+      result.cells.push_back(std::move(cells[solid]));
+      result.isOpenPart.push_back(isOpenPart[solid]);
+    }
+  }
+  if (!result.cells.empty())
   {
     // They are left out and counted where the field of the first solid is built.
-    cells[0].insert(cells[0].end(), unusable.begin(), unusable.end());
+    result.cells[0].insert(result.cells[0].end(), unusable.begin(), unusable.end());
   }
-  return cells;
+  return result;
 }
 
 vtkSmartPointer<vtkPointSet> cellsOf(

@@ -18,11 +18,17 @@ class Executor;
 /// and strips of polydata, all cells of other data.
 std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data);
 
-/// The polygons and strips of each of the solids that a surface is made of (SolidParts.h), by their
-/// ids as cells. Strips belong to one solid. `ignoresOpenParts` leaves out those inside of closed
-/// ones (OpenParts.h). Throws Interrupted, and a Refusal if there is no usable polygon.
-std::vector<std::vector<vtkIdType>> solidCellsOf(
-  vtkPolyData* surface, bool ignoresOpenParts, Executor& executor);
+/// The solids that a surface is made of (SolidParts.h).
+struct SolidCells
+{
+  std::vector<std::vector<vtkIdType>> cells; ///< by solid: polygons and strips, by their ids
+  std::vector<char>
+    isOpenPart; ///< by solid: whether it is open, inside of closed ones (OpenParts.h)
+};
+
+/// Finds the solids of a surface. Strips belong to one solid. `ignoresOpenParts` leaves out open
+/// parts inside of closed ones. Throws Interrupted, and a Refusal if there is no usable polygon.
+SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& executor);
 
 /**
  * Some of the cells of a data set, in their order, with the points that they use. The cells of

@@ -206,7 +206,7 @@ void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& r
       "region " + std::to_string(region) + " of '" + options.regionArray + "'",
       {"choose another offset", {Parameter::labelOffset}}));
     names_.push_back(name);
-    cells_.push_back(std::move(cells[region]));
+    parts_.cells.push_back(std::move(cells[region]));
   }
 }
 
@@ -223,10 +223,10 @@ void Solids::addParts(
     [&]() -> Ranks::Number
     {
       this->findParts(data, options, executor);
-      return cells_.size();
+      return parts_.cells.size();
     });
-  cells_.resize(static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end())));
-  for (std::size_t i = 1; i <= cells_.size(); ++i)
+  parts_.cells.resize(static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end())));
+  for (std::size_t i = 1; i <= parts_.cells.size(); ++i)
   {
     labels_.push_back(static_cast<unsigned short>(i));
     names_.push_back("Part " + std::to_string(i));
@@ -249,13 +249,14 @@ void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor&
   {
     data_ = outerSurfaceOf(data, false, counts_);
   }
-  cells_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, executor);
-  if (cells_.size() > largestLabel)
+  parts_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, executor);
+  if (parts_.cells.size() > largestLabel)
   {
     throw Refusal(Message("the surface has too many parts for labels",
       {{"name an array of regions", {Parameter::regionArray}},
         {"close the gaps between triangles", {}}},
-      "it has " + std::to_string(cells_.size()) + " by connectivity, and labels are 1 to 65535"));
+      "it has " + std::to_string(parts_.cells.size()) +
+        " by connectivity, and labels are 1 to 65535"));
   }
 }
 
@@ -278,7 +279,7 @@ vtkSmartPointer<vtkDataObject> Solids::source(std::size_t solid) const
 {
   if (data_)
   {
-    return cellsOf(data_, cells_[solid], newIds_);
+    return cellsOf(data_, parts_.cells[solid], newIds_);
   }
   return blocks_[solid];
 }

@@ -2,6 +2,7 @@
 
 #include "private/pipeline/Ranks.h"
 #include "private/source/OuterSurface.h"
+#include "private/source/RegionCells.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -67,6 +68,12 @@ public:
   /// Counts of the cells of a single data set; blocks are looked at as sources.
   const CellCounts& cellCounts() const { return counts_; }
 
+  /// Whether a solid by connectivity is an open part inside of closed ones (OpenParts.h).
+  bool isOpenPart(std::size_t solid) const
+  {
+    return solid < parts_.isOpenPart.size() && parts_.isOpenPart[solid];
+  }
+
   /// The solid as a source. A region's is made for each call.
   vtkSmartPointer<vtkDataObject> source(std::size_t solid) const;
 
@@ -84,7 +91,7 @@ private:
 
   std::vector<vtkSmartPointer<vtkDataObject>> blocks_; ///< none for regions
   vtkSmartPointer<vtkPointSet> data_;                  ///< cells that regions are of
-  std::vector<std::vector<vtkIdType>> cells_;          ///< of data_, by solid
+  SolidCells parts_;                                   ///< of data_, by solid
   mutable std::vector<vtkIdType> newIds_;              ///< −1 for each point of data_
 };
 
