@@ -46,6 +46,10 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
     }
     return Message("no sample is inside", remedies);
   }
+  if (result.parts && result.parts->lostComponents > 0)
+  {
+    return thinPartsAdvice(*result.parts, grid, result.mayTouch);
+  }
   return std::nullopt;
 }
 

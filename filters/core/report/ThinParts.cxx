@@ -1,6 +1,7 @@
 #include "report/ThinParts.h"
 
 #include "source/SourceArea.h"
+#include "surface/Components.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,62 @@ Eigen::Vector3d acrossFrom(const Surface& surface, const PointOfTriangle& point)
   return behind <= before ? Eigen::Vector3d(behind * inward) : Eigen::Vector3d(-before * inward);
 }
 
+/// Returns whether a sample in a box, or next to it, is inside; true for boxes that reach beyond
+/// the grid.
+bool isShown(const Grid& grid, const Bounds& box, const IsSampleInside& isInside)
+{
+  const Eigen::Array3d low = grid.inGridUnits(box.min()).array().floor();
+  const Eigen::Array3d high = grid.inGridUnits(box.max()).array().ceil();
+  if (!(low >= 0 && high < grid.dimensions.array().cast<double>()).all())
+  {
+    return true;
+  }
+  for (int k = static_cast<int>(low[2]); k <= static_cast<int>(high[2]); ++k)
+  {
+    for (int j = static_cast<int>(low[1]); j <= static_cast<int>(high[1]); ++j)
+    {
+      for (int i = static_cast<int>(low[0]); i <= static_cast<int>(high[0]); ++i)
+      {
+        if (isInside(i, j, k))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// Counts the components of a surface, and those that are lost.
+void countComponents(
+  const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts)
+{
+  VertexPieces pieces(surface);
+  constexpr std::int32_t none = -1;
+  std::vector<std::int32_t> numbers(surface.vertices.size(), none);
+  std::vector<Bounds> boxes;
+  for (const Triangle& t : surface.triangles)
+  {
+    std::int32_t& number = numbers[pieces.sets.find(t[0])];
+    if (number == none)
+    {
+      number = static_cast<std::int32_t>(boxes.size());
+      boxes.emplace_back();
+    }
+    for (const std::int32_t vertex : t)
+    {
+      boxes[number].extend(surface.vertices[vertex]);
+    }
+  }
+  constexpr double mostVoxels = 2;
+  parts.components = boxes.size();
+  for (const Bounds& box : boxes)
+  {
+    const bool isSmall = (box.sizes().array() < mostVoxels * grid.spacing.array()).any();
+    parts.lostComponents += isSmall && !isShown(grid, box, isInside);
+  }
+}
+
 } // namespace
 
 std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
@@ -118,6 +175,10 @@ std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
   parts.share = known > 0 ? static_cast<double>(lost.size()) / static_cast<double>(known) : 0;
   if (!parts.areWorthTelling())
   {
+    if (field.info().netBoundaryEdges == 0)
+    {
+      countComponents(*surface, grid, isInside, parts);
+    }
     return parts;
   }
   // A closed surface has one side inside for sure.
@@ -153,6 +214,14 @@ bool ThinParts::areWorthTelling() const
 
 Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch)
 {
+  if (!parts.areWorthTelling())
+  {
+    return Message("parts are smaller than a voxel",
+      mayTouch ? std::vector<Remedy>{smallerVoxels(), touchedVoxels()}
+               : std::vector<Remedy>{smallerVoxels()},
+      std::to_string(parts.lostComponents) + " of " + std::to_string(parts.components) +
+        " closed parts have no sample inside");
+  }
   std::string facts = "about " + percentOf(parts.share) + " of the surface is lost";
   const double longest = grid.dimensions.cast<double>().cwiseProduct(grid.spacing).maxCoeff();
   constexpr double mostVoxels = 4096; // along the longest side

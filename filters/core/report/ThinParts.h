@@ -15,8 +15,10 @@ namespace winding
 /// The part of a surface that a grid does not show, since what it encloses has no sample inside.
 struct ThinParts
 {
-  double share = 0;     ///< of the surface's area, 0 to 1
-  double thickness = 0; ///< nine tenths of that part are thicker, or 0 if it is not known
+  double share = 0;               ///< of the surface's area, 0 to 1
+  double thickness = 0;           ///< nine tenths of that part are thicker, or 0 if it is not known
+  std::size_t components = 0;     ///< connected sets of triangles of a closed surface
+  std::size_t lostComponents = 0; ///< that no sample is inside of
 
   /// Returns whether they are a twentieth of the surface or more.
   bool areWorthTelling() const;
@@ -32,14 +34,20 @@ using IsSampleInside = std::function<bool(int i, int j, int k)>;
  * the next triangle. Where the surface is open, points count as lost if w is inside by `rule`
  * halfway there.
  *
+ * A connected set of triangles of a closed surface is lost if it is smaller than two voxels along
+ * some axis, and no sample of its bounds and next to them is inside. They are counted unless a
+ * twentieth of the surface is lost.
+ *
  * Returns nothing for clouds. The estimate depends on the order of the triangles, and not on the
- * executor. It takes a millisecond, and the time of 64 rays through all triangles where a twentieth
- * of the surface is lost. Throws Interrupted.
+ * executor. It takes a millisecond, 20 nanoseconds for each triangle of a closed surface, and the
+ * time of 64 rays through all triangles where a twentieth of the surface is lost. Throws
+ * Interrupted.
  */
 std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
   const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor);
 
-/// Returns what to do about parts thinner than a voxel. `mayTouch` says whether voxels that the
+/// Returns what to do about parts thinner than a voxel, or about components that are lost.
+/// `mayTouch` says whether voxels that the
 /// source touches could count.
 Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch);
 

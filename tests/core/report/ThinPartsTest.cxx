@@ -50,6 +50,31 @@ Mesh shell(double thickness)
 
 } // namespace
 
+TEST(ThinParts, SmallComponentsAreCounted)
+{
+  // Samples of this block lie at 0.05, 0.15 …; one of the three small cubes holds one.
+  const auto small = [](double x)
+  {
+    return cube({x, 1.51, 0.51}, {x + 0.03, 1.54, 0.54});
+  };
+  const Mesh mesh = cube({0, 0, 0}, {1, 1, 1})
+                      .with(cube({0, 1.9, 0.9}, {1, 2, 1}))
+                      .with(small(0.51))
+                      .with(small(0.71))
+                      .with(cube({0.34, 1.54, 0.54}, {0.36, 1.56, 0.56}));
+  Grid grid;
+  grid.dimensions = {10, 20, 10};
+  grid.firstSample = {0.05, 0.05, 0.05};
+  grid.spacing = {0.1, 0.1, 0.1};
+  const auto parts = thinPartsOn(mesh, grid);
+  ASSERT_TRUE(parts);
+  EXPECT_FALSE(parts->areWorthTelling());
+  EXPECT_EQ(parts->components, 5u);
+  EXPECT_EQ(parts->lostComponents, 2u);
+  EXPECT_EQ(
+    thinPartsAdvice(*parts, grid, false).facts, "2 of 5 closed parts have no sample inside");
+}
+
 TEST(ThinParts, AreLostBetweenSamples)
 {
   // A voxel of the first grid is 0.07 wide.
