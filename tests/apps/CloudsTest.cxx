@@ -245,6 +245,26 @@ TEST_F(Clouds, WithZerosForNormalsGetThemEstimated)
   }
 }
 
+TEST_F(Clouds, NormalsThatAreAllEqualAreTold)
+{
+  const char* const words = "all normals are equal, but the points lie in no plane";
+  Cloud ball = sphereCloud(200);
+  for (Point& normal : ball.normals)
+  {
+    normal = {0.577, 0.577, 0.577};
+  }
+  const Outcome told = run(ball);
+  EXPECT_EQ(told.status, 0);
+  EXPECT_NE(told.err.find(words), std::string::npos) << told;
+
+  Cloud plane = ball;
+  for (Point& point : plane.points)
+  {
+    point[2] = -point[0] - point[1];
+  }
+  EXPECT_EQ(run(plane).err.find(words), std::string::npos);
+}
+
 TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
 {
   const std::string mesh = folder.write("mesh.off", asOff(sphere(2)));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace winding
@@ -123,6 +124,32 @@ Message missingNormals(bool areZero)
     {{"", {{Parameter::estimateNormals, 1}}},
       {"compute oriented ones first", {Parameter::orientedNormals}}},
     "without them nothing tells inside from outside"};
+}
+
+std::optional<Message> equalNormals(const PointCloud& cloud)
+{
+  constexpr std::size_t few = 16;
+  constexpr double leastDepth = 0.05; // of the size of the cloud
+  const auto& normals = cloud.normals;
+  if (normals.size() < few || std::any_of(normals.begin(), normals.end(),
+                                [&](const auto& normal) { return normal != normals.front(); }))
+  {
+    return std::nullopt;
+  }
+  const Eigen::Vector3d across = normals.front();
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Eigen::Vector3d& position : cloud.positions)
+  {
+    const double height = across.dot(position - cloud.bounds.center());
+    least = std::min(least, height);
+    most = std::max(most, height);
+  }
+  if (!(most - least > leastDepth * cloud.bounds.sizes().norm()))
+  {
+    return std::nullopt;
+  }
+  return Message("all normals are equal, but the points lie in no plane",
+    {{"estimate others", {Parameter::replacedNormals}}});
 }
 
 Message keptNormals()

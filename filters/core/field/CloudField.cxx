@@ -67,6 +67,10 @@ CloudField::CloudField(
   {
     info_.warnings.push_back(keptNormals());
   }
+  if (const auto advice = equalNormals(cloud_); advice && !info_.normalsAreEstimated)
+  {
+    info_.warnings.push_back(*advice);
+  }
   this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
