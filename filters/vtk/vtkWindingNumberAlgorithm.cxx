@@ -335,9 +335,12 @@ template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
   std::vector<winding::Message> warnings = info.warnings;
-  if (info.openings.areWide() && info.contradictingEdges == 0 && this->WindingThreshold > 0)
+  const winding::Openings& openings = info.openings;
+  const bool isUnclear =
+    this->WindingThreshold > 0 && !(openings.areOfSheet() && this->TakesTouchedVoxels());
+  if (openings.areWide() && info.contradictingEdges == 0 && (openings.lookInward || isUnclear))
   {
-    warnings.push_back(winding::openSideAdvice(info.openings));
+    warnings.push_back(winding::openSideAdvice(openings));
   }
   if (!warnings.empty())
   {

@@ -439,6 +439,9 @@ protected:
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
 
+  /// Whether voxels that the source touches are inside, as is then all of a sheet.
+  virtual bool TakesTouchedVoxels() const { return false; }
+
   /// Information on the field that facts are about: the last one, unless a filter with several
   /// sources says otherwise.
   virtual const winding::FieldInfo& GetSourceInfo() const;

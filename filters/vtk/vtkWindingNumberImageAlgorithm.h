@@ -106,6 +106,7 @@ protected:
   bool InformationNeedsSource() const override { return true; }
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   bool MayTouchVoxels() const override { return this->Coverage == CENTER; }
+  bool TakesTouchedVoxels() const override { return this->Coverage == ANY; }
 
   /// The type of the active scalars that the image will have.
   virtual int GetActiveScalarType() const = 0;

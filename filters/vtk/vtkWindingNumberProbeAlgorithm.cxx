@@ -190,6 +190,7 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   const winding::Field& field = queries.grid()
                                   ? this->PrepareField(source, *queries.grid(), count)
                                   : this->PrepareField(source, queries.samples(), count);
+  this->TellNotFinite(queries);
   this->EvaluateSamples(field, queries, results);
   this->TellOutside(field, queries, results);
   if (this->InsideOut)
@@ -199,7 +200,7 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   this->InsideFlags = results.inside();
   this->FinishSamples(field, queries, results.inside()->GetPointer(0));
   if (this->KeepsPart() &&
-      this->GetRanks().allOf([&] { return queries.size() == 0 || results.hasNothingInside(); }) &&
+      this->GetRanks().allOf([&] { return queries.size() == 0 || results.countInside() == 0; }) &&
       queries.size() > 0)
   {
     this->TellEmpty();
@@ -235,15 +236,33 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
     });
 }
 
-/// Warns where none of many samples is inside, though they lie within the bounds of the source.
+/// Warns of samples that are nowhere.
+void vtkWindingNumberProbeAlgorithm::TellNotFinite(const winding::ProbeQueries& queries)
+{
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; !queries.grid() && i < queries.size(); ++i)
+  {
+    count += queries.position(static_cast<std::size_t>(i)).allFinite() ? 0 : 1;
+  }
+  if (count > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::Message(std::to_string(count) + " of " +
+                                                          std::to_string(queries.size()) +
+                                                          " queries are not finite",
+                      {}, "they have no winding number, and count as outside")));
+  }
+}
+
+/// Warns where none of many samples is inside of an open source, though they lie within its bounds.
 void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
   const winding::ProbeQueries& queries, const winding::ResultArrays& results)
 {
   constexpr std::size_t many = 100;
   std::size_t within = 0;
   const winding::FieldInfo& info = field.info();
-  const bool isQuiet = this->KeepsPart() || this->SourceIsInsideOut || info.isTwoSided ||
-                       info.openings.areWide() || !results.hasNothingInside();
+  const bool isClosed = info.isSurface && info.netBoundaryEdges == 0;
+  const bool isQuiet = isClosed || this->KeepsPart() || this->SourceIsInsideOut ||
+                       info.isTwoSided || info.openings.areWide() || results.countInside() != 0;
   const auto count = static_cast<std::size_t>(isQuiet ? 0 : queries.size());
   for (std::size_t i = 0; i < count && within < many; ++i)
   {

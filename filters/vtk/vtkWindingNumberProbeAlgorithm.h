@@ -129,6 +129,7 @@ protected:
 
 private:
   void TellEmpty();
+  void TellNotFinite(const winding::ProbeQueries& queries);
   void TellOutside(const winding::Field& field, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results);
   void EvaluateSamples(const winding::Field& field, const winding::ProbeQueries& queries,

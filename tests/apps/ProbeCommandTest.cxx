@@ -202,7 +202,11 @@ TEST_F(ProbeCommand, DigitsBringBackEveryBit)
 TEST_F(ProbeCommand, PointsThatAreNotFinite)
 {
   const std::string queries = folder.write("q.csv", "x,y,z\nnan,0,0\n0,inf,0\n0,0,0\n");
-  ASSERT_EQ(probe(queries, "out.csv").status, 0);
+  const Outcome run = probe(queries, "out.csv");
+  ASSERT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "winding: warning: " + in +
+                       ": 2 of 3 queries are not finite; they have no winding number, and count "
+                       "as outside\n");
   const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
   EXPECT_EQ(lines[1].rfind("nan,0,0,nan,0", 0), 0u) << lines[1];
   EXPECT_EQ(lines[3].back(), '1');
