@@ -110,7 +110,7 @@ bool RowScanner::nextNumber(double& value)
     {
       return true;
     }
-    const std::size_t comma = separator_ == ';' ? number.find(',') : std::string::npos;
+    const std::size_t comma = separator_ != ',' ? number.find(',') : std::string::npos;
     if (comma != std::string::npos && parseNumber(number.replace(comma, 1, "."), value))
     {
       hasDecimalCommas_ = true;

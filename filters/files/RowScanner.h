@@ -36,7 +36,7 @@ public:
   bool nextField(std::string_view& field);
 
   /// Takes the next field of the row as a number. Where it is none the field is left, and the
-  /// result is false. Between semicolons a comma may be the decimal point.
+  /// result is false. A comma may be the decimal point unless it is the separator.
   bool nextNumber(double& value);
 
   /// Whether a comma was the decimal point of any number.

@@ -58,8 +58,8 @@ Stretch visitWholeRows(
     state == RowState::broken || (isLast && state == RowState::cut)};
 }
 
-/// Calls take(row) for the first row from `start` on, if there is any. Returns the stretch up to its
-/// end. Reads twice as much until the row ends.
+/// Calls take(row) for the first row from `start` on, if there is any. Returns the stretch up to
+/// its end. Reads twice as much until the row ends.
 template <class Take>
 Stretch visitFirstRow(const InputFile& file, std::size_t start, char separator,
   std::size_t bytesAtOnce, const Take& take)
@@ -86,17 +86,26 @@ Stretch visitFirstRow(const InputFile& file, std::size_t start, char separator,
 TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce)
 {
   TableHeader header;
-  const Stretch first = visitFirstRow(file, file.textStart(), separator, bytesAtOnce,
-    [&header, separator](const RowScanner& row)
-    {
-      header.text.assign(row.rowStart(), row.rest().data());
-      RowScanner fields(header.text, separator);
-      fields.nextRow();
-      for (std::string_view field; fields.nextField(field);)
+  bool namesSeparator = false;
+  const auto takeSeparator = [&namesSeparator](const RowScanner& row)
+  {
+    const std::string_view text = row.row();
+    namesSeparator = text.size() == 5 && text.substr(0, 4) == "sep=";
+  };
+  const std::size_t start = file.textStart();
+  const Stretch line = visitFirstRow(file, start, separator, bytesAtOnce, takeSeparator);
+  const Stretch first =
+    visitFirstRow(file, namesSeparator ? line.end : start, separator, bytesAtOnce,
+      [&header, separator](const RowScanner& row)
       {
-        header.names.push_back(unquoted(field));
-      }
-    });
+        header.text.assign(row.rowStart(), row.rest().data());
+        RowScanner fields(header.text, separator);
+        fields.nextRow();
+        for (std::string_view field; fields.nextField(field);)
+        {
+          header.names.push_back(unquoted(field));
+        }
+      });
   if (first.isBroken)
   {
     refuseQuotation(file, first.end);

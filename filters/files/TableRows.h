@@ -21,10 +21,10 @@ struct TableHeader
   std::size_t end = 0; ///< the place in the file behind it
 };
 
-/// Reads the first row that has anything on it, behind a byte order mark if there is one. Slashes
-/// before the first name, and a number of points on a line of its own behind the row, are passed
-/// over, which CloudCompare writes. Throws FileRefusal for quotation marks that are not as they
-/// should be.
+/// Reads the first row that has anything on it, behind a byte order mark if there is one. Passes
+/// over what programs write about it: a line "sep=;" before, for any separator (Excel); slashes
+/// before the first name, and a number of points on a line behind (CloudCompare). Throws
+/// FileRefusal for quotation marks that are not as they should be.
 TableHeader readTableHeader(const InputFile& file, char separator, std::size_t bytesAtOnce);
 
 /**

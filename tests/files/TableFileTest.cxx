@@ -211,8 +211,8 @@ TEST(TableFile, TabsSeparate)
   const Table gaps = read("x\ty\tz\n1\t2\t3\n\t\t\n \n", way);
   ASSERT_EQ(gaps.points.points.count(), 2u) << "a row of empty fields is one";
   EXPECT_TRUE(std::isnan(gaps.points.points.doubles[3]));
-  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x\ty\tz\n1,5\t2\t3\n"),
-    "line 2: \"1,5\" in column x is no number; write a decimal point");
+  EXPECT_EQ(::refusalOf(readPoints<'\t'>, "x\ty\tz\n1,5,2\t2\t3\n"),
+    "line 2: \"1,5,2\" in column x is no number; write a decimal point");
 }
 
 /// Excel and R write what is usual in their country, whatever the suffix is.
@@ -224,7 +224,9 @@ TEST(TableFile, OtherLettersMaySeparate)
     way.separator = preferred;
     for (const std::string text : {"x;y;z;t\n1.5;2;3;7\n", "x;y;z;t\n1,5;2;3;7\n",
            "\"x\";\"y\";\"z\";\"t\"\n1,5;\"2,0\";3;7,0\n", "x,y,z,t\n1.5,2,3,7\n",
-           "\"x\",\"y\",\"z\",\"t\"\n\"1.5\",2,3,7\n", "x\ty\tz\tt\n1.5\t2\t3\t7\n"})
+           "\"x\",\"y\",\"z\",\"t\"\n\"1.5\",2,3,7\n", "x\ty\tz\tt\n1.5\t2\t3\t7\n",
+           "x\ty\tz\tt\n1,5\t2,0\t3\t7\n", "sep=;\r\nx;y;z;t\n1,5;2;3;7\n",
+           "sep=,\nx,y,z,t\n1.5,2,3,7\n"})
     {
       const Table table = read(text, way);
       EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1.5, 2, 3})) << text;
