@@ -142,7 +142,7 @@ COMMON_REPORTED = {
 GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
 REPORTED = {
     "SurfaceReport": {"Advice", "FractionalShare"},
-    "WindingNumberField": GRID_REPORTED,
+    "WindingNumberField": GRID_REPORTED | {"NumberOfInsideSamples"},
     "WindingNumberLabels": GRID_REPORTED | {
         "NumberOfSolids",
         "NumberOfEmptySolids",
