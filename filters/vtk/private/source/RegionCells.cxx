@@ -174,9 +174,9 @@ SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& e
   const Surface clean = sanitize(triangles, executor);
   const SolidParts solids = solidPartsOf(clean, parts, executor);
   const OpenParts open = openPartsInside(clean, edgesOf(clean, executor), executor);
-  const auto isOpen = [&open](std::size_t triangle)
+  const auto isOpen = [&open](std::size_t number)
   {
-    return !open.isInside.empty() && open.isInside[triangle];
+    return !open.isInside.empty() && open.isInside[number];
   };
   std::vector<std::vector<vtkIdType>> cells(solids.count);
   std::vector<char> isOpenPart(solids.count, 1);
