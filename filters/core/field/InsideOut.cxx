@@ -3,6 +3,7 @@
 #include "cloud/CloudOrientation.h"
 #include "surface/ClosedComponents.h"
 #include "surface/NearlyClosed.h"
+#include "surface/Openings.h"
 
 #include <algorithm>
 #include <vector>
@@ -13,8 +14,8 @@ namespace winding
 namespace
 {
 
-/// Returns whether a closed or nearly closed part of a surface is inside out. Others have no side
-/// that is inside, however they are turned.
+/// Returns whether a part of a surface is inside out that is closed or nearly closed, or that flat
+/// lids would close. Others have no side that is inside, however they are turned.
 bool hasInvertedPart(const Surface& surface, Executor& executor)
 {
   Surface closed = surface;
@@ -22,8 +23,15 @@ bool hasInvertedPart(const Surface& surface, Executor& executor)
   Components components = componentsOf(surface, edges);
   closeNearlyClosed(closed, edges, components);
   const std::vector<ClosedComponent> parts = closedComponents(closed, components, executor);
-  return std::any_of(
-    parts.begin(), parts.end(), [](const ClosedComponent& part) { return part.isInverted(); });
+  if (std::any_of(
+        parts.begin(), parts.end(), [](const ClosedComponent& part) { return part.isInverted(); }))
+  {
+    return true;
+  }
+  components.ofTriangle.resize(surface.triangles.size()); // without caps
+  const std::vector<OpenComponent> open = openComponents(surface, components, executor);
+  return std::any_of(open.begin(), open.end(),
+    [](const OpenComponent& part) { return sideBehindLids(part.edges, part.surface) < 0; });
 }
 
 } // namespace
@@ -36,15 +44,20 @@ Inwardness inwardnessOf(const Field& field, const SideCounts& sides, Executor& e
              ? Inwardness::solids
              : Inwardness::none;
   }
-  if (sides.negative == 0 || 100 * sides.negative < sides.negative + sides.inside)
+  const FieldInfo& info = field.info();
+  if (sides.negative == 0)
   {
     return Inwardness::none;
   }
-  const FieldInfo& info = field.info();
+  if (100 * sides.negative < sides.negative + sides.inside)
+  {
+    // Small pockets of closed surfaces that cut themselves are common, small parts are meant.
+    const bool isMeant = info.netBoundaryEdges == 0 && hasInvertedPart(*field.surface(), executor);
+    return isMeant ? Inwardness::solids : Inwardness::none;
+  }
   const bool areSheets =
-    info.openings.areWide() ||
-    (info.netBoundaryEdges > 0 && info.contradictingEdges == 0 && !info.openings.lookInward &&
-      !hasInvertedPart(*field.surface(), executor));
+    info.openings.areWide() || (info.netBoundaryEdges > 0 && info.contradictingEdges == 0 &&
+                                 !hasInvertedPart(*field.surface(), executor));
   return areSheets ? Inwardness::sheets : Inwardness::solids;
 }
 

@@ -32,9 +32,9 @@ enum class Inwardness
 
 /**
  * Returns whether faces or normals look inward. For surfaces that is where a hundredth or more of
- * the samples off the outside are negative, unless they are open on a whole side (Openings.h). One
- * of their closed or nearly closed parts must be inverted (ClosedComponents.h), or the openings
- * must say so. Near single points of a cloud w
+ * the samples off the outside are negative, or fewer of a closed one, unless they are open on a
+ * whole side (Openings.h). One of their parts must be inverted: a closed or nearly closed one
+ * (ClosedComponents.h), or one that flat lids would close. Near single points of a cloud w
  * has any value; so for clouds most of these samples must be negative, and most normals must point
  * inward as well (CloudOrientation.h). Throws Interrupted.
  */

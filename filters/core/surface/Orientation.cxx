@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -294,30 +293,16 @@ void decideByNesting(const Surface& surface, const Components& components,
   }
 }
 
-/// Turns open components if a surface that is open on a whole side would look inward otherwise.
-void decideByOpenings(const Surface& surface, const Components& components,
+/// Decides for each open component whether to turn it, where flat lids would close it.
+void decideByLids(const Surface& surface, const Components& components, const Components& solids,
   std::vector<char>& isTurned, Executor& executor)
 {
-  if (std::find(components.isClosed.begin(), components.isClosed.end(), 0) ==
-      components.isClosed.end())
+  for (const OpenComponent& open : openComponents(surface, components, executor))
   {
-    return;
-  }
-  std::vector<char> areTurned;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) // the components may have caps as well
-  {
-    areTurned.push_back(isTurned[components.ofTriangle[i]]);
-  }
-  Surface turned = surface;
-  turn(turned, areTurned);
-  const std::vector<double> areas = areasOf(turned);
-  const double scale = unitScale(turned.bounds);
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / (2 * scale * scale);
-  if (openingsOf(boundaryChain(turned, executor).edges, turned, area).lookInward)
-  {
-    for (std::size_t i = 0; i < isTurned.size(); ++i)
+    const int side = solids.isClosed[open.component] ? 0 : sideBehindLids(open.edges, open.surface);
+    if (side != 0)
     {
-      isTurned[i] = (isTurned[i] != 0) != !components.isClosed[i];
+      isTurned[open.component] = side < 0;
     }
   }
 }
@@ -339,7 +324,7 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   {
     decideByNesting(closedUp, solids, result, executor);
   }
-  decideByOpenings(turned, solids, result, executor);
+  decideByLids(turned, components, solids, result, executor);
   // Closed components are decided last and without caps: one that only a cap encloses is no cavity.
   decideByNesting(turned, components, result, executor);
   for (std::size_t i = 0; i < result.size(); ++i)

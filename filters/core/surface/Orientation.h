@@ -32,9 +32,8 @@ struct Orientation
  *    of other closed ones are oriented outward, and those inside an odd number, cavities, inward
  *    (ClosedComponents.h). Nearly closed components (NearlyClosed.h) are turned likewise, except
  *    that other nearly closed ones count for them, too. Open or flat components are turned so that
- *    at most half of their area is turned, and all of them if a surface that is open on a whole
- *    side would look inward otherwise (Openings.h). Components with a patch that stays in step 1
- *    stay as they are.
+ *    at most half of their area is turned, or outward if flat lids would close them (Openings.h).
+ *    Components with a patch that stays in step 1 stay as they are.
  *
  * So a surface whose triangles agree stays as it is, except for inverted components and nested
  * solids. The result is the same for every executor, and takes O(n log n) time. Throws Interrupted.

@@ -86,6 +86,47 @@ TEST(Openings, NameThePlanesThatTheyLieIn)
   EXPECT_EQ(openingsOf(sheet).planes, "");
 }
 
+TEST(Openings, OfTerrainSayNothingOfItsSide)
+{
+  // A hill near one side, whose profile there is a part of the rim that goes all round.
+  constexpr int n = 20;
+  Mesh terrain;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const double x = i - 2, y = j - 10;
+      terrain.points.emplace_back(i, j, 8 * std::exp(-(x * x + y * y) / 20));
+    }
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      terrain.triangles.push_back({a, b, b + 1});
+      terrain.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  EXPECT_FALSE(openingsOf(terrain).lookInward);
+  EXPECT_FALSE(openingsOf(terrain.reversed()).lookInward);
+}
+
+TEST(Openings, LetEachInwardHalfBeTurnedByItself)
+{
+  const Mesh half = partOfSphere(1);
+  const auto at = [&half](double y)
+  {
+    return half.mapped([y](const Point& p) { return Point(p[0], p[1] + y, p[2]); });
+  };
+  const Mesh halves = at(0).with(at(3).reversed()).with(at(6)).with(at(9));
+  winding::Surface surface = clean(halves);
+  winding::SerialExecutor serial;
+  const winding::Orientation found = orient(surface, edgesOf(surface), {}, serial);
+  EXPECT_EQ(found.components, 1u);
+  EXPECT_EQ(found.triangles, half.triangles.size());
+}
+
 TEST(Openings, LetAnInwardHalfBeTurned)
 {
   winding::SerialExecutor serial;
