@@ -54,27 +54,16 @@ public:
           states_[set].hasNet |= own != 0;
         });
     }
-    this->choosePartitions();
   }
 
-  bool isSheet(std::size_t triangle)
-  {
-    const State& state = states_[sets_.find(static_cast<std::int32_t>(triangle))];
-    return state.hasRim && !state.isWall;
-  }
-
-private:
-  struct State
-  {
-    bool hasRim = false; ///< or counts as if it had one
-    bool isWall = false; ///< whether the others are not closed without it
-    bool hasNet = false; ///< whether it meets others at an edge at which it does not cancel
-  };
-
-  /// Gives partitions a rim. Where one meets the solid, the part of the solid on either side of it
-  /// could be left out instead. The set of the smallest area is the partition.
+  /// Chooses the partitions: sheets without a rim. Where one meets the solid, the part of the solid
+  /// on either side of it could be left out instead. The set of the smallest area is the partition.
   void choosePartitions()
   {
+    for (State& state : states_)
+    {
+      state.isPartition = false;
+    }
     std::map<std::int32_t, double> areas;
     for (std::size_t i = 0; i < states_.size(); ++i)
     {
@@ -99,7 +88,7 @@ private:
       edges_.forEachSet(edges_.crowds[i], sets_,
         [&](std::int32_t set, std::int32_t)
         {
-          isTaken[i] |= static_cast<char>(states_[set].hasRim && !states_[set].isWall);
+          isTaken[i] |= static_cast<char>(states_[set].isSheet());
           if (areas.count(set) > 0)
           {
             crowds[set].push_back(i);
@@ -117,13 +106,39 @@ private:
       const std::vector<std::size_t>& own = crowds[set];
       if (std::none_of(own.begin(), own.end(), [&](std::size_t i) { return isTaken[i] != 0; }))
       {
-        states_[set].hasRim = true;
+        states_[set].isPartition = true;
         for (const std::size_t i : own)
         {
           isTaken[i] = 1;
         }
       }
     }
+  }
+
+  bool isSheet(std::size_t triangle) { return this->stateOf(triangle).isSheet(); }
+
+  /// Takes the set of a triangle for a wall if it was chosen as a partition. Returns whether so.
+  bool reject(std::size_t triangle)
+  {
+    State& state = this->stateOf(triangle);
+    state.isWall |= state.isPartition;
+    return std::exchange(state.isPartition, false);
+  }
+
+private:
+  struct State
+  {
+    bool hasRim = false;
+    bool isWall = false; ///< whether the others are not closed without it
+    bool hasNet = false; ///< whether it meets others at an edge at which it does not cancel
+    bool isPartition = false;
+
+    bool isSheet() const { return isPartition || (hasRim && !isWall); }
+  };
+
+  State& stateOf(std::size_t triangle)
+  {
+    return states_[sets_.find(static_cast<std::int32_t>(triangle))];
   }
 
   const Surface& surface_;
@@ -173,9 +188,14 @@ std::vector<char> trianglesInside(
     for (const std::int32_t vertex : sheets.triangles[i])
     {
       middle += sheets.vertices[vertex] / 3;
+    }
+    for (const std::int32_t vertex : sheets.triangles[i])
+    {
+      // Corners that touch a wall without a vertex of it are rounded to either side.
+      constexpr double towardsMiddle = 0.01;
       if (!isOnWall[vertex])
       {
-        add(sheets.vertices[vertex], i);
+        add(sheets.vertices[vertex] + towardsMiddle * (middle - sheets.vertices[vertex]), i);
       }
     }
     add(middle, i);
@@ -196,28 +216,17 @@ std::vector<char> trianglesInside(
   return isInside;
 }
 
-} // namespace
-
-OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+/// The sheets of a surface, and which of their triangles are of parts inside of the rest.
+struct FoundSheets
 {
-  OpenParts result;
-  const bool isClosed = edges.rims.empty() && std::all_of(edges.crowds.begin(), edges.crowds.end(),
-                                                [&edges](const SurfaceEdges::Crowd& crowd)
-                                                { return netOf(edges, crowd) == 0; });
-  if (isClosed)
-  {
-    return result;
-  }
-  std::vector<char> isSheet(surface.triangles.size());
-  SheetsByEdges byEdges(surface, edges);
-  for (std::size_t i = 0; i < isSheet.size(); ++i)
-  {
-    isSheet[i] = static_cast<char>(byEdges.isSheet(i));
-  }
-  if (std::find(isSheet.begin(), isSheet.end(), 1) == isSheet.end())
-  {
-    return result;
-  }
+  std::vector<std::size_t> numbers; ///< of their triangles
+  std::vector<char> isInside;       ///< by triangle of `numbers`
+  std::size_t count = 0;            ///< of parts inside
+};
+
+FoundSheets lookInside(const Surface& surface, std::vector<char> isSheet, Executor& executor)
+{
+  FoundSheets found;
   {
     // Parts that are nearly closed by themselves are walls.
     SurfacePart candidates(surface, isSheet, true);
@@ -230,24 +239,69 @@ OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Exe
   SurfacePart sheets(surface, isSheet, true), walls(surface, isSheet, false);
   if (sheets.numbers.empty() || walls.numbers.empty())
   {
-    return result;
+    return found;
   }
   const Components ofWalls = nearlyClosedComponents(walls.chain, executor);
-  const std::vector<char> isInside = trianglesInside(sheets.chain, walls.chain, ofWalls, executor);
+  found.isInside = trianglesInside(sheets.chain, walls.chain, ofWalls, executor);
   const Components parts = componentsOf(sheets.chain, edgesOf(sheets.chain, executor));
   std::vector<char> isAllInside(parts.size(), 1);
-  for (std::size_t i = 0; i < isInside.size(); ++i)
+  for (std::size_t i = 0; i < found.isInside.size(); ++i)
   {
-    isAllInside[parts.ofTriangle[i]] &= isInside[i];
+    isAllInside[parts.ofTriangle[i]] &= found.isInside[i];
   }
-  result.count =
+  for (std::size_t i = 0; i < found.isInside.size(); ++i)
+  {
+    found.isInside[i] = isAllInside[parts.ofTriangle[i]];
+  }
+  found.count =
     static_cast<std::size_t>(std::count(isAllInside.begin(), isAllInside.end(), char(1)));
-  if (result.count > 0)
+  found.numbers = std::move(sheets.numbers);
+  return found;
+}
+
+} // namespace
+
+OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+{
+  OpenParts result;
+  const bool isClosed = edges.rims.empty() && std::all_of(edges.crowds.begin(), edges.crowds.end(),
+                                                [&edges](const SurfaceEdges::Crowd& crowd)
+                                                { return netOf(edges, crowd) == 0; });
+  if (isClosed)
+  {
+    return result;
+  }
+  SheetsByEdges byEdges(surface, edges);
+  FoundSheets found;
+  // A set that was chosen as a partition and is not inside is rejected; others get its place.
+  constexpr int mostRounds = 8;
+  bool isRejected = true;
+  for (int round = 0; isRejected && round < mostRounds; ++round)
+  {
+    byEdges.choosePartitions();
+    std::vector<char> isSheet(surface.triangles.size());
+    for (std::size_t i = 0; i < isSheet.size(); ++i)
+    {
+      isSheet[i] = static_cast<char>(byEdges.isSheet(i));
+    }
+    if (std::find(isSheet.begin(), isSheet.end(), 1) == isSheet.end())
+    {
+      return result;
+    }
+    found = lookInside(surface, std::move(isSheet), executor);
+    isRejected = false;
+    for (std::size_t i = 0; i < found.numbers.size(); ++i)
+    {
+      isRejected |= !found.isInside[i] && byEdges.reject(found.numbers[i]);
+    }
+  }
+  result.count = found.count;
+  if (found.count > 0)
   {
     result.isInside.resize(surface.triangles.size(), 0);
-    for (std::size_t i = 0; i < isInside.size(); ++i)
+    for (std::size_t i = 0; i < found.numbers.size(); ++i)
     {
-      result.isInside[sheets.numbers[i]] = isAllInside[parts.ofTriangle[i]];
+      result.isInside[found.numbers[i]] = found.isInside[i];
     }
   }
   return result;

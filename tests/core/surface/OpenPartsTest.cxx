@@ -97,6 +97,46 @@ TEST(OpenParts, APartitionMayBeWeldedToTheWallAllRound)
   EXPECT_EQ(openPartsOf(box.with(next)).count, 0u) << "both walls cancel";
 }
 
+TEST(OpenParts, SeveralPartitionsAreFoundWhicheverWayTheyLook)
+{
+  // A tank of four boxes in a row, with the walls between them.
+  for (unsigned senses = 0; senses < 8; ++senses)
+  {
+    Mesh tank;
+    for (int i = 0; i < 4; ++i)
+    {
+      const Mesh box = cube({double(i), 0, 0}, {i + 1.0, 1, 1});
+      Mesh side = box;
+      side.triangles.clear();
+      Mesh wall = side;
+      for (const auto& t : box.triangles)
+      {
+        const double x = (box.points[t[0]][0] + box.points[t[1]][0] + box.points[t[2]][0]) / 3;
+        const bool isWall = (x == i && i > 0) || (x == i + 1 && i < 3);
+        if (!isWall)
+        {
+          side.triangles.push_back(t);
+        }
+        else if (x == i + 1)
+        {
+          wall.triangles.push_back(t);
+        }
+      }
+      tank = tank.with(side).with((senses >> i & 1u) != 0 ? wall.reversed() : wall);
+    }
+    EXPECT_EQ(openPartsOf(tank).count, 3u) << senses;
+  }
+}
+
+TEST(OpenParts, ASheetMayTouchTheWallWithoutAVertexOfIt)
+{
+  const Mesh box = cube({-1, -1, -1}, {1, 1, 1});
+  for (const double side : {1 - 1e-7, 1.0, 1 + 1e-7})
+  {
+    EXPECT_EQ(openPartsOf(box.with(square(side, 0.25))).count, 1u) << side;
+  }
+}
+
 TEST(OpenParts, NearlyClosedPartsCountAsSolids)
 {
   // The unit cube without its top, and a smaller one in it.
