@@ -132,23 +132,24 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
   }
 }
 
-/// Returns whether a fiftieth or more of the triangles has crowded corners only, as quadrilaterals
-/// have that are there twice, cut along one diagonal and the other.
-bool SurfaceField::hasManyCrowdedTriangles(const BoundaryChain& chain) const
+/// Returns whether there are faces twice among the triangles whose corners are all crowded, as
+/// quadrilaterals are that are cut along one diagonal and the other.
+bool SurfaceField::repeatsCrowdedFaces(const BoundaryChain& chain) const
 {
   if (chain.crowdedVertices.empty())
   {
     return false;
   }
-  std::vector<char> isCrowded(surface_.vertices.size(), 0);
+  std::vector<char> isCrowded(surface_.vertices.size(), 0), isChosen;
   for (const std::int32_t vertex : chain.crowdedVertices)
   {
     isCrowded[vertex] = 1;
   }
-  const auto count = std::count_if(surface_.triangles.begin(), surface_.triangles.end(),
-    [&isCrowded](const Triangle& t)
-    { return isCrowded[t[0]] && isCrowded[t[1]] && isCrowded[t[2]]; });
-  return 50 * static_cast<std::size_t>(count) >= surface_.triangles.size();
+  for (const Triangle& t : surface_.triangles)
+  {
+    isChosen.push_back(static_cast<char>(isCrowded[t[0]] && isCrowded[t[1]] && isCrowded[t[2]]));
+  }
+  return repeatedFaces(SurfacePart(surface_, isChosen, true).chain, PolygonParts()).areAny();
 }
 
 /// Warns of faces that are there more than once, unless they are walls between solids that touch.
@@ -158,8 +159,10 @@ void SurfaceField::warnOfRepeatedFaces(
   // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
   // no other touches, are looked for in small surfaces.
   constexpr std::size_t few = 1000;
+  const bool hasPolygons = std::any_of(views.begin(), views.end(),
+    [](const TrianglesView& view) { return view.isContinued != nullptr; });
   if (merged_.triangles.empty() && surface_.triangles.size() > few &&
-      !this->hasManyCrowdedTriangles(chain))
+      (hasPolygons ? chain.crowdedVertices.empty() : !this->repeatsCrowdedFaces(chain)))
   {
     return;
   }

@@ -55,7 +55,7 @@ private:
   /// Gives the edges of the surface, which are found when they are first asked for.
   using EdgesOnce = std::function<const SurfaceEdges&()>;
 
-  bool hasManyCrowdedTriangles(const BoundaryChain& chain) const;
+  bool repeatsCrowdedFaces(const BoundaryChain& chain) const;
   void warnOfRepeatedFaces(const BoundaryChain& chain, const std::vector<TrianglesView>& views,
     const EdgesOnce& edgesOnce);
   void warnOfContradictions(const EdgesOnce& edgesOnce);
