@@ -256,6 +256,8 @@ TEST_F(Clouds, NormalsThatAreAllEqualAreTold)
   const Outcome told = run(ball);
   EXPECT_EQ(told.status, 0);
   EXPECT_NE(told.err.find(words), std::string::npos) << told;
+  const Outcome checked = runProgram({"check", folder.path("cloud.xyz")});
+  EXPECT_NE(checked.out.find(words), std::string::npos) << checked;
 
   Cloud plane = ball;
   for (Point& point : plane.points)

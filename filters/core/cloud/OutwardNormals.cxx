@@ -126,7 +126,7 @@ Message missingNormals(bool areZero)
     "without them nothing tells inside from outside"};
 }
 
-std::optional<Message> equalNormals(const PointCloud& cloud)
+bool hasEqualNormals(const PointCloud& cloud)
 {
   constexpr std::size_t few = 16;
   constexpr double leastDepth = 0.05; // of the size of the cloud
@@ -134,7 +134,7 @@ std::optional<Message> equalNormals(const PointCloud& cloud)
   if (normals.size() < few || std::any_of(normals.begin(), normals.end(),
                                 [&](const auto& normal) { return normal != normals.front(); }))
   {
-    return std::nullopt;
+    return false;
   }
   const Eigen::Vector3d across = normals.front();
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -144,12 +144,13 @@ std::optional<Message> equalNormals(const PointCloud& cloud)
     least = std::min(least, height);
     most = std::max(most, height);
   }
-  if (!(most - least > leastDepth * cloud.bounds.sizes().norm()))
-  {
-    return std::nullopt;
-  }
-  return Message("all normals are equal, but the points lie in no plane",
-    {{"estimate others", {Parameter::replacedNormals}}});
+  return most - least > leastDepth * cloud.bounds.sizes().norm();
+}
+
+Message equalNormals()
+{
+  return {"all normals are equal, but the points lie in no plane",
+    {{"estimate others", {Parameter::replacedNormals}}}};
 }
 
 Message keptNormals()

@@ -7,8 +7,6 @@
 #include "cloud/PointAreas.h"
 #include "source/PointCloud.h"
 
-#include <optional>
-
 namespace winding
 {
 
@@ -39,10 +37,12 @@ OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation
 /// Returns what users of a cloud without normals can do, or of one whose normals are all 0.
 Message missingNormals(bool areZero = false);
 
-/// Returns what to do about normals that are all equal, at points that lie in no plane across them;
-/// nothing about others, and about a few. Where there are colours in their place, a surface of one
-/// colour has these.
-std::optional<Message> equalNormals(const PointCloud& cloud);
+/// Returns whether all normals are equal, at more than a few points that lie in no plane across
+/// them. Where there are colours in their place, a surface of one colour has these.
+bool hasEqualNormals(const PointCloud& cloud);
+
+/// Returns what to do about these.
+Message equalNormals();
 
 /// Returns what users can do who ask for estimated normals of points that have some.
 Message keptNormals();

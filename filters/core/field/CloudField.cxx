@@ -67,9 +67,9 @@ CloudField::CloudField(
   {
     info_.warnings.push_back(keptNormals());
   }
-  if (const auto advice = equalNormals(cloud_); advice && !info_.normalsAreEstimated)
+  if (!info_.normalsAreEstimated && hasEqualNormals(cloud_))
   {
-    info_.warnings.push_back(*advice);
+    info_.warnings.push_back(equalNormals());
   }
   this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);

@@ -130,6 +130,10 @@ Message mainAdviceOn(const CloudReport& report)
   {
     return missingNormals(report.hasNormals);
   }
+  if (report.areNormalsEqual)
+  {
+    return equalNormals();
+  }
   if (report.places == 1)
   {
     return missingPointArea("nothing tells what area they stand for");

@@ -1,6 +1,7 @@
 #include "report/CloudReport.h"
 
 #include "cloud/NeighborSearch.h"
+#include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
 #include "source/DistinctPoints.h"
 #include "source/PointCloud.h"
@@ -175,6 +176,7 @@ CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& exe
       report.points > report.nonFinite + report.zeroNormals)
   {
     PointCloud cloud = sanitize(views, executor);
+    report.areNormalsEqual = hasEqualNormals(cloud);
     const DistinctPoints usable(cloud.positions, unitScale(cloud.bounds), executor);
     cloud.areas = voronoiAreas(cloud, usable, defaultNeighbors, executor);
     report.orientation = orientationOf(cloud, executor);
