@@ -2,6 +2,7 @@
 
 #include "files/Words.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 
@@ -97,6 +98,7 @@ bool RowScanner::nextNumber(double& value)
     const char* const behind = this->skipBlanks(result.ptr);
     if (behind < end_ && (*behind == separator_ || *behind == '\n'))
     {
+      hasDecimalPoints_ = hasDecimalPoints_ || std::find(at_, result.ptr, '.') != result.ptr;
       this->endField(behind);
       return true;
     }

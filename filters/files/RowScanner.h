@@ -39,8 +39,9 @@ public:
   /// result is false. A comma may be the decimal point unless it is the separator.
   bool nextNumber(double& value);
 
-  /// Whether a comma was the decimal point of any number.
+  /// Whether a comma was the decimal point of any number, and whether a point was.
   bool hasDecimalCommas() const { return hasDecimalCommas_; }
+  bool hasDecimalPoints() const { return hasDecimalPoints_; }
 
   /// Passes over the fields that are left. False where the row does not end.
   bool passRow();
@@ -71,6 +72,7 @@ private:
   char separator_;
   RowState state_ = RowState::ended;
   bool hasDecimalCommas_ = false;
+  bool hasDecimalPoints_ = false;
 };
 
 /// A field without spaces and quotation marks around it. Two marks within are still two.

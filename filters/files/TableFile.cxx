@@ -86,6 +86,11 @@ public:
     rows_.visit([this](TableRows::Part& part) { this->readNumbers(part); }, executor);
     rows_.checkEnd();
     table_.hasDecimalCommas = hasDecimalCommas_;
+    if (hasDecimalCommas_ && hasDecimalPoints_)
+    {
+      file_.refuse(
+        "has decimal commas and decimal points: take commas out that separate thousands");
+    }
     bool hasTexts = false;
     for (std::size_t i = 0; i < targets_.size(); ++i)
     {
@@ -129,6 +134,10 @@ private:
     if (part.fields().hasDecimalCommas())
     {
       hasDecimalCommas_ = true;
+    }
+    if (part.fields().hasDecimalPoints())
+    {
+      hasDecimalPoints_ = true;
     }
   }
 
@@ -206,7 +215,7 @@ private:
   PointTable& table_;
   std::vector<Target> targets_;           ///< one for each column
   std::vector<std::atomic<bool>> isText_; ///< of each column, whether a field was no number
-  std::atomic<bool> hasDecimalCommas_{false};
+  std::atomic<bool> hasDecimalCommas_{false}, hasDecimalPoints_{false};
 };
 
 /// The words for a table without positions, by the names between its separators.

@@ -89,8 +89,9 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
   bool namesSeparator = false;
   const auto takeSeparator = [&namesSeparator](const RowScanner& row)
   {
-    const std::string_view text = row.row();
-    namesSeparator = text.size() == 5 && text.substr(0, 4) == "sep=";
+    const std::string_view text = contentOf(row.row());
+    namesSeparator =
+      text.size() == 5 && (text.substr(0, 4) == "sep=" || text.substr(0, 4) == "SEP=");
   };
   const std::size_t start = file.textStart();
   const Stretch line = visitFirstRow(file, start, separator, bytesAtOnce, takeSeparator);

@@ -237,6 +237,13 @@ TEST(TableFile, OtherLettersMaySeparate)
   }
 }
 
+TEST(TableFile, ThousandsAreNoDecimals)
+{
+  EXPECT_NE(::refusalOf(readPoints<'\t'>, "x\ty\tz\n31,145\t354,375\t0.5\n")
+              .find("has decimal commas and decimal points"),
+    std::string::npos);
+}
+
 TEST(TableFile, TextOfCloudCompare)
 {
   for (const std::string count : {"", "2\n"})
