@@ -246,10 +246,10 @@ void vtkWindingNumberProbeAlgorithm::TellNotFinite(const winding::ProbeQueries& 
   }
   if (count > 0)
   {
-    vtkWarningMacro(<< winding::lineOf(winding::Message(std::to_string(count) + " of " +
-                                                          std::to_string(queries.size()) +
-                                                          " queries are not finite",
-                      {}, "they have no winding number, and count as outside")));
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::Message(std::to_string(count) + " of " +
+                                         std::to_string(queries.size()) + " queries are not finite",
+                        {}, "they have no winding number")));
   }
 }
 

@@ -128,7 +128,8 @@ void FieldRun::printReport()
   if (report_.hasNothingInside() && parallel::isFirst())
   {
     messages_.warn(options_.input + ": no sample is inside: look whether the source is closed "
-                                    "(winding check), or choose smaller voxels (--resolution)");
+                                    "and looks outward (winding check), or choose smaller voxels "
+                                    "(--resolution)");
   }
 }
 

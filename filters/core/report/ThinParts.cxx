@@ -127,6 +127,7 @@ void countComponents(
   constexpr std::int32_t none = -1;
   std::vector<std::int32_t> numbers(surface.vertices.size(), none);
   std::vector<Bounds> boxes;
+  std::vector<std::size_t> triangles; // of each box
   for (const Triangle& t : surface.triangles)
   {
     std::int32_t& number = numbers[pieces.sets.find(t[0])];
@@ -134,18 +135,23 @@ void countComponents(
     {
       number = static_cast<std::int32_t>(boxes.size());
       boxes.emplace_back();
+      triangles.push_back(0);
     }
+    ++triangles[number];
     for (const std::int32_t vertex : t)
     {
       boxes[number].extend(surface.vertices[vertex]);
     }
   }
   constexpr double mostVoxels = 2;
-  parts.components = boxes.size();
-  for (const Bounds& box : boxes)
+  constexpr std::size_t fewest = 4; // triangles that bound something
+  for (std::size_t i = 0; i < boxes.size(); ++i)
   {
+    const Bounds& box = boxes[i];
     const bool isSmall = (box.sizes().array() < mostVoxels * grid.spacing.array()).any();
-    parts.lostComponents += isSmall && !isShown(grid, box, isInside);
+    const bool isSolid = triangles[i] >= fewest;
+    parts.components += isSolid;
+    parts.lostComponents += isSolid && isSmall && !isShown(grid, box, isInside);
   }
 }
 
