@@ -274,15 +274,15 @@ void addRegularizedDipoles(const KernelDipole* dipoles, const double* inverseLen
 void addRegularizedDipolesInSingle(const KernelDipole* dipoles, const std::array<float, 3>* moments,
   const double* inverseLengths, std::size_t count, const SampleBlock& samples, KernelSums& sums)
 {
-  auto& addAll = HWY_DYNAMIC_DISPATCH(addRegularizedDipolesInSingleLoop);
-  addAll(dipoles, moments, inverseLengths, count, samples, sums);
+  HWY_DYNAMIC_DISPATCH(addRegularizedDipolesInSingleLoop)
+  (dipoles, moments, inverseLengths, count, samples, sums);
 }
 
 void addRegularizedDipoleGradients(const KernelDipole* dipoles, const double* inverseLengths,
   std::size_t count, const SampleBlock& samples, GradientSums& sums)
 {
-  auto& addAll = HWY_DYNAMIC_DISPATCH(addRegularizedDipoleGradientsLoop);
-  addAll(dipoles, inverseLengths, count, samples, sums);
+  HWY_DYNAMIC_DISPATCH(addRegularizedDipoleGradientsLoop)
+  (dipoles, inverseLengths, count, samples, sums);
 }
 
 } // namespace winding
