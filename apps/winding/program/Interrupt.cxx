@@ -54,6 +54,20 @@ void ask(int number)
   alarm(1);
 }
 
+bool wasHangupIgnored = false;
+
+/// Notes whether the caller has hangups ignored. Sanitizers are not ready when it runs.
+__attribute__((no_sanitize("address", "thread", "undefined"))) void noteHangup()
+{
+  struct sigaction before = {};
+  sigaction(SIGHUP, nullptr, &before);
+  wasHangupIgnored = before.sa_handler == SIG_IGN;
+}
+
+// UCX, a library of Open MPI 5, handles hangups as soon as it is loaded, even under nohup. What
+// this section lists runs before the libraries' own code.
+__attribute__((section(".preinit_array"), used)) void (*const noteHangupFirst)() = noteHangup;
+
 } // namespace
 
 void install()
@@ -64,9 +78,11 @@ void install()
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  struct sigaction before = {};
-  sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN)
+  if (wasHangupIgnored)
+  {
+    std::signal(SIGHUP, SIG_IGN);
+  }
+  else
   {
     sigaction(SIGHUP, &action, nullptr);
   }
