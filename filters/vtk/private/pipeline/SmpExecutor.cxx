@@ -40,6 +40,39 @@ std::string backendToUse()
 #endif
 }
 
+/// Returns the backend for a run with a limit of `threads`, or with none for 0. TBB keeps to the
+/// lowest limit for ever with VTK 9.6, unlike with 9.3, so STDThread takes runs that have one.
+std::string backendFor(int threads)
+{
+  std::string backend = backendToUse();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0) && VTK_SMP_ENABLE_STDTHREAD
+  if (threads != 0 && backend == "TBB")
+  {
+    return "STDThread";
+  }
+#else
+  (void)threads;
+#endif
+  return backend;
+}
+
+/// A backend that is active as long as the object lives.
+class ActiveBackend
+{
+public:
+  explicit ActiveBackend(const std::string& backend)
+    : before_(vtkSMPTools::GetBackend())
+  {
+    vtkSMPTools::SetBackend(backend.c_str());
+  }
+  ActiveBackend(const ActiveBackend&) = delete;
+  ActiveBackend& operator=(const ActiveBackend&) = delete;
+  ~ActiveBackend() { vtkSMPTools::SetBackend(before_.c_str()); }
+
+private:
+  std::string before_;
+};
+
 constexpr double secondsPerBatch = 0.1;
 
 int cores()
@@ -196,13 +229,15 @@ void SmpExecutor::runOnBackend(
       failure = std::current_exception();
     }
   };
-  const std::string backend = backendToUse();
+  const std::string backend = backendFor(threads_);
   if (threads_ == 0 && backend == vtkSMPTools::GetBackend())
   {
     runAll();
   }
   else
   {
+    // A scope gives its limit to the active backend, and changes the backend after that.
+    const ActiveBackend active(backend);
     const int before = vtkSMPTools::GetEstimatedNumberOfThreads();
     vtkSMPTools::LocalScope(vtkSMPTools::Config(threads_, backend, false), runAll);
     // The limit of a scope outlives the scope with TBB (VTK 9.1).
