@@ -27,10 +27,11 @@ winding::Bounds toBounds(const double (&b)[6])
   return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
-/// Returns whether bounds are a box. A user interface that follows an empty input has none.
+/// Returns whether bounds are a box. A user interface that follows an empty input has none, or
+/// zeros.
 bool isBox(const winding::Bounds& bounds)
 {
-  return !bounds.isEmpty() && bounds.sizes().allFinite();
+  return !bounds.isEmpty() && bounds.sizes().allFinite() && bounds.sizes().maxCoeff() > 0;
 }
 
 bool areSame(const winding::Bounds& a, const winding::Bounds& b)
