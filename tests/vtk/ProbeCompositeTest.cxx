@@ -15,12 +15,16 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkStructuredData.h"
 #include "vtkTable.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace
 {
@@ -237,12 +241,20 @@ TEST_F(ProbeComposite, ManySmallDataSetsAreOneEvaluation)
 TEST_F(ProbeComposite, AmrGoesBlockByBlock)
 {
   vtkNew<vtkOverlappingAMR> amr;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  amr->Initialize(std::vector<unsigned int>{1});
+#else
   const int blocksPerLevel[] = {1};
   amr->Initialize(1, blocksPerLevel);
+#endif
   const double origin[3] = {-1, -1, -1}, spacing[3] = {0.5, 0.5, 0.5};
   const int dimensions[3] = {5, 5, 5};
   amr->SetOrigin(origin);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
+#else
   amr->SetGridDescription(VTK_XYZ_GRID);
+#endif
   amr->SetSpacing(0, spacing);
   amr->SetAMRBox(0, 0, vtkAMRBox(origin, dimensions, spacing, origin));
   vtkNew<vtkUniformGrid> grid;

@@ -185,7 +185,11 @@ vtkSmartPointer<vtkCellArray> receiveCells(ByteSource& source)
 void sendGrid(vtkUnstructuredGrid* grid, ByteSink& sink)
 {
   sendCells(grid->GetCells(), sink);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  sendArray(grid->GetCellTypes(), sink);
+#else
   sendArray(grid->GetCellTypesArray(), sink);
+#endif
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
   sendCells(grid->GetPolyhedronFaceLocations(), sink);
   sendCells(grid->GetPolyhedronFaces(), sink);
