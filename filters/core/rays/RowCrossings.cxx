@@ -83,7 +83,6 @@ public:
     const std::vector<Eigen::Vector3d>& vertices, const ChainView& triangles, const ChainView& cap,
     Executor& executor)
     : extent_(extent)
-    , rows_(rows)
     , perLayer_(rows.countIn(extent))
   {
     UninitializedVector<VertexPlace> places(vertices.size());
@@ -206,7 +205,6 @@ private:
   }
 
   Extent extent_;
-  RowBands rows_;
   std::size_t perLayer_;
   Buckets<std::uint32_t> triangles_;
 };

@@ -92,8 +92,8 @@ inline bool hasFacesOfItsType(vtkUnstructuredGrid* grid, vtkIdType cell)
   const vtkIdType* numbers;
   locations->GetCellAtId(cell, count, numbers);
   return isPolyhedron == (count > 0) && std::all_of(numbers, numbers + count,
-                                          [faces = faces](vtkIdType face) {
-                                            return face >= 0 && face < faces->GetNumberOfCells();
+                                          [lists = faces](vtkIdType face) {
+                                            return face >= 0 && face < lists->GetNumberOfCells();
                                           });
 #else
   vtkIdTypeArray* const locations = grid->GetFaceLocations();
