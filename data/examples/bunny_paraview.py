@@ -53,7 +53,8 @@ def color_by_winding_number(display, view):
     legend.ComponentTitle = ""
     legend.TitleColor = legend.LabelColor = BLACK
     legend.AutomaticLabelFormat = 0
-    legend.LabelFormat = legend.RangeLabelFormat = "%.1f"
+    one_digit = "%.1f" if simple.GetParaViewVersion() < (6, 1) else "{:.1f}"
+    legend.LabelFormat = legend.RangeLabelFormat = one_digit
     display.SetScalarBarVisibility(view, True)
 
 

@@ -259,7 +259,7 @@ def printed(vtk_object):
 def printed_members(vtk_object):
     """Of these, what its class adds to vtkAlgorithm."""
     inherited = printed(vtkAlgorithm()).keys() | {"Registered Observers", "Event"}
-    inherited |= {"EventName", "Command", "Priority", "Tag"}
+    inherited |= {"EventName", "Command", "Priority", "Generation", "Tag"}
     members = printed(vtk_object)
     return {
         name: members[name]

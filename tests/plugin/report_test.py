@@ -1,7 +1,7 @@
 """The filter Surface Report in ParaView."""
 import unittest
 
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from support import information, points_source, result, run_tests, unit_sphere, warnings_of
@@ -53,7 +53,8 @@ class TestSurfaceReport(unittest.TestCase):
     def faults(self, report):
         """The blocks of the second output, by their names."""
         report.UpdatePipeline()
-        blocks = servermanager.Fetch(report, idx=1)
+        # Fetch() puts a number before each name since ParaView 6.
+        blocks = report.GetClientSideObject().GetOutputDataObject(1)
         name = vtkCompositeDataSet.NAME()
         count = blocks.GetNumberOfBlocks()
         present = [i for i in range(count) if blocks.GetBlock(i)]

@@ -47,7 +47,8 @@ def color_by_winding_number(view, display, highest):
     legend.Title, legend.ComponentTitle = "Winding number", ""
     legend.TitleColor = legend.LabelColor = (0, 0, 0)
     legend.AutomaticLabelFormat = 0
-    legend.LabelFormat = legend.RangeLabelFormat = "%.1f"
+    one_digit = "%.1f" if simple.GetParaViewVersion() < (6, 1) else "{:.1f}"
+    legend.LabelFormat = legend.RangeLabelFormat = one_digit
     legend.WindowLocation = "Upper Center"
     display.SetScalarBarVisibility(view, True)
 
