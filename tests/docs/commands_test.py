@@ -25,7 +25,9 @@ FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "
 
 # Open MPI starts more ranks than there are cores, and starts them for the superuser, who runs tests in
 # containers. Its plugins leak, and are gone when LeakSanitizer would name them.
-OF_MPIRUN = {"OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+OF_MPIRUN = {"OMPI_MCA_rmaps_base_oversubscribe": "1",  # Open MPI 4
+             "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",  # Open MPI 5 and newer
+             "OMPI_ALLOW_RUN_AS_ROOT": "1",
              "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "LSAN_OPTIONS": "detect_leaks=0"}
 
 

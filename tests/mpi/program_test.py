@@ -191,7 +191,7 @@ def test_failures(runs):
             if path.name.startswith("f.") or ".part" in path.name or path.suffix == ".pvti"]
     assert not [name for name in left if not name.endswith(("all.pvti", "p.pvti"))], left
     assert (runs.folder / "other" / "mine.txt").read_text() == "mine"
-    assert runs.of_ranks("field", "--help").stdout.count("Usage: winding field") == 1
+    assert runs.of_ranks("field", "--help").stdout.count("winding field [OPTIONS]") == 1
     assert runs.of_ranks("--version").stdout.count("\n") == 1
 
 
