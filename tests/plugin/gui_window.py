@@ -7,6 +7,9 @@ import traceback
 
 from paraview import simple
 
+# That of ParaView 5.
+BACKGROUND = (0.32, 0.34, 0.43)
+
 
 def told_outside(function):
     """Lets the test hear of exceptions, which the shell keeps for itself."""
@@ -44,6 +47,7 @@ def add_plane():
             YResolution=100,
         )
     )
+    simple.GetActiveSource().UpdatePipeline()  # ParaView 6 offers filters for what has data only
 
 
 @told_outside
@@ -57,6 +61,7 @@ def take(name):
     the active source is and has."""
     view = simple.GetActiveView()
     view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground, view.Background = 0, BACKGROUND
     view.CameraPosition, view.CameraFocalPoint = (1.8, 2.4, 6.2), (0, 0, 0)
     view.CameraViewUp = (0, 1, 0)
     for representation in view.Representations:
