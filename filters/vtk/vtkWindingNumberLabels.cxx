@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace
@@ -362,9 +363,9 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   this->EarlierSeconds = 0;
 }
 
-void vtkWindingNumberLabels::DescribeSolids(
-  const winding::Solids& solids, vtkImageData* image) const
+void vtkWindingNumberLabels::DescribeSolids(const winding::Solids& solids, vtkImageData* image)
 {
+  this->LabelLegend.clear();
   vtkNew<vtkUnsignedShortArray> values;
   vtkNew<vtkStringArray> names;
   values->SetName("LabelValues");
@@ -373,6 +374,7 @@ void vtkWindingNumberLabels::DescribeSolids(
   {
     values->InsertNextValue(solids.label(i));
     names->InsertNextValue(solids.name(i));
+    this->LabelLegend += std::to_string(solids.label(i)) + "\t" + solids.name(i) + "\n";
   }
   image->GetFieldData()->AddArray(values);
   image->GetFieldData()->AddArray(names);
@@ -468,6 +470,7 @@ void vtkWindingNumberLabels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverageArrays: " << this->CoverageArrays << "\n";
   os << indent << "RegionArray: " << winding::textOf(this->RegionArray) << "\n";
   os << indent << "LabelOffset: " << this->LabelOffset << "\n";
+  os << indent << "LabelLegend: " << this->GetNumberOfSolids() << " lines\n";
   os << indent << "NumberOfSolids: " << this->GetNumberOfSolids() << "\n";
   os << indent << "NumberOfEmptySolids: " << this->GetNumberOfEmptySolids() << "\n";
   os << indent << "NumberOfOpenSolids: " << this->GetNumberOfOpenSolids() << "\n";

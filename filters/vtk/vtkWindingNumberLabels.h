@@ -135,6 +135,10 @@ public:
   vtkGetMacro(LabelOffset, int);
   ///@}
 
+  /// The labels and names of the solids of the last execution, as "LabelValues" and "LabelNames"
+  /// have them: a line for each, of the label, a tab and the name.
+  const char* GetLabelLegend() const { return this->LabelLegend.c_str(); }
+
   ///@{
   /// Facts about the last execution: the number of solids, and of those that have no primitives,
   /// those that are surfaces with net boundary edges, and those that are inside out, which is known
@@ -181,10 +185,11 @@ private:
     const std::string& name);
   void CountHidden(const winding::Solids& solids, const std::vector<char>& hasVoxels,
     const winding::LabelImage& labels);
-  void DescribeSolids(const winding::Solids& solids, vtkImageData* image) const;
+  void DescribeSolids(const winding::Solids& solids, vtkImageData* image);
   void WarnOfSolids(const winding::Solids& solids);
 
   std::unique_ptr<winding::LabelFacts> Facts;
+  std::string LabelLegend;
 };
 
 #endif

@@ -3,9 +3,10 @@ import unittest
 
 from paraview import simple
 
-from support import load_plugin, run_tests, sphere_points, unit_sphere
+from support import errors_of, load_plugin, run_tests, sphere_points, unit_sphere
 
 LOW, MIDDLE, HIGH = 0, 0.5, 1
+BELOW, ABOVE = -0.25, 1.25  # where overlaps and what looks inward have colours of their own
 
 
 class TestColors(unittest.TestCase):
@@ -17,8 +18,9 @@ class TestColors(unittest.TestCase):
     def assert_two_sided(self):
         colors = simple.GetColorTransferFunction("WindingNumber")
         points = colors.RGBPoints
-        self.assertEqual(list(points[::4]), [LOW, MIDDLE, HIGH])
-        low, middle, high = (points[i + 1 : i + 4] for i in (0, 4, 8))
+        self.assertEqual(list(points[::4]), [BELOW, LOW, MIDDLE, HIGH, ABOVE])
+        self.assertTrue(colors.UseAboveRangeColor and colors.UseBelowRangeColor)
+        low, middle, high = (points[i + 1 : i + 4] for i in (4, 8, 12))
         self.assertGreater(low[2], 2 * low[0], "blue outside")
         self.assertGreater(high[0], 2 * high[2], "red inside")
         self.assertGreater(min(middle), 0.8, "pale where inside begins")
@@ -67,12 +69,65 @@ class TestColors(unittest.TestCase):
         self.assertEqual(list(display.ColorArrayName), ["CELLS", "FaultKind"])
         colors = simple.GetColorTransferFunction("FaultKind")
         self.assertTrue(colors.InterpretValuesAsCategories)
-        words = ["caps", "boundary", "non-manifold edges", "inconsistent edges"]
+        words = ["caps", "uncancelled edges", "non-manifold edges", "inconsistent edges"]
         self.assertEqual(list(colors.Annotations[1::2]), words)
         self.assertEqual(list(colors.Annotations[::2]), ["0", "1", "2", "3"])
         self.assertEqual(len(colors.IndexedColors), 3 * len(words))
         display.SetScalarBarVisibility(self.view, True)
         simple.Render(self.view)
+
+    def test_distances_are_colored_evenly_around_0(self):
+        field = simple.WindingNumberField(
+            Input=unit_sphere(), Resolution=16, GenerateSignedDistance=1)
+        display = simple.Show(field, self.view)
+        colors = simple.GetColorTransferFunction("SignedDistance")
+        reach = max(map(abs, field.PointData["SignedDistance"].GetRange()))
+        self.assertEqual((colors.RGBPoints[0], colors.RGBPoints[-4]), (-reach, reach))
+        self.assertEqual(colors.RGBPoints[4], 0)
+        display.SetScalarColoring("SignedDistance", 0)
+        colors.RescaleTransferFunction(-2, 1)
+        field.Padding = 1
+        simple.Render(self.view)
+        self.assertEqual((colors.RGBPoints[0], colors.RGBPoints[-4]), (-2, 1), "as the user wants")
+
+    def test_a_slice_stays_where_it_was(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=20)
+        display = simple.Show(field, self.view)
+        simple.Render(self.view)
+        for slice_, resolution, expected in ((10, 40, 21), (3, 20, 1), (19, 30, 29)):
+            display.Slice = slice_
+            simple.Render(self.view)
+            field.Resolution = resolution
+            simple.Render(self.view)
+            self.assertEqual(display.Slice, expected)
+
+    def test_nothing_is_drawn_of_a_refused_field(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=20)
+        display = simple.Show(field, self.view)
+        simple.Render(self.view)
+        self.assertEqual(display.Representation, "Slice")
+        errors = errors_of(field)
+        field.Resolution = 100000
+        simple.Render(self.view)
+        self.assertEqual(len(errors), 1)
+        self.assertEqual(display.Representation, "Outline")
+        simple.Render(self.view)
+        field.Resolution = 24
+        simple.Render(self.view)
+        self.assertEqual(display.Representation, "Slice")
+
+    def test_labels_have_names_and_colors_of_their_own(self):
+        balls = simple.GroupDatasets(
+            Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))], BlockNames=["left", "right"])
+        labels = simple.WindingNumberLabels(Input=balls, Resolution=20)
+        simple.Show(labels, self.view)
+        simple.Render(self.view)
+        colors = simple.GetColorTransferFunction("Label")
+        self.assertTrue(colors.InterpretValuesAsCategories)
+        self.assertEqual(
+            list(colors.Annotations), ["0", "outside", "1", "left", "2", "right"])
+        self.assertEqual(list(colors.IndexedOpacities), [0, 1, 1])
+        self.assertEqual(len(set(zip(*[iter(colors.IndexedColors)] * 3))), 3)
 
     def test_other_images_look_as_ever(self):
         display = simple.Show(simple.Wavelet(), self.view)

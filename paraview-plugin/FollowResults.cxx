@@ -1,0 +1,341 @@
+#include "FollowResults.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkProcessModule.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
+#include "vtkStructuredData.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace winding
+{
+
+namespace
+{
+
+using Extent = std::array<int, 6>;
+
+bool isEmpty(const Extent& extent)
+{
+  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
+}
+
+bool isOfPlugin(vtkSMProxy* proxy)
+{
+  const char* const name = proxy ? proxy->GetVTKClassName() : nullptr;
+  return name &&
+         (std::strncmp(name, "vtkWindingNumber", 16) == 0 ||
+           std::strcmp(name, "vtkSurfaceReport") == 0 || std::strcmp(name, "vtkPointAreas") == 0);
+}
+
+/// Returns the array of points or cells of that name; null if the data has none.
+vtkPVArrayInformation* arrayOf(vtkPVDataInformation* data, const char* name)
+{
+  vtkPVArrayInformation* const ofPoints =
+    data->GetPointDataInformation()->GetArrayInformation(name);
+  return ofPoints ? ofPoints : data->GetCellDataInformation()->GetArrayInformation(name);
+}
+
+/// Returns the colours of an array, which are made if nobody has asked for them.
+vtkSMProxy* colorsOf(vtkSMSourceProxy* source, const char* name)
+{
+  vtkNew<vtkSMTransferFunctionManager> manager;
+  return manager->GetColorTransferFunction(name, source->GetSessionProxyManager());
+}
+
+/// Spreads the colours of signed distances evenly around 0.
+class DistanceColors
+{
+public:
+  void follow(vtkSMSourceProxy* source, vtkPVDataInformation* data)
+  {
+    constexpr const char* name = "SignedDistance";
+    vtkPVArrayInformation* const array = arrayOf(data, name);
+    if (!array)
+    {
+      return;
+    }
+    double range[2];
+    array->GetComponentFiniteRange(0, range);
+    const double reach = std::max(std::abs(range[0]), std::abs(range[1]));
+    vtkSMProxy* const colors = colorsOf(source, name);
+    double present[2];
+    const bool isOwn =
+      colors && vtkSMTransferFunctionProxy::GetRange(colors, present) && present[1] == reach_;
+    if (isOwn && reach > 0 && reach != reach_)
+    {
+      vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, -reach, reach);
+      reach_ = reach;
+    }
+  }
+
+private:
+  double reach_ = 1; ///< of the range that was set last: ColorDefaults.cxx begins with −1 to 1
+};
+
+/// Gives labels a colour each, and their names.
+void followLabels(vtkSMSourceProxy* source)
+{
+  vtkSMProperty* const legend = source->GetProperty("LabelLegend");
+  vtkSMProxy* const colors = legend ? colorsOf(source, "Label") : nullptr;
+  if (!colors)
+  {
+    return;
+  }
+  // The 20 colours are Tableau's, the light ones last; 0 is outside.
+  constexpr double palette[][3] = {{0.122, 0.467, 0.706}, {1, 0.498, 0.055}, {0.173, 0.627, 0.173},
+    {0.839, 0.153, 0.157}, {0.58, 0.404, 0.741}, {0.549, 0.337, 0.294}, {0.89, 0.467, 0.761},
+    {0.498, 0.498, 0.498}, {0.737, 0.741, 0.133}, {0.09, 0.745, 0.812}, {0.682, 0.78, 0.91},
+    {1, 0.733, 0.471}, {0.596, 0.875, 0.541}, {1, 0.596, 0.588}, {0.773, 0.69, 0.835},
+    {0.769, 0.612, 0.58}, {0.969, 0.714, 0.824}, {0.78, 0.78, 0.78}, {0.859, 0.859, 0.553},
+    {0.62, 0.855, 0.898}};
+  std::vector<std::string> annotations = {"0", "outside"};
+  std::vector<double> rgb = {0.93, 0.93, 0.93}, opacities = {0};
+  std::istringstream lines(vtkSMPropertyHelper(legend).GetAsString());
+  for (std::string label, name; std::getline(lines, label, '\t') && std::getline(lines, name);)
+  {
+    const double* const color = palette[opacities.size() % std::size(palette)];
+    annotations.insert(annotations.end(), {label, name});
+    rgb.insert(rgb.end(), color, color + 3);
+    opacities.push_back(1);
+  }
+  vtkSMPropertyHelper words(colors, "Annotations");
+  std::vector<std::string> present;
+  for (unsigned int i = 0; i < words.GetNumberOfElements(); ++i)
+  {
+    present.emplace_back(words.GetAsString(i));
+  }
+  if (present == annotations)
+  {
+    return;
+  }
+  words.SetNumberOfElements(static_cast<unsigned int>(annotations.size()));
+  for (std::size_t i = 0; i < annotations.size(); ++i)
+  {
+    words.Set(static_cast<unsigned int>(i), annotations[i].c_str());
+  }
+  const auto set = [colors](const char* name, const std::vector<double>& values)
+  {
+    vtkSMPropertyHelper(colors, name).Set(values.data(), static_cast<unsigned int>(values.size()));
+  };
+  vtkSMPropertyHelper(colors, "IndexedLookup").Set(1);
+  set("IndexedColors", rgb);
+  set("IndexedOpacities", opacities);
+  vtkSMPropertyHelper(colors, "EnableOpacityMapping").Set(1);
+  colors->UpdateVTKObjects();
+}
+
+/// A change of a representation that waits for the end of its view's update, which it would break.
+struct Change
+{
+  vtkWeakPointer<vtkSMProxy> representation;
+  const char* type; ///< null: stays
+  std::optional<int> slice;
+};
+
+/// Keeps the slices of an image where they are in its bounds.
+class Slices
+{
+public:
+  /// Returns what a representation needs for the new result.
+  Change changeOf(vtkSMProxy* representation, const Extent& extent, bool hasSamples)
+  {
+    Change change = {representation, nullptr, std::nullopt};
+    const bool isSlice =
+      std::strcmp(vtkSMPropertyHelper(representation, "Representation").GetAsString(), "Slice") ==
+      0;
+    if (!hasSamples && isSlice)
+    {
+      // A slice of nothing would be an error at each render.
+      change.type = "Outline";
+      outlined_ = representation;
+    }
+    else if (hasSamples && outlined_ == representation)
+    {
+      change.type = "Slice";
+      outlined_ = nullptr;
+    }
+    if (hasSamples && !isEmpty(extent_) && extent != extent_)
+    {
+      constexpr int planes[] = {4, 0, 2}; // first places in extents, for XY, YZ and XZ
+      const int first = planes[std::clamp(
+        vtkSMPropertyHelper(representation, "SliceMode").GetAsInt() - VTK_XY_PLANE, 0, 2)];
+      const auto layers = [first](const Extent& of)
+      {
+        return static_cast<double>(of[first + 1] - of[first] + 1);
+      };
+      const int present = vtkSMPropertyHelper(representation, "Slice").GetAsInt();
+      const double share = (present - extent_[first] + 0.5) / layers(extent_);
+      const int moved = extent[first] + static_cast<int>(std::floor(share * layers(extent)));
+      change.slice = std::clamp(moved, extent[first], extent[first + 1]);
+    }
+    return change;
+  }
+
+  void setExtent(const Extent& extent) { extent_ = extent; }
+
+private:
+  Extent extent_ = {0, -1, 0, -1, 0, -1}; ///< of the last image that had samples
+  vtkWeakPointer<vtkSMProxy> outlined_;   ///< the representation that is an outline instead
+};
+
+/// Hears of new filters, of their results, and of views that are up to date.
+class Follower : public vtkCommand
+{
+public:
+  vtkTypeMacro(Follower, vtkCommand);
+  static Follower* New() { return new Follower; }
+
+  void Execute(vtkObject* caller, unsigned long event, void* data) override
+  {
+    if (event == RegisterEvent)
+    {
+      const auto* const registered =
+        static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+      if (registered->Type == vtkSMProxyManager::RegisteredProxyInformation::PROXY &&
+          isOfPlugin(registered->Proxy))
+      {
+        this->observe(registered->Proxy);
+      }
+    }
+    else if (event == DeleteEvent)
+    {
+      slices_.erase(caller);
+    }
+    else if (auto* view = vtkSMViewProxy::SafeDownCast(caller))
+    {
+      this->applyChanges(view);
+    }
+    else if (auto* source = vtkSMSourceProxy::SafeDownCast(caller))
+    {
+      this->follow(source);
+    }
+  }
+
+private:
+  void observe(vtkSMProxy* proxy)
+  {
+    if (!proxy->HasObserver(UpdateDataEvent, this))
+    {
+      proxy->AddObserver(UpdateDataEvent, this);
+      proxy->AddObserver(DeleteEvent, this);
+    }
+  }
+
+  void follow(vtkSMSourceProxy* source)
+  {
+    source->UpdatePropertyInformation();
+    if (source->GetNumberOfOutputPorts() == 0)
+    {
+      return;
+    }
+    vtkPVDataInformation* const data = source->GetDataInformation(0);
+    this->followSlices(source, data);
+    distances_.follow(source, data);
+    followLabels(source);
+  }
+
+  void followSlices(vtkSMSourceProxy* source, vtkPVDataInformation* data)
+  {
+    Extent extent;
+    data->GetExtent(extent.data());
+    const bool hasSamples = data->GetNumberOfPoints() > 0 && !isEmpty(extent);
+    for (unsigned int i = 0; i < source->GetNumberOfConsumers(); ++i)
+    {
+      vtkSMProxy* const consumer = source->GetConsumerProxy(i);
+      if (consumer->GetProperty("Slice") && consumer->GetProperty("Representation"))
+      {
+        const Change change = slices_[source].changeOf(consumer, extent, hasSamples);
+        if (change.type || change.slice)
+        {
+          changes_.push_back(change);
+          this->observeViewsOf(consumer);
+        }
+      }
+    }
+    if (hasSamples)
+    {
+      slices_[source].setExtent(extent);
+    }
+  }
+
+  void observeViewsOf(vtkSMProxy* representation)
+  {
+    for (unsigned int i = 0; i < representation->GetNumberOfConsumers(); ++i)
+    {
+      vtkSMProxy* const consumer = representation->GetConsumerProxy(i);
+      if (vtkSMViewProxy::SafeDownCast(consumer))
+      {
+        this->observe(consumer);
+      }
+    }
+  }
+
+  void applyChanges(vtkSMViewProxy* view)
+  {
+    if (changes_.empty())
+    {
+      return;
+    }
+    for (const Change& change : std::exchange(changes_, {}))
+    {
+      if (change.representation && change.type)
+      {
+        vtkSMPropertyHelper(change.representation, "Representation").Set(change.type);
+      }
+      if (change.representation && change.slice)
+      {
+        vtkSMPropertyHelper(change.representation, "Slice").Set(*change.slice);
+      }
+      if (change.representation)
+      {
+        change.representation->UpdateVTKObjects();
+      }
+    }
+    view->Update();
+  }
+
+  std::map<vtkObject*, Slices> slices_; ///< by source
+  std::vector<Change> changes_;
+  DistanceColors distances_;
+};
+
+} // namespace
+
+void followResults()
+{
+  static bool isFollowing = false;
+  const int type = vtkProcessModule::GetProcessType();
+  const bool isServer = type == vtkProcessModule::PROCESS_SERVER ||
+                        type == vtkProcessModule::PROCESS_DATA_SERVER ||
+                        type == vtkProcessModule::PROCESS_RENDER_SERVER;
+  vtkSMProxyManager* const manager = isServer ? nullptr : vtkSMProxyManager::GetProxyManager();
+  if (manager && !isFollowing)
+  {
+    vtkNew<Follower> follower;
+    manager->AddObserver(vtkCommand::RegisterEvent, follower);
+    isFollowing = true;
+  }
+}
+
+} // namespace winding
