@@ -172,8 +172,8 @@ public:
 
   ///@{
   /// The radius of the tubes that the lines of the second output become, so that they can be seen
-  /// on the surface, in units of the diagonal of its bounds; lines stay lines where it is 0. 0 to
-  /// 1, default 0.
+  /// on the surface, in units of the diagonal of its bounds. Lines stay lines where it is 0, and
+  /// where a kind has more than 20 000 edges. 0 to 1, default 0.
   vtkSetMacro(FaultThickness, double);
   vtkGetMacro(FaultThickness, double);
   ///@}

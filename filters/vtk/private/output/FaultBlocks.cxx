@@ -236,7 +236,11 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
     {
       return;
     }
-    const bool isThick = radius > 0 && block->GetNumberOfLines() > 0;
+    // Tubes of 100 000 edges take seconds and half a gigabyte; lines can be seen then, too.
+    constexpr vtkIdType mostTubes = 20'000;
+    const vtkIdType edges =
+      block->GetLines()->GetNumberOfConnectivityIds() - block->GetNumberOfLines();
+    const bool isThick = radius > 0 && edges > 0 && edges <= mostTubes;
     auto shown = isThick ? tubes(block, radius) : vtkSmartPointer<vtkPolyData>(block);
     addKind(shown, static_cast<int>(place));
     blocks->SetBlock(place, shown);

@@ -16,7 +16,7 @@ struct FaultShape
 {
   int pointType; ///< VTK type of the points
   /// Radius of the tubes that lines become, in units of the diagonal of the surface's bounds; lines
-  /// stay lines where it is 0.
+  /// stay lines where it is 0, and of more than 20 000 edges of a kind.
   double thickness;
 };
 
