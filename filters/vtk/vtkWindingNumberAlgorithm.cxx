@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "base/Stopwatch.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
@@ -524,6 +525,12 @@ void vtkWindingNumberAlgorithm::TellSides(
                       winding::insideOutAdvice(field.info().isSurface ? "faces" : "normals", sides,
                         this->WindingThreshold)));
   }
+}
+
+const char* vtkWindingNumberAlgorithm::GetExpectedMemoryInWords()
+{
+  this->ExpectedMemoryInWords = winding::memoryInWords(static_cast<double>(this->ExpectedMemory));
+  return this->ExpectedMemoryInWords.c_str();
 }
 
 void vtkWindingNumberAlgorithm::SetNamesInMessages(int names)

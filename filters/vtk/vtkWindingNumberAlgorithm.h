@@ -350,6 +350,9 @@ public:
   vtkGetMacro(ExpectedMemory, vtkIdType);
   ///@}
 
+  /// The same bytes for people, as "12.5 MiB".
+  const char* GetExpectedMemoryInWords();
+
   ///@{
   /// Facts about the source of the last execution. Boundary edges are used by one triangle. The
   /// uses of net boundary edges do not cancel; a surface without any has an integer w everywhere.
@@ -527,6 +530,7 @@ protected:
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;
   vtkIdType ExpectedMemory = 0;
+  std::string ExpectedMemoryInWords;
   double EarlierSeconds = 0; ///< taken by sources before this one in the same execution
   double TakenSeconds = 0;   ///< from the first source on, as for the whole result in one piece
 

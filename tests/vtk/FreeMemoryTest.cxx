@@ -44,7 +44,7 @@ TEST(FreeMemory, UsedMemoryIsNotFree)
   EXPECT_EQ(refusalOf(7 * gib, tenOfWhichFourAreUsed),
     "not enough memory: choose larger voxels; the result needs 7 GiB, and 6 GiB is free");
   EXPECT_EQ(refusalOf(0.5 * gib, moreUsedThanThereIs),
-    "not enough memory: choose larger voxels; the result needs 0.5 GiB, and 0 GiB is free");
+    "not enough memory: choose larger voxels; the result needs 512 MiB, and 0 MiB is free");
 }
 
 TEST(FreeMemory, LittleIsNotRefused)

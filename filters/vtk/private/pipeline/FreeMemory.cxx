@@ -14,19 +14,22 @@ namespace winding
 namespace
 {
 
-std::string inGiB(double bytes)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g GiB", bytes / (1024.0 * 1024.0 * 1024.0));
-  return text;
-}
-
 double freeBytesOf(const HostMemory& memory)
 {
   return std::max(0.0, memory.total - memory.used) / ranksOnHost();
 }
 
 } // namespace
+
+std::string memoryInWords(double bytes)
+{
+  constexpr double mebi = 1024.0 * 1024.0;
+  const bool isLarge = bytes >= 1000 * mebi;
+  char text[64];
+  std::snprintf(
+    text, sizeof text, "%.3g %s", bytes / (isLarge ? 1024 * mebi : mebi), isLarge ? "GiB" : "MiB");
+  return text;
+}
 
 HostMemory hostMemory()
 {
@@ -49,7 +52,8 @@ void refuseBeyondFreeMemory(
   if (!isMemoryFree(bytes, memory))
   {
     throw OutOfMemory(Message("not enough memory", std::move(remedies),
-      what + " needs " + inGiB(bytes) + ", and " + inGiB(freeBytesOf(memory())) + " is free"));
+      what + " needs " + memoryInWords(bytes) + ", and " + memoryInWords(freeBytesOf(memory())) +
+        " is free"));
   }
 }
 

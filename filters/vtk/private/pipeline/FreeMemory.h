@@ -25,6 +25,9 @@ struct HostMemory
 /// Asks the system.
 HostMemory hostMemory();
 
+/// Returns a number of bytes for people, as "317 GiB" or "12.5 MiB".
+std::string memoryInWords(double bytes);
+
 /// Returns whether `bytes` bytes are free for this process: the ranks of a program on the machine
 /// share what is free. `memory` says what there is; less than 64 MiB is taken to be free without
 /// asking it.
