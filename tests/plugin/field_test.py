@@ -108,12 +108,12 @@ class TestField(unittest.TestCase):
             AreaArray="Size",
         )
         self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
-        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["None", "Orientation"])
+        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["Active Normals", "Orientation"])
         self.assertEqual(list(field.GetProperty("AreaArray").Available), ["Size"])
 
         # No array named: the active normals, of which there are none.
         errors = errors_of(field)
-        for field.NormalsArray in ("", "None"):
+        for field.NormalsArray in ("", "Active Normals", "None"):
             field.UpdatePipeline()
             self.assertTrue(errors)
             for error in errors:
@@ -124,7 +124,7 @@ class TestField(unittest.TestCase):
     def test_none_takes_the_active_normals(self):
         with sphere_points(2000, True) as cloud:
             field = simple.WindingNumberField(Input=cloud, Resolution=11)
-            self.assertEqual(field.NormalsArray, "None")
+            self.assertEqual(field.NormalsArray, "Active Normals")
             self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
 
     def test_mesh_as_points(self):

@@ -3,7 +3,7 @@ import unittest
 
 from paraview import simple
 
-from support import information, run_tests, shown, unit_sphere
+from support import enabled, information, run_tests, shown, unit_sphere
 
 
 class TestPanel(unittest.TestCase):
@@ -58,11 +58,27 @@ class TestPanel(unittest.TestCase):
         self.assertEqual(shown(field, "Last Execution"), set())
         self.assertEqual(information(field, "MethodUsed"), "")
         field.UpdatePipeline()
-        self.assertGreater(information(field, "ExpectedMemory"), 0)
+        self.assertRegex(information(field, "ExpectedMemory"), r"^[0-9.]+ [MG]iB$")
         self.assertIn("MethodReason", shown(field, "Last Execution"))
         self.assertNotIn("MaxError", shown(field, "Last Execution"))
         field.VerifySamples = 10
         self.assertIn("MaxError", shown(field, "Last Execution"))
+
+    def test_what_is_said_is_of_the_last_execution(self):
+        field = simple.WindingNumberField(Input=self.mesh, Resolution=8)
+        field.UpdatePipeline()
+        memory = field.GetPropertyValue("ExpectedMemory")
+        inside = field.GetPropertyValue("NumberOfInsideSamples")
+        field.Resolution = 40
+        field.UpdatePipeline()
+        self.assertNotEqual(field.GetPropertyValue("ExpectedMemory"), memory)
+        self.assertGreater(field.GetPropertyValue("NumberOfInsideSamples"), 10 * inside)
+        report = simple.SurfaceReport(Input=simple.Sphere(EndTheta=180))
+        report.UpdatePipeline()
+        before = report.GetPropertyValue("Advice")
+        report.Input = simple.Sphere()
+        report.UpdatePipeline()
+        self.assertNotEqual(report.GetPropertyValue("Advice"), before)
 
     def test_properties_of_clouds_are_shown_for_clouds_only(self):
         for name in ("WindingNumberField", "WindingNumberProbe", "WindingNumberClip"):
@@ -93,15 +109,16 @@ class TestPanel(unittest.TestCase):
                         proxy.PointAreaMethod = method
                         self.assertEqual(shown(proxy, "Point Clouds"), for_cloud | {also})
 
-    def test_coverage_is_shown_where_there_is_an_inside(self):
+    def test_coverage_is_enabled_where_there_is_an_inside(self):
         field = simple.WindingNumberField(Input=self.mesh)
-        self.assertNotIn("Coverage", shown(field, "Inside and Outside"))
-        field.GenerateInside = 1
         self.assertIn("Coverage", shown(field, "Inside and Outside"))
+        self.assertNotIn("Coverage", enabled(field, "Inside and Outside"))
+        field.GenerateInside = 1
+        self.assertIn("Coverage", enabled(field, "Inside and Outside"))
         # It asks for the array Inside itself, too, and then can be taken back.
         field.GenerateInside = 0
         field.Coverage = "Any Overlap"
-        self.assertIn("Coverage", shown(field, "Inside and Outside"))
+        self.assertIn("Coverage", enabled(field, "Inside and Outside"))
 
     def test_labels_name_what_there_is(self):
         for name, label in (
@@ -116,24 +133,25 @@ class TestPanel(unittest.TestCase):
             smproperty = proxy.SMProxy.GetProperty("SourceAsPoints")
             self.assertEqual(smproperty.GetXMLLabel(), label)
 
-    def test_samples_of_shares_are_shown_for_shares_only(self):
+    def test_samples_of_shares_are_enabled_for_shares_only(self):
         field = simple.WindingNumberField(Input=self.mesh, GenerateInside=1)
-        self.assertNotIn("CoverageSamples", shown(field, "Inside and Outside"))
+        self.assertNotIn("CoverageSamples", enabled(field, "Inside and Outside"))
         field.Coverage = "Half Inside"
-        self.assertIn("CoverageSamples", shown(field, "Inside and Outside"))
+        self.assertIn("CoverageSamples", enabled(field, "Inside and Outside"))
 
     def test_sides_matter_to_inside_and_to_distances(self):
         field = simple.WindingNumberField(Input=self.mesh)
         sides = {"WindingThreshold", "InsideRule"}
+        self.assertLessEqual(sides, shown(field, "Inside and Outside"))
         for name in ("GenerateInside", "GenerateSignedDistance"):
-            self.assertTrue(shown(field, "Inside and Outside").isdisjoint(sides))
-            self.assertEqual(shown(field, "Signed Distance"), {"GenerateSignedDistance"})
+            self.assertTrue(enabled(field, "Inside and Outside").isdisjoint(sides))
+            self.assertEqual(enabled(field, "Signed Distance"), {"GenerateSignedDistance"})
             setattr(field, name, 1)
-            self.assertLessEqual(sides, shown(field, "Inside and Outside"))
+            self.assertLessEqual(sides, enabled(field, "Inside and Outside"))
             setattr(field, name, 0)
         field.GenerateSignedDistance = 1
         both = {"GenerateSignedDistance", "DistanceBand"}
-        self.assertEqual(shown(field, "Signed Distance"), both)
+        self.assertEqual(enabled(field, "Signed Distance"), both)
         surface = simple.WindingNumberSurface(Input=self.mesh)
         self.assertEqual(shown(surface, "Signed Distance"), set())
 
@@ -146,7 +164,7 @@ class TestPanel(unittest.TestCase):
         proxy.UpdatePipeline()
         self.assert_kind(proxy, 1)
 
-    def test_probe_shows_what_inside_means_where_that_counts(self):
+    def test_probe_enables_what_inside_means_where_that_counts(self):
         proxy = simple.WindingNumberProbe(Input=self.mesh, Source=self.mesh)
         meaning = {"WindingThreshold", "InsideRule", "InsideOut"}
         always = {"GenerateInside", "ExtractInside"}
@@ -157,7 +175,7 @@ class TestPanel(unittest.TestCase):
                     expected |= meaning
                 if proxy.GenerateInside:
                     expected.add("InsideArrayName")
-                self.assertEqual(shown(proxy, "Inside and Outside"), expected)
+                self.assertEqual(enabled(proxy, "Inside and Outside"), expected)
 
     def test_clip_shows_what_inside_means_and_no_arrays(self):
         proxy = simple.WindingNumberClip(Input=self.mesh, Source=self.mesh)

@@ -144,6 +144,7 @@ REPORTED = {
     "SurfaceReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED | {"NumberOfInsideSamples"},
     "WindingNumberLabels": GRID_REPORTED | {
+        "LabelLegend",
         "NumberOfSolids",
         "NumberOfEmptySolids",
         "NumberOfOpenSolids",
@@ -175,11 +176,7 @@ INPUTS = {
 # By the name of the property, where proxies differ together with that of the proxy.
 ENUMERATIONS = {
     "Method": {"Automatic": 0, "Rows": 1, "Hierarchical": 2, "Direct Sum": 3, "Ray Parity": 4},
-    "InsideRule": {
-        "Winding Number at Least Threshold": 0,
-        "Absolute Value at Least Threshold": 1,
-        "Nearest Integer Is Odd": 2,
-    },
+    "InsideRule": {"Signed": 0, "Absolute": 1, "Odd": 2},
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
     "Features": {"Smooth": 0, "Sharp": 1},
     "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},
@@ -200,9 +197,11 @@ ENUMERATIONS = {
 }
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
-# array, faults must be seen on their surface, and the voxels inside rather than the box around them.
+# array, faults must be seen on their surface, and the voxels inside rather than the box around them,
+# and nobody waits for the eightfold voxels that keep thin parts.
 DEFAULTS_OF_PANELS = {
-    "NormalsArray": "None",
+    "Resolution": "128",
+    "NormalsArray": "Active Normals",
     "RegionArray": "None",
     "FaultThickness": "0.003",
     "MaskOutside": "1",

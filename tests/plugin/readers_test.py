@@ -44,7 +44,7 @@ class TestReaders(unittest.TestCase):
         for suffix in (".xyz", ".pwn"):
             with self.subTest(suffix), text_file(suffix, "0 0 1 0 0 1\n0 1 0 0 1 0\n") as path:
                 self.assertIn("OrientedPointsReader", readers_of(path))
-                data = result(simple.OrientedPointsReader(FileName=path))
+                data = result(simple.PointCloudReader(FileName=path))
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
 

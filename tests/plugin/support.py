@@ -22,21 +22,23 @@ def elements_text(smproperty):
     return " ".join(f"{smproperty.GetElement(i):g}" for i in range(count))
 
 
-def lets_show(decorator, proxy):
-    """Whether a decorator of the property panel lets its widget be seen."""
+def lets(decorator, proxy, mode):
+    """Whether a decorator of the property panel lets its widget be seen, or enabled, by the mode."""
     if decorator.GetAttribute("type") == "CompositeDecorator":
         expression = decorator.FindNestedElementByName("Expression")
         if expression.GetAttribute("type") != "or":
             raise AssertionError("an expression that this test does not know")
         nested = range(expression.GetNumberOfNestedElements())
-        return any(lets_show(expression.GetNestedElement(i), proxy) for i in nested)
+        return any(lets(expression.GetNestedElement(i), proxy, mode) for i in nested)
     if decorator.GetAttribute("type") != "GenericDecorator":
         raise AssertionError("a decorator that this test does not know")
+    if decorator.GetAttribute("mode") != mode:
+        return True
     value = elements_text(proxy.GetProperty(decorator.GetAttribute("property")))
     return (value == decorator.GetAttribute("value")) != (decorator.GetAttribute("inverse") == "1")
 
 
-def shown(proxy, label):
+def shown(proxy, label, mode="visibility"):
     """Names of the properties under a heading of the panel, advanced ones too, that it now shows:
     those that all decorators in their hints and in their group's let be seen."""
     proxy = proxy.SMProxy
@@ -53,9 +55,14 @@ def shown(proxy, label):
             ]
             # Never is what properties that are only reported have unless their XML says otherwise.
             has_widget = smproperty.GetPanelVisibility() != "never"
-            if has_widget and all(lets_show(decorator, proxy) for decorator in decorators):
+            if has_widget and all(lets(decorator, proxy, mode) for decorator in decorators):
                 names.add(smproperty.GetXMLName())
     return names
+
+
+def enabled(proxy, label):
+    """Of these, the names of those that are not grey."""
+    return shown(proxy, label) & shown(proxy, label, "enabled_state")
 
 
 def result(proxy):
@@ -129,7 +136,7 @@ def sphere_points(count, with_normals):
     positions = [fibonacci_sphere_point(i, count) for i in range(count)]
     lines = [f"{x} {y} {z}" + (f" {x} {y} {z}" if with_normals else "") for x, y, z in positions]
     with text_file(".xyz", "\n".join(lines) + "\n") as path:
-        yield simple.OrientedPointsReader(FileName=path)
+        yield simple.PointCloudReader(FileName=path)
 
 
 def unit_sphere(**properties):

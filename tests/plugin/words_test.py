@@ -28,7 +28,7 @@ def mesh(name):
 
 
 def points(name):
-    return simple.OrientedPointsReader(FileName=os.path.join(FOLDER, name))
+    return simple.PointCloudReader(FileName=os.path.join(FOLDER, name))
 
 
 def field(source, **properties):
