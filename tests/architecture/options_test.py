@@ -11,7 +11,8 @@ import xml.etree.ElementTree as ElementTree
 
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 # Panels may begin with another value than a property, where a picture is what their users want.
-OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness")}
+OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness"),
+                  ("WindingNumberGridAlgorithm", "Resolution")}
 # Several classes have properties of these names, which mean different things.
 AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
 # Each rank may have its own of these: they change no result (docs/scale.md).
@@ -123,7 +124,7 @@ def check_panels(root, options):
                 if option.property not in AMBIGUOUS and option.label != label:
                     yield f"{where}: the label is {label}, in the list {option.label}"
                 value = element.get("default_values")
-                value = "" if value == "None" else value  # no array has this name
+                value = "" if value in ("None", "Active Normals") else value  # names of no array
                 other = (proxy.get("name"), option.property) in OTHER_DEFAULTS
                 if not other and option.property not in AMBIGUOUS and not same(
                         option.kind, value, option.default):
