@@ -238,9 +238,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
     }
     // Tubes of 100 000 edges take seconds and half a gigabyte; lines can be seen then, too.
     constexpr vtkIdType mostTubes = 20'000;
-    const vtkIdType edges =
+    const vtkIdType sections =
       block->GetLines()->GetNumberOfConnectivityIds() - block->GetNumberOfLines();
-    const bool isThick = radius > 0 && edges > 0 && edges <= mostTubes;
+    const bool isThick = radius > 0 && sections > 0 && sections <= mostTubes;
     auto shown = isThick ? tubes(block, radius) : vtkSmartPointer<vtkPolyData>(block);
     addKind(shown, static_cast<int>(place));
     blocks->SetBlock(place, shown);
