@@ -263,7 +263,7 @@ private:
     for (unsigned int i = 0; i < source->GetNumberOfConsumers(); ++i)
     {
       vtkSMProxy* const consumer = source->GetConsumerProxy(i);
-      if (consumer->GetProperty("Slice") && consumer->GetProperty("Representation"))
+      if (consumer && consumer->GetProperty("Slice") && consumer->GetProperty("Representation"))
       {
         const Change change = slices_[source].changeOf(consumer, extent, hasSamples);
         if (change.type || change.slice)
