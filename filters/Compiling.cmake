@@ -16,6 +16,10 @@ option(WINDING_WERROR "Treat warnings as errors" OFF)
 set(winding_warnings)
 if(NOT MSVC)
   set(winding_warnings -Wall -Wextra -Wshadow $<$<BOOL:${WINDING_WERROR}>:-Werror>)
+  # Operators on bits stand where branches could not be foretold.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
+    list(APPEND winding_warnings -Wno-bitwise-instead-of-logical)
+  endif()
 endif()
 
 # What every target of this project is compiled with; no flag of it reaches a consumer.
