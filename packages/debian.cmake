@@ -12,6 +12,18 @@ set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 
+# Sets `result` to the package of an installed library, of its version or a newer one.
+function(winding_package_of library result)
+  execute_process(COMMAND dpkg-query --search "*/${CMAKE_LIBRARY_ARCHITECTURE}/${library}"
+    OUTPUT_VARIABLE package COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE ": .*" "" package "${package}")
+  execute_process(COMMAND dpkg-query --show --showformat "\${source:Upstream-Version}" "${package}"
+    OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE ":.*" "" package "${package}")
+  string(REGEX MATCH "^[0-9]+\\.[0-9]+" version "${version}")
+  set(${result} "${package} (>= ${version})" PARENT_SCOPE)
+endfunction()
+
 if(WINDING_PARAVIEW)
   set(CPACK_PACKAGE_NAME paraview-winding)
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields in ParaView")
@@ -22,8 +34,14 @@ loads them when it starts.")
   set(CPACK_COMPONENTS_ALL runtime Unspecified) # nothing to build with
   # ParaView's libraries lie in no package that dpkg-shlibdeps could ask here: python3-paraview
   # excludes python3-vtk9, so ParaView is not installed where both packages are made.
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "paraview (>= 5.11), paraview (<< 5.12), libc6 (>= 2.36), libgcc-s1, libhwy1, libstdc++6 (>= 12)")
+  set(oldest "${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
+  math(EXPR minor "${ParaView_VERSION_MINOR} + 1")
+  set(depends "paraview (>= ${oldest})" "paraview (<< ${ParaView_VERSION_MAJOR}.${minor})")
+  foreach(library IN ITEMS libc.so.6 libgcc_s.so.1 libhwy.so.1 libstdc++.so.6)
+    winding_package_of(${library} package)
+    list(APPEND depends "${package}")
+  endforeach()
+  list(JOIN depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
   # ParaView's programs load what paraview.conf beside them names.
   file(RELATIVE_PATH plugins "${CMAKE_INSTALL_FULL_BINDIR}"
     "${CMAKE_INSTALL_PREFIX}/${winding_plugins_folder}/winding.plugins.xml")

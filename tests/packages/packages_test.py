@@ -96,7 +96,7 @@ class TestVtkWinding(unittest.TestCase):
 
     def test_says_what_it_needs(self):
         depends = field_of(VTK_PACKAGE, "Depends")
-        for name in ("libvtk9.1", "libhwy1", "libc6"):
+        for name in ("libvtk9.", "libhwy1", "libc6"):
             self.assertIn(name, depends)
         self.assertIn("python3-vtk9", field_of(VTK_PACKAGE, "Recommends"))
 
@@ -125,7 +125,11 @@ class TestParaViewWinding(unittest.TestCase):
         self.assertEqual(float(found.split()[-1]), 1)
 
     def test_says_what_it_needs(self):
-        self.assertIn("paraview (>= 5.11)", field_of(PARAVIEW_PACKAGE, "Depends"))
+        folder = next((PARAVIEW_ROOT / LIBRARIES / "cmake").glob("paraview-*.*"))
+        version = folder.name.partition("-")[2]
+        depends = field_of(PARAVIEW_PACKAGE, "Depends")
+        for name in (f"paraview (>= {version})", "libhwy1", "libc6"):
+            self.assertIn(name, depends)
 
     def test_both_packages_may_be_installed(self):
         self.assertEqual(files_of(VTK_PACKAGE) & files_of(PARAVIEW_PACKAGE), set())
