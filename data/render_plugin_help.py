@@ -28,6 +28,7 @@ def color_by(view, display, array, low, high, preset="Cool to Warm", association
     colors = simple.GetColorTransferFunction(array)
     colors.ApplyPreset(preset, True)
     colors.RescaleTransferFunction(low, high)
+    colors.UseBelowRangeColor = colors.UseAboveRangeColor = 0
     display.SetScalarBarVisibility(view, False)
 
 

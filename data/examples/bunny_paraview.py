@@ -48,6 +48,7 @@ def color_by_winding_number(display, view):
     colors = simple.GetColorTransferFunction("WindingNumber")
     colors.ApplyPreset("Cool to Warm", True)
     colors.RescaleTransferFunction(0, 1)
+    colors.UseBelowRangeColor = colors.UseAboveRangeColor = 0
     legend = simple.GetScalarBar(colors, view)
     legend.Title = "Winding number"
     legend.ComponentTitle = ""

@@ -41,8 +41,6 @@ class TestLabels(unittest.TestCase):
         self.assertAlmostEqual(found.count(3) * voxel, 4 / 3 * math.pi * 0.125, delta=0.05)
         names = result(labels).GetFieldData().GetAbstractArray("LabelNames")
         self.assertEqual([names.GetValue(i) for i in range(3)], list(BALLS))
-        self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 0)
-        labels.SMProxy.UpdatePropertyInformation()
         self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 3)
 
     def test_regions_and_parts_of_one_surface(self):

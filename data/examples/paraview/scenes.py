@@ -43,6 +43,7 @@ def color_by_winding_number(view, display, highest):
     colors = simple.GetColorTransferFunction("WindingNumber")
     colors.ApplyPreset("Cool to Warm", True)
     colors.RescaleTransferFunction(0, highest)
+    colors.UseBelowRangeColor = colors.UseAboveRangeColor = 0
     legend = simple.GetScalarBar(colors, view)
     legend.Title, legend.ComponentTitle = "Winding number", ""
     legend.TitleColor = legend.LabelColor = (0, 0, 0)
