@@ -87,26 +87,25 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
 {
   TableHeader header;
   bool namesSeparator = false;
-  const auto takeSeparator = [&namesSeparator](const RowScanner& row)
+  const auto take = [&](const RowScanner& row)
   {
     const std::string_view text = contentOf(row.row());
     namesSeparator =
       text.size() == 5 && (text.substr(0, 4) == "sep=" || text.substr(0, 4) == "SEP=");
+    header.text.assign(row.rowStart(), row.rest().data());
+    RowScanner fields(header.text, separator);
+    fields.nextRow();
+    for (std::string_view field; fields.nextField(field);)
+    {
+      header.names.push_back(unquoted(field));
+    }
   };
-  const std::size_t start = file.textStart();
-  const Stretch line = visitFirstRow(file, start, separator, bytesAtOnce, takeSeparator);
-  const Stretch first =
-    visitFirstRow(file, namesSeparator ? line.end : start, separator, bytesAtOnce,
-      [&header, separator](const RowScanner& row)
-      {
-        header.text.assign(row.rowStart(), row.rest().data());
-        RowScanner fields(header.text, separator);
-        fields.nextRow();
-        for (std::string_view field; fields.nextField(field);)
-        {
-          header.names.push_back(unquoted(field));
-        }
-      });
+  Stretch first = visitFirstRow(file, file.textStart(), separator, bytesAtOnce, take);
+  if (namesSeparator)
+  {
+    header = TableHeader();
+    first = visitFirstRow(file, first.end, separator, bytesAtOnce, take);
+  }
   if (first.isBroken)
   {
     refuseQuotation(file, first.end);
