@@ -190,7 +190,7 @@ def play(script, folder):
 
 
 def baseline_of(name):
-    """The picture to compare with: that of this version of ParaView, if it has one of its own."""
+    """Returns the picture to compare with: this version of ParaView may have its own."""
     own = BASELINES / f"{VERSION.major}.{VERSION.minor}" / f"{name}.png"
     return own if own.is_file() else BASELINES / f"{name}.png"
 

@@ -66,7 +66,7 @@ Mesh shuffled(Mesh mesh, Random& random)
   return mesh;
 }
 
-/// A sphere of 10 × 20 patches, of which each is cut along its first diagonal or its second.
+/// Returns a sphere of 10 × 20 patches, each cut along its `first` diagonal or its second.
 Mesh patchedSphere(bool first)
 {
   constexpr int rings = 10, sectors = 20;
