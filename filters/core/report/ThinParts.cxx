@@ -26,6 +26,26 @@ enum class Around
   shown
 };
 
+/// Returns whether any sample from `first` to `last`, which counts, is inside.
+bool isAnyInside(
+  const Eigen::Array3i& first, const Eigen::Array3i& last, const IsSampleInside& isInside)
+{
+  for (int k = first[2]; k <= last[2]; ++k)
+  {
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        if (isInside(i, j, k))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 Around lookAround(const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside)
 {
   // A point in a plane of samples lies in the cells on both sides of it. Coordinates are rounded.
@@ -36,21 +56,7 @@ Around lookAround(const Grid& grid, const Eigen::Vector3d& point, const IsSample
   {
     return Around::unknown;
   }
-  const Eigen::Array3i first = low.cast<int>(), last = high.cast<int>();
-  for (int k = first[2]; k <= last[2]; ++k)
-  {
-    for (int j = first[1]; j <= last[1]; ++j)
-    {
-      for (int i = first[0]; i <= last[0]; ++i)
-      {
-        if (isInside(i, j, k))
-        {
-          return Around::shown;
-        }
-      }
-    }
-  }
-  return Around::lost;
+  return isAnyInside(low.cast<int>(), high.cast<int>(), isInside) ? Around::shown : Around::lost;
 }
 
 /// Returns the distance along a ray to a triangle in units of `direction`; infinity for a miss
@@ -99,24 +105,8 @@ bool isShown(const Grid& grid, const Bounds& box, const IsSampleInside& isInside
 {
   const Eigen::Array3d low = grid.inGridUnits(box.min()).array().floor();
   const Eigen::Array3d high = grid.inGridUnits(box.max()).array().ceil();
-  if (!(low >= 0 && high < grid.dimensions.array().cast<double>()).all())
-  {
-    return true;
-  }
-  for (int k = static_cast<int>(low[2]); k <= static_cast<int>(high[2]); ++k)
-  {
-    for (int j = static_cast<int>(low[1]); j <= static_cast<int>(high[1]); ++j)
-    {
-      for (int i = static_cast<int>(low[0]); i <= static_cast<int>(high[0]); ++i)
-      {
-        if (isInside(i, j, k))
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
+  const bool liesInGrid = (low >= 0 && high < grid.dimensions.array().cast<double>()).all();
+  return !liesInGrid || isAnyInside(low.cast<int>(), high.cast<int>(), isInside);
 }
 
 /// Counts the components of a surface, and those that are lost.
