@@ -39,16 +39,14 @@ using IsSampleInside = std::function<bool(int i, int j, int k)>;
  * twentieth of the surface is lost.
  *
  * Returns nothing for clouds. The estimate depends on the order of the triangles, and not on the
- * executor. It takes a millisecond, 20 nanoseconds for each triangle of a closed surface, and the
- * time of 64 rays through all triangles where a twentieth of the surface is lost. Throws
- * Interrupted.
+ * executor. It takes a millisecond, O(n) time for n triangles of a closed surface, and the time of
+ * 64 rays through all triangles where a twentieth of the surface is lost. Throws Interrupted.
  */
 std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
   const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor);
 
 /// Returns what to do about parts thinner than a voxel, or about components that are lost.
-/// `mayTouch` says whether voxels that the
-/// source touches could count.
+/// `mayTouch` says whether voxels that the source touches could count.
 Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch);
 
 } // namespace winding

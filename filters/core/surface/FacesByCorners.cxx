@@ -132,8 +132,8 @@ private:
     {
       return;
     }
-    // The distance between the diagonals, as a share of the shorter one, is 0 for flat ones, 0.71
-    // for a regular tetrahedron and 0.02 for the patches of a sphere of 10 × 20 (measured).
+    // The distance between the diagonals, as a share of the shorter one, is 0 for flat ones and
+    // √½ for a regular tetrahedron.
     constexpr double mostOfDiagonal = 0.1;
     const auto at = [&](std::size_t i) -> const Eigen::Vector3d&
     {

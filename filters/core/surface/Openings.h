@@ -34,8 +34,8 @@ struct Openings
  * lids would. All of its boundary must lie in at most three sides of its bounds, of different axes,
  * or within a tenth of the bounds from them. A point in all of these sides sees no volume below the
  * lids; so the volume below the triangles alone, ⅙ ∑ a · (b × c) from there, has the sign
- * (divergence theorem). Less than 0.03 times the area and the size of the bounds is 0, as ragged
- * rims may make half of that.
+ * (divergence theorem). Less than 0.03 times the area and the size of the bounds is 0, since
+ * ragged rims leave about that much unknown.
  */
 int sideBehindLids(const BoundaryEdges& boundary, const Surface& surface);
 

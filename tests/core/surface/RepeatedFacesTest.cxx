@@ -164,8 +164,7 @@ TEST(RepeatedFaces, TrianglesOfQuadrilateralsAreEqualHoweverTheyAreCut)
       Random random(seed);
       const Surface once = outward(shuffled(sphere.with(again), random));
       EXPECT_EQ(once.triangles.size(), 360u) << seed;
-      // Patches are not quite flat, and of each either half is left. Measured: 0.4 %.
-      EXPECT_NEAR(volumeOf(once), volume, 0.01 * volume) << seed;
+      EXPECT_NEAR(volumeOf(once), volume, 1e-12) << seed; // patches are plane
     }
   }
   EXPECT_FALSE(repeatedFaces(clean(sphere), {}).areAny());

@@ -22,8 +22,7 @@ std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data);
 struct SolidCells
 {
   std::vector<std::vector<vtkIdType>> cells; ///< by solid: polygons and strips, by their ids
-  std::vector<char>
-    isOpenPart; ///< by solid: whether it is open, inside of closed ones (OpenParts.h)
+  std::vector<char> isOpenPart;              ///< by solid: whether it is one of OpenParts.h
 };
 
 /// Finds the solids of a surface. Strips belong to one solid. `ignoresOpenParts` leaves out open
