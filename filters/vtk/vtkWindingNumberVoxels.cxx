@@ -97,6 +97,13 @@ struct ReadLabels
   }
 };
 
+/// Returns whether `values` are by name and type what vtkWindingNumberLabels gives.
+bool areCalledLabels(vtkDataArray* values)
+{
+  const int type = values->GetDataType();
+  return winding::textOf(values->GetName()) == "Label" && type != VTK_FLOAT && type != VTK_DOUBLE;
+}
+
 /// Throws a Refusal for values that are no labels.
 std::vector<unsigned short> labelsOf(vtkDataArray* values)
 {
@@ -194,6 +201,8 @@ void addLabels(const winding::VoxelSides<unsigned short>& sides,
   vtkNew<vtkUnsignedShortArray> both, own;
   both->SetName("BoundaryLabels");
   both->SetNumberOfComponents(2);
+  both->SetComponentName(0, "From");
+  both->SetComponentName(1, "To");
   both->SetNumberOfTuples(count);
   own->SetName("Label");
   own->SetNumberOfTuples(count);
@@ -301,7 +310,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   vtkDataArray* values = this->FindValues(image, association);
   const bool asCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   const std::array<double, 3> firstIndex = firstIndexOf(image, asCells);
-  if (this->ByLabel)
+  if (this->ByLabel == LABELS_ON || (this->ByLabel == LABELS_AUTOMATIC && areCalledLabels(values)))
   {
     auto voxels = voxelsOf<unsigned short>(image, values, asCells);
     voxels.labels = labelsOf(values);

@@ -11,17 +11,17 @@
  * InsideRule and WindingThreshold say which voxels are inside; NaN is outside. If the image has an
  * array "Coverage", each quad carries the value of its voxel, as cell data to colour it by.
  *
- * **Labels.** With ByLabel the array has labels, as from vtkWindingNumberLabels: integers from
- * 0, outside, to 65535. There is one quad for every face between voxels of different labels. So the
- * surfaces of neighbours meet without gaps, and the surface of each label, of all quads that have
- * it on a side, is closed. A quad looks outside, or from the smaller label to the larger. Its cell
- * data give both: "BoundaryLabels", the label that it looks away from and the one that it looks to,
- * 0 outside; and "Label", the former alone, which is active. InsideRule and WindingThreshold have
- * no effect then.
+ * **Labels.** ByLabel says whether the array has labels, as from vtkWindingNumberLabels: integers
+ * from 0, outside, to 65535. There is one quad for every face between voxels of different labels.
+ * So the surfaces of neighbours meet without gaps, and the surface of each label, of all quads that
+ * have it on a side, is closed. A quad looks outside, or from the smaller label to the larger. Its
+ * cell data give both: "BoundaryLabels", with the components "From", the label that it looks away
+ * from, and "To", the one that it looks to, 0 outside; and "Label", the former alone, which is
+ * active. InsideRule and WindingThreshold have no effect then.
  *
  * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
  * are taken, or else the cells'. Time is linear in voxels and quads; working memory is a
- * byte for each voxel and 9 for each quad, or with ByLabel 2 bytes and 10. The order of points and
+ * byte for each voxel and 9 for each quad, or with labels 2 bytes and 10. The order of points and
  * quads depends on the input only. The filter works on the whole image: where several pieces are
  * asked for, the first has everything. When it is aborted, its output is empty.
  *
@@ -56,12 +56,20 @@ public:
   vtkGetMacro(InsideRule, int);
   ///@}
 
+  /// The values of ByLabel.
+  enum ByLabelType
+  {
+    LABELS_OFF = 0,
+    LABELS_ON = 1,
+    LABELS_AUTOMATIC = 2 ///< on for an array of integers with the name "Label"
+  };
+
   ///@{
   /// Whether the array has labels, so that there are quads between voxels of different ones.
-  /// Default off.
-  vtkSetMacro(ByLabel, vtkTypeBool);
-  vtkGetMacro(ByLabel, vtkTypeBool);
-  vtkBooleanMacro(ByLabel, vtkTypeBool);
+  /// Default LABELS_AUTOMATIC.
+  vtkSetClampMacro(ByLabel, int, LABELS_OFF, LABELS_AUTOMATIC);
+  vtkGetMacro(ByLabel, int);
+  vtkBooleanMacro(ByLabel, int);
   ///@}
 
 protected:
@@ -79,7 +87,7 @@ protected:
 
   double WindingThreshold = 0.5;
   int InsideRule = 0;
-  vtkTypeBool ByLabel = 0;
+  int ByLabel = LABELS_AUTOMATIC;
 
 private:
   /// The array that separates inside from outside; sets whether it is of the points or of the

@@ -67,7 +67,7 @@ class TestLabels(unittest.TestCase):
         names = {array.GetName() for array in labels.CellData}
         self.assertEqual(names, {"Label", "SolidCount", "FirstLabel", "FirstShare", "SecondLabel",
                                  "SecondShare"})
-        voxels = simple.WindingNumberVoxels(Input=labels, ByLabel=1)
+        voxels = simple.WindingNumberVoxels(Input=labels)
         self.assertEqual(list(voxels.Scalars), ["CELLS", "Label"])
         both = result(voxels).GetCellData().GetArray("BoundaryLabels")
         pairs = {both.GetTuple2(i) for i in range(both.GetNumberOfTuples())}

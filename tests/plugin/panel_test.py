@@ -3,7 +3,7 @@ import unittest
 
 from paraview import simple
 
-from support import enabled, information, run_tests, shown, unit_sphere
+from support import enabled, information, is_enabled, run_tests, shown, unit_sphere
 
 
 class TestPanel(unittest.TestCase):
@@ -183,6 +183,15 @@ class TestPanel(unittest.TestCase):
         self.assertEqual(shown(proxy, "Inside and Outside"), expected)
         for heading in ("Where", "Signed Distance", "Result"):
             self.assertTrue(shown(proxy, heading) <= {"Input"}, heading)
+
+    def test_voxels_of_labels_have_no_threshold(self):
+        for source, has_threshold in (("Field", (True, False, True)), ("Labels", (True, False, False))):
+            image = getattr(simple, "WindingNumber" + source)(Input=self.mesh, Resolution=8)
+            image.UpdatePipeline()
+            voxels = simple.WindingNumberVoxels(Input=image)
+            for voxels.ByLabel, expected in zip(("Off", "On", "Automatic"), has_threshold):
+                for name in ("WindingThreshold", "InsideRule"):
+                    self.assertEqual(is_enabled(voxels, name), expected, (source, voxels.ByLabel))
 
     def test_areas_show_what_their_method_needs(self):
         areas = simple.PointAreas(Input=self.cloud)

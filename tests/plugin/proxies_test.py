@@ -111,7 +111,7 @@ SETTABLE = {
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),
-        "ByLabel": (1, "1"),
+        "ByLabel": (0, "0"),
     },
     "PointAreas": {
         "PointAreaMethod": (2, "2"),
@@ -194,6 +194,7 @@ ENUMERATIONS = {
     "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centers": 1},
     "SourceDistribution": {"Automatic": 0, "Distributed": 1, "Replicated": 2},
+    "ByLabel": {"Off": 0, "On": 1, "Automatic": 2},
 }
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no

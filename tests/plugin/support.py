@@ -23,19 +23,29 @@ def elements_text(smproperty):
 
 
 def lets(decorator, proxy, mode):
-    """Whether a decorator of the property panel lets its widget be seen, or enabled, by the mode."""
+    """Whether a decorator of the property panel, or an expression of decorators, lets its widget be seen,
+    or enabled, by the mode."""
     if decorator.GetAttribute("type") == "CompositeDecorator":
-        expression = decorator.FindNestedElementByName("Expression")
-        if expression.GetAttribute("type") != "or":
-            raise AssertionError("an expression that this test does not know")
-        nested = range(expression.GetNumberOfNestedElements())
-        return any(lets(expression.GetNestedElement(i), proxy, mode) for i in nested)
+        return lets(decorator.FindNestedElementByName("Expression"), proxy, mode)
+    if decorator.GetName() == "Expression":
+        together = {"and": all, "or": any}[decorator.GetAttribute("type")]
+        nested = range(decorator.GetNumberOfNestedElements())
+        return together(lets(decorator.GetNestedElement(i), proxy, mode) for i in nested)
     if decorator.GetAttribute("type") != "GenericDecorator":
         raise AssertionError("a decorator that this test does not know")
     if decorator.GetAttribute("mode") != mode:
         return True
-    value = elements_text(proxy.GetProperty(decorator.GetAttribute("property")))
+    smproperty = proxy.GetProperty(decorator.GetAttribute("property"))
+    index = decorator.GetAttribute("index")
+    value = elements_text(smproperty) if index is None else smproperty.GetElement(int(index))
     return (value == decorator.GetAttribute("value")) != (decorator.GetAttribute("inverse") == "1")
+
+
+def is_enabled(proxy, name):
+    """Whether a property that is in no group is not grey."""
+    hints = proxy.SMProxy.GetProperty(name).GetHints()
+    return all(lets(hints.GetNestedElement(i), proxy.SMProxy, "enabled_state")
+               for i in range(hints.GetNumberOfNestedElements()))
 
 
 def shown(proxy, label, mode="visibility"):

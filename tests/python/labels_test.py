@@ -111,7 +111,6 @@ class LabelsTest(unittest.TestCase):
     def test_block_surfaces_meet_without_gaps(self):
         voxels = vtkWindingNumberVoxels()
         voxels.SetInputConnection(self.labels.GetOutputPort())
-        voxels.ByLabelOn()
         voxels.Update()
         self.expect_closed(voxels.GetOutput())
 

@@ -111,6 +111,8 @@ TEST(LabelSurfaces, EncloseTheVoxelsOfEachLabel)
       EXPECT_EQ(own[static_cast<std::size_t>(cell)], from);
     }
     EXPECT_STREQ(surface->GetCellData()->GetScalars()->GetName(), "Label");
+    EXPECT_STREQ(both->GetComponentName(0), "From");
+    EXPECT_STREQ(both->GetComponentName(1), "To");
   }
 }
 
@@ -138,6 +140,32 @@ TEST(LabelSurfaces, OfOneLabelAreThoseOfTheInside)
   }
 }
 
+/// An array is taken for labels by its name, if it has integers; else if one says so.
+TEST(LabelSurfaces, AreThoseOfIntegersCalledLabel)
+{
+  const auto image = randomLabels(7, 3);
+  const auto hasLabels = [&](int byLabel)
+  {
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputData(image);
+    voxels->SetByLabel(byLabel);
+    voxels->Update();
+    return voxels->GetOutput()->GetCellData()->GetArray("BoundaryLabels") != nullptr;
+  };
+  constexpr int automatic = vtkWindingNumberVoxels::LABELS_AUTOMATIC;
+  EXPECT_EQ(vtkNew<vtkWindingNumberVoxels>()->GetByLabel(), automatic);
+  EXPECT_TRUE(hasLabels(automatic));
+  EXPECT_FALSE(hasLabels(vtkWindingNumberVoxels::LABELS_OFF));
+  image->GetPointData()->GetScalars()->SetName("Material");
+  EXPECT_FALSE(hasLabels(automatic));
+  EXPECT_TRUE(hasLabels(vtkWindingNumberVoxels::LABELS_ON));
+  vtkNew<vtkFloatArray> values;
+  values->DeepCopy(image->GetPointData()->GetScalars());
+  values->SetName("Label");
+  image->GetPointData()->SetScalars(values);
+  EXPECT_FALSE(hasLabels(automatic));
+}
+
 TEST(LabelSurfaces, FollowTheFilterOfLabels)
 {
   vtkNew<vtkWindingNumberLabels> labels;
@@ -146,7 +174,6 @@ TEST(LabelSurfaces, FollowTheFilterOfLabels)
   labels->SetOverlapRule(vtkWindingNumberLabels::SMALLEST_VOLUME);
   vtkNew<vtkWindingNumberVoxels> voxels;
   voxels->SetInputConnection(labels->GetOutputPort());
-  voxels->ByLabelOn();
   voxels->Update();
   const double* h = labels->GetOutput()->GetSpacing();
   const auto values = shortsOf(labels->GetOutput()->GetPointData());

@@ -60,7 +60,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberProbe>(
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
   expectPrinted<vtkImplicitWindingNumber>(ofSources);
-  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 0"});
+  expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 2"});
   expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
     "EstimateNormals: 0", "NormalEstimation: 0", "ResultArrayName: Area", "Status: 0",
     "TotalArea: 0", "NormalEstimationUsed: ", "ClearShare: 0"});
