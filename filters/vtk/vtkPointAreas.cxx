@@ -252,7 +252,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
       }
     }
   }
-  else if (this->EstimateNormals != 0 && !cloud.positions.empty())
+  else if (this->EstimateNormals != 0 && winding::isEstimateAsked() && !cloud.positions.empty())
   {
     vtkWarningMacro(<< winding::lineOf(winding::keptNormals()));
   }

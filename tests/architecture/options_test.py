@@ -12,7 +12,8 @@ import xml.etree.ElementTree as ElementTree
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 # Panels may begin with another value than a property, where a picture is what their users want.
 OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness"),
-                  ("WindingNumberGridAlgorithm", "Resolution")}
+                  ("WindingNumberGridAlgorithm", "Resolution"),
+                  ("WindingNumberAlgorithm", "EstimateNormals"), ("PointAreas", "EstimateNormals")}
 # Several classes have properties of these names, which mean different things.
 AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
 # Each rank may have its own of these: they change no result (docs/scale.md).

@@ -26,9 +26,9 @@ class TestAreas(unittest.TestCase):
             for index in range(values[0].GetNumberOfTuples()):
                 self.assertEqual(values[0].GetTuple1(index), values[1].GetTuple1(index))
 
-    def test_normals_are_estimated_on_request(self):
+    def test_normals_are_estimated_unless_users_say_no(self):
         with sphere_points(2000, False) as cloud:
-            areas = simple.PointAreas(Input=cloud)
+            areas = simple.PointAreas(Input=cloud, EstimateNormals=0)
             errors = errors_of(areas)
             areas.UpdatePipeline()
             self.assertTrue(errors)

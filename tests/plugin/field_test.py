@@ -103,6 +103,7 @@ class TestField(unittest.TestCase):
         field = simple.WindingNumberField(
             Input=cloud,
             Resolution=11,
+            EstimateNormals=0,
             NormalsArray="Orientation",
             PointAreaMethod="Array",
             AreaArray="Size",
@@ -144,9 +145,9 @@ class TestField(unittest.TestCase):
         self.assertAlmostEqual(value_at(image, (0, 0, 0)), 1, delta=0.01)
         self.assertAlmostEqual(image.GetPointData().GetScalars().GetTuple1(0), 0, delta=0.01)
 
-    def test_normals_are_estimated_on_request(self):
+    def test_normals_are_estimated_unless_users_say_no(self):
         with sphere_points(2000, False) as cloud:
-            field = simple.WindingNumberField(Input=cloud, Resolution=11)
+            field = simple.WindingNumberField(Input=cloud, Resolution=11, EstimateNormals=0)
             errors = errors_of(field)
             field.UpdatePipeline()
             self.assertTrue(errors)

@@ -21,7 +21,7 @@ COMMON = {
     "PointAreaMethod": (3, "3"),
     "PointArea": (0.125, "0.125"),
     "NumberOfNeighbors": (7, "7"),
-    "EstimateNormals": (1, "1"),
+    "EstimateNormals": (0, "0"),
     "NormalEstimation": (2, "2"),
     "Regularization": (0.5, "0.5"),
     "AreaArray": ("Size", "Size"),
@@ -118,7 +118,7 @@ SETTABLE = {
         "PointArea": (0.125, "0.125"),
         "NumberOfNeighbors": (7, "7"),
         "NormalsArray": ("Orientation", "Orientation"),
-        "EstimateNormals": (1, "1"),
+        "EstimateNormals": (0, "0"),
         "NormalEstimation": (2, "2"),
         "ResultArrayName": ("a", "a"),
         "NumberOfThreads": (3, "3"),
@@ -199,7 +199,8 @@ ENUMERATIONS = {
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
 # array, faults must be seen on their surface, and the voxels inside rather than the box around them,
-# and nobody waits for the eightfold voxels that keep thin parts.
+# and nobody waits for the eightfold voxels that keep thin parts,
+# or for the normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
     "Resolution": "128",
     "NormalsArray": "Active Normals",
@@ -208,6 +209,7 @@ DEFAULTS_OF_PANELS = {
     "MaskOutside": "1",
 }
 
+    "EstimateNormals": "1",
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
 RANGES = {

@@ -101,8 +101,14 @@ TEST_P(MessageWords, AreThoseOfTheList)
   Filter::SetNamesInMessages(names);
   EXPECT_EQ(Filter::GetNamesInMessages(), names);
   const auto expected = messagesOf(frontEnd);
-  EXPECT_EQ(expected.size(), allMessages().size());
-  for (const auto& [subject, message] : allMessages())
+  auto found = allMessages();
+  if (names == Filter::PARAVIEW_NAMES)
+  {
+    // Panels ask for estimates from the beginning, so that nobody is told of normals that are kept.
+    found.erase("normals where others are wanted");
+  }
+  EXPECT_EQ(expected.size(), found.size());
+  for (const auto& [subject, message] : found)
   {
     const auto line = expected.find(subject);
     EXPECT_NE(line, expected.end()) << subject << "\n  " << frontEnd << ": " << message;

@@ -63,7 +63,8 @@ CloudField::CloudField(
     throw Refusal(missingNormals(std::any_of(views.begin(), views.end(),
       [](const OrientedPointsView& view) { return !view.normals.empty(); })));
   }
-  if (options.estimateNormals && !info_.normalsAreEstimated && info_.primitives > 0)
+  if (options.estimateNormals && options.warnsOfKeptNormals && !info_.normalsAreEstimated &&
+      info_.primitives > 0)
   {
     info_.warnings.push_back(keptNormals());
   }

@@ -56,6 +56,8 @@ struct FieldOptions
   double tolerance = 1e-3;
   /// Whether points without normals get estimated ones (NormalEstimation.h).
   bool estimateNormals = false;
+  /// Whether a warning names normals that are kept though others are to be estimated.
+  bool warnsOfKeptNormals = true;
   NormalEstimation normalEstimation = NormalEstimation::automatic;
   PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
   /// The area of every point, for PointAreaMethod::constant only; 0 stands for the mean of the

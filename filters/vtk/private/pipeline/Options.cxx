@@ -235,6 +235,11 @@ void setFrontEnd(FrontEnd frontEnd)
   frontEndOfProcess = frontEnd;
 }
 
+bool isEstimateAsked()
+{
+  return frontEnd() != FrontEnd::paraview;
+}
+
 std::string lineOf(const Message& message)
 {
   return lineOf(message, frontEnd());

@@ -74,6 +74,9 @@ FrontEnd frontEnd();
 void setFrontEnd(FrontEnd frontEnd);
 ///@}
 
+/// Returns whether users ask for estimated normals themselves. ParaView's panels begin with them.
+bool isEstimateAsked();
+
 /// Returns the line of a message in the words of this process's front end.
 std::string lineOf(const Message& message);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/InsideRule.h"
+#include "private/pipeline/Options.h"
 #include "private/pipeline/PropertyChecks.h"
 #include "private/source/SourceField.h"
 
@@ -85,6 +86,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.field.method = coreMethod(object.GetMethod());
   options.field.tolerance = object.GetTolerance();
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
+  options.field.warnsOfKeptNormals = isEstimateAsked();
   options.field.normalEstimation = coreNormalEstimation(object.GetNormalEstimation());
   options.field.pointAreaMethod = corePointAreaMethod(areas);
   options.field.pointArea = object.GetPointArea();
