@@ -13,14 +13,20 @@
 #include "report/Verify.h"
 #include "source/Grid.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace
 {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 winding::Bounds toBounds(const double (&b)[6])
 {
@@ -86,6 +92,7 @@ void vtkWindingNumberGridAlgorithm::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->VoxelSize);
   hash.addValue(this->SamplingDimensions);
   hash.addValue(this->UseInputBounds);
+  hash.addValue(this->BoundsOverAllTimes);
   hash.addValue(this->SamplingBounds);
   hash.addValue(this->Padding);
 }
@@ -102,11 +109,93 @@ void vtkWindingNumberGridAlgorithm::GetGrid(
   }
 }
 
+void vtkWindingNumberGridAlgorithm::UpdateSource(vtkInformation* outInfo)
+{
+  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
+  vtkAlgorithm* producer = connection->GetProducer();
+  const int port = connection->GetIndex();
+  vtkNew<vtkInformation> request;
+  producer->UpdateInformation();
+  vtkInformation* produced = producer->GetOutputInformation(port);
+  if (produced->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  this->AskForSource(request);
+  request->Remove(Pipeline::WHOLE_EXTENT());
+  if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Get(Pipeline::UPDATE_TIME_STEP()));
+  }
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  requests->SetInformationObject(port, request);
+  if (!producer->Update(port, requests))
+  {
+    throw winding::Refusal("look at the filter or reader before this one first: it failed");
+  }
+}
+
+void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes()
+{
+  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
+  vtkAlgorithm* producer = connection->GetProducer();
+  producer->UpdateInformation();
+  vtkInformation* produced = producer->GetOutputInformation(connection->GetIndex());
+  const int times = produced->Length(Pipeline::TIME_STEPS());
+  if (!this->UseInputBounds || !this->BoundsOverAllTimes || times == 0)
+  {
+    this->BoundsOfTimes.clear();
+    return;
+  }
+  winding::ContentHash hash;
+  hash.addValue(producer);
+  hash.addValue(
+    vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
+  hash.addValue(winding::hashOf(this->GetSourceOptions()));
+  if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == hash.value())
+  {
+    return;
+  }
+  winding::Bounds all;
+  const std::vector<double> steps(
+    produced->Get(Pipeline::TIME_STEPS()), produced->Get(Pipeline::TIME_STEPS()) + times);
+  for (const double step : steps)
+  {
+    vtkNew<vtkInformation> request;
+    request->Set(Pipeline::UPDATE_TIME_STEP(), step);
+    this->UpdateSource(request);
+    double bounds[6];
+    if (this->GetSourceBounds(this->GetInputDataObject(0, 0), bounds))
+    {
+      all.extend(toBounds(bounds).min());
+      all.extend(toBounds(bounds).max());
+    }
+  }
+  this->BoundsOfTimes.clear();
+  for (int axis = 0; axis < 3 && !all.isEmpty(); ++axis)
+  {
+    this->BoundsOfTimes.insert(this->BoundsOfTimes.end(), {all.min()[axis], all.max()[axis]});
+  }
+  this->SourceOfTimes = hash.value();
+}
+
+/// Finds the bounds that UseInputBounds lays the grid over; returns whether there are any.
+bool vtkWindingNumberGridAlgorithm::GetBoundsOfGrid(vtkDataObject* source, double bounds[6])
+{
+  if (this->BoundsOfTimes.empty())
+  {
+    return this->GetSourceBounds(source, bounds);
+  }
+  std::copy(this->BoundsOfTimes.begin(), this->BoundsOfTimes.end(), bounds);
+  return true;
+}
+
 winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject* source)
 {
   winding::GridRequest request;
   double bounds[6];
-  if (this->UseInputBounds && this->GetSourceBounds(source, bounds))
+  if (this->UseInputBounds && this->GetBoundsOfGrid(source, bounds))
   {
     request.bounds = toBounds(bounds);
     request.padding = this->Padding;
@@ -138,7 +227,7 @@ void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
 {
   double bounds[6];
   *this->Sampling = *this->LaidOut;
-  if (!this->UseInputBounds || !this->GetSourceBounds(source, bounds) ||
+  if (!this->UseInputBounds || !this->GetBoundsOfGrid(source, bounds) ||
       areSame(toBounds(bounds), this->Request->bounds))
   {
     return;
@@ -240,6 +329,7 @@ void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
      << dimensions[2] << "\n";
   os << indent << "UseInputBounds: " << this->UseInputBounds << "\n";
+  os << indent << "BoundsOverAllTimes: " << this->BoundsOverAllTimes << "\n";
   os << indent << "SamplingBounds: " << bounds[0] << " " << bounds[1] << " " << bounds[2] << " "
      << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
   os << indent << "Padding: " << this->Padding << "\n";

@@ -24,6 +24,7 @@
 #include <array>      // for extents
 #include <cstddef>    // for std::size_t
 #include <functional> // for the values to verify
+#include <vector>     // for bounds
 
 namespace winding
 {
@@ -66,6 +67,15 @@ public:
   vtkSetMacro(UseInputBounds, vtkTypeBool);
   vtkGetMacro(UseInputBounds, vtkTypeBool);
   vtkBooleanMacro(UseInputBounds, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether UseInputBounds takes the bounds of the input over all of its times, so that all times
+  /// have one grid. It brings the input up to date for each time, and again after a change.
+  /// Default off.
+  vtkSetMacro(BoundsOverAllTimes, vtkTypeBool);
+  vtkGetMacro(BoundsOverAllTimes, vtkTypeBool);
+  vtkBooleanMacro(BoundsOverAllTimes, vtkTypeBool);
   ///@}
 
   ///@{
@@ -136,6 +146,13 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
 
+  /// Brings the source up to date, whole, for the time that `outInfo` asks for, if it asks for one.
+  /// Throws a refusal if it fails.
+  void UpdateSource(vtkInformation* outInfo);
+
+  /// Finds what BoundsOverAllTimes wants. To be called in RequestInformation(), by all ranks.
+  void FindBoundsOverAllTimes();
+
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);
 
@@ -177,6 +194,7 @@ protected:
   double VoxelSize = 0;
   int SamplingDimensions[3] = {0, 0, 0};
   vtkTypeBool UseInputBounds = 1;
+  vtkTypeBool BoundsOverAllTimes = 0;
   double SamplingBounds[6] = {0, 1, 0, 1, 0, 1};
   double Padding = 0.05;
   int VerifySamples = 0;
@@ -191,7 +209,10 @@ protected:
 
 private:
   winding::GridRequest GetGridRequest(vtkDataObject* source);
+  bool GetBoundsOfGrid(vtkDataObject* source, double bounds[6]);
 
+  std::vector<double> BoundsOfTimes;    ///< empty without BoundsOverAllTimes, and without times
+  unsigned long long SourceOfTimes = 0; ///< hash of the source and the options that gave them
   std::unique_ptr<winding::GridRequest> Request; ///< of the last LayOutGrid()
   std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last LayOutGrid()
   std::unique_ptr<winding::Grid> Sampling;       ///< grid of LayOutGrid() or MoveGrid()

@@ -6,7 +6,6 @@
 #include "source/Grid.h"
 #include "voxels/VoxelEvaluation.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -37,35 +36,6 @@ int vtkWindingNumberImageAlgorithm::FillOutputPortInformation(int, vtkInformatio
   return 1;
 }
 
-/// Brings the source up to date, whole: the grid depends on its bounds, and must be known before
-/// anybody can ask for a part of it.
-void vtkWindingNumberImageAlgorithm::UpdateSource(vtkInformation* outInfo)
-{
-  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
-  vtkAlgorithm* producer = connection->GetProducer();
-  const int port = connection->GetIndex();
-  vtkNew<vtkInformation> request;
-  producer->UpdateInformation();
-  vtkInformation* produced = producer->GetOutputInformation(port);
-  if (produced->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-  this->AskForSource(request);
-  request->Remove(Pipeline::WHOLE_EXTENT());
-  if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
-  {
-    request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Get(Pipeline::UPDATE_TIME_STEP()));
-  }
-  vtkNew<vtkInformationVector> requests;
-  requests->SetNumberOfInformationObjects(port + 1);
-  requests->SetInformationObject(port, request);
-  if (!producer->Update(port, requests))
-  {
-    throw winding::Refusal("look at the filter or reader before this one first: it failed");
-  }
-}
-
 int vtkWindingNumberImageAlgorithm::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -79,8 +49,10 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LookAtSource(source);
   this->AgreeOnProperties();
+  this->FindBoundsOverAllTimes();
   if (this->UseInputBounds)
   {
+    // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
     this->UpdateSource(outInfo);
     source = vtkDataObject::GetData(inputs[0]);
     this->LookAtSource(source);

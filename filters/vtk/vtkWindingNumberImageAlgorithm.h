@@ -128,7 +128,6 @@ protected:
 
 private:
   void TellGrid(vtkInformation* outInfo) const;
-  void UpdateSource(vtkInformation* outInfo);
 };
 
 #endif

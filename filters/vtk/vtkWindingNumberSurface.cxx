@@ -109,6 +109,7 @@ int vtkWindingNumberSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   this->LookAtSource(vtkDataObject::GetData(inputs[0]));
+  this->FindBoundsOverAllTimes();
   return 1;
 }
 

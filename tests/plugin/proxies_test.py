@@ -45,6 +45,7 @@ GRID = {
     "VoxelSize": (0.5, "0.5"),
     "SamplingDimensions": ((3, 4, 5), "3 4 5"),
     "UseInputBounds": (0, "0"),
+    "BoundsOverAllTimes": (1, "1"),
     "SamplingBounds": ((-1, 2, -3, 4, -5, 6), "-1 2 -3 4 -5 6"),
     "Padding": (0.5, "0.5"),
     "VerifySamples": (100, "100"),

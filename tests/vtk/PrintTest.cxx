@@ -42,8 +42,8 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberField>(ofSources);
   expectPrinted<vtkWindingNumberField>(ofArrays);
   expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
-    "UseInputBounds: 1", "SamplingDimensions: 0 0 0", "Coverage: 0", "CoverageSamples: 4",
-    "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
+    "UseInputBounds: 1", "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0",
+    "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0",
     "GenerateNormals:", "Features: 0", "GenerateTriangles: 0", "FidelitySamples: 0"});

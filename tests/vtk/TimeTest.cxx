@@ -4,7 +4,10 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSurfaceReport.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -95,6 +98,48 @@ TEST_F(Time, FixedBoundsAreThoseOfAllTimes)
     field->UpdateTimeStep(time);
     EXPECT_EQ(field->GetOutput()->GetOrigin()[0], -0.5);
     EXPECT_EQ(field->GetOutput()->GetSpacing()[0], 1);
+  }
+}
+
+/// They are those of all three spheres, whichever time is asked for first, and follow a change.
+TEST_F(Time, BoundsOverAllTimesLayOneGrid)
+{
+  vtkNew<vtkTransform> transform;
+  vtkNew<vtkTransformPolyDataFilter> moved;
+  moved->SetInputConnection(sphere->GetOutputPort());
+  moved->SetTransform(transform);
+  vtkNew<vtkWindingNumberField> field;
+  vtkNew<vtkWindingNumberSurface> surface;
+  vtkNew<vtkWindingNumberHyperTree> trees;
+  for (vtkWindingNumberGridAlgorithm* filter :
+    {static_cast<vtkWindingNumberGridAlgorithm*>(field.Get()),
+      static_cast<vtkWindingNumberGridAlgorithm*>(surface.Get()),
+      static_cast<vtkWindingNumberGridAlgorithm*>(trees.Get())})
+  {
+    filter->SetInputConnection(moved->GetOutputPort());
+    filter->BoundsOverAllTimesOn();
+    filter->SetPadding(0);
+    filter->SetResolution(100);
+    for (const double shift : {0.0, 5.0})
+    {
+      transform->Identity();
+      transform->Translate(shift, 0, 0);
+      for (int time : {1, 2, 0})
+      {
+        filter->UpdateTimeStep(time);
+        int dimensions[3];
+        double first[3], spacing[3];
+        filter->GetGrid(dimensions, first, spacing);
+        EXPECT_EQ(dimensions[0], 100);
+        EXPECT_NEAR(spacing[0], 21.5 / 100, 1e-3); // from -0.5 to 21
+        EXPECT_NEAR(first[0] - 0.5 * spacing[0], shift - 0.5, 0.005);
+        if (filter == surface)
+        {
+          const double* bounds = surface->GetOutput()->GetBounds();
+          EXPECT_NEAR(0.5 * (bounds[0] + bounds[1]), shift + centerAt(time), 0.1) << time;
+        }
+      }
+    }
   }
 }
 

@@ -35,6 +35,7 @@ enum class Parameter
   voxelSize,
   samplingDimensions,
   useInputBounds,
+  boundsOverAllTimes,
   samplingBounds,
   padding,
   outputAssociation,
