@@ -121,6 +121,11 @@ void vtkWindingNumberSurface::CheckProperties()
   winding::checkProperty(winding::Parameter::fidelitySamples, this->FidelitySamples);
 }
 
+const char* vtkWindingNumberSurface::GetFidelityInWords() const
+{
+  return this->FidelityInWords.c_str();
+}
+
 void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
@@ -130,6 +135,7 @@ void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->GenerateNormals);
   hash.addValue(this->OutputPointsPrecision);
   hash.addValue(this->FidelitySamples);
+  hash.addValue(this->GenerateDistanceToInput);
 }
 
 double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
@@ -182,6 +188,7 @@ int vtkWindingNumberSurface::RequestData(
   {
     return 1;
   }
+  this->FidelityInWords.clear();
   this->AgreeOnProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
@@ -194,7 +201,7 @@ int vtkWindingNumberSurface::RequestData(
   }
   this->MakeSurface(field, output);
   this->DescribeMethod(output);
-  this->TellFidelity(field, output);
+  this->CompareWithSource(field, output);
   this->VerifyWholeGrid(field);
   return 1;
 }
@@ -224,6 +231,13 @@ std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& fi
     // The surface has about two triangles for each edge of the grid that it crosses.
     winding::refuseFidelityBeyondFreeMemory(
       field, 2 * edges, static_cast<std::size_t>(this->FidelitySamples));
+  }
+  if (this->GenerateDistanceToInput)
+  {
+    // A vertex has its place and its distance, in double.
+    constexpr std::size_t perVertex = 4 * sizeof(double);
+    const auto vertices = static_cast<std::size_t>(edges);
+    bytes += field.expectedBytesOfDistances(vertices) + perVertex * vertices;
   }
   return bytes;
 }
@@ -344,14 +358,19 @@ void vtkWindingNumberSurface::MakeSharp(const winding::Field& field,
   }
 }
 
-void vtkWindingNumberSurface::TellFidelity(const winding::Field& field, vtkPolyData* output)
+void vtkWindingNumberSurface::CompareWithSource(const winding::Field& field, vtkPolyData* output)
 {
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  if (this->GenerateDistanceToInput)
+  {
+    winding::addDistances(field, output, executor);
+  }
   if (this->FidelitySamples > 0)
   {
-    winding::SmpExecutor executor(this, this->NumberOfThreads);
-    executor.setShare(1, 1);
-    winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
-      static_cast<std::size_t>(this->FidelitySamples), output, executor);
+    this->FidelityInWords =
+      winding::inWords(winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
+        static_cast<std::size_t>(this->FidelitySamples), output, executor));
   }
 }
 
@@ -380,5 +399,7 @@ void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CloseBorder: " << this->CloseBorder << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "GenerateDistanceToInput: " << this->GenerateDistanceToInput << "\n";
   os << indent << "FidelitySamples: " << this->FidelitySamples << "\n";
+  os << indent << "FidelityInWords: " << this->FidelityInWords << "\n";
 }

@@ -48,6 +48,8 @@
 
 #include "vtkWindingNumberGridAlgorithm.h"
 
+#include <string>
+
 class vtkPolyData;
 
 namespace winding
@@ -115,6 +117,15 @@ public:
   ///@}
 
   ///@{
+  /// Whether to add distances from the source, point array "DistanceToInput", as active scalars,
+  /// in its unit, exact up to rounding. They are 0 where the surface follows the source, and grow
+  /// over holes that it closes. Default off.
+  vtkSetMacro(GenerateDistanceToInput, vtkTypeBool);
+  vtkGetMacro(GenerateDistanceToInput, vtkTypeBool);
+  vtkBooleanMacro(GenerateDistanceToInput, vtkTypeBool);
+  ///@}
+
+  ///@{
   /**
    * How many points to draw from the source and from the surface, to measure how near they are to
    * each other; 0, the default, measures nothing. The points are the same for every execution. The
@@ -132,6 +143,10 @@ public:
   vtkSetMacro(FidelitySamples, int);
   vtkGetMacro(FidelitySamples, int);
   ///@}
+
+  /// Returns what the last execution measured by FidelitySamples, in two lines for people, and ""
+  /// if it measured nothing.
+  const char* GetFidelityInWords() const;
 
   /// The output of port 0.
   vtkPolyData* GetOutput();
@@ -160,6 +175,7 @@ protected:
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  vtkTypeBool GenerateDistanceToInput = 0;
   int FidelitySamples = 0;
 
 private:
@@ -173,8 +189,10 @@ private:
     winding::SmpExecutor& executor, vtkPolyData* output);
   void MakeSharp(const winding::Field& field, const winding::LevelEdges& edges,
     winding::SmpExecutor& executor, vtkPolyData* output);
-  void TellFidelity(const winding::Field& field, vtkPolyData* output);
+  void CompareWithSource(const winding::Field& field, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
+
+  std::string FidelityInWords;
 };
 
 #endif

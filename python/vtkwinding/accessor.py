@@ -207,13 +207,14 @@ class WindingAccessor:
     def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                 resolution: int | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-                compute_normals: bool = True, progress_bar: bool = False,
-                **options: Any) -> pv.PolyData:
+                compute_normals: bool = True, distance_to_input: bool = False,
+                progress_bar: bool = False, **options: Any) -> pv.PolyData:
         """The surface w = threshold, closed over holes: PolyData of triangles.
 
         The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners
         and has normals of its faces, not of its points. close_border closes the surface where
-        bounds cut it off.
+        bounds cut it off. distance_to_input adds the point array 'DistanceToInput', as active
+        scalars: distances from this mesh.
         """
         mesh = _check_source("the mesh", self._mesh)
         algorithm = configured(vtkWindingNumberSurface(), options)
@@ -223,6 +224,8 @@ class WindingAccessor:
         algorithm.GenerateTrianglesOn()
         algorithm.SetCloseBorder(_options.flag("close_border", close_border))
         algorithm.SetGenerateNormals(_options.flag("compute_normals", compute_normals))
+        algorithm.SetGenerateDistanceToInput(
+            _options.flag("distance_to_input", distance_to_input))
         algorithm.SetInputData(mesh)
         run(algorithm, progress_bar=progress_bar, message="Extracting the surface")
         return _without_notes(pv.wrap(algorithm.GetOutput()))

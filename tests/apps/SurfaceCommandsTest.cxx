@@ -1,6 +1,12 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -333,6 +339,25 @@ TEST(SurfaceCommand, RefusesOptionsOfSharpSurfacesElsewhere)
   refused({"--triangles"}, "--triangles is for --features sharp; say that, too, or leave it out");
   refused({"--fidelity", "-1"}, "--fidelity is -1; give 0 or more");
   refused({"--features", "keen"}, "--features");
+}
+
+TEST(SurfaceCommand, WritesDistancesFromTheInput)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("sphere.off", asOff(sphere(1))), out = folder.path("o.vtp");
+  const Outcome run =
+    runProgram({"surface", in, "-o", out, "--resolution", "12", "--distance", "--json"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_FALSE(run.json().contains("distance_band")) << run; // a field's
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(out.c_str());
+  reader->Update();
+  vtkDataArray* distances = reader->GetOutput()->GetPointData()->GetArray("DistanceToInput");
+  ASSERT_NE(distances, nullptr);
+  EXPECT_LT(distances->GetRange()[1], 1e-5);
+  const Outcome other = runProgram({"surface", in, "-o", folder.path("o.stl"), "--distance"});
+  EXPECT_EQ(other.status, 1) << other;
+  EXPECT_NE(other.err.find("--distance is for outputs .vtp"), std::string::npos) << other;
 }
 
 } // namespace

@@ -94,7 +94,7 @@ def jobs(size=24):
         Job("out.vti", "labels", "in.off", "-o", "out.vti", "--coverage", "fraction", *grid),
         Job("out.vtp", "labels", "in.off", "-o", "out.vtp", *grid),
         Job("out.ply", "voxels", "in.off", "-o", "out.ply", *grid),
-        Job("out.vtp", "surface", "in.off", "-o", "out.vtp", *grid),
+        Job("out.vtp", "surface", "in.off", "-o", "out.vtp", "--distance", *grid),
         Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", "--quiet"),
         Job("out.vtu", "probe", "in.off", "queries.csv", "-o", "out.vtu", "--quiet"),
         Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", "--quiet"),

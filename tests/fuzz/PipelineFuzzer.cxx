@@ -258,6 +258,7 @@ void drawSurface(Choices& choices, vtkPointSet* data)
   filter->SetGenerateTriangles(choices.oneIn(2));
   filter->SetCloseBorder(choices.oneIn(2));
   filter->SetFidelitySamples(choices.oneIn(3) ? choices.below(30) : 0);
+  filter->SetGenerateDistanceToInput(filter->GetFidelitySamples() % 2);
   filter->SetInputData(data);
   filter->Update();
   vtkPolyData* const surface = filter->GetOutput();

@@ -160,7 +160,8 @@ def command_for(chance, name, other):
         return [command, name, "-o", output, *grid, *method, *cloud], [output]
     if command == "sharp":
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
-        extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"]))
+        extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"],
+                               ["--distance"] if output == "out.vtp" else []))
         sharp = ["--features", "sharp", *extra]
         return ["surface", name, "-o", output, *grid, *method, *cloud, *sharp], [output]
     if command == "labels":

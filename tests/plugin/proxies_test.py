@@ -89,6 +89,7 @@ SETTABLE = {
         "Features": (1, "1"),
         "GenerateTriangles": (1, "1"),
         "FidelitySamples": (100, "100"),
+        "GenerateDistanceToInput": (1, "1"),
     },
     "WindingNumberHyperTree": {
         **COMMON,
@@ -151,7 +152,7 @@ REPORTED = {
         "NumberOfOpenSolids",
         "NumberOfInsideOutSolids",
     },
-    "WindingNumberSurface": GRID_REPORTED,
+    "WindingNumberSurface": GRID_REPORTED | {"FidelityInWords"},
     "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
@@ -193,9 +194,9 @@ ENUMERATIONS = {
     "CoverageArrays": {"Two Largest": 0, "Each Label": 1},
     "OutputAssociation": {"Points at Voxel Centers": 0, "Cells": 1},
     "OutputPointsPrecision": {"Single": 0, "Double": 1, "Automatic": 2},
+    "ByLabel": {"Off": 0, "On": 1, "Automatic": 2},
     "ProbeAssociation": {"Points": 0, "Cell Centers": 1},
     "SourceDistribution": {"Automatic": 0, "Distributed": 1, "Replicated": 2},
-    "ByLabel": {"Off": 0, "On": 1, "Automatic": 2},
 }
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
@@ -208,9 +209,9 @@ DEFAULTS_OF_PANELS = {
     "RegionArray": "None",
     "FaultThickness": "0.003",
     "MaskOutside": "1",
+    "EstimateNormals": "1",
 }
 
-    "EstimateNormals": "1",
 # The values that a user interface offers. Those of the threshold and the padding are the usual ones,
 # of which the classes take more.
 RANGES = {

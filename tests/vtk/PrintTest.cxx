@@ -45,8 +45,9 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "UseInputBounds: 1", "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0",
     "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
-  expectPrinted<vtkWindingNumberSurface>({"Resolution: 64", "CloseBorder: 0",
-    "GenerateNormals:", "Features: 0", "GenerateTriangles: 0", "FidelitySamples: 0"});
+  expectPrinted<vtkWindingNumberSurface>(
+    {"Resolution: 64", "CloseBorder: 0", "GenerateNormals:", "Features: 0", "GenerateTriangles: 0",
+      "FidelitySamples: 0", "GenerateDistanceToInput: 0", "FidelityInWords: "});
   expectPrinted<vtkWindingNumberLabels>(ofSources);
   expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
     "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",

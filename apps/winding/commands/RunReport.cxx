@@ -10,6 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,21 +26,6 @@ constexpr const char* lengths[][2] = {{"largest_distance_from_input", "LargestDi
 
 constexpr const char* counts[][2] = {{"input_components", "InputComponents"},
   {"lost_components", "LostComponents"}, {"self_intersections", "SelfIntersections"}};
-
-/// Says how near a surface is to the input, in a line for people.
-std::string fidelityInWords(const Json& fidelity)
-{
-  const auto number = [&fidelity](const char* key)
-  {
-    return fidelity[key].is_null() ? std::string("unknown") : shown(fidelity[key].get<double>(), 3);
-  };
-  return "distance from the input max " + number("largest_distance_from_input") + ", mean " +
-         number("mean_distance_from_input") + "; to the input max " +
-         number("largest_distance_to_input") + ", mean " + number("mean_distance_to_input") +
-         "\nvolume " + number("volume") + ", of the input " + number("input_volume") + "; " +
-         fidelity["lost_components"].dump() + " of " + fidelity["input_components"].dump() +
-         " parts lost; " + fidelity["self_intersections"].dump() + " self-intersections";
-}
 
 } // namespace
 
@@ -107,6 +93,7 @@ void RunReport::takeFidelity(vtkPolyData* surface)
   {
     fidelity_[key] = static_cast<long long>(valueOf(name));
   }
+  fidelityInWords_ = vtkWindingNumberSurface::SafeDownCast(&filter_)->GetFidelityInWords();
 }
 
 void RunReport::print()
@@ -214,7 +201,7 @@ Json RunReport::report() const
   {
     report["cap_triangles"] = filter_.GetNumberOfCapTriangles();
   }
-  if (options_.distance)
+  if (options_.distance && output_.is_null())
   {
     report["distance_band"] =
       options_.distanceBand > 0 ? Json(this->distanceBand()) : Json(nullptr);
@@ -306,7 +293,7 @@ std::string RunReport::summary(const Json& report) const
   }
   if (!fidelity_.is_null())
   {
-    text += fidelityInWords(fidelity_) + "\n";
+    text += fidelityInWords_ + "\n";
   }
   text += "wrote " + options_.output;
   if (!output_.is_null())

@@ -58,7 +58,8 @@ private:
   Stopwatch stopwatch_;
   Json additions_ = Json::object(); ///< of add()
   Json fidelity_;                   ///< null unless the options ask for it
-  Json output_;                     ///< null for an image
+  std::string fidelityInWords_;
+  Json output_; ///< null for an image
   double readSeconds_ = 0;
   double writeSeconds_ = 0;
   double totalSeconds_ = 0;

@@ -22,6 +22,7 @@ void runSurface(const Options& given, Messages& messages)
   filter->SetFeatures(options.features);
   // The format has triangles only.
   filter->SetGenerateTriangles(options.triangles || suffixOf(options.output) == ".stl");
+  filter->SetGenerateDistanceToInput(options.distance);
   filter->SetFidelitySamples(options.fidelity);
   filter->SetCloseBorder(options.closeBorder);
   FieldRun run(*filter, options, messages);

@@ -260,6 +260,8 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     {
       checkCoverage(options, wasGiven);
     }
+    requireUsage(!options.distance || suffixOf(options.output) == ".vtp",
+      "--distance is for outputs .vtp; give the output that suffix or leave it out");
   }
   requireUsage(!options.array.empty(), "--array is empty; give the array a name");
   // VTK writes the name into XML without escaping it, and could not read the file again.

@@ -225,6 +225,10 @@ void addFeatures(CLI::App* command, Options& options)
       "With --features sharp: triangles only; without it, quads (but for .stl)")
     ->group("Output");
   command
+    ->add_flag("--distance", options.distance,
+      "Add the distance of each point from the input, for .vtp: the array DistanceToInput")
+    ->group("Output");
+  command
     ->add_option("--fidelity", options.fidelity,
       "Tell distances between input and output by this many points of each, volumes, lost parts "
       "and self-intersections")

@@ -63,6 +63,7 @@ enum class Parameter
   closeBorder,
   generateNormals,
   outputPointsPrecision,
+  generateDistanceToInput,
   fidelitySamples,
 
   // hyper tree grids

@@ -73,4 +73,16 @@ void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   evaluateByCells(tree, limit, places, joined(left), executor, TaskProgress::hidden);
 }
 
+std::vector<double> distancesFrom(
+  const DistanceTree& tree, const VectorsView& samples, Executor& executor)
+{
+  std::vector<double> distances(samples.size());
+  std::vector<unsigned char> outside(samples.size(), 0); // gives no sample a sign
+  FieldOutput output;
+  output.doubleDistances = distances.data();
+  output.inside = outside.data();
+  evaluateDistances(tree, samples, output, executor);
+  return distances;
+}
+
 } // namespace winding

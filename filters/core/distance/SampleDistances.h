@@ -5,6 +5,8 @@
 #include "base/Views.h"
 #include "distance/DistanceTree.h"
 
+#include <vector>
+
 namespace winding
 {
 
@@ -24,5 +26,9 @@ namespace winding
  */
 void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor);
+
+/// Returns these distances without signs.
+std::vector<double> distancesFrom(
+  const DistanceTree& tree, const VectorsView& samples, Executor& executor);
 
 } // namespace winding

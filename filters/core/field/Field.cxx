@@ -136,6 +136,11 @@ void Field::prepareDistances(Executor& executor) const
   this->distanceTree(executor);
 }
 
+std::vector<double> Field::distances(const VectorsView& samples, Executor& executor) const
+{
+  return distancesFrom(this->distanceTree(executor), samples, executor);
+}
+
 SampledSource Field::sampledSource(std::size_t samples) const
 {
   const FieldInfo& info = this->info();

@@ -196,6 +196,9 @@ public:
   /// the values of few samples from the direct sum where that is faster.
   void evaluate(const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
 
+  /// Returns the distances of scattered samples from the source, without signs.
+  std::vector<double> distances(const VectorsView& samples, Executor& executor) const;
+
   /**
    * Writes the gradient of the winding number at scattered samples, whatever the method, as
    * #samples by 3 numbers, in 1/length, with respect to the coordinates of the samples.

@@ -9,7 +9,9 @@
 #include "surface/Components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace winding
 {
@@ -29,19 +31,9 @@ std::vector<Eigen::Vector3d> draw(
   return points;
 }
 
-std::vector<double> distancesOf(
-  const std::vector<Eigen::Vector3d>& points, const DistanceTree& tree, Executor& executor)
+VectorsView viewOf(const std::vector<Eigen::Vector3d>& points)
 {
-  std::vector<double> distances(points.size());
-  std::vector<unsigned char> outside(points.size(), 0);
-  FieldOutput output;
-  output.doubleDistances = distances.data();
-  output.inside = outside.data(); // distances without signs
-  if (!points.empty())
-  {
-    evaluateDistances(tree, VectorsView(points[0].data(), points.size()), output, executor);
-  }
-  return distances;
+  return points.empty() ? VectorsView() : VectorsView(points[0].data(), points.size());
 }
 
 void setStatistics(const std::vector<double>& distances, double& largest, double& mean)
@@ -82,8 +74,8 @@ void countComponents(const Surface& source, const DistanceTree& tree, double nea
   {
     middles.push_back((source.vertices[t[0]] + source.vertices[t[1]] + source.vertices[t[2]]) / 3);
   }
-  const std::vector<double> ofMiddles = distancesOf(middles, tree, executor);
-  const std::vector<double> ofCorners = distancesOf(source.vertices, tree, executor);
+  const std::vector<double> ofMiddles = distancesFrom(tree, viewOf(middles), executor);
+  const std::vector<double> ofCorners = distancesFrom(tree, viewOf(source.vertices), executor);
   std::vector<char> isFound(components.size());
   for (std::size_t n = 0; n < source.triangles.size(); ++n)
   {
@@ -102,13 +94,27 @@ void countComponents(const Surface& source, const DistanceTree& tree, double nea
     static_cast<std::size_t>(std::count(isFound.begin(), isFound.end(), char(0)));
 }
 
-DistanceTree treeOf(const Field& field, Executor& executor)
-{
-  return field.surface() ? DistanceTree(*field.surface(), executor)
-                         : DistanceTree(*field.cloud(), executor);
-}
-
 } // namespace
+
+std::string inWords(const Fidelity& fidelity)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "distance from the input max " << fidelity.largestFromSource << ", mean "
+       << fidelity.meanFromSource << "; to the input max " << fidelity.largestToSource << ", mean "
+       << fidelity.meanToSource << "\nvolume " << fidelity.volume << ", of the input ";
+  if (std::isnan(fidelity.sourceVolume))
+  {
+    text << "unknown";
+  }
+  else
+  {
+    text << fidelity.sourceVolume;
+  }
+  text << "; " << fidelity.lostComponents << " of " << fidelity.components << " parts lost; "
+       << fidelity.selfIntersections << " self-intersections";
+  return text.str();
+}
 
 double bytesForComparison(const Field& field, double triangles, double samples)
 {
@@ -156,11 +162,12 @@ Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d
   }
   result.samples = samples;
   UnitRandom random(seed);
-  setStatistics(distancesOf(draw(field.pointOnSource(), samples, random), tree, executor),
-    result.largestFromSource, result.meanFromSource);
-  setStatistics(distancesOf(draw(pointOnTriangles(vertices, triangles), samples, random),
-                  treeOf(field, executor), executor),
-    result.largestToSource, result.meanToSource);
+  const auto ofSource = draw(field.pointOnSource(), samples, random);
+  const auto ofSurface = draw(pointOnTriangles(vertices, triangles), samples, random);
+  setStatistics(distancesFrom(tree, viewOf(ofSource), executor), result.largestFromSource,
+    result.meanFromSource);
+  setStatistics(
+    field.distances(viewOf(ofSurface), executor), result.largestToSource, result.meanToSource);
   return result;
 }
 

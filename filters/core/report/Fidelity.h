@@ -5,6 +5,7 @@
 #include "source/Surface.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -26,6 +27,9 @@ struct Fidelity
   std::size_t lostComponents = 0;    ///< those that the surface has nothing of
   std::size_t selfIntersections = 0; ///< as SelfIntersections.h counts them in the surface
 };
+
+/// Says in two lines for people what was found.
+std::string inWords(const Fidelity& fidelity);
 
 /// Estimates the memory of a comparison with a surface of `triangles` triangles, in bytes.
 double bytesForComparison(const Field& field, double triangles, double samples);

@@ -1,13 +1,14 @@
 #include "private/output/SurfaceFidelity.h"
 
 #include "private/pipeline/FreeMemory.h"
-#include "report/Fidelity.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -37,7 +38,37 @@ TriangleList trianglesOf(vtkPolyData* surface)
   return triangles;
 }
 
+/// Returns the points of a surface, which are packed numbers of single or double precision.
+VectorsView viewOf(vtkPolyData* surface)
+{
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  if (count == 0)
+  {
+    return {};
+  }
+  const void* const numbers = surface->GetPoints()->GetVoidPointer(0);
+  return surface->GetPoints()->GetDataType() == VTK_DOUBLE
+           ? VectorsView(static_cast<const double*>(numbers), count)
+           : VectorsView(static_cast<const float*>(numbers), count);
+}
+
 } // namespace
+
+void addDistances(const Field& field, vtkPolyData* surface, Executor& executor)
+{
+  const VectorsView points = viewOf(surface);
+  const std::vector<double> distances = field.distances(points, executor);
+  const bool areDoubles = points.size() > 0 && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const auto array =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(areDoubles ? VTK_DOUBLE : VTK_FLOAT));
+  array->SetName("DistanceToInput");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(distances.size()));
+  for (std::size_t n = 0; n < distances.size(); ++n)
+  {
+    array->SetComponent(static_cast<vtkIdType>(n), 0, distances[n]);
+  }
+  surface->GetPointData()->SetScalars(array);
+}
 
 void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::size_t samples)
 {
@@ -46,17 +77,18 @@ void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::s
     {{"draw fewer points", {Parameter::fidelitySamples}}, largerVoxels()});
 }
 
-void addFidelity(
+Fidelity addFidelity(
   const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor)
 {
   // A polygon of n corners is cut into n - 2 triangles.
   const vtkIdType triangles =
     surface->GetPolys()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfPolys();
   refuseFidelityBeyondFreeMemory(field, static_cast<double>(triangles), samples);
-  std::vector<Eigen::Vector3d> vertices(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  const VectorsView points = viewOf(surface);
+  std::vector<Eigen::Vector3d> vertices(points.size());
   for (std::size_t n = 0; n < vertices.size(); ++n)
   {
-    surface->GetPoint(static_cast<vtkIdType>(n), vertices[n].data());
+    vertices[n] = points[n];
   }
   constexpr unsigned seed = 1;
   const Fidelity fidelity =
@@ -77,6 +109,7 @@ void addFidelity(
   add("InputComponents", static_cast<double>(fidelity.components));
   add("LostComponents", static_cast<double>(fidelity.lostComponents));
   add("SelfIntersections", static_cast<double>(fidelity.selfIntersections));
+  return fidelity;
 }
 
 } // namespace winding

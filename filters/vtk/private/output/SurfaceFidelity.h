@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "report/Fidelity.h"
 
 #include <cstddef>
 
@@ -10,10 +11,14 @@ class vtkPolyData;
 namespace winding
 {
 
-/// Compares a surface with the source of a field (Fidelity.h), and adds what is found to the field
-/// data of the surface; vtkWindingNumberSurface says which arrays these are. Polygons are taken as
-/// fans from their first corner. Throws Interrupted, and OutOfMemory as the next function does.
-void addFidelity(
+/// Adds the array "DistanceToInput" to the points of a surface, as active scalars: their distances
+/// from the source of a field, in the precision of the points. Throws Interrupted.
+void addDistances(const Field& field, vtkPolyData* surface, Executor& executor);
+
+/// Compares a surface with the source of a field, adds what is found to the field data of the
+/// surface, and returns it. vtkWindingNumberSurface says which arrays these are. Polygons are taken
+/// as fans from their first corner. Throws Interrupted, and OutOfMemory as the next function does.
+Fidelity addFidelity(
   const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor);
 
 /// Throws OutOfMemory if there is not enough memory to compare a surface of `triangles` triangles.
