@@ -1,0 +1,32 @@
+# script-version: 2.0
+"""What Catalyst runs beside a simulation: the winding number of the hull that it hands over.
+
+A simulation in Python adds this script, and hands over its surface at each step:
+
+    from paraview.catalyst import bridge
+    bridge.initialize()
+    bridge.add_pipeline("in_situ.py")
+    bridge.coprocess(time, step, surface, name="hull")
+    bridge.finalize()
+
+It writes wet_000001.pvti and so on to the folder datasets: which voxels are inside. The plugin is found
+by PV_PLUGIN_PATH, or in WINDING_PLUGIN.
+"""
+
+import os
+
+from paraview import catalyst, simple
+
+if "WINDING_PLUGIN" in os.environ:
+    simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
+
+hull = simple.TrivialProducer(registrationName="hull")
+field = simple.WindingNumberField(
+    registrationName="wet", Input=hull, Resolution=64, UseInputBounds=0,
+    SamplingBounds=[-1, 3, -1, 1, -1, 1], GenerateInside=1)
+
+extractor = simple.CreateExtractor("VTI", field, registrationName="wet")
+extractor.Writer.FileName = "wet_{timestep:06d}.pvti"
+
+options = catalyst.Options()
+options.ExtractsOutputDirectory = os.environ.get("IN_SITU_FOLDER", "datasets")
