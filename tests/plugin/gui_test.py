@@ -146,7 +146,8 @@ REFUSED = {
         "simple.Threshold(Input=simple.Wavelet(), LowerThreshold=1e6, UpperThreshold=2e6)", ""),
     "the input has only lines": ("Winding Number Surface", "simple.Line()", ""),
     "the points have no normals": (
-        "Winding Number Field", "simple.PointSource(NumberOfPoints=9, Radius=1)", ""),
+        "Winding Number Field", "simple.PointSource(NumberOfPoints=9, Radius=1)",
+        "EstimateNormals=0"),
     "not enough memory": (
         "Winding Number Surface", "simple.Sphere(PhiResolution=32)",
         "SamplingDimensions=(2000000000, 100, 100)"),

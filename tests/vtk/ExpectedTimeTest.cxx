@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <thread>
 #include <vector>
 
@@ -37,7 +38,7 @@ protected:
     vtkWindingNumberAlgorithm* filter, const std::vector<std::string>& remedies)
   {
     ErrorLog log(filter);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     filter->Update();
     EXPECT_EQ(filter->GetStatus(), vtkWindingNumberAlgorithm::REFUSED);
     std::string::size_type last = log.errors().find("this takes about ");
@@ -51,7 +52,7 @@ protected:
     EXPECT_NE(log.errors().find(howTo(Parameter::longestExpectedTime)), std::string::npos)
       << log.errors();
     // A second after preparing, which takes a tenth of one; the work itself would take hours.
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 200); // with sanitizers
     EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
     filter->RemoveAllObservers();
   }

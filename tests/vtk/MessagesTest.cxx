@@ -59,6 +59,8 @@ TEST(Messages, LinesAreCalledLines)
     "the input has only lines, which bound nothing: make a surface of them first (" +
     howTo(Parameter::tube) + ")";
   expectRefused(field, words);
+  field->EstimateNormalsOn();
+  expectRefused(field, words);
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(polyline()->GetPoints());
   const vtkIdType ids[2] = {0, 1};

@@ -124,7 +124,9 @@ bool InputViews::lacksNormals() const
 bool InputViews::hasOnlyLines() const
 {
   return !isSurface_ && this->lacksNormals() &&
-         std::any_of(leaves_.begin(), leaves_.end(), hasLines);
+         std::all_of(leaves_.begin(), leaves_.end(),
+           [](vtkPointSet* leaf)
+           { return leaf->GetNumberOfPoints() == 0 || winding::hasOnlyLines(leaf); });
 }
 
 vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
@@ -345,7 +347,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
   const bool withoutNormals = this->lacksNormals();
   if (withoutNormals && !options_.estimateNormals)
   {
-    throw Refusal(this->hasOnlyLines() ? onlyLines() : missingNormals());
+    throw Refusal(missingNormals());
   }
   std::vector<OrientedPointsView> views;
   pointSets_.clear();

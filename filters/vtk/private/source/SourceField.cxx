@@ -1,5 +1,6 @@
 #include "private/source/SourceField.h"
 
+#include "base/Refusal.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceMemory.h"
 #include "source/Sanitize.h"
@@ -35,6 +36,10 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     [&]
     {
       views.emplace(source, options.input, &executor);
+      if (!options.input.asPoints && views->hasOnlyLines())
+      {
+        throw Refusal(onlyLines()); // even if normals are to be estimated
+      }
       const bool isSameSource = memory.isSame(*views, options.input);
       return field_ && isSameSource && options_ == options.field &&
              distribution_ == options.distribution && ranks_ == ranks.count();

@@ -118,20 +118,21 @@ bool hasFaces(vtkPointSet* leaf)
   return false;
 }
 
-bool hasLines(vtkPointSet* leaf)
+bool hasOnlyLines(vtkPointSet* leaf)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
   {
-    return polyData->GetNumberOfLines() > 0;
+    return polyData->GetNumberOfLines() > 0 && polyData->GetNumberOfVerts() == 0 &&
+           !hasFaces(polyData);
   }
   for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
   {
-    if (dimensionOf(leaf->GetCellType(i)) == 1)
+    if (dimensionOf(leaf->GetCellType(i)) != 1)
     {
-      return true;
+      return false;
     }
   }
-  return false;
+  return leaf->GetNumberOfCells() > 0;
 }
 
 SourceKind kindOf(vtkDataObject* source)

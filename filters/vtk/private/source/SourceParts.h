@@ -19,8 +19,9 @@ struct CellCounts;
 /// Whether a data set has cells that bound something: of two dimensions or more.
 bool hasFaces(vtkPointSet* leaf);
 
-/// Whether a data set has cells of one dimension. The types of its cells are known.
-bool hasLines(vtkPointSet* leaf);
+/// Returns whether all cells of a data set are of one dimension, and it has some. Their types are
+/// known.
+bool hasOnlyLines(vtkPointSet* leaf);
 
 enum class SourceKind
 {
