@@ -198,7 +198,8 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
       winding::SideCounts counts = sides.counts(samples);
       counts += trees.sides();
       this->TellSides(field, counts, executor);
-      this->WarnOfGrid(field, !trees.hasInside());
+      this->NumberOfInsideSamples = static_cast<vtkIdType>(trees.inside());
+      this->WarnOfGrid(field, trees.inside() == 0);
       this->UpdateProgress(1);
     });
   this->Verify(
@@ -228,6 +229,7 @@ void vtkWindingNumberHyperTree::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "MaskOutside: " << this->MaskOutside << "\n";
+  os << indent << "NumberOfInsideSamples: " << this->NumberOfInsideSamples << "\n";
   os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
   os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
 }

@@ -130,6 +130,10 @@ public:
   vtkGetMacro(NumberOfVertices, vtkIdType);
   ///@}
 
+  /// The number of voxels inside, of the last result: as "Inside" says, by coverage too, whether or
+  /// not that array is made.
+  vtkGetMacro(NumberOfInsideSamples, vtkIdType);
+
   /// The output of port 0.
   vtkHyperTreeGrid* GetOutput();
 
@@ -163,6 +167,7 @@ protected:
   vtkTypeBool MaskOutside = 0;
   vtkIdType NumberOfLeaves = 0;
   vtkIdType NumberOfVertices = 0;
+  vtkIdType NumberOfInsideSamples = 0;
 
 private:
   winding::ResultOptions GetResultOptions() const;

@@ -178,6 +178,7 @@ TEST_F(HyperTreeFiles, VoxelsAreTheInsideOnly)
   EXPECT_EQ(made["output"]["file"], folder.path("v.htg"));
   EXPECT_GT(made["output"]["cells"], 100);
   EXPECT_LT(made["output"]["cells"], inside);
+  EXPECT_EQ(made["inside"], inside);
 }
 
 TEST_F(HyperTreeFiles, ReportsForPeopleAndVerificationWork)

@@ -153,7 +153,7 @@ REPORTED = {
         "NumberOfInsideOutSolids",
     },
     "WindingNumberSurface": GRID_REPORTED | {"FidelityInWords"},
-    "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves"},
+    "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves", "NumberOfInsideSamples"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),

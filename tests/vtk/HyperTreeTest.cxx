@@ -92,6 +92,7 @@ protected:
     EXPECT_EQ(made->GetCellData()->GetNumberOfArrays(), wanted->GetNumberOfArrays());
     const std::vector<vtkIdType> leaves = leavesOfVoxels(made, trees);
     EXPECT_EQ(static_cast<vtkIdType>(leaves.size()), field->GetOutput()->GetNumberOfPoints());
+    EXPECT_EQ(trees->GetNumberOfInsideSamples(), field->GetNumberOfInsideSamples());
     double largest = 0;
     for (int i = 0; i < wanted->GetNumberOfArrays(); ++i)
     {

@@ -10,6 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <algorithm>
@@ -59,6 +60,10 @@ void RunReport::addExecution(double seconds)
   if (auto* field = vtkWindingNumberField::SafeDownCast(&filter_))
   {
     inside_ += field->GetNumberOfInsideSamples();
+  }
+  if (auto* trees = vtkWindingNumberHyperTree::SafeDownCast(&filter_))
+  {
+    inside_ += trees->GetNumberOfInsideSamples();
   }
 }
 
@@ -192,7 +197,8 @@ Json RunReport::report() const
     {"seconds", seconds}, {"peak_memory", largestMemory(peakMemories_)},
     {"threads", threadsUsed(options_.threads)}};
   addRanks(report, peakMemories_);
-  if (vtkWindingNumberField::SafeDownCast(&filter_))
+  if (vtkWindingNumberField::SafeDownCast(&filter_) ||
+      vtkWindingNumberHyperTree::SafeDownCast(&filter_))
   {
     // Pieces of points share the samples between them.
     report["inside"] = this->isInPieces() && !options_.cells ? Json(nullptr) : Json(inside_);

@@ -13,7 +13,7 @@ constexpr int samplesPerBlock = 1 << 19; // enough work for a block to be worth 
 } // namespace
 
 RunsOfLayers::RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first, int last,
-  const LabelOf& labelOf, double threshold, Executor& executor)
+  const LabelOf& labelOf, InsideRule rule, double threshold, Executor& executor)
   : firstLayer_(first)
   , bands_{0, std::clamp(samplesPerBlock / grid.dimensions[0], 1, grid.dimensions[1])}
 {
@@ -35,7 +35,8 @@ RunsOfLayers::RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first
         block.starts.push_back(static_cast<std::uint32_t>(start));
         for (const RowRun& run : runs)
         {
-          sides[number].add(run.value, threshold, static_cast<std::size_t>(run.end - run.begin));
+          sides[number].add(
+            run.value, threshold, static_cast<std::size_t>(run.end - run.begin), rule);
           const int label = labelOf(run.value);
           if (block.runs.size() > start && block.runs.back().label == label)
           {

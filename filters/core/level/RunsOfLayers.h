@@ -20,7 +20,7 @@ public:
 
   /// Finds the runs of layers `first` to `last`. Throws Interrupted.
   RunsOfLayers(const RowCrossings& rows, const Grid& grid, int first, int last,
-    const LabelOf& labelOf, double threshold, Executor& executor);
+    const LabelOf& labelOf, InsideRule rule, double threshold, Executor& executor);
 
   /// Whether all of the cube's voxels, `size` along each axis from (i, j, k) on, have one label.
   bool areEqual(int i, int j, int k, int size) const;
@@ -28,7 +28,7 @@ public:
   /// The label of a voxel.
   int label(int i, int j, int k) const { return this->runAt(i, j, k)->label; }
 
-  /// The sides of all samples of the layers.
+  /// The sides of all samples of the layers, by rule and threshold.
   const SideCounts& sides() const { return sides_; }
 
 private:

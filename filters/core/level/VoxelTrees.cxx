@@ -119,8 +119,9 @@ std::vector<VoxelTree> VoxelTrees::ofRuns(const Extent& bricks, Executor& execut
   const RunsOfLayers runs(
     *field_.integerRows(), grid_, layers[4], layers[5],
     [&](int value) { return options_.withValues ? value : static_cast<int>(isInsideOf(value)); },
-    options_.threshold, executor);
+    options_.rule, options_.threshold, executor);
   sides_ += runs.sides();
+  inside_ += runs.sides().inside;
   std::vector<VoxelTree> trees(sampleCount(bricks));
   runBlocks(
     trees.size(), 1,
@@ -145,10 +146,6 @@ std::vector<VoxelTree> VoxelTrees::ofRuns(const Extent& bricks, Executor& execut
         });
     },
     executor);
-  for (const VoxelTree& tree : trees)
-  {
-    hasInside_ |= std::find(tree.inside.begin(), tree.inside.end(), 1) != tree.inside.end();
-  }
   return trees;
 }
 
@@ -175,7 +172,7 @@ std::vector<VoxelTree> VoxelTrees::ofArrays(
   const Extent extent = bricks_.voxelsOf(bricks, grid_);
   const std::size_t count = sampleCount(extent);
   evaluate_(extent, arrays);
-  hasInside_ |= std::find(arrays.inside, arrays.inside + count, 1) != arrays.inside + count;
+  inside_ += static_cast<std::size_t>(std::count(arrays.inside, arrays.inside + count, 1));
 
   using SideRanges = CubeRanges<unsigned char>;
   using ValueRanges = CubeRanges<Number>;

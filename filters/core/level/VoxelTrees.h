@@ -77,8 +77,8 @@ public:
   /// The sides of the samples whose rows gave trees; none where voxels were evaluated.
   const SideCounts& sides() const { return sides_; }
 
-  /// Whether voxels that were looked at are inside.
-  bool hasInside() const { return hasInside_; }
+  /// The number of voxels of the trees made so far that are inside, by coverage where it is asked.
+  std::size_t inside() const { return inside_; }
 
   /// Whether the runs of rows give the trees.
   static bool areMadeOfRuns(const Field& field, const VoxelTreeOptions& options);
@@ -108,7 +108,7 @@ private:
   std::size_t groups_ = 0;
   std::size_t nextGroup_ = 0;
   SideCounts sides_;
-  bool hasInside_ = false;
+  std::size_t inside_ = 0;
 };
 
 } // namespace winding

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
@@ -120,7 +121,8 @@ TEST(VoxelTrees, RunsTellWhetherCubesAreOfOneValue)
   {
     return value;
   };
-  const RunsOfLayers runs(*field->integerRows(), grid, 3, 17, same, 0.5, serial);
+  const RunsOfLayers runs(
+    *field->integerRows(), grid, 3, 17, same, InsideRule::signedThreshold, 0.5, serial);
   Extent extent = grid.wholeExtent();
   extent[4] = 3;
   extent[5] = 17;
@@ -155,6 +157,10 @@ TEST(VoxelTrees, RunsTellWhetherCubesAreOfOneValue)
   EXPECT_EQ(runs.sides().samples, values.size());
   EXPECT_EQ(runs.sides().inside, static_cast<std::size_t>(std::count_if(values.begin(),
                                    values.end(), [](float value) { return value >= 0.5F; })));
+  const RunsOfLayers odd(*field->integerRows(), grid, 3, 17, same, InsideRule::odd, 0.5, serial);
+  EXPECT_EQ(odd.sides().inside, static_cast<std::size_t>(std::count_if(values.begin(), values.end(),
+                                  [](float value) { return std::lround(value) % 2 != 0; })));
+  EXPECT_LT(odd.sides().inside, runs.sides().inside);
 }
 
 TEST(VoxelTrees, HaveTheFieldAtEveryVoxel)
@@ -255,12 +261,12 @@ TEST(VoxelTrees, TellOfTheInsideOfAllBricks)
   VoxelTreeOptions options;
   options.withValues = false;
   VoxelTrees trees(*field, grid, options, extentsOf(*field, grid, options, serial));
-  EXPECT_FALSE(trees.hasInside());
+  EXPECT_EQ(trees.inside(), 0U);
   int advances = 0;
   for (; !trees.isDone(); ++advances)
   {
     trees.advance(serial);
-    EXPECT_TRUE(trees.hasInside()) << advances;
+    EXPECT_GT(trees.inside(), 0U) << advances;
   }
   EXPECT_EQ(advances, 3);
 }
