@@ -300,9 +300,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   winding::Clock::time_point start = winding::Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(0, progressOfNormals);
-  const winding::SourceOptions options = this->GetSourceOptions();
-  const winding::Field& field =
-    this->Source->prepare(source, options, executor, *this->Ranks, this->WorksOnFirstRank());
+  const winding::Field& field = this->FieldOf(source, executor);
   if (this->IsHelper())
   {
     return field;
@@ -332,6 +330,13 @@ template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject*, const winding::Grid&, std::size_t);
 template const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject*, const winding::VectorsView&, std::size_t);
+
+const winding::Field& vtkWindingNumberAlgorithm::FieldOf(
+  vtkDataObject* source, winding::Executor& executor)
+{
+  return this->Source->prepare(
+    source, this->GetSourceOptions(), executor, *this->Ranks, this->WorksOnFirstRank());
+}
 
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {

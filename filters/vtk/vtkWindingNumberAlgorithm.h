@@ -439,6 +439,10 @@ protected:
   const winding::Field& PrepareField(
     vtkDataObject* source, const Samples& samples, std::size_t ownSamples);
 
+  /// Returns the field of a source, which is kept as long as the source and the options that it
+  /// depends on stay the same. Collective.
+  const winding::Field& FieldOf(vtkDataObject* source, winding::Executor& executor);
+
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
 

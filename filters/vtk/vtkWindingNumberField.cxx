@@ -3,8 +3,10 @@
 #include "base/Executor.h"
 #include "field/InsideOut.h"
 #include "private/output/ResultArrays.h"
+#include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
@@ -14,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkWindingNumberField);
@@ -112,6 +115,9 @@ void vtkWindingNumberField::EvaluateVoxels(
       const winding::SideCounts counts = sides.counts(count);
       this->NumberOfInsideSamples =
         results.countInside().value_or(static_cast<vtkIdType>(counts.inside));
+      const vtkIdType all[4] = {static_cast<vtkIdType>(count), this->NumberOfInsideSamples,
+        static_cast<vtkIdType>(counts.inside), static_cast<vtkIdType>(counts.negative)};
+      std::copy_n(all, 4, this->SampleCounts);
       if (isWhole)
       {
         executor.setShare(1, 1);
@@ -124,6 +130,29 @@ void vtkWindingNumberField::EvaluateVoxels(
         this->WarnOfGrid(field, this->NumberOfInsideSamples == 0, isInside);
       }
     });
+}
+
+void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
+{
+  winding::SideCounts sides;
+  sides.samples = static_cast<std::size_t>(counts[0]);
+  sides.inside = static_cast<std::size_t>(counts[2]);
+  sides.negative = static_cast<std::size_t>(counts[3]);
+  const winding::Outcome outcome =
+    winding::reportErrors(this, {"not enough memory for this source", {winding::largerVoxels()}},
+      [&]
+      {
+        winding::SmpExecutor executor(this, this->NumberOfThreads);
+        executor.setShare(1, 1);
+        const winding::Field& field = this->FieldOf(this->GetInputDataObject(0, 0), executor);
+        if (this->GetRanks().rank() == 0)
+        {
+          this->SourceIsInsideOut = false;
+          this->TellSides(field, sides, executor);
+          this->WarnOfGrid(field, counts[1] == 0);
+        }
+      });
+  this->Status = static_cast<int>(outcome);
 }
 
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)

@@ -111,6 +111,16 @@ public:
   /// coverage too, whether or not that array is made.
   vtkGetMacro(NumberOfInsideSamples, vtkIdType);
 
+  /// Counts of the extent that was executed last: its samples, NumberOfInsideSamples, and the
+  /// samples with w of WindingThreshold or more by the rule, and of −WindingThreshold or less.
+  vtkGetVector4Macro(SampleCounts, vtkIdType);
+
+  /// Warns of a source that is inside out, and of a grid without samples inside, as an execution of
+  /// the whole grid does. It is for a result that was made in pieces, by the sums `counts` of their
+  /// SampleCounts, once the last was made. Counted twice, the samples that pieces share change the
+  /// shares in the words a little. Collective; the first rank warns.
+  void WarnOfPieces(const vtkIdType counts[4]);
+
 protected:
   vtkWindingNumberField();
   ~vtkWindingNumberField() override;
@@ -135,6 +145,7 @@ protected:
   int OutputScalarType = VTK_FLOAT;
   double DistanceBand = 0;
   vtkIdType NumberOfInsideSamples = 0;
+  vtkIdType SampleCounts[4] = {};
 
 private:
   winding::ResultOptions GetResultOptions() const;

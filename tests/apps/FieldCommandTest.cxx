@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -205,6 +206,48 @@ TEST_F(FieldCommand, CountsWhatIsInside)
     "--pieces", "3", "--threshold", "5"});
   EXPECT_EQ(nothing.status, 0);
   EXPECT_NE(nothing.err.find("no sample is inside"), std::string::npos) << nothing;
+}
+
+TEST_F(FieldCommand, PiecesSayOfTheSourceWhatTheWholeSays)
+{
+  Mesh inward = sphere(2);
+  for (std::array<int, 3>& t : inward.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  Mesh two = inward;
+  const int count = static_cast<int>(two.points.size());
+  for (const std::array<double, 3>& p : inward.points)
+  {
+    two.points.push_back({p[0] + 3, p[1], p[2]});
+  }
+  for (const std::array<int, 3>& t : inward.triangles)
+  {
+    two.triangles.push_back({t[0] + count, t[2] + count, t[1] + count});
+  }
+  for (const Mesh& mesh : {two, inward})
+  {
+    const std::string input = folder.write("in.off", asOff(mesh));
+    std::string whole;
+    for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+           {}, {"--pieces", "4"}, {"--pieces", "4", "--inside-only"}, {"--pieces", "7"}})
+    {
+      for (const std::string suffix : {".vti", ".pvti"})
+      {
+        std::vector<std::string> arguments = {
+          "field", input, "-o", folder.path("f" + suffix), "--resolution", "20", "--cells"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = runProgram(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        whole = whole.empty() ? outcome.err : whole;
+        EXPECT_EQ(outcome.err, whole);
+      }
+    }
+    EXPECT_NE(whole.find("faces look inward: use --rule absolute, or turn the faces (--orient)"),
+      std::string::npos)
+      << whole;
+    EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 1) << whole;
+  }
 }
 
 TEST_F(FieldCommand, InsideOnlyIsInsideWithoutTheRest)

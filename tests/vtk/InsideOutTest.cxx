@@ -172,6 +172,46 @@ TEST_F(InsideOut, SourcesOfPiecesAreNotJudged)
   EXPECT_EQ(log.warnings(), "");
 }
 
+TEST_F(InsideOut, AllPiecesTogetherAreJudgedAsTheWhole)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetResolution(12);
+  field->SetOutputAssociation(vtkWindingNumberField::CELLS);
+  const auto warningsOf = [&](vtkAlgorithm* source, int pieces)
+  {
+    field->SetInputConnection(source->GetOutputPort());
+    field->Modified();
+    ErrorLog log(field);
+    vtkIdType sums[4] = {};
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      field->UpdatePiece(piece, pieces, 0);
+      for (int i = 0; i < 4; ++i)
+      {
+        sums[i] += field->GetSampleCounts()[i];
+      }
+    }
+    EXPECT_EQ(sums[0], 12 * 12 * 12) << pieces;
+    if (pieces > 1)
+    {
+      EXPECT_EQ(log.warnings(), "");
+      field->WarnOfPieces(sums);
+    }
+    EXPECT_EQ(field->GetStatus(), vtkWindingNumberAlgorithm::DONE);
+    field->RemoveAllObservers();
+    return log.warnings().substr(log.warnings().find("): ") + 3);
+  };
+  const std::string whole = warningsOf(inward, 1);
+  EXPECT_NE(whole.find("look inward"), std::string::npos) << whole;
+  EXPECT_EQ(warningsOf(inward, 3), whole);
+  EXPECT_TRUE(field->GetSourceIsInsideOut());
+  EXPECT_EQ(warningsOf(inward, 8), whole);
+  field->SetWindingThreshold(5);
+  const std::string nothing = warningsOf(sphere, 1);
+  EXPECT_NE(nothing.find("no sample is inside"), std::string::npos) << nothing;
+  EXPECT_EQ(warningsOf(sphere, 4), nothing);
+}
+
 TEST_F(InsideOut, SourcesOfParts)
 {
   vtkNew<vtkSphereSource> part;

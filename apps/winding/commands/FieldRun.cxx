@@ -125,12 +125,12 @@ void FieldRun::checkExecutions()
 void FieldRun::printReport()
 {
   report_.print();
-  if (report_.hasNothingInside() && parallel::isFirst())
-  {
-    messages_.warn(options_.input + ": no sample is inside: look whether the source is closed "
-                                    "and looks outward (winding check), or choose smaller voxels "
-                                    "(--resolution)");
-  }
+  parallel::agree(
+    [this]
+    {
+      report_.warnOfPieces();
+      this->check();
+    });
 }
 
 void FieldRun::startExecution()

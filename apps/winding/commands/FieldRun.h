@@ -50,7 +50,7 @@ public:
   /// Throws Failure where an execution was not done, or the program was interrupted.
   void checkExecutions();
 
-  /// Prints the report, and warns where no sample of any piece is inside.
+  /// Prints the report, and warns of what all pieces together say of the source.
   void printReport();
 
   /// Returns the time of all executions.

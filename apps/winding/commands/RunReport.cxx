@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -60,6 +61,10 @@ void RunReport::addExecution(double seconds)
   if (auto* field = vtkWindingNumberField::SafeDownCast(&filter_))
   {
     inside_ += field->GetNumberOfInsideSamples();
+    for (int i = 0; i < 4; ++i)
+    {
+      sampleCounts_[i] += field->GetSampleCounts()[i];
+    }
   }
   if (auto* trees = vtkWindingNumberHyperTree::SafeDownCast(&filter_))
   {
@@ -67,10 +72,17 @@ void RunReport::addExecution(double seconds)
   }
 }
 
-bool RunReport::hasNothingInside() const
+void RunReport::warnOfPieces()
 {
-  return vtkWindingNumberField::SafeDownCast(&filter_) && inside_ == 0 &&
-         (this->isInPieces() || !parallel::isAlone());
+  auto* const field = vtkWindingNumberField::SafeDownCast(&filter_);
+  if (!field || !(this->isInPieces() || !parallel::isAlone()))
+  {
+    return;
+  }
+  vtkIdType sums[4];
+  std::transform(std::begin(sampleCounts_), std::end(sampleCounts_), sums,
+    [](vtkIdType own) { return static_cast<vtkIdType>(parallel::sum(static_cast<double>(own))); });
+  field->WarnOfPieces(sums);
 }
 
 /// Returns whether each piece of the result is written by itself.

@@ -28,9 +28,9 @@ public:
   /// Sets what was written, unless it is an image.
   void setOutput(const Json& output) { output_ = output; }
 
-  /// Returns whether no piece of a field has a sample inside, once the report is printed. A field
-  /// that was made as a whole has warned of that itself.
-  bool hasNothingInside() const;
+  /// Warns of a source that is inside out and of a field without samples inside, if it was made in
+  /// pieces: as a whole it has warned of that itself. Collective.
+  void warnOfPieces();
 
   /// Takes how near a surface is to the input from the arrays of FidelitySamples
   /// (vtkWindingNumberSurface.h), if it has any.
@@ -79,5 +79,6 @@ private:
   vtkIdType besidePoints_ = 0;
   double maxErrorBesidePoints_ = 0;
   vtkIdType inside_ = 0;             ///< samples of a field
+  vtkIdType sampleCounts_[4] = {};   ///< of vtkWindingNumberField
   std::vector<double> peakMemories_; ///< of all ranks, in bytes
 };
