@@ -81,7 +81,8 @@ std::vector<Bounds> boundsOf(const Surface& surface, const Components& component
   return bounds;
 }
 
-/// Finds for each vertex which closed component alone has it, if there is one.
+/// Finds for each vertex which closed component it stands for: the one that alone has it. Nearly
+/// closed ones have the middles of their triangles instead.
 class Owners
 {
 public:
@@ -99,10 +100,17 @@ public:
         owner = owner == nobody || owner == component ? component : several;
       }
     }
+    std::vector<char> hasVertices = components.isClosed;
+    for (const std::int32_t component : components.ofMiddles)
+    {
+      hasVertices[component] = 0;
+    }
     for (std::int32_t& owner : owners_)
     {
-      owner = owner >= 0 && !components.isClosed[owner] ? nobody : owner;
+      owner = owner >= 0 && !hasVertices[owner] ? nobody : owner;
     }
+    std::copy(components.ofMiddles.begin(), components.ofMiddles.end(),
+      owners_.end() - static_cast<std::ptrdiff_t>(components.ofMiddles.size()));
   }
 
   const std::vector<std::int32_t>& ofVertices() const { return owners_; }
@@ -213,11 +221,16 @@ private:
     // Rays start at each component's vertex that is farthest along them, so they leave the
     // component at once.
     std::vector<std::int32_t> foremost(bounds_.size(), -1);
+    std::vector<Bounds> inners(bounds_.size());
     for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     {
       const std::int32_t owner = owners_.ofVertices()[v];
-      if (owner >= 0 &&
-          (foremost[owner] < 0 || surface.vertices[v][0] > surface.vertices[foremost[owner]][0]))
+      if (owner < 0)
+      {
+        continue;
+      }
+      inners[owner].extend(surface.vertices[v]);
+      if (foremost[owner] < 0 || surface.vertices[v][0] > surface.vertices[foremost[owner]][0])
       {
         foremost[owner] = static_cast<std::int32_t>(v);
       }
@@ -236,8 +249,7 @@ private:
           }
           for (const std::int32_t outer : this->around(foremost[inner], windings))
           {
-            if (outer != static_cast<std::int32_t>(inner) &&
-                bounds_[outer].contains(bounds_[inner]))
+            if (outer != static_cast<std::int32_t>(inner) && bounds_[outer].contains(inners[inner]))
             {
               candidates[inner].push_back(outer);
             }

@@ -166,6 +166,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
         capAreas[component] += areaOf(surface, triangle, scale);
       }
     });
+  std::vector<char> isCapped(components.size(), 0);
   // A larger cap makes w differ less between the two sides of the surface, so that the side shows
   // less.
   constexpr double mostOfArea = 0.5;
@@ -173,6 +174,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
   {
     return capAreas[component] <= mostOfArea * areas[component];
   };
+  const std::size_t count = surface.triangles.size();
   boundaries.forEachCap(
     [&](std::int32_t component, const TriangleList& cap)
     {
@@ -180,9 +182,21 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
       {
         surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
         components.ofTriangle.insert(components.ofTriangle.end(), cap.size(), component);
-        components.isClosed[component] = 1;
+        isCapped[component] = components.isClosed[component] = 1;
       }
     });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (isCapped[components.ofTriangle[i]])
+    {
+      const Triangle& t = surface.triangles[i];
+      const Eigen::Vector3d& a = surface.vertices[t[0]];
+      const Eigen::Vector3d offsets =
+        (surface.vertices[t[1]] - a) / 3 + (surface.vertices[t[2]] - a) / 3;
+      surface.vertices.emplace_back(a + offsets);
+      components.ofMiddles.push_back(components.ofTriangle[i]);
+    }
+  }
 }
 
 } // namespace winding

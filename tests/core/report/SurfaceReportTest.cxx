@@ -222,6 +222,57 @@ TEST(CountOrientations, CountsOpenPartsThatACapCloses)
   EXPECT_EQ(counts.inverted, 0u);
 }
 
+TEST(CountOrientations, KnowsTheBoreOfAnOpenPipe)
+{
+  const auto tube = [](double radius, double low, double high, int rings)
+  {
+    constexpr int sectors = 24;
+    Mesh mesh;
+    for (int i = 0; i <= rings; ++i)
+    {
+      for (int j = 0; j < sectors; ++j)
+      {
+        const double phi = 2 * winding::pi * j / sectors;
+        mesh.points.emplace_back(
+          radius * std::cos(phi), radius * std::sin(phi), low + (high - low) * i / rings);
+      }
+    }
+    for (int i = 0; i < rings; ++i)
+    {
+      for (int j = 0; j < sectors; ++j)
+      {
+        const int a = i * sectors + j, b = i * sectors + (j + 1) % sectors;
+        mesh.triangles.push_back({a, b, b + sectors});
+        mesh.triangles.push_back({a, b + sectors, a + sectors});
+      }
+    }
+    return mesh;
+  };
+  const auto countsOf = [](const Mesh& mesh)
+  {
+    return report(mesh).orientation;
+  };
+  for (const int rings : {1, 8})
+  {
+    const Mesh outer = tube(1, 0, 6, rings), bore = tube(0.8, 0, 6, rings);
+    const Mesh longBore = tube(0.8, -0.1, 6.1, rings);
+    for (const Mesh& inner : {bore, longBore, tube(0.8, 0.1, 5.9, rings)})
+    {
+      winding::OrientationCounts counts = countsOf(outer.with(inner.reversed()));
+      EXPECT_EQ(counts.nearlyClosed, 2u);
+      EXPECT_EQ(counts.inverted, 0u) << rings;
+      EXPECT_EQ(counts.nestedSolids, 0u) << rings;
+      counts = countsOf(outer.reversed().with(inner));
+      EXPECT_EQ(counts.inverted, 1u);
+      EXPECT_EQ(counts.nestedSolids, 1u);
+    }
+    EXPECT_EQ(countsOf(outer.reversed()).inverted, 1u);
+    const Mesh next = outer.mapped([](const Point& p) { return Point(p + Point(3, 0, 0)); });
+    EXPECT_EQ(countsOf(outer.reversed().with(next.reversed())).inverted, 2u);
+    EXPECT_EQ(countsOf(outer.with(next.reversed())).inverted, 1u);
+  }
+}
+
 TEST(SurfaceReport, VolumeIsAsExactFarFromTheOrigin)
 {
   // Both meshes have the same shape to the bit.
