@@ -259,7 +259,17 @@ TEST_F(Clouds, NormalsThatAreAllEqualAreTold)
   const Outcome checked = runProgram({"check", folder.path("cloud.xyz")});
   EXPECT_NE(checked.out.find(words), std::string::npos) << checked;
 
-  Cloud plane = ball;
+  const Cloud equal = ball;
+  ball.normals[7] = {1, 0, 0};
+  const std::string except = "all normals except 1 are equal, but the points lie in no plane";
+  EXPECT_NE(run(ball).err.find(except), std::string::npos);
+  EXPECT_NE(runProgram({"check", folder.path("cloud.xyz")}).out.find(except), std::string::npos);
+  ball.normals[8] = {0, 1, 0};
+  EXPECT_NE(run(ball).err.find("all normals except 2 are equal"), std::string::npos);
+  ball.normals[9] = {0, 0, 1};
+  EXPECT_EQ(run(ball).err.find("normals except"), std::string::npos) << "more than a hundredth";
+
+  Cloud plane = equal;
   for (Point& point : plane.points)
   {
     point[2] = -point[0] - point[1];

@@ -3,6 +3,7 @@
 #include "base/Progress.h"
 #include "cloud/AutomaticNormals.h"
 #include "cloud/ConsistentNormals.h"
+#include "cloud/NeighborSearch.h"
 #include "source/UnitNormal.h"
 #include "source/UnitScale.h"
 
@@ -27,6 +28,54 @@ Eigen::Vector3d inSingle(Eigen::Vector3d normal)
     normal[axis] = static_cast<double>(single);
   }
   return normal;
+}
+
+/// Returns the value that more than half of the values have, if there is one (Boyer and Moore).
+Eigen::Vector3d mostFrequent(const std::vector<Eigen::Vector3d>& values)
+{
+  Eigen::Vector3d candidate = values.front();
+  std::size_t votes = 0;
+  for (const Eigen::Vector3d& value : values)
+  {
+    if (votes == 0)
+    {
+      candidate = value;
+    }
+    votes = value == candidate ? votes + 1 : votes - 1;
+  }
+  return candidate;
+}
+
+/// Returns whether points lie in planes across `normal` with their neighbours, by about a thousand
+/// of the points.
+bool areFlatAround(const PointCloud& cloud, const Eigen::Vector3d& normal, Executor& executor)
+{
+  constexpr std::size_t most = 1000, neighborsOfEach = 6;
+  // The mean square of the sine between neighbours and the plane is 1/3 all over a closed surface,
+  // and that of slopes of 24° is 0.08.
+  constexpr double flat = 0.1;
+  const DistinctPoints places(cloud.positions, unitScale(cloud.bounds), executor);
+  const NeighborSearch search(places, executor);
+  NeighborSearch::Last last;
+  std::vector<Neighbor> neighbors;
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < places.size(); place += places.size() / most + 1)
+  {
+    if (cloud.normals[*places.begin(place)] != normal)
+    {
+      continue;
+    }
+    search.find(place, neighborsOfEach, neighbors, last);
+    for (const Neighbor& neighbor : neighbors)
+    {
+      const Eigen::Vector3d offset = places.positions()[neighbor.place] - places.positions()[place];
+      const double height = normal.dot(offset);
+      sum += height * height / (offset.squaredNorm() * normal.squaredNorm());
+      ++count;
+    }
+  }
+  return !(sum > flat * static_cast<double>(count));
 }
 
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
@@ -126,30 +175,45 @@ Message missingNormals(bool areZero)
     "without them nothing tells inside from outside"};
 }
 
-bool hasEqualNormals(const PointCloud& cloud)
+std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor& executor)
 {
   constexpr std::size_t few = 16;
   constexpr double leastDepth = 0.05; // of the size of the cloud
   const auto& normals = cloud.normals;
-  if (normals.size() < few || std::any_of(normals.begin(), normals.end(),
-                                [&](const auto& normal) { return normal != normals.front(); }))
+  if (normals.size() < few)
   {
-    return false;
+    return std::nullopt;
   }
-  const Eigen::Vector3d across = normals.front();
+  const std::size_t mostOthers = std::max<std::size_t>(1, normals.size() / 100);
+  const Eigen::Vector3d across = mostFrequent(normals);
+  std::size_t others = 0;
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const Eigen::Vector3d& position : cloud.positions)
+  for (std::size_t i = 0; i < normals.size(); ++i)
   {
-    const double height = across.dot(position - cloud.bounds.center());
+    if (normals[i] != across)
+    {
+      if (++others > mostOthers)
+      {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const double height = across.dot(cloud.positions[i] - cloud.bounds.center());
     least = std::min(least, height);
     most = std::max(most, height);
   }
-  return most - least > leastDepth * cloud.bounds.sizes().norm();
+  if (!(most - least > leastDepth * cloud.bounds.sizes().norm()) ||
+      (others > 0 && areFlatAround(cloud, across, executor)))
+  {
+    return std::nullopt;
+  }
+  return others;
 }
 
-Message equalNormals()
+Message equalNormals(std::size_t except)
 {
-  return {"all normals are equal, but the points lie in no plane",
+  return {"all normals" + (except > 0 ? " except " + std::to_string(except) : std::string()) +
+            " are equal, but the points lie in no plane",
     {{"estimate others", {Parameter::replacedNormals}}}};
 }
 

@@ -7,6 +7,9 @@
 #include "cloud/PointAreas.h"
 #include "source/PointCloud.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace winding
 {
 
@@ -37,12 +40,18 @@ OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation
 /// Returns what users of a cloud without normals can do, or of one whose normals are all 0.
 Message missingNormals(bool areZero = false);
 
-/// Returns whether all normals are equal, at more than a few points that lie in no plane across
-/// them. Where there are colours in their place, a surface of one colour has these.
-bool hasEqualNormals(const PointCloud& cloud);
+/**
+ * Returns how many normals differ from all others, which are equal to the bit, at points that lie in
+ * no plane across them. Nothing is returned where more than one differs and more than a hundredth,
+ * or for a few points. Where there are colours in their place, a surface of one colour has these.
+ *
+ * If some differ, neighbours must lie in no plane either: flat roofs over flat ground do. Takes
+ * O(n) time, and that of DistinctPoints and NeighborSearch for them. Throws Interrupted.
+ */
+std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor& executor);
 
 /// Returns what to do about these.
-Message equalNormals();
+Message equalNormals(std::size_t except);
 
 /// Returns what users can do who ask for estimated normals of points that have some.
 Message keptNormals();

@@ -68,9 +68,12 @@ CloudField::CloudField(
   {
     info_.warnings.push_back(keptNormals());
   }
-  if (!info_.normalsAreEstimated && hasEqualNormals(cloud_))
+  if (!info_.normalsAreEstimated)
   {
-    info_.warnings.push_back(equalNormals());
+    if (const auto except = equalNormalsExcept(cloud_, executor))
+    {
+      info_.warnings.push_back(equalNormals(*except));
+    }
   }
   this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);

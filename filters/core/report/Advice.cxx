@@ -130,9 +130,9 @@ Message mainAdviceOn(const CloudReport& report)
   {
     return missingNormals(report.hasNormals);
   }
-  if (report.areNormalsEqual)
+  if (report.equalNormalsExcept)
   {
-    return equalNormals();
+    return equalNormals(*report.equalNormalsExcept);
   }
   if (report.places == 1)
   {

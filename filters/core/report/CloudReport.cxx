@@ -176,7 +176,7 @@ CloudReport reportOn(const std::vector<OrientedPointsView>& views, Executor& exe
       report.points > report.nonFinite + report.zeroNormals)
   {
     PointCloud cloud = sanitize(views, executor);
-    report.areNormalsEqual = hasEqualNormals(cloud);
+    report.equalNormalsExcept = equalNormalsExcept(cloud, executor);
     const DistinctPoints usable(cloud.positions, unitScale(cloud.bounds), executor);
     cloud.areas = voronoiAreas(cloud, usable, defaultNeighbors, executor);
     report.orientation = orientationOf(cloud, executor);

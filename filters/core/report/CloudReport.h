@@ -33,8 +33,8 @@ struct CloudReport
 
   /// Whether every view that has points has normals; if not, the normals of the others are ignored.
   bool hasNormals = false;
-  bool areNormalsEqual = false;   ///< by hasEqualNormals() (OutwardNormals.h)
-  std::size_t zeroNormals = 0;    ///< normals of length 0
+  std::optional<std::size_t> equalNormalsExcept; ///< by that function of OutwardNormals.h
+  std::size_t zeroNormals = 0;                   ///< normals of length 0
   std::size_t nonUnitNormals = 0; ///< normals whose length is neither 0 nor within 1e-3 of 1
 
   Spacing spacing;

@@ -3,6 +3,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "support/Samples.h"
+#include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -352,4 +353,47 @@ TEST(CloudReport, RefusesArraysOfDifferentLengths)
   Cloud cloud = sphereCloud(10);
   cloud.normals.pop_back();
   EXPECT_THROW(report(cloud), winding::Refusal);
+}
+
+TEST(CloudReport, KnowsNormalsThatAreEqualWhereNoPlaneIs)
+{
+  const auto with = [](std::vector<Point> positions, const Point& normal, std::size_t others)
+  {
+    Cloud cloud{std::move(positions), {}};
+    cloud.normals.assign(cloud.positions.size(), normal);
+    for (std::size_t i = 0; i < others; ++i)
+    {
+      cloud.normals[7 * i] = Point(1, static_cast<double>(i), 0.5);
+    }
+    return cloud;
+  };
+  const Point up(0, 0, 1);
+  const std::vector<Point> ball = icosphere(3).points; // 642
+  for (const std::size_t others : {0, 1, 6})
+  {
+    EXPECT_EQ(report(with(ball, up, others)).equalNormalsExcept, others);
+    EXPECT_EQ(report(with(ball, Point(0.3, -2, 0.1), others)).equalNormalsExcept, others);
+  }
+  EXPECT_FALSE(report(with(ball, up, 7)).equalNormalsExcept) << "more than a hundredth";
+  EXPECT_FALSE(report(Cloud{ball, ball}).equalNormalsExcept);
+
+  // Roofs over flat ground, and a plane with slopes of 20 % in it: up is right there, or nearly.
+  std::vector<Point> roofs, slopes, plane;
+  for (int i = 0; i < 30; ++i)
+  {
+    for (int j = 0; j < 30; ++j)
+    {
+      roofs.emplace_back(i, j, i / 10 % 2 == 0 && j / 10 % 2 == 0 ? 8 : 0);
+      slopes.emplace_back(i, j, 0.2 * std::abs(i - 15));
+      plane.emplace_back(i, j, 0);
+    }
+  }
+  for (const std::vector<Point>& points : {roofs, slopes, plane})
+  {
+    EXPECT_FALSE(report(with(points, up, 1)).equalNormalsExcept);
+    EXPECT_FALSE(report(with(points, up, 9)).equalNormalsExcept);
+  }
+  EXPECT_EQ(report(with(plane, up, 0)).equalNormalsExcept, std::nullopt);
+  plane.back() = Point(0, 0, 100);
+  EXPECT_FALSE(report(with(plane, up, 1)).equalNormalsExcept) << "an outlier over a plane";
 }
