@@ -11,6 +11,35 @@
 namespace winding
 {
 
+/// Some numbers that follow each other.
+struct Numbers
+{
+  const std::int32_t *first, *last;
+
+  const std::int32_t* begin() const { return first; }
+  const std::int32_t* end() const { return last; }
+  std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  std::int32_t operator[](std::size_t i) const { return first[i]; }
+};
+
+/// The numbers of faces, group by group.
+struct FaceGroups
+{
+  std::vector<std::size_t> members;
+  std::vector<std::size_t> starts = {0}; ///< first member of each group; at last their number
+
+  std::size_t size() const { return starts.size() - 1; }
+
+  /// Calls visit(first, last) for the numbers of the faces of each group.
+  template <class Visit> void forEach(const Visit& visit) const
+  {
+    for (std::size_t group = 0; group < this->size(); ++group)
+    {
+      visit(&members[starts[group]], members.data() + starts[group + 1]);
+    }
+  }
+};
+
 /// Faces by their corners, each from its lowest on towards the lower one of its neighbours.
 class FacesByCorners
 {
@@ -27,6 +56,21 @@ public:
 
   std::size_t size() const { return isForward_.size(); }
   bool isForward(std::size_t face) const { return isForward_[face] != 0; }
+  std::size_t cornerCount(std::size_t face) const { return starts_[face + 1] - starts_[face]; }
+
+  ///@{
+  /// The same without copies, until a face is added.
+  Numbers cornersOf(std::size_t face) const
+  {
+    return {corners_.data() + starts_[face], corners_.data() + starts_[face + 1]};
+  }
+  Numbers trianglesOf(std::size_t face) const
+  {
+    return {triangles_.data() + trianglesEnds_[face], triangles_.data() + trianglesEnds_[face + 1]};
+  }
+  ///@}
+
+  std::int32_t firstTriangle(std::size_t face) const { return triangles_[trianglesEnds_[face]]; }
 
   std::vector<std::int32_t> corners(std::size_t face) const
   {
@@ -42,19 +86,23 @@ public:
     return {at(trianglesEnds_[face]), at(trianglesEnds_[face + 1])};
   }
 
-  /// Calls visit(first, last) for the numbers of all faces with the same corners.
-  template <class Visit> void forEachGroup(const Visit& visit) const
+  /// Groups the faces with the same corners, in the order of these and then of their numbers.
+  FaceGroups groups() const
   {
-    std::vector<std::size_t> order(this->size());
+    FaceGroups groups;
+    std::vector<std::size_t>& order = groups.members;
+    order.resize(this->size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
       [this](std::size_t a, std::size_t b) { return this->isLess(a, b); });
-    for (auto first = order.begin(), last = first; first != order.end(); first = last)
+    for (std::size_t i = 0; i < order.size(); ++i)
     {
-      last = std::find_if(
-        first, order.end(), [&](std::size_t face) { return this->isLess(*first, face); });
-      visit(first, last);
+      if (i + 1 == order.size() || this->isLess(order[i], order[i + 1]))
+      {
+        groups.starts.push_back(i + 1);
+      }
     }
+    return groups;
   }
 
 private:
@@ -92,13 +140,21 @@ private:
 /// Returns the triangles and polygons of a surface. `parts` says which triangles are of a polygon.
 FacesByCorners facesOf(const Surface& surface, const PolygonParts& parts);
 
+/// Polygons that are cut into faces.
+struct CutPolygons
+{
+  FacesByCorners faces;
+  std::vector<std::int32_t> cuts; ///< by polygon: a number for each way in which it is cut
+};
+
 /**
- * Returns the quadrilaterals among the faces of the numbers `single`: polygons of two triangles,
- * and pairs of triangles that make a nearly flat one. Only those at crowded edges are sought, which
- * more than two of these faces use, or two of them that are folded: where no face is there twice,
- * there are few. A triangle may be in several pairs. Takes O(n log n) time.
+ * Returns the flat polygons that faces make together, each copy of one as a face. Faces with the
+ * same corners, which `groups` has, stand for each other here. Polygons end at crowded edges, where more than
+ * two faces meet, or two that are folded, and have all of their corners on their rim. Those of one
+ * face are among them only if they have four corners or more, all at crowded edges: where no face
+ * is there twice, there are few. Each triangle is in one polygon at most. Takes O(n log n) time.
  */
-FacesByCorners quadsOf(
-  const Surface& surface, const FacesByCorners& faces, const std::vector<std::size_t>& single);
+CutPolygons polygonsOf(
+  const Surface& surface, const FacesByCorners& faces, const FaceGroups& groups);
 
 } // namespace winding

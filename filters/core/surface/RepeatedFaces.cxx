@@ -132,12 +132,15 @@ bool leaveOutWalls(
 void leaveOutUnclearWalls(
   const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
 {
+  // Skins of solids that are there twice are no walls: those of three faces or more come first.
+  const bool areOfMany = leaveOutWalls(
+    edges, [&faces](std::size_t i) { return faces.isOfMany[i] != 0; }, isLeftOut);
   const auto isUnclear = [&faces](std::size_t triangle)
   {
     const FaceKind kind = faces.kinds[triangle];
     return faces.isOfMany[triangle] || kind == FaceKind::first || kind == FaceKind::repeated;
   };
-  if (leaveOutWalls(edges, isUnclear, isLeftOut))
+  if (leaveOutWalls(edges, isUnclear, isLeftOut) || areOfMany)
   {
     leaveOutWalls(
       edges, [&faces](std::size_t i) { return faces.kinds[i] != FaceKind::single; }, isLeftOut);
@@ -181,40 +184,45 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
   RepeatedFaces result;
   result.kinds.resize(surface.triangles.size(), FaceKind::single);
   result.isOfMany.resize(surface.triangles.size(), 0);
-  std::vector<std::size_t> single;
-  faces.forEachGroup(
+  std::vector<char> isTaken(surface.triangles.size(), 0);
+  const FaceGroups groups = faces.groups();
+  const CutPolygons polygons = polygonsOf(surface, faces, groups);
+  polygons.faces.groups().forEach(
     [&](auto first, auto last)
     {
+      // Copies that are cut alike are found by the corners of their faces.
+      const bool areCutAlike = std::all_of(first, last,
+        [&](std::size_t polygon) { return polygons.cuts[polygon] == polygons.cuts[*first]; });
+      if (!areCutAlike)
+      {
+        for (auto polygon = first; polygon != last; ++polygon)
+        {
+          for (const std::int32_t triangle : polygons.faces.triangles(*polygon))
+          {
+            isTaken[triangle] = 1;
+          }
+        }
+        // The first copy is the one that was drawn first, as for faces with the same corners.
+        std::vector<std::size_t> inOrder(first, last);
+        std::sort(inOrder.begin(), inOrder.end(),
+          [&polygons](std::size_t a, std::size_t b)
+          { return polygons.faces.firstTriangle(a) < polygons.faces.firstTriangle(b); });
+        takeEqual(polygons.faces, inOrder.begin(), inOrder.end(), result);
+      }
+    });
+  groups.forEach(
+    [&](auto first, auto last)
+    {
+      if (isTaken[faces.triangles(*first).front()])
+      {
+        return;
+      }
       if (last - first == 1)
       {
-        single.push_back(*first);
+        ++result.single;
         return;
       }
       takeEqual(faces, first, last, result);
-    });
-  result.single += single.size();
-
-  std::sort(single.begin(), single.end());
-  const FacesByCorners quads = quadsOf(surface, faces, single);
-  quads.forEachGroup(
-    [&](auto first, auto last)
-    {
-      const auto areTaken = [&](std::size_t quad)
-      {
-        const std::vector<std::int32_t> triangles = quads.triangles(quad);
-        return std::any_of(triangles.begin(), triangles.end(),
-          [&](std::int32_t triangle) { return result.kinds[triangle] != FaceKind::single; });
-      };
-      if (last - first > 1 && std::none_of(first, last, areTaken))
-      {
-        for (auto quad = first; quad != last; ++quad)
-        {
-          const auto triangle = static_cast<std::size_t>(quads.triangles(*quad).back());
-          const bool isPolygon = triangle < parts.size() && parts[triangle];
-          result.single -= isPolygon ? 1 : 2;
-        }
-        takeEqual(quads, first, last, result);
-      }
     });
   return result;
 }

@@ -112,6 +112,115 @@ Mesh moved(const Mesh& mesh, const Point& by)
   return mesh.mapped([by](const Point& p) { return Point(p + by); });
 }
 
+/// Cuts the faces of two triangles, which follow each other, along their other diagonals.
+Mesh cutOtherwise(Mesh mesh)
+{
+  for (std::size_t i = 0; i + 1 < mesh.triangles.size(); i += 2)
+  {
+    auto &first = mesh.triangles[i], &second = mesh.triangles[i + 1];
+    const auto isIn = [](const auto& triangle, std::int32_t corner)
+    {
+      return std::find(triangle.begin(), triangle.end(), corner) != triangle.end();
+    };
+    while (isIn(second, first[0]))
+    {
+      std::rotate(first.begin(), first.begin() + 1, first.end());
+    }
+    const auto opposite = *std::find_if(
+      second.begin(), second.end(), [&](std::int32_t corner) { return !isIn(first, corner); });
+    second = {first[0], opposite, first[2]};
+    first[2] = opposite;
+  }
+  return mesh;
+}
+
+/// Returns a prism over a regular polygon, whose faces are fans from their corners number `apex`.
+Mesh fannedPrism(int corners, int apex)
+{
+  Mesh prism;
+  for (int i = 0; i < 2 * corners; ++i)
+  {
+    const double phi = 2 * std::acos(-1.0) * (i % corners) / corners;
+    prism.points.emplace_back(std::cos(phi), std::sin(phi), i / corners);
+  }
+  const auto addFan = [&](std::vector<int> face)
+  {
+    std::rotate(
+      face.begin(), face.begin() + apex % static_cast<std::ptrdiff_t>(face.size()), face.end());
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    {
+      prism.triangles.push_back({face[0], face[i], face[i + 1]});
+    }
+  };
+  std::vector<int> bottom, top;
+  for (int i = 0; i < corners; ++i)
+  {
+    const int next = (i + 1) % corners;
+    bottom.insert(bottom.begin(), i);
+    top.push_back(corners + i);
+    addFan({i, next, corners + next, corners + i});
+  }
+  addFan(bottom);
+  addFan(top);
+  return prism;
+}
+
+TEST(RepeatedFaces, WallsOfThreeFacesAreKnownHoweverOneIsCut)
+{
+  Random random(3701);
+  for (int cuts = 0; cuts < 16; ++cuts)
+  {
+    const auto boxAt = [&](double x, int bit)
+    {
+      const Mesh box = cube({x, 0, 0}, {x + 1, 1, 1});
+      return cuts >> bit & 1 ? cutOtherwise(box) : box;
+    };
+    const Mesh a = boxAt(0, 0), front = boxAt(1, 1), back = boxAt(1, 2).reversed();
+    const Mesh c = boxAt(2, 3);
+    for (const Mesh& two : {a.with(front).with(back), a.reversed().with(front).with(back)})
+    {
+      EXPECT_NEAR(volumeOf(outward(two)), 2, 1e-12) << cuts;
+      EXPECT_NEAR(volumeOf(outward(shuffled(two, random))), 2, 1e-12) << cuts;
+      EXPECT_NEAR(volumeOf(outward(two.with(c))), 3, 1e-12) << "between two: " << cuts;
+      EXPECT_NEAR(volumeOf(outward(shuffled(two.with(c), random))), 3, 1e-12) << cuts;
+    }
+    const Mesh twice = a.with(front).with(back.reversed()).with(c);
+    EXPECT_NEAR(volumeOf(outward(shuffled(twice, random))), 3, 1e-12) << "same sense: " << cuts;
+  }
+}
+
+TEST(RepeatedFaces, PolygonsAreEqualFromWhateverCornerTheyAreCut)
+{
+  Random random(3702);
+  for (const int corners : {5, 6, 7, 12, 32})
+  {
+    const double volume = corners * std::sin(2 * std::acos(-1.0) / corners) / 2;
+    for (int apex = 0; apex < 4; ++apex)
+    {
+      const Mesh prism = fannedPrism(corners, 0);
+      const Mesh twoSided = prism.with(fannedPrism(corners, apex).reversed());
+      EXPECT_TRUE(repeatedFaces(clean(twoSided), {}).cancelAll()) << corners << " " << apex;
+      EXPECT_NEAR(volumeOf(outward(twoSided)), volume, 1e-12) << corners << " " << apex;
+      EXPECT_NEAR(volumeOf(outward(shuffled(twoSided, random))), volume, 1e-12);
+    }
+    EXPECT_FALSE(repeatedFaces(clean(fannedPrism(corners, 0)), {}).areAny());
+  }
+
+  // A lens of two fans over a ring that is not flat is a solid.
+  Mesh lens = fannedPrism(6, 0);
+  lens.triangles.resize(0);
+  for (int i = 0; i < 6; ++i)
+  {
+    lens.points[i][2] = i % 2 == 0 ? 0.2 : -0.2;
+  }
+  for (int i = 1; i < 5; ++i)
+  {
+    lens.triangles.push_back({0, i, i + 1});
+    lens.triangles.push_back({1, (i + 2) % 6, (i + 1) % 6});
+  }
+  EXPECT_FALSE(repeatedFaces(clean(lens), {}).areAny());
+}
+
 TEST(RepeatedFaces, AreKnownByTheirCornersWhereverTheyBegin)
 {
   const Mesh ball = icosphere(1); // 80 triangles
