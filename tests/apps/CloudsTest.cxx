@@ -247,7 +247,8 @@ TEST_F(Clouds, WithZerosForNormalsGetThemEstimated)
 
 TEST_F(Clouds, NormalsThatAreAllEqualAreTold)
 {
-  const char* const words = "all normals are equal, but the points lie in no plane";
+  const char* const words = "all normals are equal: estimate others (winding normals IN -o OUT "
+                            "--replace); the points lie in no plane";
   Cloud ball = sphereCloud(200);
   for (Point& normal : ball.normals)
   {
@@ -261,7 +262,9 @@ TEST_F(Clouds, NormalsThatAreAllEqualAreTold)
 
   const Cloud equal = ball;
   ball.normals[7] = {1, 0, 0};
-  const std::string except = "all normals except 1 are equal, but the points lie in no plane";
+  const std::string except =
+    "all normals except 1 are equal: estimate others (winding normals IN -o "
+    "OUT --replace); the points lie in no plane";
   EXPECT_NE(run(ball).err.find(except), std::string::npos);
   EXPECT_NE(runProgram({"check", folder.path("cloud.xyz")}).out.find(except), std::string::npos);
   ball.normals[8] = {0, 1, 0};

@@ -38,10 +38,11 @@ TEST(MessageWords, AreThoseOfTheProgram)
   EXPECT_EQ(messageOf("field", "inward.off", coarse, vti), expected["faces that look inward"]);
   EXPECT_EQ(messageOf("field", "loose.off", coarse, vti), expected["lines next to faces"]);
   EXPECT_EQ(messageOf("field", "zeros.xyz", coarse, vti), expected["normals of length 0"]);
+  EXPECT_EQ(messageOf("field", "equal.xyz", coarse, vti), expected["normals that are equal"]);
   EXPECT_EQ(messageOf("field", "octahedron.xyz", {"--estimate-normals", "--resolution", "4"}, vti),
     expected["normals where others are wanted"]);
-  EXPECT_EQ(messageOf("normals", "octahedron.xyz", {}, vtp),
-    expected["normals where others are wanted"]);
+  EXPECT_EQ(
+    messageOf("normals", "octahedron.xyz", {}, vtp), expected["normals where others are wanted"]);
   EXPECT_EQ(messageOf("field", "colours.xyz", coarse, vti), expected["columns of colours"]);
   EXPECT_EQ(messageOf("surface", "cube.off",
               {"--resolution", "4", "--bounds", "0.4", "0.6", "0.4", "0.6", "0.4", "0.6"}, vtp),

@@ -51,6 +51,7 @@ class TestWords(unittest.TestCase):
             "too many voxels": field(mesh("cube.off"), VoxelSize=1e-12),
             "lines next to faces": field(mesh("loose.off")),
             "normals of length 0": field(points("zeros.xyz"), EstimateNormals=0),
+            "normals that are equal": field(points("equal.xyz")),
             "columns of colours": message_of(points("colours.xyz")).split(": ", 1)[1],
             "faces that look inward": field(mesh("inward.off")),
             "the report on faces that look inward": " ".join(

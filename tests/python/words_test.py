@@ -66,6 +66,9 @@ class WordsTest(unittest.TestCase):
         found["normals where others are wanted"] = message_of(
             field, octahedron[:, :3], normals=octahedron[:, 3:], estimate_normals=True,
             resolution=4)
+        equal = np.loadtxt(FOLDER / "equal.xyz")
+        found["normals that are equal"] = message_of(
+            field, equal[:, :3], normals=equal[:, 3:], resolution=4)
         zeros = np.loadtxt(FOLDER / "zeros.xyz")
         found["normals of length 0"] = message_of(
             field, zeros[:, :3], normals=zeros[:, 3:], resolution=4)

@@ -69,6 +69,7 @@ std::map<std::string, std::string> allMessages()
     messageOfField("cube.off", [](auto* field) { field->SetPadding(-1); });
   found["lines next to faces"] = messageOfField("loose.off");
   found["normals of length 0"] = messageOfField("zeros.xyz");
+  found["normals that are equal"] = messageOfField("equal.xyz");
   found["normals where others are wanted"] =
     messageOfField("octahedron.xyz", [](auto* field) { field->EstimateNormalsOn(); });
   const std::string ofReader = messageOf(reading("colours.xyz"));

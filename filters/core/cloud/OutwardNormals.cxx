@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace winding
@@ -212,9 +213,9 @@ std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor&
 
 Message equalNormals(std::size_t except)
 {
-  return {"all normals" + (except > 0 ? " except " + std::to_string(except) : std::string()) +
-            " are equal, but the points lie in no plane",
-    {{"estimate others", {Parameter::replacedNormals}}}};
+  const std::string others = except > 0 ? "except " + std::to_string(except) + " " : "";
+  return {"all normals " + others + "are equal",
+    {{"estimate others", {Parameter::replacedNormals}}}, "the points lie in no plane"};
 }
 
 Message keptNormals()

@@ -50,7 +50,7 @@ Message missingNormals(bool areZero = false);
  */
 std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor& executor);
 
-/// Returns what to do about these.
+/// Returns what to do about normals that are equal except for `except` of them.
 Message equalNormals(std::size_t except);
 
 /// Returns what users can do who ask for estimated normals of points that have some.
