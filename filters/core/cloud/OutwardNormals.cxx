@@ -53,7 +53,7 @@ bool areFlatAround(const PointCloud& cloud, const Eigen::Vector3d& normal, Execu
 {
   constexpr std::size_t most = 1000, neighborsOfEach = 6;
   // The mean square of the sine between neighbours and the plane is 1/3 all over a closed surface,
-  // and that of slopes of 24° is 0.08.
+  // and 0.08 on slopes of 24°.
   constexpr double flat = 0.1;
   const DistinctPoints places(cloud.positions, unitScale(cloud.bounds), executor);
   const NeighborSearch search(places, executor);

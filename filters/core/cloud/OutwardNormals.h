@@ -41,12 +41,13 @@ OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation
 Message missingNormals(bool areZero = false);
 
 /**
- * Returns how many normals differ from all others, which are equal to the bit, at points that lie in
- * no plane across them. Nothing is returned where more than one differs and more than a hundredth,
- * or for a few points. Where there are colours in their place, a surface of one colour has these.
+ * Returns how many normals differ from all others, which are equal to the bit, at points that lie
+ * in no plane across them. Nothing is returned where more than one differs and more than a
+ * hundredth, or for a few points. Where there are colours in their place, a surface of one colour
+ * has these.
  *
  * If some differ, neighbours must lie in no plane either: flat roofs over flat ground do. Takes
- * O(n) time, and that of DistinctPoints and NeighborSearch for them. Throws Interrupted.
+ * O(n) time, and DistinctPoints and NeighborSearch for them. Throws Interrupted.
  */
 std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor& executor);
 

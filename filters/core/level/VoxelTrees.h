@@ -77,7 +77,7 @@ public:
   /// The sides of the samples whose rows gave trees; none where voxels were evaluated.
   const SideCounts& sides() const { return sides_; }
 
-  /// The number of voxels of the trees made so far that are inside, by coverage where it is asked.
+  /// The number of voxels inside of the trees until now, by coverage where it is asked.
   std::size_t inside() const { return inside_; }
 
   /// Whether the runs of rows give the trees.

@@ -149,10 +149,11 @@ struct CutPolygons
 
 /**
  * Returns the flat polygons that faces make together, each copy of one as a face. Faces with the
- * same corners, which `groups` has, stand for each other here. Polygons end at crowded edges, where more than
- * two faces meet, or two that are folded, and have all of their corners on their rim. Those of one
- * face are among them only if they have four corners or more, all at crowded edges: where no face
- * is there twice, there are few. Each triangle is in one polygon at most. Takes O(n log n) time.
+ * same corners, which `groups` has, stand for each other here. Polygons end at crowded edges, where
+ * more than two faces meet, or two that are folded, and have all of their corners on their rim.
+ * Polygons of one face are among them only with four corners or more, all at crowded edges: where
+ * no face is there twice, there are few. Each triangle is in one polygon at most.
+ * Takes O(n log n) time.
  */
 CutPolygons polygonsOf(
   const Surface& surface, const FacesByCorners& faces, const FaceGroups& groups);

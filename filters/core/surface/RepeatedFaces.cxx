@@ -132,7 +132,7 @@ bool leaveOutWalls(
 void leaveOutUnclearWalls(
   const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
 {
-  // Skins of solids that are there twice are no walls: those of three faces or more come first.
+  // Skins of solids that are there twice are no walls: walls of three faces or more come first.
   const bool areOfMany = leaveOutWalls(
     edges, [&faces](std::size_t i) { return faces.isOfMany[i] != 0; }, isLeftOut);
   const auto isUnclear = [&faces](std::size_t triangle)
