@@ -113,11 +113,14 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
     sum += area / static_cast<double>(points);
   }
   info_.pointArea = sum;
-  if (sum == 0 && points > 0)
+  if (sum == 0 && points > 0 && areAreasGiven)
   {
-    info_.warnings.push_back(areAreasGiven ? Message("the field is 0, as all areas of points are",
-                                               {{"give other areas", {Parameter::areaArray}}})
-                                           : missingPointArea("the field is 0"));
+    info_.warnings.emplace_back("the field is 0, as all areas of points are",
+      std::vector<Remedy>{{"give other areas", {Parameter::areaArray}}});
+  }
+  else if (sum == 0 && points > 0)
+  {
+    info_.warnings.push_back(missingPointArea("the field is 0"));
   }
   else if (info_.normalsAreEstimated && !info_.orientation.isClear())
   {

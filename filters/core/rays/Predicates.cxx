@@ -58,7 +58,7 @@ public:
   int sign() const { return size_ == 0 ? 0 : signOf(components_[size_ - 1]); }
 
 private:
-  double components_[Capacity];
+  double components_[Capacity] = {}; // or GCC 16 fears that some are read before they are set
   int size_ = 0;
 };
 

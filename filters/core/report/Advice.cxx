@@ -186,11 +186,13 @@ void addFaults(Advice& advice, const SurfaceReport& report)
   add(advice, report.edges.nonManifold, "edge is", "edges are",
     "non-manifold (more than two triangles meet there): where parts overlap, and do not just "
     "touch, winding numbers may be other than 0 and 1");
+  std::vector<Remedy> takenOnce;
+  if (report.mendableTriangles > 0)
+  {
+    takenOnce = {{"take each once", {{Parameter::orientFaces, 1}}}};
+  }
   add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
-    "others: equal ones add up, opposite ones cancel",
-    report.mendableTriangles > 0
-      ? std::vector<Remedy>{{"take each once", {{Parameter::orientFaces, 1}}}}
-      : std::vector<Remedy>());
+    "others: equal ones add up, opposite ones cancel", takenOnce);
 }
 
 } // namespace
