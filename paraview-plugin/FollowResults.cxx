@@ -13,7 +13,6 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
-#include "vtkStructuredData.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -178,8 +177,9 @@ public:
     if (hasSamples && !isEmpty(extent_) && extent != extent_)
     {
       constexpr int planes[] = {4, 0, 2}; // first places in extents, for XY, YZ and XZ
+      constexpr int xyPlane = 5;          // VTK_XY_PLANE has another name since VTK 9.6
       const int first = planes[std::clamp(
-        vtkSMPropertyHelper(representation, "SliceMode").GetAsInt() - VTK_XY_PLANE, 0, 2)];
+        vtkSMPropertyHelper(representation, "SliceMode").GetAsInt() - xyPlane, 0, 2)];
       const auto layers = [first](const Extent& of)
       {
         return static_cast<double>(of[first + 1] - of[first] + 1);

@@ -119,13 +119,15 @@ std::size_t vtkWindingNumberHyperTree::GetAdditionalBytes(
   executor.setShare(0, 0);
   const std::size_t bytes = winding::bytesOfVoxelTrees(
     field, grid, options, winding::expectedVertices(field, grid, options, executor));
+  std::vector<winding::Remedy> remedies = {winding::largerVoxels()};
+  if (options.withValues && !field.integerRows())
+  {
+    remedies.push_back(
+      {"choose a larger tolerance of cells", {winding::Parameter::mergeTolerance}});
+    remedies.push_back({"choose Inside alone", {{winding::Parameter::generateWindingNumber, 0}}});
+  }
   winding::refuseBeyondFreeMemory(static_cast<double>(bytes),
-    "the hyper tree grid of " + std::to_string(samples) + " voxels",
-    options.withValues && !field.integerRows()
-      ? std::vector<winding::Remedy>{winding::largerVoxels(),
-          {"choose a larger tolerance of cells", {winding::Parameter::mergeTolerance}},
-          {"choose Inside alone", {{winding::Parameter::generateWindingNumber, 0}}}}
-      : std::vector<winding::Remedy>{winding::largerVoxels()});
+    "the hyper tree grid of " + std::to_string(samples) + " voxels", remedies);
   return bytes;
 }
 
