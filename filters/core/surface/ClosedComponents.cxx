@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -81,8 +82,7 @@ std::vector<Bounds> boundsOf(const Surface& surface, const Components& component
   return bounds;
 }
 
-/// Finds for each vertex which closed component it stands for: the one that alone has it. Nearly
-/// closed ones have the middles of their triangles instead.
+/// Finds for each vertex which closed component alone has it, if there is one that has no middles.
 class Owners
 {
 public:
@@ -101,16 +101,14 @@ public:
       }
     }
     std::vector<char> hasVertices = components.isClosed;
-    for (const std::int32_t component : components.ofMiddles)
+    for (const Components::Middle& middle : components.middles)
     {
-      hasVertices[component] = 0;
+      hasVertices[middle.component] = 0;
     }
     for (std::int32_t& owner : owners_)
     {
       owner = owner >= 0 && !hasVertices[owner] ? nobody : owner;
     }
-    std::copy(components.ofMiddles.begin(), components.ofMiddles.end(),
-      owners_.end() - static_cast<std::ptrdiff_t>(components.ofMiddles.size()));
   }
 
   const std::vector<std::int32_t>& ofVertices() const { return owners_; }
@@ -164,7 +162,8 @@ class Nesting
 {
 public:
   Nesting(const Surface& surface, const Components& components)
-    : bounds_(boundsOf(surface, components))
+    : middles_(components.middles)
+    , bounds_(boundsOf(surface, components))
     , owners_(surface, components)
     , tree_(surface, components.ofTriangle, bounds_)
   {
@@ -173,7 +172,8 @@ public:
   /// The places of all components, by component.
   std::vector<Place> places(const Surface& surface, Executor& executor)
   {
-    this->findCandidates(surface, executor);
+    std::vector<std::vector<std::int32_t>> candidates = this->aroundMiddles(surface, executor);
+    this->findCandidates(surface, candidates, executor);
     this->refute(executor);
     std::vector<Place> places(bounds_.size());
     this->forEachPair([&](std::size_t inner, std::int32_t) { ++places[inner].depth; });
@@ -214,28 +214,62 @@ private:
     return windings.take();
   }
 
-  /// Finds, for each component, the others that wind round one of its vertices and have room for
+  /// Finds, for each component that has middles, the others that wind round most of its area: its
+  /// ends may poke out of their caps.
+  std::vector<std::vector<std::int32_t>> aroundMiddles(
+    const Surface& surface, Executor& executor) const
+  {
+    const std::size_t before = surface.vertices.size() - middles_.size();
+    std::vector<std::vector<std::int32_t>> outers(middles_.size());
+    runBlocks(
+      middles_.size(), 1024,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        WindingComponents windings;
+        for (std::size_t n = first; n < last; ++n)
+        {
+          outers[n] = this->around(static_cast<std::int32_t>(before + n), windings);
+        }
+      },
+      executor);
+    std::vector<double> areas(bounds_.size(), 0);
+    std::map<std::pair<std::int32_t, std::int32_t>, double> shared; // by inner and outer
+    for (std::size_t n = 0; n < middles_.size(); ++n)
+    {
+      areas[middles_[n].component] += middles_[n].area;
+      for (const std::int32_t outer : outers[n])
+      {
+        shared[{middles_[n].component, outer}] += middles_[n].area;
+      }
+    }
+    std::vector<std::vector<std::int32_t>> most(bounds_.size());
+    for (const auto& [pair, area] : shared)
+    {
+      if (pair.first != pair.second && area > 0.5 * areas[pair.first])
+      {
+        most[pair.first].push_back(pair.second);
+      }
+    }
+    return most;
+  }
+
+  /// Finds, for each other component, those that wind round one of its vertices and have room for
   /// the whole of it.
-  void findCandidates(const Surface& surface, Executor& executor)
+  void findCandidates(
+    const Surface& surface, std::vector<std::vector<std::int32_t>>& candidates, Executor& executor)
   {
     // Rays start at each component's vertex that is farthest along them, so they leave the
     // component at once.
     std::vector<std::int32_t> foremost(bounds_.size(), -1);
-    std::vector<Bounds> inners(bounds_.size());
     for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     {
       const std::int32_t owner = owners_.ofVertices()[v];
-      if (owner < 0)
-      {
-        continue;
-      }
-      inners[owner].extend(surface.vertices[v]);
-      if (foremost[owner] < 0 || surface.vertices[v][0] > surface.vertices[foremost[owner]][0])
+      if (owner >= 0 &&
+          (foremost[owner] < 0 || surface.vertices[v][0] > surface.vertices[foremost[owner]][0]))
       {
         foremost[owner] = static_cast<std::int32_t>(v);
       }
     }
-    std::vector<std::vector<std::int32_t>> candidates(bounds_.size());
     runBlocks(
       candidates.size(), 256,
       [&](std::size_t, std::size_t first, std::size_t last)
@@ -249,7 +283,8 @@ private:
           }
           for (const std::int32_t outer : this->around(foremost[inner], windings))
           {
-            if (outer != static_cast<std::int32_t>(inner) && bounds_[outer].contains(inners[inner]))
+            if (outer != static_cast<std::int32_t>(inner) &&
+                bounds_[outer].contains(bounds_[inner]))
             {
               candidates[inner].push_back(outer);
             }
@@ -302,6 +337,7 @@ private:
       executor);
   }
 
+  const std::vector<Components::Middle>& middles_;
   std::vector<Bounds> bounds_;
   Owners owners_;
   CrossingTree tree_;

@@ -22,9 +22,15 @@ struct Components
   std::vector<std::int32_t> ofTriangle; ///< component of each triangle
   std::vector<char> isClosed; ///< by component: all of its edges cancel, so its w is an integer
 
-  /// The components that closeNearlyClosed() closed, once for each of their triangles. The last
-  /// vertices of the surface are the middles of these triangles.
-  std::vector<std::int32_t> ofMiddles;
+  /// A triangle of a component that closeNearlyClosed() has closed.
+  struct Middle
+  {
+    std::int32_t component;
+    double area; ///< in any unit
+  };
+
+  /// All of these triangles. Their middles are the last vertices of the surface.
+  std::vector<Middle> middles;
 
   std::size_t size() const { return isClosed.size(); }
 };

@@ -194,7 +194,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
       const Eigen::Vector3d offsets =
         (surface.vertices[t[1]] - a) / 3 + (surface.vertices[t[2]] - a) / 3;
       surface.vertices.emplace_back(a + offsets);
-      components.ofMiddles.push_back(components.ofTriangle[i]);
+      components.middles.push_back({components.ofTriangle[i], areaOf(surface, t, scale)});
     }
   }
 }

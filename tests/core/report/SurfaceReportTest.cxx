@@ -266,6 +266,22 @@ TEST(CountOrientations, KnowsTheBoreOfAnOpenPipe)
       EXPECT_EQ(counts.inverted, 1u);
       EXPECT_EQ(counts.nestedSolids, 1u);
     }
+    // Ends that are cones, and saddles: parts of the bore poke out of the caps.
+    for (const bool isSaddle : {false, true})
+    {
+      const auto bent = [&](const Mesh& mesh)
+      {
+        return mesh.mapped(
+          [&](const Point& q)
+          {
+            const double cone = 1 - std::hypot(q[0], q[1]), saddle = q[0] * q[0] - q[1] * q[1];
+            return Point(q[0], q[1], q[2] * (1 + 0.1 * (isSaddle ? 2 * saddle : 5 * cone)));
+          });
+      };
+      const Mesh pipe = bent(tube(1, -3, 3, rings).with(tube(0.8, -3, 3, rings).reversed()));
+      EXPECT_EQ(countsOf(pipe).inverted, 0u) << rings << " " << isSaddle;
+      EXPECT_EQ(countsOf(pipe.reversed()).inverted, 1u) << rings << " " << isSaddle;
+    }
     EXPECT_EQ(countsOf(outer.reversed()).inverted, 1u);
     const Mesh next = outer.mapped([](const Point& p) { return Point(p + Point(3, 0, 0)); });
     EXPECT_EQ(countsOf(outer.reversed().with(next.reversed())).inverted, 2u);
