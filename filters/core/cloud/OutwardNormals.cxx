@@ -204,7 +204,7 @@ std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor&
     most = std::max(most, height);
   }
   if (!(most - least > leastDepth * cloud.bounds.sizes().norm()) ||
-      (others > 0 && areFlatAround(cloud, across, executor)))
+      areFlatAround(cloud, across, executor))
   {
     return std::nullopt;
   }

@@ -390,8 +390,10 @@ TEST(CloudReport, KnowsNormalsThatAreEqualWhereNoPlaneIs)
   }
   for (const std::vector<Point>& points : {roofs, slopes, plane})
   {
-    EXPECT_FALSE(report(with(points, up, 1)).equalNormalsExcept);
-    EXPECT_FALSE(report(with(points, up, 9)).equalNormalsExcept);
+    for (const std::size_t others : {0, 1, 9})
+    {
+      EXPECT_FALSE(report(with(points, up, others)).equalNormalsExcept);
+    }
   }
   EXPECT_EQ(report(with(plane, up, 0)).equalNormalsExcept, std::nullopt);
   plane.back() = Point(0, 0, 100);
