@@ -301,7 +301,7 @@ private:
     }
     // The distance between the diagonals of a quadrilateral, as a share of the shorter one, is 0
     // for flat ones and √½ for a regular tetrahedron.
-    constexpr double mostOfDiagonal = 0.1;
+    constexpr double mostOfDiagonal = 1e-3;
     return sum != Eigen::Vector3d::Zero() &&
            most - least <= mostOfDiagonal * shortest * sum.norm() &&
            std::all_of(normals.begin(), normals.end(),

@@ -4,6 +4,7 @@
 #include "surface/FacesByCorners.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace winding
 {
@@ -59,10 +60,10 @@ public:
   /// Sets go on through edges that other faces meet only if `areOnePastOthers`.
   template <class Add>
   ListedSets(
-    const SurfaceEdges& edges, std::size_t triangles, const Add& add, bool areOnePastOthers)
-    : sets_(triangles)
-    , meetsOdd_(triangles, 0)
-    , meetsEven_(triangles, 0)
+    const SurfaceEdges& edges, const RepeatedFaces& faces, const Add& add, bool areOnePastOthers)
+    : sets_(faces.kinds.size())
+    , meetsOdd_(faces.kinds.size(), 0)
+    , meetsEven_(faces.kinds.size(), 0)
   {
     forEachEdgeOfListed(edges, add,
       [&](const UsesOfEdge& uses)
@@ -75,19 +76,32 @@ public:
           }
         }
       });
+    std::vector<std::pair<std::int32_t, std::int32_t>> groups; // at an edge, by set
     forEachEdgeOfListed(edges, add,
       [&](const UsesOfEdge& uses)
       {
+        groups.clear();
         for (const std::int32_t triangle : uses.listed)
         {
-          const std::int32_t set = sets_.find(triangle);
+          groups.emplace_back(sets_.find(triangle), faces.groups[triangle]);
+        }
+        std::sort(groups.begin(), groups.end());
+        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+        for (std::size_t first = 0, last; first < groups.size(); first = last)
+        {
+          const std::int32_t set = groups[first].first;
+          for (last = first; last < groups.size() && groups[last].first == set; ++last)
+          {
+          }
+          const bool isRim = (last - first) % 2 == 1;
           meetsOdd_[set] |= static_cast<char>(uses.counted % 2 == 1);
-          meetsEven_[set] |= static_cast<char>(uses.counted > 0 && uses.counted % 2 == 0);
+          meetsEven_[set] |= static_cast<char>(isRim && uses.counted > 0 && uses.counted % 2 == 0);
         }
       });
   }
 
-  /// Returns whether a triangle is of a wall: even numbers of other faces meet the set's edges.
+  /// Returns whether a triangle is of a wall: even numbers of other faces meet the set's edges, and
+  /// its rim at some. A solid that touches others has no rim.
   bool isOfWall(std::size_t triangle)
   {
     const std::int32_t set = sets_.find(static_cast<std::int32_t>(triangle));
@@ -102,8 +116,8 @@ private:
 /// Leaves out the walls between solids that touch, of the faces that `mayBeOfWall` is true for.
 /// Returns whether there are any.
 template <class MayBeOfWall>
-bool leaveOutWalls(
-  const SurfaceEdges& edges, const MayBeOfWall& mayBeOfWall, std::vector<char>& isLeftOut)
+bool leaveOutWalls(const SurfaceEdges& edges, const RepeatedFaces& faces,
+  const MayBeOfWall& mayBeOfWall, std::vector<char>& isLeftOut)
 {
   const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
   {
@@ -116,7 +130,7 @@ bool leaveOutWalls(
       uses.counted += !isLeftOut[triangle];
     }
   };
-  ListedSets kept(edges, isLeftOut.size(), add, true);
+  ListedSets kept(edges, faces, add, true);
   bool areAny = false;
   for (std::size_t i = 0; i < isLeftOut.size(); ++i)
   {
@@ -134,16 +148,17 @@ void leaveOutUnclearWalls(
 {
   // Skins of solids that are there twice are no walls: walls of three faces or more come first.
   const bool areOfMany = leaveOutWalls(
-    edges, [&faces](std::size_t i) { return faces.isOfMany[i] != 0; }, isLeftOut);
+    edges, faces, [&faces](std::size_t i) { return faces.isOfMany[i] != 0; }, isLeftOut);
   const auto isUnclear = [&faces](std::size_t triangle)
   {
     const FaceKind kind = faces.kinds[triangle];
     return faces.isOfMany[triangle] || kind == FaceKind::first || kind == FaceKind::repeated;
   };
-  if (leaveOutWalls(edges, isUnclear, isLeftOut) || areOfMany)
+  if (leaveOutWalls(edges, faces, isUnclear, isLeftOut) || areOfMany)
   {
     leaveOutWalls(
-      edges, [&faces](std::size_t i) { return faces.kinds[i] != FaceKind::single; }, isLeftOut);
+      edges, faces, [&faces](std::size_t i) { return faces.kinds[i] != FaceKind::single; },
+      isLeftOut);
   }
 }
 
@@ -170,6 +185,7 @@ void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedF
     {
       result.kinds[triangle] = kind;
       result.isOfMany[triangle] = static_cast<char>(count > 2);
+      result.groups[triangle] = faces.firstTriangle(*first);
     }
   }
   result.pairs += isPair;
@@ -184,6 +200,7 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
   RepeatedFaces result;
   result.kinds.resize(surface.triangles.size(), FaceKind::single);
   result.isOfMany.resize(surface.triangles.size(), 0);
+  result.groups.resize(surface.triangles.size(), -1);
   std::vector<char> isTaken(surface.triangles.size(), 0);
   const FaceGroups groups = faces.groups();
   const CutPolygons polygons = polygonsOf(surface, faces, groups);
@@ -244,7 +261,7 @@ std::vector<char> facesToLeaveOut(
     }
   };
   const std::size_t count = surface.triangles.size();
-  ListedSets others(edges, count, add, false);
+  ListedSets others(edges, faces, add, false);
   std::vector<char> isLeftOut(count, 0);
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -206,19 +206,38 @@ TEST(RepeatedFaces, PolygonsAreEqualFromWhateverCornerTheyAreCut)
     EXPECT_FALSE(repeatedFaces(clean(fannedPrism(corners, 0)), {}).areAny());
   }
 
-  // A lens of two fans over a ring that is not flat is a solid.
-  Mesh lens = fannedPrism(6, 0);
-  lens.triangles.resize(0);
-  for (int i = 0; i < 6; ++i)
+  // A lens of two fans over a ring that is not flat is a solid, a thin one, too.
+  for (const double height : {0.2, 0.02, 0.002})
   {
-    lens.points[i][2] = i % 2 == 0 ? 0.2 : -0.2;
+    Mesh lens = fannedPrism(6, 0);
+    lens.triangles.resize(0);
+    for (int i = 0; i < 6; ++i)
+    {
+      lens.points[i][2] = i % 2 == 0 ? height : -height;
+    }
+    for (int i = 1; i < 5; ++i)
+    {
+      lens.triangles.push_back({0, i, i + 1});
+      lens.triangles.push_back({1, (i + 2) % 6, (i + 1) % 6});
+    }
+    EXPECT_FALSE(repeatedFaces(clean(lens), {}).areAny()) << height;
   }
-  for (int i = 1; i < 5; ++i)
+}
+
+/// A solid that is there twice, or with both senses, and touches others along edges is no wall.
+TEST(RepeatedFaces, SolidsThatTouchAlongEdgesStay)
+{
+  Random random(3703);
+  const Mesh box = cube({0, 0, 0}, {1, 1, 1}), other = cube({1, 1, 0}, {2, 2, 1});
+  const Mesh third = cube({2, 0, 0}, {3, 1, 1});
+  for (const Mesh& again : {box, box.reversed()})
   {
-    lens.triangles.push_back({0, i, i + 1});
-    lens.triangles.push_back({1, (i + 2) % 6, (i + 1) % 6});
+    const Mesh two = box.with(again).with(other);
+    EXPECT_NEAR(volumeOf(outward(two)), 2, 1e-12);
+    EXPECT_NEAR(volumeOf(outward(shuffled(two, random))), 2, 1e-12);
+    EXPECT_NEAR(volumeOf(outward(shuffled(two.with(third), random))), 3, 1e-12);
+    EXPECT_NEAR(volumeOf(outward(shuffled(two.with(other).with(third), random))), 3, 1e-12);
   }
-  EXPECT_FALSE(repeatedFaces(clean(lens), {}).areAny());
 }
 
 TEST(RepeatedFaces, AreKnownByTheirCornersWhereverTheyBegin)
