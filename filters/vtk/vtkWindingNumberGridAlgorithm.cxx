@@ -136,7 +136,7 @@ void vtkWindingNumberGridAlgorithm::UpdateSource(vtkInformation* outInfo)
   }
 }
 
-void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes()
+void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
 {
   vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
   vtkAlgorithm* producer = connection->GetProducer();
@@ -160,9 +160,12 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes()
   winding::Bounds all;
   const std::vector<double> steps(
     produced->Get(Pipeline::TIME_STEPS()), produced->Get(Pipeline::TIME_STEPS()) + times);
+  const double before = produced->Has(Pipeline::UPDATE_TIME_STEP())
+                          ? produced->Get(Pipeline::UPDATE_TIME_STEP())
+                          : steps.front();
+  vtkNew<vtkInformation> request;
   for (const double step : steps)
   {
-    vtkNew<vtkInformation> request;
     request->Set(Pipeline::UPDATE_TIME_STEP(), step);
     this->UpdateSource(request);
     double bounds[6];
@@ -178,6 +181,11 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes()
     this->BoundsOfTimes.insert(this->BoundsOfTimes.end(), {all.min()[axis], all.max()[axis]});
   }
   this->SourceOfTimes = hash.value();
+  // Who asks for no time gets the source as it is.
+  request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Has(Pipeline::UPDATE_TIME_STEP())
+                                               ? outInfo->Get(Pipeline::UPDATE_TIME_STEP())
+                                               : before);
+  this->UpdateSource(request);
 }
 
 /// Finds the bounds that UseInputBounds lays the grid over; returns whether there are any.

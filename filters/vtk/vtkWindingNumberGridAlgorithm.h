@@ -150,8 +150,9 @@ protected:
   /// Throws a refusal if it fails.
   void UpdateSource(vtkInformation* outInfo);
 
-  /// Finds what BoundsOverAllTimes wants. To be called in RequestInformation(), by all ranks.
-  void FindBoundsOverAllTimes();
+  /// Finds what BoundsOverAllTimes wants, and has the source at the time that `outInfo` asks for
+  /// again, or at the first. To be called in RequestInformation(), by all ranks.
+  void FindBoundsOverAllTimes(vtkInformation* outInfo);
 
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);

@@ -51,7 +51,7 @@ int vtkWindingNumberHyperTree::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->LookAtSource(vtkDataObject::GetData(inputs[0]));
-  this->FindBoundsOverAllTimes();
+  this->FindBoundsOverAllTimes(outputs->GetInformationObject(0));
   // The pipeline wants an extent of this kind of data. The bricks are not known before the source
   // is, and nobody can ask for some of them.
   const int extent[6] = {0, 1, 0, 1, 0, 1};

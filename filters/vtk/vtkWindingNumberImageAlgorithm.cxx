@@ -49,7 +49,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LookAtSource(source);
   this->AgreeOnProperties();
-  this->FindBoundsOverAllTimes();
+  this->FindBoundsOverAllTimes(outInfo);
   if (this->UseInputBounds)
   {
     // The grid depends on the source's bounds, and is known before anybody asks for a part of it.

@@ -106,10 +106,10 @@ int vtkWindingNumberSurface::FillOutputPortInformation(int, vtkInformation* info
 }
 
 int vtkWindingNumberSurface::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->LookAtSource(vtkDataObject::GetData(inputs[0]));
-  this->FindBoundsOverAllTimes();
+  this->FindBoundsOverAllTimes(outputs->GetInformationObject(0));
   return 1;
 }
 

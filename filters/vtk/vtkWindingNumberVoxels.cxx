@@ -97,11 +97,13 @@ struct ReadLabels
   }
 };
 
-/// Returns whether `values` are by name and type what vtkWindingNumberLabels gives.
+/// Returns whether `values` are by name, type and range what vtkWindingNumberLabels gives.
 bool areCalledLabels(vtkDataArray* values)
 {
   const int type = values->GetDataType();
-  return winding::textOf(values->GetName()) == "Label" && type != VTK_FLOAT && type != VTK_DOUBLE;
+  return winding::textOf(values->GetName()) == "Label" && type != VTK_FLOAT && type != VTK_DOUBLE &&
+         values->GetRange()[0] >= 0 &&
+         values->GetRange()[1] <= std::numeric_limits<unsigned short>::max();
 }
 
 /// Throws a Refusal for values that are no labels.

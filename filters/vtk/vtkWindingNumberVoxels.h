@@ -61,7 +61,7 @@ public:
   {
     LABELS_OFF = 0,
     LABELS_ON = 1,
-    LABELS_AUTOMATIC = 2 ///< on for an array of integers with the name "Label"
+    LABELS_AUTOMATIC = 2 ///< on for integers from 0 to 65535 with the name "Label"
   };
 
   ///@{

@@ -4,6 +4,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkWindingNumberVoxels.h"
@@ -160,7 +161,13 @@ TEST(LabelSurfaces, AreThoseOfIntegersCalledLabel)
   EXPECT_FALSE(hasLabels(automatic));
   EXPECT_TRUE(hasLabels(vtkWindingNumberVoxels::LABELS_ON));
   vtkNew<vtkFloatArray> values;
-  values->DeepCopy(image->GetPointData()->GetScalars());
+  vtkNew<vtkIntArray> withGaps;
+  withGaps->DeepCopy(image->GetPointData()->GetScalars());
+  withGaps->SetName("Label");
+  withGaps->SetValue(0, -1);
+  image->GetPointData()->SetScalars(withGaps);
+  EXPECT_FALSE(hasLabels(automatic));
+  values->DeepCopy(withGaps);
   values->SetName("Label");
   image->GetPointData()->SetScalars(values);
   EXPECT_FALSE(hasLabels(automatic));

@@ -143,6 +143,17 @@ TEST_F(Time, BoundsOverAllTimesLayOneGrid)
   }
 }
 
+/// Looking at all times does not change which one is evaluated.
+TEST_F(Time, BoundsOverAllTimesLeaveTheTimeAlone)
+{
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->BoundsOverAllTimesOn();
+  surface->SetResolution(100);
+  surface->Update();
+  expectSphere(surface->GetOutput()->GetBounds(), 0, 0.05);
+}
+
 TEST_F(Time, ContoursDownstreamAreThoseOfTheTime)
 {
   vtkNew<vtkWindingNumberField> field;

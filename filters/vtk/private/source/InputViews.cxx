@@ -125,8 +125,7 @@ bool InputViews::hasOnlyLines() const
 {
   return !isSurface_ && this->lacksNormals() &&
          std::all_of(leaves_.begin(), leaves_.end(),
-           [](vtkPointSet* leaf)
-           { return leaf->GetNumberOfPoints() == 0 || winding::hasOnlyLines(leaf); });
+           [](vtkPointSet* leaf) { return leaf->GetNumberOfPoints() == 0 || isOfLines(leaf); });
 }
 
 vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const

@@ -118,21 +118,23 @@ bool hasFaces(vtkPointSet* leaf)
   return false;
 }
 
-bool hasOnlyLines(vtkPointSet* leaf)
+bool isOfLines(vtkPointSet* leaf)
 {
+  if (hasFaces(leaf))
+  {
+    return false;
+  }
   if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
   {
-    return polyData->GetNumberOfLines() > 0 && polyData->GetNumberOfVerts() == 0 &&
-           !hasFaces(polyData);
+    return polyData->GetNumberOfLines() > 0 && polyData->GetLines()->GetNumberOfConnectivityIds() >
+                                                 polyData->GetVerts()->GetNumberOfConnectivityIds();
   }
+  vtkIdType ofLines = 0;
   for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
   {
-    if (dimensionOf(leaf->GetCellType(i)) != 1)
-    {
-      return false;
-    }
+    ofLines += dimensionOf(leaf->GetCellType(i)) == 1 ? 1 : -1;
   }
-  return leaf->GetNumberOfCells() > 0;
+  return ofLines > 0;
 }
 
 SourceKind kindOf(vtkDataObject* source)

@@ -19,9 +19,9 @@ struct CellCounts;
 /// Whether a data set has cells that bound something: of two dimensions or more.
 bool hasFaces(vtkPointSet* leaf);
 
-/// Returns whether all cells of a data set are of one dimension, and it has some. Their types are
-/// known.
-bool hasOnlyLines(vtkPointSet* leaf);
+/// Returns whether most cells of a data set are of one dimension, and none bounds anything. Their
+/// types are known.
+bool isOfLines(vtkPointSet* leaf);
 
 enum class SourceKind
 {
