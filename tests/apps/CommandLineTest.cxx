@@ -41,7 +41,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--threads", "2.6"}, "give a whole number, like 3; see"},
     {{"field", in, "-o", vti, "--dims", "8", "8", "all"}, "--dims is 8,8,all; give a number; see"},
     {{"field", in, "-o", vti, "--padding", "5%"}, "--padding is 5%; give a number; see"},
-    {{"surface", in, "-o", vtp, "--distance"}, "--distance"},
+    {{"surface", in, "-o", folder.path("out.stl"), "--distance"}, "--distance is for outputs .vtp"},
     {{"field", in, "-o", vti, "--distance-band", "3"}, "--distance-band is for --distance"},
     {{"field", in, "-o", vti, "--distance", "--distance-band", "-1"}, "--distance-band is -1"},
     {{"field", in, "-o", vti, "--distance", "--distance-band", "inf"}, "--distance-band is inf"},
