@@ -21,6 +21,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace
@@ -149,7 +150,7 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
     return;
   }
   winding::ContentHash hash;
-  hash.addValue(producer);
+  hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
   hash.addValue(
     vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
   hash.addValue(winding::hashOf(this->GetSourceOptions()));

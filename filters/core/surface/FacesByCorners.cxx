@@ -262,10 +262,9 @@ private:
     do
     {
       corners.push_back(corner);
-      const auto next = std::lower_bound(rim.begin(), rim.end(), corner,
-        [](const Directed& edge, std::int32_t from) { return edge.from < from; });
-      if (next == rim.end() || next->from != corner ||
-          (next + 1 != rim.end() && (next + 1)->from == corner))
+      const auto [next, end] = std::equal_range(rim.begin(), rim.end(), Directed{0, corner, 0},
+        [](const Directed& one, const Directed& other) { return one.from < other.from; });
+      if (end - next != 1)
       {
         return {};
       }
