@@ -46,8 +46,8 @@ Message missingNormals(bool areZero = false);
  * hundredth, or for a few points. Where there are colours in their place, a surface of one colour
  * has these.
  *
- * If some differ, neighbours must lie in no plane either: flat roofs over flat ground do. Takes
- * O(n) time, and DistinctPoints and NeighborSearch for them. Throws Interrupted.
+ * Neighbours must lie in no plane either: flat roofs over flat ground do. Takes O(n) time, and
+ * DistinctPoints and NeighborSearch where normals are equal. Throws Interrupted.
  */
 std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor& executor);
 

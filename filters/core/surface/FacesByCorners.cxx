@@ -74,7 +74,7 @@ private:
     sides_.reserve(3 * this->kinds());
     for (std::size_t kind = 0; kind < this->kinds(); ++kind)
     {
-      const Numbers corners = faces_.cornersOf(members_[starts_[kind]]);
+      const Numbers corners = faces_.corners(members_[starts_[kind]]);
       for (std::size_t i = 0; i < corners.size(); ++i)
       {
         const std::int32_t from = corners[i], to = corners[(i + 1) % corners.size()];
@@ -120,7 +120,7 @@ private:
   Eigen::Vector3d normalOf(std::size_t face) const
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::int32_t triangle : faces_.trianglesOf(face))
+    for (const std::int32_t triangle : faces_.triangles(face))
     {
       const Triangle& t = surface_.triangles[triangle];
       const Eigen::Vector3d& a = surface_.vertices[t[0]];
@@ -235,7 +235,7 @@ private:
         all.resize(first + faces.size(), {{}, isForward});
         for (std::size_t i = 0; i < faces.size(); ++i)
         {
-          const std::vector<std::int32_t> own = faces_.triangles(faces[i]);
+          const Numbers own = faces_.triangles(faces[i]);
           std::vector<std::int32_t>& triangles = all[first + i].triangles;
           triangles.insert(triangles.end(), own.begin(), own.end());
         }

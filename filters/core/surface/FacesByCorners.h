@@ -59,32 +59,18 @@ public:
   std::size_t cornerCount(std::size_t face) const { return starts_[face + 1] - starts_[face]; }
 
   ///@{
-  /// The same without copies, until a face is added.
-  Numbers cornersOf(std::size_t face) const
+  /// The corners and the triangles of a face, until one is added.
+  Numbers corners(std::size_t face) const
   {
     return {corners_.data() + starts_[face], corners_.data() + starts_[face + 1]};
   }
-  Numbers trianglesOf(std::size_t face) const
+  Numbers triangles(std::size_t face) const
   {
     return {triangles_.data() + trianglesEnds_[face], triangles_.data() + trianglesEnds_[face + 1]};
   }
   ///@}
 
-  std::int32_t firstTriangle(std::size_t face) const { return triangles_[trianglesEnds_[face]]; }
-
-  std::vector<std::int32_t> corners(std::size_t face) const
-  {
-    return {this->begin(face), this->begin(face + 1)};
-  }
-
-  std::vector<std::int32_t> triangles(std::size_t face) const
-  {
-    const auto at = [this](std::size_t i)
-    {
-      return triangles_.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    return {at(trianglesEnds_[face]), at(trianglesEnds_[face + 1])};
-  }
+  std::int32_t firstTriangle(std::size_t face) const { return this->triangles(face)[0]; }
 
   /// Groups the faces with the same corners, in the order of these and then of their numbers.
   FaceGroups groups() const

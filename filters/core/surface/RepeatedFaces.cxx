@@ -230,7 +230,7 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
   groups.forEach(
     [&](auto first, auto last)
     {
-      if (isTaken[faces.triangles(*first).front()])
+      if (isTaken[faces.firstTriangle(*first)])
       {
         return;
       }
