@@ -1,4 +1,4 @@
-"""Catalyst runs the example in_situ.py beside a simulation, here a ball that moves."""
+"""Catalyst runs the example in_situ.py for a simulation, here a ball that moves."""
 import math
 import os
 import pathlib

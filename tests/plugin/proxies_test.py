@@ -201,8 +201,7 @@ ENUMERATIONS = {
 
 # Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
 # array, faults must be seen on their surface, and the voxels inside rather than the box around them,
-# and nobody waits for the eightfold voxels that keep thin parts,
-# or for the normals of a bare cloud.
+# and nobody waits for the eightfold voxels that keep thin parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
     "Resolution": "128",
     "NormalsArray": "Active Normals",

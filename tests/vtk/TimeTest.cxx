@@ -101,7 +101,7 @@ TEST_F(Time, FixedBoundsAreThoseOfAllTimes)
   }
 }
 
-/// They are those of all three spheres, whichever time is asked for first, and follow a change.
+/// The grid covers all three spheres at each time, and follows a change.
 TEST_F(Time, BoundsOverAllTimesLayOneGrid)
 {
   vtkNew<vtkTransform> transform;

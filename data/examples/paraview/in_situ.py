@@ -1,7 +1,7 @@
 # script-version: 2.0
-"""What Catalyst runs beside a simulation: the winding number of the hull that it hands over.
+"""Makes the winding number of the hull that a simulation hands to Catalyst at each step.
 
-A simulation in Python adds this script, and hands over its surface at each step:
+A simulation in Python adds this script, and hands its surface over:
 
     from paraview.catalyst import bridge
     bridge.initialize()
