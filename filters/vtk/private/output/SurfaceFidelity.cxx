@@ -46,7 +46,7 @@ VectorsView viewOf(vtkPolyData* surface)
   {
     return {};
   }
-  const void* const numbers = surface->GetPoints()->GetVoidPointer(0);
+  const void* const numbers = surface->GetPoints()->GetData()->GetVoidPointer(0);
   return surface->GetPoints()->GetDataType() == VTK_DOUBLE
            ? VectorsView(static_cast<const double*>(numbers), count)
            : VectorsView(static_cast<const float*>(numbers), count);
