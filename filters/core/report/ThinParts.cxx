@@ -114,24 +114,27 @@ void countComponents(
   const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts)
 {
   VertexPieces pieces(surface);
-  constexpr std::int32_t none = -1;
-  std::vector<std::int32_t> numbers(surface.vertices.size(), none);
+  std::vector<std::int32_t> numbers(surface.vertices.size());
   std::vector<Bounds> boxes;
-  std::vector<std::size_t> triangles; // of each box
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const auto vertex = static_cast<std::int32_t>(i);
+    const std::int32_t first = pieces.sets.find(vertex);
+    if (first == vertex)
+    {
+      numbers[i] = static_cast<std::int32_t>(boxes.size());
+      boxes.emplace_back();
+    }
+    else
+    {
+      numbers[i] = numbers[first]; // `first` is less than `vertex`
+    }
+    boxes[numbers[i]].extend(surface.vertices[i]);
+  }
+  std::vector<std::size_t> triangles(boxes.size(), 0); // of each box
   for (const Triangle& t : surface.triangles)
   {
-    std::int32_t& number = numbers[pieces.sets.find(t[0])];
-    if (number == none)
-    {
-      number = static_cast<std::int32_t>(boxes.size());
-      boxes.emplace_back();
-      triangles.push_back(0);
-    }
-    ++triangles[number];
-    for (const std::int32_t vertex : t)
-    {
-      boxes[number].extend(surface.vertices[vertex]);
-    }
+    ++triangles[numbers[t[0]]];
   }
   constexpr double mostVoxels = 2;
   constexpr std::size_t fewest = 4; // triangles that bound something

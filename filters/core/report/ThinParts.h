@@ -17,7 +17,7 @@ struct ThinParts
 {
   double share = 0;               ///< of the surface's area, 0 to 1
   double thickness = 0;           ///< nine tenths of that part are thicker, or 0 if it is not known
-  std::size_t components = 0;     ///< connected sets of triangles of a closed surface
+  std::size_t components = 0;     ///< connected sets of triangles; 0 where none is lost
   std::size_t lostComponents = 0; ///< that no sample is inside of
 
   /// Returns whether they are a twentieth of the surface or more.
@@ -35,8 +35,8 @@ using IsSampleInside = std::function<bool(int i, int j, int k)>;
  * halfway there.
  *
  * A connected set of triangles of a closed surface is lost if it is smaller than two voxels along
- * some axis, and no sample of its bounds and next to them is inside. They are counted unless a
- * twentieth of the surface is lost.
+ * some axis, and no sample of its bounds and next to them is inside. They are counted where any is
+ * lost, unless a twentieth of the surface is.
  *
  * Returns nothing for clouds. The estimate depends on the order of the triangles, and not on the
  * executor. It takes a millisecond, O(n) time for n triangles of a closed surface, and the time of
