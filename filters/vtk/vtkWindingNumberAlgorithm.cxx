@@ -514,8 +514,8 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
 void vtkWindingNumberAlgorithm::TellSides(
   const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  // A surface that was drawn from both sides has been warned of.
-  const bool isAsked = this->InsideRule == SIGNED && !field.info().isTwoSided;
+  // A source without sides has been warned of.
+  const bool isAsked = this->InsideRule == SIGNED && !field.info().hasNoSides;
   const winding::Inwardness inwardness =
     isAsked ? winding::inwardnessOf(field, sides, executor) : winding::Inwardness::none;
   this->SourceLooksInward = inwardness == winding::Inwardness::solids;

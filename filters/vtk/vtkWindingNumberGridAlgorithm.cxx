@@ -260,7 +260,7 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObj
 void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty,
   const std::function<bool(int i, int j, int k)>& isInside)
 {
-  if (field.info().primitives > 0 && !field.info().isTwoSided)
+  if (field.info().primitives > 0 && !field.info().hasNoSides)
   {
     const winding::Grid& grid = this->GetSampling();
     winding::GridResult result;

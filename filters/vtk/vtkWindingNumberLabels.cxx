@@ -335,7 +335,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
         if (isWhole && field.info().primitives > 0)
         {
           hasVoxels[i] = hasInside;
-          if (!hasInside && !isInward && !field.info().isTwoSided && !solids.isOpenPart(i))
+          if (!hasInside && !isInward && !field.info().hasNoSides && !solids.isOpenPart(i))
           {
             const bool isMissed = winding::missesSource(grid, field.info().bounds);
             (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));

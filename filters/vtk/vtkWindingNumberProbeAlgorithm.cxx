@@ -262,7 +262,7 @@ void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
   const winding::FieldInfo& info = field.info();
   const bool isClosed = info.isSurface && info.netBoundaryEdges == 0;
   const bool isQuiet = isClosed || this->KeepsPart() || this->SourceIsInsideOut ||
-                       info.isTwoSided || info.openings.areWide() || results.countInside() != 0;
+                       info.hasNoSides || info.openings.areWide() || results.countInside() != 0;
   const auto count = static_cast<std::size_t>(isQuiet ? 0 : queries.size());
   for (std::size_t i = 0; i < count && within < many; ++i)
   {

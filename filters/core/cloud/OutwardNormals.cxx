@@ -31,6 +31,13 @@ Eigen::Vector3d inSingle(Eigen::Vector3d normal)
   return normal;
 }
 
+/// Returns whether two normals are equal up to noise, which is a thousandth.
+bool areEqual(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  constexpr double noise = 1e-3;
+  return (a - b).squaredNorm() <= noise * noise * b.squaredNorm();
+}
+
 /// Returns the value that more than half of the values have, if there is one (Boyer and Moore).
 Eigen::Vector3d mostFrequent(const std::vector<Eigen::Vector3d>& values)
 {
@@ -42,7 +49,7 @@ Eigen::Vector3d mostFrequent(const std::vector<Eigen::Vector3d>& values)
     {
       candidate = value;
     }
-    votes = value == candidate ? votes + 1 : votes - 1;
+    votes = areEqual(value, candidate) ? votes + 1 : votes - 1;
   }
   return candidate;
 }
@@ -191,7 +198,7 @@ std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor&
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
-    if (normals[i] != across)
+    if (!areEqual(normals[i], across))
     {
       if (++others > mostOthers)
       {

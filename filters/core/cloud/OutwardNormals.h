@@ -41,10 +41,10 @@ OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation
 Message missingNormals(bool areZero = false);
 
 /**
- * Returns how many normals differ from all others, which are equal to the bit, at points that lie
- * in no plane across them. Nothing is returned where more than one differs and more than a
+ * Returns how many normals differ from all others by more than a thousandth, at points that lie in
+ * no plane across these. Nothing is returned where more than one differs and more than a
  * hundredth, or for a few points. Where there are colours in their place, a surface of one colour
- * has these.
+ * has equal normals.
  *
  * Neighbours must lie in no plane either: flat roofs over flat ground do. Takes O(n) time, and
  * DistinctPoints and NeighborSearch where normals are equal. Throws Interrupted.

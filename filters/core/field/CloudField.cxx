@@ -73,6 +73,7 @@ CloudField::CloudField(
     if (const auto except = equalNormalsExcept(cloud_, executor))
     {
       info_.warnings.push_back(equalNormals(*except));
+      info_.hasNoSides = true;
     }
   }
   this->findNormalsAndAreas(options, executor);

@@ -103,9 +103,11 @@ struct FieldInfo
   /// Triangles that close the surface for method rows. It is 0 where the boundary alone shows that
   /// they are too many: then they are not made.
   std::size_t capTriangles = 0;
-  Openings openings;       ///< of a surface
-  bool isTwoSided = false; ///< whether all faces are there in both senses, so that nothing is left
-  double pointArea = 0;    ///< mean area of a cloud's points
+  Openings openings; ///< of a surface
+  /// Whether no side is inside, which a warning says: all faces are there in both senses, or all
+  /// normals are equal.
+  bool hasNoSides = false;
+  double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;

@@ -170,8 +170,8 @@ void SurfaceField::warnOfRepeatedFaces(
   // Parts that were left out have taken polygons' numbers with them.
   const bool areAll = parts.size() == surface_.triangles.size();
   const RepeatedFaces faces = repeatedFaces(surface_, areAll ? parts : PolygonParts());
-  info_.isTwoSided = faces.cancelAll();
-  if (info_.isTwoSided)
+  info_.hasNoSides = faces.cancelAll();
+  if (info_.hasNoSides)
   {
     info_.warnings.push_back(twoSidedAdvice());
   }

@@ -374,6 +374,12 @@ TEST(CloudReport, KnowsNormalsThatAreEqualWhereNoPlaneIs)
     EXPECT_EQ(report(with(ball, up, others)).equalNormalsExcept, others);
     EXPECT_EQ(report(with(ball, Point(0.3, -2, 0.1), others)).equalNormalsExcept, others);
   }
+  Cloud noisy = with(ball, up, 1);
+  for (std::size_t i = 0; i < ball.size(); ++i)
+  {
+    noisy.normals[i].x() += i % 2 == 0 ? 1e-6 : -1e-6;
+  }
+  EXPECT_EQ(report(noisy).equalNormalsExcept, 1u);
   EXPECT_FALSE(report(with(ball, up, 7)).equalNormalsExcept) << "more than a hundredth";
   EXPECT_FALSE(report(Cloud{ball, ball}).equalNormalsExcept);
 
