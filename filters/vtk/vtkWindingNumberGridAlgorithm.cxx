@@ -266,12 +266,21 @@ void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool
     winding::GridResult result;
     result.isEmpty = isEmpty && !this->SourceIsInsideOut;
     result.mayTouch = this->MayTouchVoxels();
-    if (isInside && !this->SourceLooksInward)
+    result.hasHighThreshold = this->HasHighThreshold();
+    if (!this->SourceLooksInward)
     {
       winding::SmpExecutor executor(this, this->NumberOfThreads);
       executor.setShare(1, 1);
-      result.parts = winding::thinPartsOf(field, grid, isInside,
-        winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+      const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+      const double threshold = this->WindingThreshold;
+      if (isInside)
+      {
+        result.parts = winding::thinPartsOf(field, grid, isInside, rule, threshold, executor);
+      }
+      else if (this->MayTouchVoxels())
+      {
+        result.parts = winding::thinPartsOf(field, grid, rule, threshold, executor);
+      }
     }
     const auto advice = winding::gridAdvice(grid, field.info().bounds, result);
     if (advice)

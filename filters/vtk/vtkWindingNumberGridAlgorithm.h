@@ -168,8 +168,9 @@ protected:
   const winding::Field& PrepareGridField(vtkDataObject* source);
 
   /// Warns of a grid that misses the source or is too coarse for it, or has no sample inside, which
-  /// `isEmpty` says. Parts that are lost are looked for where `isInside` says which samples are
-  /// inside. A source without primitives, inside out or drawn from both sides has been warned of.
+  /// `isEmpty` says. `isInside` says for the parts that are lost which samples are inside. Where it
+  /// is null, some samples are evaluated, unless voxels that the source touches count as inside. A
+  /// source without primitives, inside out or drawn from both sides has been warned of.
   void WarnOfGrid(const winding::Field& field, bool isEmpty,
     const std::function<bool(int i, int j, int k)>& isInside = nullptr);
 

@@ -201,7 +201,10 @@ void vtkWindingNumberHyperTree::MakeTrees(const winding::Field& field, vtkHyperT
       counts += trees.sides();
       this->TellSides(field, counts, executor);
       this->NumberOfInsideSamples = static_cast<vtkIdType>(trees.inside());
-      this->WarnOfGrid(field, trees.inside() == 0);
+      this->WarnOfGrid(field, trees.inside() == 0,
+        [&](int i, int j, int k) {
+          return made.isInside({i, j, k}, options.rule, options.threshold);
+        });
       this->UpdateProgress(1);
     });
   this->Verify(

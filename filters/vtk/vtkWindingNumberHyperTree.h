@@ -156,6 +156,7 @@ protected:
   bool WorksOnFirstRank() const override { return true; }
   double GetResultBytes(vtkIdType samples) const override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  bool MayTouchVoxels() const override { return this->Coverage == 0; }
 
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;

@@ -422,10 +422,14 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   }
   if (facts.thin.count() > 0)
   {
-    vtkWarningMacro(<< winding::lineOf({"some solids have no voxel inside",
-                      {winding::smallerVoxels(),
-                        {"label what they touch", {{winding::Parameter::coverage, ANY}}}},
-                      facts.thin.outOf(count)}));
+    std::vector<winding::Remedy> remedies = {
+      winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, ANY}}}};
+    if (this->HasHighThreshold())
+    {
+      remedies.insert(remedies.begin(), winding::lowerThreshold());
+    }
+    vtkWarningMacro(<< winding::lineOf(
+                      {"some solids have no voxel inside", remedies, facts.thin.outOf(count)}));
   }
   if (facts.lostInPart.count() > 0)
   {

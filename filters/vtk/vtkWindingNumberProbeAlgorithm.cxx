@@ -13,6 +13,7 @@
 #include "private/probe/ProbeWords.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
+#include "report/GridAdvice.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -270,8 +271,13 @@ void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
   }
   if (within == many && this->GetRanks().isAlone())
   {
-    vtkWarningMacro(<< winding::lineOf(winding::Message("no sample is inside",
-                      {{"look whether the source is closed", {winding::Parameter::surfaceReport}}},
+    std::vector<winding::Remedy> remedies = {
+      {"look whether the source is closed", {winding::Parameter::surfaceReport}}};
+    if (this->HasHighThreshold())
+    {
+      remedies.insert(remedies.begin(), winding::lowerThreshold());
+    }
+    vtkWarningMacro(<< winding::lineOf(winding::Message("no sample is inside", remedies,
                       "100 or more lie within the bounds of the source")));
   }
 }

@@ -171,9 +171,9 @@ TEST(SurfaceCommand, EmptySurfacesAreToldWithRemedies)
   within.emplace_back("--close-border");
   EXPECT_EQ(messageOf(within), "");
   EXPECT_EQ(messageOf({"--threshold", "5"}),
-    start + "no sample is inside: choose smaller voxels (--resolution, --voxel-size), or choose a "
-            "grid around the source (--bounds), or look whether the source is closed (winding "
-            "check)\n");
+    start + "no sample is inside: choose a lower threshold (--threshold), or choose smaller voxels "
+            "(--resolution, --voxel-size), or choose a grid around the source (--bounds), or look "
+            "whether the source is closed (winding check)\n");
 }
 
 TEST_P(SurfaceCommands, TheOptionThatAWarningNamesTurnsFacesThatLookInward)

@@ -37,9 +37,14 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
   }
   if (result.isEmpty)
   {
-    std::vector<Remedy> remedies = {smallerVoxels(),
-      {"choose a grid around the source", {Parameter::samplingBounds}},
-      {"look whether the source is closed", {Parameter::surfaceReport}}};
+    std::vector<Remedy> remedies;
+    if (result.hasHighThreshold)
+    {
+      remedies.push_back(lowerThreshold());
+    }
+    remedies.push_back(smallerVoxels());
+    remedies.push_back({"choose a grid around the source", {Parameter::samplingBounds}});
+    remedies.push_back({"look whether the source is closed", {Parameter::surfaceReport}});
     if (result.mayTouch)
     {
       remedies.push_back(touchedVoxels());

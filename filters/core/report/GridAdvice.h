@@ -16,6 +16,7 @@ struct GridResult
   bool isEmpty = false;           ///< whether no sample is inside
   bool mayTouch = false;          ///< whether voxels could count that the source touches
   std::optional<ThinParts> parts; ///< that the grid does not show
+  bool hasHighThreshold = false;  ///< whether w must be more than ½ to be inside
 };
 
 /**
@@ -25,6 +26,12 @@ struct GridResult
  * help.
  */
 std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result);
+
+/// Returns the remedy for sources that reach the threshold nowhere.
+inline Remedy lowerThreshold()
+{
+  return {"choose a lower threshold", {Parameter::windingThreshold}};
+}
 
 /// Returns whether a grid has no voxel in common with the bounds of a source.
 bool missesSource(const Grid& grid, const Bounds& source);

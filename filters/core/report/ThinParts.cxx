@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace winding
@@ -18,45 +19,76 @@ namespace
 /// (ThinPartsTest.cxx).
 constexpr double leastShare = 0.05;
 
-/// The answer of the samples around a point.
-enum class Around
+/// The samples from `first` to `last`, which counts.
+struct SampleBox
 {
-  unknown, ///< the point is not between samples
-  lost,
-  shown
-};
+  Eigen::Array3i first, last;
 
-/// Returns whether any sample from `first` to `last`, which counts, is inside.
-bool isAnyInside(
-  const Eigen::Array3i& first, const Eigen::Array3i& last, const IsSampleInside& isInside)
-{
-  for (int k = first[2]; k <= last[2]; ++k)
+  std::size_t size() const
   {
-    for (int j = first[1]; j <= last[1]; ++j)
+    return static_cast<std::size_t>((last - first + 1).cast<std::int64_t>().prod());
+  }
+
+  /// Returns whether test(i, j, k) is true for any of the samples.
+  template <class Test> bool hasAny(const Test& test) const
+  {
+    for (int k = first[2]; k <= last[2]; ++k)
     {
-      for (int i = first[0]; i <= last[0]; ++i)
+      for (int j = first[1]; j <= last[1]; ++j)
       {
-        if (isInside(i, j, k))
+        for (int i = first[0]; i <= last[0]; ++i)
         {
-          return true;
+          if (test(i, j, k))
+          {
+            return true;
+          }
         }
       }
     }
+    return false;
   }
-  return false;
+};
+
+/// Returns the samples between two positions in units of sample indices; nothing where the grid
+/// does not have all of them.
+std::optional<SampleBox> samplesBetween(
+  const Grid& grid, const Eigen::Array3d& low, const Eigen::Array3d& high)
+{
+  if (!(low >= 0 && high < grid.dimensions.array().cast<double>()).all())
+  {
+    return std::nullopt;
+  }
+  return SampleBox{low.cast<int>(), high.cast<int>()};
 }
 
-Around lookAround(const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside)
+std::optional<SampleBox> samplesAround(const Grid& grid, const Eigen::Vector3d& point)
 {
   // A point in a plane of samples lies in the cells on both sides of it. Coordinates are rounded.
   constexpr double nearPlane = 1e-6;
   const Eigen::Array3d place = grid.inGridUnits(point).array();
-  const Eigen::Array3d low = (place - nearPlane).ceil() - 1, high = (place + nearPlane).floor() + 1;
-  if (!(low >= 0 && high < grid.dimensions.array().cast<double>()).all())
+  return samplesBetween(grid, (place - nearPlane).ceil() - 1, (place + nearPlane).floor() + 1);
+}
+
+/// A point of the surface, and the samples that show it.
+struct PlacedPoint
+{
+  PointOfTriangle point;
+  SampleBox samples;
+};
+
+/// Returns about 2000 points of a surface, without the ones that are not between samples.
+std::vector<PlacedPoint> pointsOf(const Surface& surface, const Grid& grid)
+{
+  std::vector<PlacedPoint> points;
+  constexpr std::size_t count = 2048;
+  for (const PointOfTriangle& point : evenPoints(surface, count))
   {
-    return Around::unknown;
+    if (const auto samples = samplesAround(grid, point.position))
+    {
+      points.push_back({point, *samples});
+    }
   }
-  return isAnyInside(low.cast<int>(), high.cast<int>(), isInside) ? Around::shown : Around::lost;
+  return points;
 }
 
 /// Returns the distance along a ray to a triangle in units of `direction`; infinity for a miss
@@ -99,19 +131,14 @@ Eigen::Vector3d acrossFrom(const Surface& surface, const PointOfTriangle& point)
   return behind <= before ? Eigen::Vector3d(behind * inward) : Eigen::Vector3d(-before * inward);
 }
 
-/// Returns whether a sample in a box, or next to it, is inside; true for boxes that reach beyond
-/// the grid.
-bool isShown(const Grid& grid, const Bounds& box, const IsSampleInside& isInside)
+/// The components of a surface: how many there are, and the samples of small ones.
+struct SolidBoxes
 {
-  const Eigen::Array3d low = grid.inGridUnits(box.min()).array().floor();
-  const Eigen::Array3d high = grid.inGridUnits(box.max()).array().ceil();
-  const bool liesInGrid = (low >= 0 && high < grid.dimensions.array().cast<double>()).all();
-  return !liesInGrid || isAnyInside(low.cast<int>(), high.cast<int>(), isInside);
-}
+  std::size_t count = 0;
+  std::vector<SampleBox> small; ///< of each that lies in the grid, what is in its bounds or next to
+};
 
-/// Counts the components of a surface, and those that are lost.
-void countComponents(
-  const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts)
+SolidBoxes solidBoxesOf(const Surface& surface, const Grid& grid)
 {
   VertexPieces pieces(surface);
   std::vector<std::int32_t> numbers(surface.vertices.size());
@@ -138,48 +165,71 @@ void countComponents(
   }
   constexpr double mostVoxels = 2;
   constexpr std::size_t fewest = 4; // triangles that bound something
+  SolidBoxes solids;
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     const Bounds& box = boxes[i];
-    const bool isSmall = (box.sizes().array() < mostVoxels * grid.spacing.array()).any();
-    const bool isSolid = triangles[i] >= fewest;
-    parts.components += isSolid;
-    parts.lostComponents += isSolid && isSmall && !isShown(grid, box, isInside);
+    if (triangles[i] < fewest)
+    {
+      continue;
+    }
+    ++solids.count;
+    if ((box.sizes().array() < mostVoxels * grid.spacing.array()).any())
+    {
+      const auto samples = samplesBetween(grid, grid.inGridUnits(box.min()).array().floor(),
+        grid.inGridUnits(box.max()).array().ceil());
+      if (samples)
+      {
+        solids.small.push_back(*samples);
+      }
+    }
   }
+  return solids;
 }
 
-} // namespace
-
-std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
-  const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor)
+/// The places of a surface that may be lost.
+struct Candidates
 {
-  const Surface* surface = field.distinctSurface();
-  if (!surface)
+  std::vector<PlacedPoint> points;
+  SolidBoxes solids; ///< of a closed surface
+};
+
+Candidates candidatesOf(const Field& field, const Grid& grid)
+{
+  const Surface& surface = *field.distinctSurface();
+  Candidates result;
+  result.points = pointsOf(surface, grid);
+  if (field.info().netBoundaryEdges == 0)
   {
-    return std::nullopt;
+    result.solids = solidBoxesOf(surface, grid);
   }
+  return result;
+}
+
+/// Sets the share that is lost, and returns these points.
+std::vector<PointOfTriangle> findLostPoints(
+  const std::vector<PlacedPoint>& points, const IsSampleInside& isInside, ThinParts& parts)
+{
   std::vector<PointOfTriangle> lost;
-  std::size_t known = 0;
-  constexpr std::size_t points = 2048;
-  for (const PointOfTriangle& point : evenPoints(*surface, points))
+  for (const PlacedPoint& placed : points)
   {
-    const Around around = lookAround(grid, point.position, isInside);
-    known += around != Around::unknown;
-    if (around == Around::lost)
+    if (!placed.samples.hasAny(isInside))
     {
-      lost.push_back(point);
+      lost.push_back(placed.point);
     }
   }
-  ThinParts parts;
-  parts.share = known > 0 ? static_cast<double>(lost.size()) / static_cast<double>(known) : 0;
-  if (!parts.areWorthTelling())
+  if (!lost.empty())
   {
-    if (field.info().netBoundaryEdges == 0)
-    {
-      countComponents(*surface, grid, isInside, parts);
-    }
-    return parts;
+    parts.share = static_cast<double>(lost.size()) / static_cast<double>(points.size());
   }
+  return lost;
+}
+
+/// Finds how thick parts are at points that are lost, and counts no others.
+void measureThickness(const Field& field, const Grid& grid,
+  const std::vector<PointOfTriangle>& lost, InsideRule rule, double threshold, Executor& executor,
+  ThinParts& parts)
+{
   // A closed surface has one side inside for sure.
   const bool isSure =
     field.info().netBoundaryEdges == 0 && rule != InsideRule::odd && threshold <= 1;
@@ -191,7 +241,7 @@ std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
     [&](std::size_t ray, std::size_t, std::size_t)
     {
       const PointOfTriangle& point = lost[ray * lost.size() / rays];
-      const Eigen::Vector3d across = acrossFrom(*surface, point);
+      const Eigen::Vector3d across = acrossFrom(*field.distinctSurface(), point);
       const bool isWall = across.stableNorm() < grid.spacing.norm() &&
                           (isSure || winding::isInside(field.reference(point.position + across / 2),
                                        rule, threshold));
@@ -203,7 +253,85 @@ std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
     std::lower_bound(thicknesses.begin(), thicknesses.end(), none) - thicknesses.begin());
   parts.share *= static_cast<double>(walls) / static_cast<double>(rays);
   parts.thickness = walls > 0 ? thicknesses[walls / 10] : 0;
+}
+
+ThinParts thinPartsOf(const Field& field, const Grid& grid, const Candidates& candidates,
+  const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor)
+{
+  ThinParts parts;
+  const std::vector<PointOfTriangle> lost = findLostPoints(candidates.points, isInside, parts);
+  if (parts.areWorthTelling())
+  {
+    measureThickness(field, grid, lost, rule, threshold, executor, parts);
+    return parts;
+  }
+  const SolidBoxes& solids = candidates.solids;
+  parts.lostComponents = static_cast<std::size_t>(std::count_if(solids.small.begin(),
+    solids.small.end(), [&isInside](const SampleBox& box) { return !box.hasAny(isInside); }));
+  parts.components = parts.lostComponents > 0 ? solids.count : 0;
   return parts;
+}
+
+} // namespace
+
+std::optional<ThinParts> thinPartsOf(const Field& field, const Grid& grid,
+  const IsSampleInside& isInside, InsideRule rule, double threshold, Executor& executor)
+{
+  if (!field.distinctSurface())
+  {
+    return std::nullopt;
+  }
+  return thinPartsOf(field, grid, candidatesOf(field, grid), isInside, rule, threshold, executor);
+}
+
+std::optional<ThinParts> thinPartsOf(
+  const Field& field, const Grid& grid, InsideRule rule, double threshold, Executor& executor)
+{
+  if (!field.distinctSurface())
+  {
+    return std::nullopt;
+  }
+  Candidates candidates = candidatesOf(field, grid);
+  std::unordered_map<std::size_t, std::size_t> numbers;
+  std::vector<double> positions;
+  const auto numberOf = [&](int i, int j, int k)
+  {
+    return sampleNumber(grid.wholeExtent(), i, j, k);
+  };
+  const auto take = [&](int i, int j, int k)
+  {
+    if (numbers.emplace(numberOf(i, j, k), numbers.size()).second)
+    {
+      const Eigen::Vector3d sample = grid.sample(i, j, k);
+      positions.insert(positions.end(), sample.begin(), sample.end());
+    }
+    return false;
+  };
+  for (const PlacedPoint& placed : candidates.points)
+  {
+    placed.samples.hasAny(take);
+  }
+  // Boxes that would take too long are skipped.
+  constexpr std::size_t mostSamples = 1000000;
+  std::size_t samples = 0;
+  std::vector<SampleBox>& boxes = candidates.solids.small;
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
+                [&](const SampleBox& box)
+                {
+                  samples += box.size();
+                  return samples > mostSamples || box.hasAny(take);
+                }),
+    boxes.end());
+  std::vector<unsigned char> inside(numbers.size());
+  FieldOutput output;
+  output.inside = inside.data();
+  output.rule = rule;
+  output.threshold = threshold;
+  field.evaluate(VectorsView(positions.data(), inside.size()), output, executor);
+  return thinPartsOf(
+    field, grid, candidates,
+    [&](int i, int j, int k) { return inside[numbers.at(numberOf(i, j, k))] != 0; }, rule,
+    threshold, executor);
 }
 
 bool ThinParts::areWorthTelling() const

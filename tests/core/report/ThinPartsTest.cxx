@@ -35,10 +35,20 @@ std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double 
   output.inside = inside.data();
   output.threshold = threshold;
   field->evaluate(grid, extent, output, serial);
-  return thinPartsOf(
+  const auto found = thinPartsOf(
     *field, grid,
     [&](int i, int j, int k) { return inside[winding::sampleNumber(extent, i, j, k)] != 0; },
     InsideRule::signedThreshold, threshold, serial);
+  const auto evaluated = thinPartsOf(*field, grid, InsideRule::signedThreshold, threshold, serial);
+  EXPECT_EQ(found.has_value(), evaluated.has_value());
+  if (found && evaluated)
+  {
+    EXPECT_EQ(found->share, evaluated->share);
+    EXPECT_EQ(found->thickness, evaluated->thickness);
+    EXPECT_EQ(found->components, evaluated->components);
+    EXPECT_EQ(found->lostComponents, evaluated->lostComponents);
+  }
+  return found;
 }
 
 /// A hollow ball of radius 1.

@@ -132,6 +132,17 @@ void TreeGrid::finish()
 
 double TreeGrid::valueAt(const Eigen::Vector3i& voxel) const
 {
+  return results_.values()->GetComponent(this->leafOf(voxel), 0);
+}
+
+bool TreeGrid::isInside(const Eigen::Vector3i& voxel, InsideRule rule, double threshold) const
+{
+  return results_.isInside(static_cast<std::size_t>(this->leafOf(voxel)), rule, threshold);
+}
+
+/// Returns the global index of the leaf that holds a voxel.
+vtkIdType TreeGrid::leafOf(const Eigen::Vector3i& voxel) const
+{
   const Eigen::Vector3i brick = voxel / bricks_.side();
   vtkHyperTree* const tree =
     output_->GetTree(static_cast<vtkIdType>(sampleNumber(bricks_.whole(), brick)));
@@ -144,7 +155,7 @@ double TreeGrid::valueAt(const Eigen::Vector3i& voxel) const
     vertex = tree->GetElderChildIndex(static_cast<unsigned int>(vertex)) + half[0] +
              2 * (half[1] + 2 * half[2]);
   }
-  return results_.values()->GetComponent(tree->GetGlobalIndexFromLocal(vertex), 0);
+  return tree->GetGlobalIndexFromLocal(vertex);
 }
 
 } // namespace winding

@@ -34,6 +34,9 @@ public:
   /// The winding number of the leaf that holds a voxel.
   double valueAt(const Eigen::Vector3i& voxel) const;
 
+  /// Returns whether the leaf that holds a voxel is inside (ResultArrays::isInside()).
+  bool isInside(const Eigen::Vector3i& voxel, InsideRule rule, double threshold) const;
+
   /// The number of vertices of all trees.
   vtkIdType size() const { return size_; }
 
@@ -42,6 +45,7 @@ public:
 
 private:
   void addMask(const VoxelTree& tree);
+  vtkIdType leafOf(const Eigen::Vector3i& voxel) const;
 
   Bricks bricks_;
   bool masksOutside_;
