@@ -84,7 +84,7 @@ SurfaceField::SurfaceField(
   };
   if (!options.orientFaces)
   {
-    this->warnOfRepeatedFaces(chain, views, edgesOnce);
+    this->warnOfRepeatedFaces(chain, views, edgesOnce, executor);
   }
   this->warnOfContradictions(edgesOnce);
   this->warnOfOpenParts(chain, edgesOnce, executor);
@@ -153,8 +153,8 @@ bool SurfaceField::repeatsCrowdedFaces(const BoundaryChain& chain) const
 }
 
 /// Warns of faces that are there more than once, unless they are walls between solids that touch.
-void SurfaceField::warnOfRepeatedFaces(
-  const BoundaryChain& chain, const std::vector<TrianglesView>& views, const EdgesOnce& edgesOnce)
+void SurfaceField::warnOfRepeatedFaces(const BoundaryChain& chain,
+  const std::vector<TrianglesView>& views, const EdgesOnce& edgesOnce, Executor& executor)
 {
   // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
   // no other touches, are looked for in small surfaces.
@@ -177,7 +177,7 @@ void SurfaceField::warnOfRepeatedFaces(
   }
   else if (faces.areAny())
   {
-    const std::vector<char> isLeftOut = facesToLeaveOut(surface_, edgesOnce(), faces);
+    const std::vector<char> isLeftOut = facesToLeaveOut(surface_, edgesOnce(), faces, executor);
     const auto count =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
     if (count > 0)

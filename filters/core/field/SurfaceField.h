@@ -57,7 +57,7 @@ private:
 
   bool repeatsCrowdedFaces(const BoundaryChain& chain) const;
   void warnOfRepeatedFaces(const BoundaryChain& chain, const std::vector<TrianglesView>& views,
-    const EdgesOnce& edgesOnce);
+    const EdgesOnce& edgesOnce, Executor& executor);
   void warnOfContradictions(const EdgesOnce& edgesOnce);
   void warnOfOpenParts(const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);

@@ -112,7 +112,7 @@ SurfaceReport reportOn(
   }
   if (faces.areAny())
   {
-    const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces);
+    const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
     report.mendableTriangles =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
   }

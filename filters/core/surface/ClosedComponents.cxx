@@ -346,6 +346,39 @@ private:
   std::unique_ptr<std::atomic<bool>[]> isRefuted_; ///< by candidate
 };
 
+/// Returns which closed components share all of their vertices with others, by component.
+std::vector<char> haveNoVertexAlone(const Surface& surface, const Components& components)
+{
+  std::vector<char> result = components.isClosed;
+  const Owners owners(surface, components);
+  for (const std::int32_t owner : owners.ofVertices())
+  {
+    if (owner >= 0)
+    {
+      result[owner] = 0;
+    }
+  }
+  for (const Components::Middle& middle : components.middles)
+  {
+    result[middle.component] = 0;
+  }
+  return result;
+}
+
+std::vector<Place> placesOf(
+  const Surface& surface, const Components& components, Executor& executor)
+{
+  const std::vector<char> isShared = haveNoVertexAlone(surface, components);
+  if (std::find(isShared.begin(), isShared.end(), char(1)) == isShared.end())
+  {
+    return Nesting(surface, components).places(surface, executor);
+  }
+  Surface withMiddles = surface;
+  Components named = components;
+  addMiddles(withMiddles, named, isShared, surface.triangles.size());
+  return Nesting(withMiddles, named).places(withMiddles, executor);
+}
+
 } // namespace
 
 std::vector<ClosedComponent> closedComponents(
@@ -357,9 +390,8 @@ std::vector<ClosedComponent> closedComponents(
     return {};
   }
   const std::vector<int> senses = sensesOf(surface, components);
-  const std::vector<Place> places = count > 1
-                                      ? Nesting(surface, components).places(surface, executor)
-                                      : std::vector<Place>(components.size());
+  const std::vector<Place> places =
+    count > 1 ? placesOf(surface, components, executor) : std::vector<Place>(components.size());
   std::vector<ClosedComponent> result;
   for (std::size_t i = 0; i < components.size(); ++i)
   {

@@ -1,6 +1,7 @@
 #include "surface/Components.h"
 
 #include "base/DisjointSets.h"
+#include "source/UnitScale.h"
 
 #include <algorithm>
 
@@ -110,6 +111,32 @@ Components componentsOf(
     }
   }
   return components;
+}
+
+double areaOf(const Surface& surface, const Triangle& triangle, double scale)
+{
+  const Eigen::Vector3d& a = surface.vertices[triangle[0]];
+  const Eigen::Vector3d u = (surface.vertices[triangle[1]] - a) * scale;
+  const Eigen::Vector3d v = (surface.vertices[triangle[2]] - a) * scale;
+  return u.cross(v).norm();
+}
+
+void addMiddles(Surface& surface, Components& components, const std::vector<char>& isChosen,
+  std::size_t triangles)
+{
+  const double scale = unitScale(surface.bounds);
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    if (isChosen[components.ofTriangle[i]])
+    {
+      const Triangle& t = surface.triangles[i];
+      const Eigen::Vector3d& a = surface.vertices[t[0]];
+      const Eigen::Vector3d offsets =
+        (surface.vertices[t[1]] - a) / 3 + (surface.vertices[t[2]] - a) / 3;
+      surface.vertices.emplace_back(a + offsets);
+      components.middles.push_back({components.ofTriangle[i], areaOf(surface, t, scale)});
+    }
+  }
 }
 
 } // namespace winding

@@ -22,14 +22,14 @@ struct Components
   std::vector<std::int32_t> ofTriangle; ///< component of each triangle
   std::vector<char> isClosed; ///< by component: all of its edges cancel, so its w is an integer
 
-  /// A triangle of a component that closeNearlyClosed() has closed.
+  /// The middle of a triangle (addMiddles()).
   struct Middle
   {
     std::int32_t component;
     double area; ///< in any unit
   };
 
-  /// All of these triangles. Their middles are the last vertices of the surface.
+  /// The middles that there are, which are the last vertices of the surface.
   std::vector<Middle> middles;
 
   std::size_t size() const { return isClosed.size(); }
@@ -56,5 +56,13 @@ struct VertexPieces
 /// Finds the components of a surface. The triangles of a polygon, which `parts` names, are in one.
 Components componentsOf(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts = PolygonParts());
+
+/// Returns twice the area of a triangle, whose sides are multiplied by `scale` (UnitScale.h).
+double areaOf(const Surface& surface, const Triangle& triangle, double scale);
+
+/// Appends the middles of the first `triangles` triangles to a surface's vertices, where `isChosen`
+/// is not 0 for their component.
+void addMiddles(Surface& surface, Components& components, const std::vector<char>& isChosen,
+  std::size_t triangles);
 
 } // namespace winding

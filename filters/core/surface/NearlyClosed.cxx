@@ -138,15 +138,6 @@ private:
   std::vector<OwnVertex> vertices_;
 };
 
-/// Twice the area of a triangle, in units of the surface's size.
-double areaOf(const Surface& surface, const Triangle& t, double scale)
-{
-  const Eigen::Vector3d& a = surface.vertices[t[0]];
-  const Eigen::Vector3d u = (surface.vertices[t[1]] - a) * scale;
-  const Eigen::Vector3d v = (surface.vertices[t[2]] - a) * scale;
-  return u.cross(v).norm();
-}
-
 } // namespace
 
 void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components)
@@ -185,18 +176,7 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
         isCapped[component] = components.isClosed[component] = 1;
       }
     });
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (isCapped[components.ofTriangle[i]])
-    {
-      const Triangle& t = surface.triangles[i];
-      const Eigen::Vector3d& a = surface.vertices[t[0]];
-      const Eigen::Vector3d offsets =
-        (surface.vertices[t[1]] - a) / 3 + (surface.vertices[t[2]] - a) / 3;
-      surface.vertices.emplace_back(a + offsets);
-      components.middles.push_back({components.ofTriangle[i], areaOf(surface, t, scale)});
-    }
-  }
+  addMiddles(surface, components, isCapped, count);
 }
 
 } // namespace winding

@@ -7,6 +7,7 @@
 #include "surface/OpenParts.h"
 #include "surface/Openings.h"
 #include "surface/RepeatedFaces.h"
+#include "surface/Shells.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -85,10 +86,7 @@ std::vector<double> areasOf(const Surface& surface)
   areas.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles)
   {
-    const Eigen::Vector3d& a = surface.vertices[t[0]];
-    const Eigen::Vector3d u = (surface.vertices[t[1]] - a) * scale;
-    const Eigen::Vector3d v = (surface.vertices[t[2]] - a) * scale;
-    areas.push_back(u.cross(v).norm());
+    areas.push_back(areaOf(surface, t, scale));
   }
   return areas;
 }
@@ -126,7 +124,11 @@ public:
       isTurned_[patch] =
         areas[patch].isMostlyTurned() && !patches.isOneSided(static_cast<std::int32_t>(patch));
     }
-    this->cancelAtCrowds(areas);
+    if (!edges_.crowds.empty())
+    {
+      this->separateRegions(surface);
+      this->cancelAtCrowds(areas);
+    }
   }
 
   bool isTurned(std::size_t triangle) const
@@ -137,6 +139,22 @@ public:
   const std::vector<double>& areas() const { return areas_; }
 
 private:
+  /// Turns patches so that solids and what is empty alternate where that is possible (Shells.h).
+  void separateRegions(const Surface& surface)
+  {
+    const std::vector<Shells::Region> regions =
+      Shells(surface, edges_).regions(std::vector<char>(surface.triangles.size(), 1));
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    {
+      const std::int32_t patch = patches_.of(i);
+      const Shells::Region before = regions[2 * i];
+      if (before != Shells::Region::unclear && !patches_.isOneSided(patch))
+      {
+        isTurned_[patch] = (before == Shells::Region::solid) != patches_.isOpposite(i);
+      }
+    }
+  }
+
   /// The use that a patch makes of an edge that more than two triangles share.
   struct CrowdUse
   {
@@ -334,6 +352,24 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   return result;
 }
 
+/// Returns the triangles that are left out, and the pairs that stay as walls.
+std::vector<char> withWalls(std::vector<char> isLeftOut, const RepeatedFaces& faces)
+{
+  std::vector<char> hasOpposite(isLeftOut.size(), 0); // by group
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    if (faces.kinds[i] == FaceKind::opposite && !isLeftOut[i])
+    {
+      hasOpposite[faces.groups[i]] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    isLeftOut[i] |= static_cast<char>(faces.groups[i] >= 0 && hasOpposite[faces.groups[i]]);
+  }
+  return isLeftOut;
+}
+
 /// Orients a surface whose faces are there once each.
 Orientation orientOnce(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
@@ -385,8 +421,8 @@ Orientation orient(
     return orientOnce(surface, edges, parts, executor);
   }
   Orientation result;
-  result.isLeftOut = facesToLeaveOut(surface, edges, faces);
-  SurfacePart once(surface, result.isLeftOut, false);
+  result.isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
+  SurfacePart once(surface, withWalls(result.isLeftOut, faces), false);
   PolygonParts partsOfOnce;
   for (const std::size_t number : once.numbers)
   {

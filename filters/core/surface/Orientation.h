@@ -19,15 +19,17 @@ struct Orientation
 
 /**
  * Finds an orientation. Faces that are there more than once are left out first, so that each
- * bounds once (RepeatedFaces.h). Of open sheets drawn from both sides, those inside of closed parts
- * are left out with both (OpenParts.h). Three steps follow:
+ * bounds once (RepeatedFaces.h). Walls between solids, which are pairs, stay as they are. Of open
+ * sheets drawn from both sides, those inside of closed parts are left out with both (OpenParts.h).
+ * Three steps follow:
  * 1. Triangles that share an edge with no third one are made to run along it in opposite
  *    directions, and those of a polygon keep the sense that they have in common. A patch, a
  *    connected set of these triangles, that admits this is turned as a whole from here on, at first
  *    so that at most half of its area is turned. A patch that does not, a Möbius strip say, stays
  *    as it is.
- * 2. Where more than two triangles meet, patches are turned, small ones first, as long as that
- *    makes more of the triangles that meet there cancel.
+ * 2. Where more than two triangles meet, patches are turned so that the regions that they separate
+ *    are empty and solid in turn (Shells.h). Where that contradicts itself, they are turned, small
+ *    ones first, as long as that makes more of the triangles that meet there cancel.
  * 3. Components (Components.h) that are closed then are turned so that those inside an even number
  *    of other closed ones are oriented outward, and those inside an odd number, cavities, inward
  *    (ClosedComponents.h). Nearly closed components (NearlyClosed.h) are turned likewise, except

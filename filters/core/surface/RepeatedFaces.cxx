@@ -2,6 +2,7 @@
 
 #include "base/DisjointSets.h"
 #include "surface/FacesByCorners.h"
+#include "surface/Shells.h"
 
 #include <algorithm>
 #include <utility>
@@ -192,6 +193,50 @@ void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedF
   result.single += !isPair;
 }
 
+/// The place of a face between two regions.
+enum class Place : char
+{
+  unknown,
+  unclear,
+  skin, ///< of a solid
+  wall  ///< between two solids
+};
+
+/// Returns the place of each group of equal faces, unclear where its triangles are in several.
+std::vector<Place> placesOf(const Surface& surface, const RepeatedFaces& faces, Executor& executor)
+{
+  std::vector<char> isFirst, separates;
+  for (const FaceKind kind : faces.kinds)
+  {
+    const bool isAgain = kind == FaceKind::repeated || kind == FaceKind::opposite;
+    isFirst.push_back(static_cast<char>(!isAgain));
+    if (!isAgain)
+    {
+      separates.push_back(static_cast<char>(kind == FaceKind::single));
+    }
+  }
+  const SurfacePart once(surface, isFirst, true);
+  const Shells shells(once.chain, edgesOf(once.chain, executor));
+  const std::vector<Shells::Region> regions = shells.regions(separates);
+  std::vector<Place> places(isFirst.size(), Place::unknown);
+  for (std::size_t i = 0; i < once.numbers.size(); ++i)
+  {
+    const std::int32_t group = faces.groups[once.numbers[i]];
+    if (group >= 0)
+    {
+      const Shells::Region before = regions[2 * i], behind = regions[2 * i + 1];
+      const bool areSolid = before == Shells::Region::solid && behind == Shells::Region::solid;
+      const bool isClear = before != Shells::Region::unclear && behind != Shells::Region::unclear;
+      const Place place = areSolid                      ? Place::wall
+                          : isClear && before != behind ? Place::skin
+                                                        : Place::unclear;
+      places[group] =
+        places[group] == Place::unknown || places[group] == place ? place : Place::unclear;
+    }
+  }
+  return places;
+}
+
 } // namespace
 
 RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
@@ -245,7 +290,7 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
 }
 
 std::vector<char> facesToLeaveOut(
-  const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces)
+  const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces, Executor& executor)
 {
   const auto isThereBefore = [&faces](std::size_t triangle)
   {
@@ -268,6 +313,21 @@ std::vector<char> facesToLeaveOut(
     isLeftOut[i] = isThereBefore(i) && !others.isOfWall(i);
   }
   leaveOutUnclearWalls(edges, faces, isLeftOut);
+  const std::vector<Place> places = placesOf(surface, faces, executor);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t group = faces.groups[i];
+    const Place place = group < 0 ? Place::unclear : places[group];
+    const FaceKind kind = faces.kinds[i];
+    if (place == Place::skin)
+    {
+      isLeftOut[i] = isThereBefore(i);
+    }
+    else if (place == Place::wall)
+    {
+      isLeftOut[i] = kind != FaceKind::facing && kind != FaceKind::opposite;
+    }
+  }
   return isLeftOut;
 }
 

@@ -50,13 +50,17 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
 
 /**
  * Returns the triangles to leave out so that each face bounds once, by triangle. They are repeated
- * faces, and the opposite ones of pairs in the skin of a solid that was drawn from both sides. They
- * stay, set by connected set, where even numbers of single faces meet each of its edges: the walls
- * between solids that touch, which bound nothing together. No wall stays where the faces of one
- * do not cancel, as where one of the solids looks inward or was drawn from both sides.
+ * faces, and the opposite ones of pairs in the skin of a solid that was drawn from both sides.
+ * Walls between solids that touch, which bound nothing together, stay as a pair of opposite faces,
+ * or are left out where there is none.
+ *
+ * The regions on both sides of a face separate walls from skins (Shells.h). Where they do not, at
+ * open or crossing surfaces, a connected set of faces is a wall if even numbers of single faces
+ * meet each of its edges. None of these walls stays where the faces of one do not cancel, as where
+ * one of the solids looks inward or was drawn from both sides.
  */
-std::vector<char> facesToLeaveOut(
-  const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces);
+std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
+  const RepeatedFaces& faces, Executor& executor);
 
 /// Some triangles of a surface, over all of its vertices.
 struct SurfacePart

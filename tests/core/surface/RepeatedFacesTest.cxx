@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -375,6 +377,59 @@ TEST(RepeatedFaces, NoWallStaysWhereASolidThatTouchesIsDrawnFromBothSides)
       block = block.with(i == 2 || random(0, 1) < 0.5 ? withRepeated(box, 0, 12, true) : box);
     }
     EXPECT_NEAR(volumeOf(outward(shuffled(block, random))), 5, 1e-12);
+  }
+}
+
+/// Boxes of a block, some of them missing, inverted, drawn twice or from both sides, or with faces
+/// turned or cut otherwise.
+TEST(RepeatedFaces, BoxesOfABlockAreSolidsWhateverIsWrongWithThem)
+{
+  const std::array<std::array<int, 3>, 4> blocks = {{{2, 1, 1}, {2, 2, 1}, {2, 2, 2}, {3, 3, 3}}};
+  for (unsigned seed = 1; seed <= 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const std::array<int, 3>& block = blocks[seed % blocks.size()];
+    Mesh mesh;
+    std::vector<Point> places;
+    std::vector<float> expected;
+    for (int n = 0; n < block[0] * block[1] * block[2]; ++n)
+    {
+      const Point corner(n % block[0], n / block[0] % block[1], n / block[0] / block[1]);
+      places.emplace_back(corner + Point(0.4, 0.55, 0.6));
+      const double state = random(0, 6);
+      expected.push_back(state < 1 ? 0.0F : 1.0F);
+      if (state < 1)
+      {
+        continue;
+      }
+      Mesh box = cube(corner, corner + Point(1, 1, 1));
+      if (random(0, 1) < 0.5)
+      {
+        box = cutOtherwise(box);
+      }
+      for (std::size_t face = 0; face < 12 && state < 3; face += 2)
+      {
+        if (random(0, 1) < 0.25)
+        {
+          std::swap(box.triangles[face][0], box.triangles[face][1]);
+          std::swap(box.triangles[face + 1][0], box.triangles[face + 1][1]);
+        }
+      }
+      mesh = mesh.with(state < 4   ? box
+                       : state < 5 ? box.reversed()
+                                   : withRepeated(box, 0, 12, random(0, 1) < 0.5));
+    }
+    mesh = shuffled(mesh, random);
+    winding::SerialExecutor serial;
+    winding::FieldOptions options;
+    options.orientFaces = true;
+    const auto field = winding::Field::build({mesh.view()}, options, serial);
+    std::vector<float> w(places.size());
+    winding::FieldOutput output;
+    output.values = w.data();
+    field->evaluate(winding::VectorsView(places.front().data(), places.size()), output, serial);
+    EXPECT_EQ(w, expected);
   }
 }
 

@@ -1,0 +1,194 @@
+#include "surface/Shells.h"
+
+#include "base/Pi.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Returns a side of a triangle: the one that faces the triangles that come next around an edge, by
+/// angles that grow, or the one that faces those before. `sense` is a sense of SurfaceEdges::Use.
+std::int32_t sideOf(std::int32_t triangle, std::int32_t sense, bool facesNext)
+{
+  const bool isFront = (sense > 0) == facesNext;
+  return 2 * triangle + (isFront ? 0 : 1);
+}
+
+constexpr double leastAngle = 1e-6;
+
+/// The use of an edge, and the angle of its triangle around it.
+struct AngledUse
+{
+  double angle;      ///< −π to π
+  bool hasDirection; ///< whether the triangle is wide enough for an angle
+  SurfaceEdges::Use use;
+};
+
+/// Returns the uses of an edge in the order of their angles.
+std::vector<AngledUse> usesByAngle(
+  const Surface& surface, const SurfaceEdges& edges, const SurfaceEdges::Crowd& crowd)
+{
+  const Eigen::Vector3d& low = surface.vertices[crowd.low];
+  const Eigen::Vector3d along = (surface.vertices[crowd.high] - low).stableNormalized();
+  const Eigen::Vector3d across = along.unitOrthogonal(), up = along.cross(across);
+  std::vector<AngledUse> uses;
+  for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+  {
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    for (const std::int32_t vertex : surface.triangles[use->triangle])
+    {
+      if (vertex != crowd.low && vertex != crowd.high)
+      {
+        to = (surface.vertices[vertex] - low).stableNormalized();
+      }
+    }
+    const double x = to.dot(across), y = to.dot(up);
+    uses.push_back({std::atan2(y, x), std::hypot(x, y) > leastAngle, *use});
+  }
+  std::sort(uses.begin(), uses.end(),
+    [](const AngledUse& a, const AngledUse& b)
+    { return a.angle < b.angle || (a.angle == b.angle && a.use.triangle < b.use.triangle); });
+  return uses;
+}
+
+} // namespace
+
+Shells::Shells(const Surface& surface, const SurfaceEdges& edges)
+  : sets_(2 * surface.triangles.size())
+{
+  std::vector<std::int32_t> unclearSides;
+  for (const SurfaceEdges::Rim& rim : edges.rims)
+  {
+    sets_.unite(2 * rim.triangle, 2 * rim.triangle + 1);
+    unclearSides.push_back(2 * rim.triangle);
+  }
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    // Fronts see fronts where the triangles agree.
+    const std::int32_t front = 2 * pair.triangles[0], other = 2 * pair.triangles[1];
+    sets_.unite(front, other + (pair.agrees ? 0 : 1));
+    sets_.unite(front + 1, other + (pair.agrees ? 1 : 0));
+  }
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    this->joinAround(surface, edges, crowd, unclearSides);
+  }
+  this->measure(surface, unclearSides);
+}
+
+/// Unites the sides that face each other around an edge. Notes sides where the order is not clear.
+void Shells::joinAround(const Surface& surface, const SurfaceEdges& edges,
+  const SurfaceEdges::Crowd& crowd, std::vector<std::int32_t>& unclearSides)
+{
+  const std::vector<AngledUse> uses = usesByAngle(surface, edges, crowd);
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    const bool isLast = i + 1 == uses.size();
+    const AngledUse &here = uses[i], &next = uses[isLast ? 0 : i + 1];
+    const std::int32_t side = sideOf(here.use.triangle, here.use.sense, true);
+    const std::int32_t facing = sideOf(next.use.triangle, next.use.sense, false);
+    sets_.unite(side, facing);
+    const double between = next.angle - here.angle + (isLast ? 2 * pi : 0);
+    if (!here.hasDirection || !next.hasDirection || between < leastAngle)
+    {
+      unclearSides.insert(unclearSides.end(), {side, side ^ 1, facing ^ 1});
+    }
+  }
+}
+
+/// Finds the shells round bounded regions: the volumes within are negative seen from there.
+void Shells::measure(const Surface& surface, const std::vector<std::int32_t>& unclearSides)
+{
+  const std::size_t sides = 2 * surface.triangles.size();
+  shells_.resize(sides);
+  std::vector<double> volumes(sides, 0), sizes(sides, 0);
+  for (std::size_t side = 0; side < sides; ++side)
+  {
+    const std::int32_t shell = sets_.find(static_cast<std::int32_t>(side));
+    shells_[side] = shell;
+    const Triangle& t = surface.triangles[side / 2];
+    const Eigen::Vector3d& origin = surface.vertices[surface.triangles[shell / 2][0]];
+    const double volume =
+      (surface.vertices[t[0]] - origin)
+        .dot((surface.vertices[t[1]] - origin).cross(surface.vertices[t[2]] - origin));
+    volumes[shell] += side % 2 == 0 ? volume : -volume;
+    sizes[shell] += std::abs(volume);
+  }
+  constexpr double rounding = 1e-10;
+  byVolume_.resize(sides, Region::unclear);
+  for (std::size_t shell = 0; shell < sides; ++shell)
+  {
+    if (std::abs(volumes[shell]) > rounding * sizes[shell])
+    {
+      byVolume_[shell] = volumes[shell] < 0 ? Region::solid : Region::empty;
+    }
+  }
+  for (const std::int32_t side : unclearSides)
+  {
+    byVolume_[shells_[side]] = Region::unclear;
+  }
+}
+
+std::vector<Shells::Region> Shells::regions(const std::vector<char>& separates) const
+{
+  const std::size_t sides = shells_.size();
+  SensedSets sets(sides); // of shells that are equal or opposite
+  std::vector<std::int32_t> contradictions;
+  std::vector<char> isSeparated(sides, 0);
+  for (std::size_t i = 0; i < separates.size(); ++i)
+  {
+    const std::int32_t front = shells_[2 * i], back = shells_[2 * i + 1];
+    if (separates[i])
+    {
+      isSeparated[front] = isSeparated[back] = 1;
+      if (!sets.unite(front, back, true))
+      {
+        contradictions.push_back(front);
+      }
+    }
+  }
+  std::vector<Region> regions(sides, Region::unclear); // of the representatives
+  std::vector<char> isUnclear(sides, 0);
+  for (const std::int32_t shell : contradictions)
+  {
+    isUnclear[sets.find(shell).representative] = 1;
+  }
+  const auto opposite = [](Region region, bool isOpposite)
+  {
+    return !isOpposite || region == Region::unclear ? region
+           : region == Region::empty                ? Region::solid
+                                                    : Region::empty;
+  };
+  for (const std::int32_t shell : shells_)
+  {
+    const SensedSets::Place place = sets.find(shell);
+    isUnclear[place.representative] |= static_cast<char>(byVolume_[shell] == Region::unclear);
+    if (byVolume_[shell] == Region::empty || !isSeparated[shell])
+    {
+      Region& known = regions[place.representative];
+      const Region here = opposite(byVolume_[shell], place.isOpposite);
+      isUnclear[place.representative] |=
+        static_cast<char>(known != Region::unclear && known != here);
+      known = here;
+    }
+  }
+  std::vector<Region> result;
+  result.reserve(sides);
+  for (const std::int32_t shell : shells_)
+  {
+    const SensedSets::Place place = sets.find(shell);
+    result.push_back(isUnclear[place.representative]
+                       ? Region::unclear
+                       : opposite(regions[place.representative], place.isOpposite));
+  }
+  return result;
+}
+
+} // namespace winding
