@@ -347,6 +347,11 @@ void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
   if (openings.areWide() && info.contradictingEdges == 0 && (openings.lookInward || isUnclear))
   {
     warnings.push_back(winding::openSideAdvice(openings));
+    if (!openings.lookInward && this->MayCloseBorder())
+    {
+      // With that threshold all behind the surface is inside, up to the border.
+      warnings.back().remedies.back().settings.emplace_back(winding::Parameter::closeBorder, 1);
+    }
   }
   if (!warnings.empty())
   {

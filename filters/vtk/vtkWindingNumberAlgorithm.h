@@ -449,6 +449,9 @@ protected:
   /// Whether voxels that the source touches are inside, as is then all of a sheet.
   virtual bool TakesTouchedVoxels() const { return false; }
 
+  /// Whether the result ends at the border of the grid, and could be closed there.
+  virtual bool MayCloseBorder() const { return false; }
+
   /// Whether a sample that is half inside does not count, so that a lower threshold may help.
   bool HasHighThreshold() const { return this->InsideRule != ODD && this->WindingThreshold > 0.5; }
 

@@ -167,6 +167,7 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   bool WorksOnFirstRank() const override { return true; }
+  bool MayCloseBorder() const override { return !this->CloseBorder; }
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   double GetResultBytes(vtkIdType samples) const override;
 

@@ -238,6 +238,15 @@ TEST_F(SurfaceInputs, TerrainIsNoInwardSolid)
   EXPECT_EQ(count(bare.err, "the surface is open on a whole side"), 1) << bare;
   EXPECT_EQ(count(bare.err, "--threshold 0"), 1) << bare;
   EXPECT_EQ(count(bare.err, "look inward"), 0) << bare;
+  EXPECT_EQ(count(bare.err, "--close-border"), 0) << bare;
+  // A surface ends at the border of the grid.
+  const Outcome slab = runProgram({"surface", file, "-o", folder.path("slab.vtp")});
+  EXPECT_EQ(count(slab.err, "(--threshold 0, --close-border)"), 1) << slab;
+  const Outcome closed = runProgram(
+    {"surface", file, "-o", folder.path("slab.vtp"), "--threshold", "0", "--close-border"});
+  EXPECT_EQ(closed.err, "");
+  const Outcome checked = runProgram({"check", folder.path("slab.vtp"), "--json"});
+  EXPECT_EQ(checked.json()["boundary_edges"].get<int>(), 0) << checked;
   EXPECT_NE(runProgram({"check", file}).out.find("open on a whole side"), std::string::npos);
   // Then all that lies below is inside.
   EXPECT_GT(windingAt(file, {0.5, 0.5, 0.02}), 0);
