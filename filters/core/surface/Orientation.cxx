@@ -139,16 +139,39 @@ public:
   const std::vector<double>& areas() const { return areas_; }
 
 private:
-  /// Turns patches so that solids and what is empty alternate where that is possible (Shells.h).
+  /// Turns the patches that do not cancel where they meet, and all that are connected with them, so
+  /// that solids and what is empty alternate (Shells.h). Others overlap, maybe, and stay.
   void separateRegions(const Surface& surface)
   {
-    const std::vector<Shells::Region> regions =
-      Shells(surface, edges_).regions(std::vector<char>(surface.triangles.size(), 1));
+    DisjointSets sets(isTurned_.size());
+    std::vector<std::int32_t> open;
+    for (const SurfaceEdges::Crowd& edge : edges_.crowds)
+    {
+      std::int32_t net = 0;
+      for (const SurfaceEdges::Use* use = edges_.begin(edge); use != edges_.end(edge); ++use)
+      {
+        const auto triangle = static_cast<std::size_t>(use->triangle);
+        net += this->isTurned(triangle) ? -use->sense : use->sense;
+        sets.unite(patches_.of(edges_.begin(edge)->triangle), patches_.of(triangle));
+      }
+      if (net != 0)
+      {
+        open.push_back(patches_.of(edges_.begin(edge)->triangle));
+      }
+    }
+    std::vector<char> isOpen(isTurned_.size(), 0);
+    for (const std::int32_t patch : open)
+    {
+      isOpen[sets.find(patch)] = 1;
+    }
+    const std::vector<std::int32_t> once(surface.triangles.size(), 1);
+    const std::vector<Shells::Region> regions = Shells(surface, edges_).regions(once);
     for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     {
       const std::int32_t patch = patches_.of(i);
       const Shells::Region before = regions[2 * i];
-      if (before != Shells::Region::unclear && !patches_.isOneSided(patch))
+      if (isOpen[sets.find(patch)] && before != Shells::Region::unclear &&
+          !patches_.isOneSided(patch))
       {
         isTurned_[patch] = (before == Shells::Region::solid) != patches_.isOpposite(i);
       }
@@ -352,6 +375,16 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
   return result;
 }
 
+/// Returns whether triangles agree, or cancel, at all edges of more than one.
+bool agreesEverywhere(const SurfaceEdges& edges)
+{
+  const bool pairsAgree = std::all_of(edges.pairs.begin(), edges.pairs.end(),
+    [](const SurfaceEdges::Pair& pair) { return pair.agrees; });
+  return pairsAgree &&
+         std::all_of(edges.crowds.begin(), edges.crowds.end(),
+           [&edges](const SurfaceEdges::Crowd& crowd) { return edges.net(crowd) == 0; });
+}
+
 /// Returns the triangles that are left out, and the pairs that stay as walls.
 std::vector<char> withWalls(std::vector<char> isLeftOut, const RepeatedFaces& faces)
 {
@@ -422,7 +455,13 @@ Orientation orient(
   }
   Orientation result;
   result.isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
-  SurfacePart once(surface, withWalls(result.isLeftOut, faces), false);
+  SurfacePart once(surface, result.isLeftOut, false);
+  SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
+  if (!agreesEverywhere(edgesOfOnce))
+  {
+    once = SurfacePart(surface, withWalls(result.isLeftOut, faces), false);
+    edgesOfOnce = edgesOf(once.chain, executor);
+  }
   PolygonParts partsOfOnce;
   for (const std::size_t number : once.numbers)
   {
@@ -431,7 +470,6 @@ Orientation orient(
       partsOfOnce.push_back(parts[number]);
     }
   }
-  const SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
   const Orientation found = orientOnce(once.chain, edgesOfOnce, partsOfOnce, executor);
   result.triangles = found.triangles;
   result.components = found.components;

@@ -27,9 +27,10 @@ struct Orientation
  *    connected set of these triangles, that admits this is turned as a whole from here on, at first
  *    so that at most half of its area is turned. A patch that does not, a Möbius strip say, stays
  *    as it is.
- * 2. Where more than two triangles meet, patches are turned so that the regions that they separate
- *    are empty and solid in turn (Shells.h). Where that contradicts itself, they are turned, small
- *    ones first, as long as that makes more of the triangles that meet there cancel.
+ * 2. Where more than two triangles meet and do not cancel, patches that are connected with them are
+ *    turned so that the regions that they separate are empty and solid in turn (Shells.h). Where
+ *    these contradict each other, patches are turned, small ones first, as long as that makes more
+ *    of the triangles cancel.
  * 3. Components (Components.h) that are closed then are turned so that those inside an even number
  *    of other closed ones are oriented outward, and those inside an odd number, cavities, inward
  *    (ClosedComponents.h). Nearly closed components (NearlyClosed.h) are turned likewise, except

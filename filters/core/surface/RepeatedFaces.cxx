@@ -149,11 +149,11 @@ void leaveOutUnclearWalls(
 {
   // Skins of solids that are there twice are no walls: walls of three faces or more come first.
   const bool areOfMany = leaveOutWalls(
-    edges, faces, [&faces](std::size_t i) { return faces.isOfMany[i] != 0; }, isLeftOut);
+    edges, faces, [&faces](std::size_t i) { return faces.copies[i] > 2; }, isLeftOut);
   const auto isUnclear = [&faces](std::size_t triangle)
   {
     const FaceKind kind = faces.kinds[triangle];
-    return faces.isOfMany[triangle] || kind == FaceKind::first || kind == FaceKind::repeated;
+    return faces.copies[triangle] > 2 || kind == FaceKind::first || kind == FaceKind::repeated;
   };
   if (leaveOutWalls(edges, faces, isUnclear, isLeftOut) || areOfMany)
   {
@@ -185,7 +185,7 @@ void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedF
     for (const std::int32_t triangle : faces.triangles(*face))
     {
       result.kinds[triangle] = kind;
-      result.isOfMany[triangle] = static_cast<char>(count > 2);
+      result.copies[triangle] = static_cast<std::int32_t>(count);
       result.groups[triangle] = faces.firstTriangle(*first);
     }
   }
@@ -205,19 +205,21 @@ enum class Place : char
 /// Returns the place of each group of equal faces, unclear where its triangles are in several.
 std::vector<Place> placesOf(const Surface& surface, const RepeatedFaces& faces, Executor& executor)
 {
-  std::vector<char> isFirst, separates;
-  for (const FaceKind kind : faces.kinds)
+  std::vector<char> isFirst;
+  std::vector<std::int32_t> counts;
+  for (std::size_t i = 0; i < faces.kinds.size(); ++i)
   {
-    const bool isAgain = kind == FaceKind::repeated || kind == FaceKind::opposite;
+    const bool isAgain =
+      faces.kinds[i] == FaceKind::repeated || faces.kinds[i] == FaceKind::opposite;
     isFirst.push_back(static_cast<char>(!isAgain));
     if (!isAgain)
     {
-      separates.push_back(static_cast<char>(kind == FaceKind::single));
+      counts.push_back(faces.copies[i]);
     }
   }
   const SurfacePart once(surface, isFirst, true);
   const Shells shells(once.chain, edgesOf(once.chain, executor));
-  const std::vector<Shells::Region> regions = shells.regions(separates);
+  const std::vector<Shells::Region> regions = shells.regions(counts);
   std::vector<Place> places(isFirst.size(), Place::unknown);
   for (std::size_t i = 0; i < once.numbers.size(); ++i)
   {
@@ -244,7 +246,7 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
   const FacesByCorners faces = facesOf(surface, parts);
   RepeatedFaces result;
   result.kinds.resize(surface.triangles.size(), FaceKind::single);
-  result.isOfMany.resize(surface.triangles.size(), 0);
+  result.copies.resize(surface.triangles.size(), 1);
   result.groups.resize(surface.triangles.size(), -1);
   std::vector<char> isTaken(surface.triangles.size(), 0);
   const FaceGroups groups = faces.groups();

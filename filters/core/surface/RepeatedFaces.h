@@ -24,7 +24,7 @@ enum class FaceKind : char
 struct RepeatedFaces
 {
   std::vector<FaceKind> kinds;      ///< by triangle
-  std::vector<char> isOfMany;       ///< by triangle: whether three faces or more are equal
+  std::vector<std::int32_t> copies; ///< by triangle: number of its equal faces, itself among them
   std::vector<std::int32_t> groups; ///< by triangle: a number of its equal faces, −1 for single
   std::size_t repeated = 0;         ///< number of repeated faces
   std::size_t pairs = 0;            ///< number of pairs of facing and opposite faces

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace winding
 {
@@ -136,57 +137,74 @@ void Shells::measure(const Surface& surface, const std::vector<std::int32_t>& un
   }
 }
 
-std::vector<Shells::Region> Shells::regions(const std::vector<char>& separates) const
+std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& counts) const
 {
-  const std::size_t sides = shells_.size();
-  SensedSets sets(sides); // of shells that are equal or opposite
-  std::vector<std::int32_t> contradictions;
-  std::vector<char> isSeparated(sides, 0);
-  for (std::size_t i = 0; i < separates.size(); ++i)
+  struct Wall
+  {
+    std::int32_t from, to, count;
+  };
+  std::vector<Wall> walls;
+  for (std::size_t i = 0; i < counts.size(); ++i)
   {
     const std::int32_t front = shells_[2 * i], back = shells_[2 * i + 1];
-    if (separates[i])
+    walls.push_back({front, back, counts[i]});
+    walls.push_back({back, front, counts[i]});
+  }
+  std::sort(walls.begin(), walls.end(),
+    [](const Wall& a, const Wall& b)
+    { return std::tie(a.from, a.to, a.count) < std::tie(b.from, b.to, b.count); });
+  walls.erase(std::unique(walls.begin(), walls.end(),
+                [](const Wall& a, const Wall& b)
+                { return a.from == b.from && a.to == b.to && a.count == b.count; }),
+    walls.end());
+  constexpr std::int32_t unknown = -1;
+  std::vector<std::int32_t> numbers(shells_.size(), unknown);
+  DisjointSets reached(shells_.size());
+  std::vector<std::int32_t> contradictions, queue;
+  for (const std::int32_t shell : shells_)
+  {
+    if (byVolume_[shell] == Region::empty && numbers[shell] == unknown)
     {
-      isSeparated[front] = isSeparated[back] = 1;
-      if (!sets.unite(front, back, true))
+      numbers[shell] = 0;
+      queue.push_back(shell);
+    }
+  }
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const std::int32_t from = queue[next];
+    const auto first = std::lower_bound(walls.begin(), walls.end(), from,
+      [](const Wall& wall, std::int32_t shell) { return wall.from < shell; });
+    for (auto wall = first; wall != walls.end() && wall->from == from; ++wall)
+    {
+      if (byVolume_[wall->to] == Region::unclear)
       {
-        contradictions.push_back(front);
+        continue;
+      }
+      reached.unite(from, wall->to);
+      const std::int32_t number = wall->count - numbers[from];
+      if (numbers[wall->to] == unknown && number >= 0)
+      {
+        numbers[wall->to] = number;
+        queue.push_back(wall->to);
+      }
+      else if (numbers[wall->to] != number)
+      {
+        contradictions.push_back(from);
       }
     }
   }
-  std::vector<Region> regions(sides, Region::unclear); // of the representatives
-  std::vector<char> isUnclear(sides, 0);
+  std::vector<char> isUnclear(shells_.size(), 0);
   for (const std::int32_t shell : contradictions)
   {
-    isUnclear[sets.find(shell).representative] = 1;
-  }
-  const auto opposite = [](Region region, bool isOpposite)
-  {
-    return !isOpposite || region == Region::unclear ? region
-           : region == Region::empty                ? Region::solid
-                                                    : Region::empty;
-  };
-  for (const std::int32_t shell : shells_)
-  {
-    const SensedSets::Place place = sets.find(shell);
-    isUnclear[place.representative] |= static_cast<char>(byVolume_[shell] == Region::unclear);
-    if (byVolume_[shell] == Region::empty || !isSeparated[shell])
-    {
-      Region& known = regions[place.representative];
-      const Region here = opposite(byVolume_[shell], place.isOpposite);
-      isUnclear[place.representative] |=
-        static_cast<char>(known != Region::unclear && known != here);
-      known = here;
-    }
+    isUnclear[reached.find(shell)] = 1;
   }
   std::vector<Region> result;
-  result.reserve(sides);
+  result.reserve(shells_.size());
   for (const std::int32_t shell : shells_)
   {
-    const SensedSets::Place place = sets.find(shell);
-    result.push_back(isUnclear[place.representative]
-                       ? Region::unclear
-                       : opposite(regions[place.representative], place.isOpposite));
+    result.push_back(numbers[shell] == unknown || isUnclear[reached.find(shell)] ? Region::unclear
+                     : numbers[shell] == 0                                       ? Region::empty
+                                                                                 : Region::solid);
   }
   return result;
 }

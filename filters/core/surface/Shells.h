@@ -32,11 +32,15 @@ public:
   };
 
   /**
-   * Returns for each side, front and back of one triangle after the other, what is before it. The
-   * outside is empty. Triangles whose entry of `separates` is not 0 have a solid on one side, and
-   * an empty region on the other. A bounded region that has no triangle of these is solid.
+   * Returns for each side, front and back of one triangle after the other, what is before it.
+   *
+   * `counts` says how many faces each triangle stands for, 1 or more. Each of these bounds a solid
+   * on one of its sides, and a solid that was drawn n times has n faces everywhere. So the numbers
+   * of a region and of its neighbour behind a triangle add up to the triangle's count, from the
+   * outside on, which has 0. A region is empty with 0, solid with more, and unclear where numbers
+   * contradict each other.
    */
-  std::vector<Region> regions(const std::vector<char>& separates) const;
+  std::vector<Region> regions(const std::vector<std::int32_t>& counts) const;
 
 private:
   void joinAround(const Surface& surface, const SurfaceEdges& edges,
@@ -45,7 +49,7 @@ private:
 
   DisjointSets sets_;                ///< of sides
   std::vector<std::int32_t> shells_; ///< by side: the first side of its shell
-  std::vector<Region> byVolume_;     ///< by shell: empty if it is an outside, or else solid
+  std::vector<Region> byVolume_;     ///< by shell: empty for an outside, solid for bounded ones
 };
 
 } // namespace winding

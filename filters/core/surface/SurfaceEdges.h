@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace winding
@@ -52,6 +53,13 @@ struct SurfaceEdges
 
   const Use* begin(const Crowd& crowd) const { return crowdUses.data() + crowd.firstUse; }
   const Use* end(const Crowd& crowd) const { return crowdUses.data() + crowd.endOfUses; }
+
+  /// Returns the sum of the senses of a crowd's uses.
+  std::int32_t net(const Crowd& crowd) const
+  {
+    return std::accumulate(this->begin(crowd), this->end(crowd), std::int32_t(0),
+      [](std::int32_t sum, const Use& use) { return sum + use.sense; });
+  }
 
   /// Calls visit(set, net) for each set of triangles that uses the edge of a crowd, in ascending
   /// order, with the sum of the senses of its uses.

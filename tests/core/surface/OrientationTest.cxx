@@ -161,6 +161,26 @@ TEST(Orientation, OfSolidsThatCrossIsOutward)
   expectTriangles(oriented(shuffled(solids, 731)), solids);
 }
 
+/// Solids that overlap may have all edges of their intersection in common.
+TEST(Orientation, LeavesSolidsThatOverlapAndConform)
+{
+  const auto block = [](int low, int high)
+  {
+    Cells cells;
+    for (int n = 0; n < 8; ++n)
+    {
+      cells.insert({low + n % 2 * (high - low - 1), low + n / 2 % 2 * (high - low - 1),
+        low + n / 4 * (high - low - 1)});
+    }
+    return surfaceOf(cells);
+  };
+  const Mesh both = block(0, 2).with(block(1, 3));
+  const Surface surface = clean(both);
+  winding::SerialExecutor serial;
+  EXPECT_GT(edgesOf(surface).crowds.size(), 0u);
+  EXPECT_EQ(orient(surface, edgesOf(surface), {}, serial).triangles, 0u);
+}
+
 TEST(Orientation, OfWhatIsNearlyClosedIsOutward)
 {
   expectTriangles(oriented(shuffled(openCube(), 741)), openCube());

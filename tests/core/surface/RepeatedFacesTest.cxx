@@ -433,6 +433,26 @@ TEST(RepeatedFaces, BoxesOfABlockAreSolidsWhateverIsWrongWithThem)
   }
 }
 
+/// A cavity between boxes has faces of one box each, and walls have those of two.
+TEST(RepeatedFaces, CavitiesBetweenDoubledBoxesStayEmpty)
+{
+  Random random(3706);
+  for (int way = 0; way < 3; ++way)
+  {
+    Mesh mesh;
+    for (int n = 0; n < 27; ++n)
+    {
+      const Point corner(n % 3, n / 3 % 3, n / 9);
+      const Mesh box = cube(corner, corner + Point(1, 1, 1));
+      if (n != 13)
+      {
+        mesh = mesh.with(withRepeated(box, 0, 12, way == 0 || (way == 1 && random(0, 1) < 0.5)));
+      }
+    }
+    EXPECT_NEAR(volumeOf(outward(shuffled(mesh, random))), 26, 1e-9) << way;
+  }
+}
+
 TEST(RepeatedFaces, TheMajorityOfThreeStands)
 {
   const Mesh ball = icosphere(1); // 80 triangles

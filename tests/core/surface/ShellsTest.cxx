@@ -17,13 +17,13 @@ using winding::Shells;
 using winding::Surface;
 using Region = Shells::Region;
 
-/// The regions before all sides, in the order of the triangles; the last `walls` separate nothing.
+/// The regions before all sides, in the order of the triangles; the last `walls` stand for two.
 std::vector<Region> regionsIn(const Mesh& mesh, std::size_t walls)
 {
   const Surface surface = clean(mesh);
-  std::vector<char> separates(surface.triangles.size(), 1);
-  std::fill(separates.end() - static_cast<std::ptrdiff_t>(walls), separates.end(), 0);
-  return Shells(surface, edgesOf(surface)).regions(separates);
+  std::vector<std::int32_t> counts(surface.triangles.size(), 1);
+  std::fill(counts.end() - static_cast<std::ptrdiff_t>(walls), counts.end(), 2);
+  return Shells(surface, edgesOf(surface)).regions(counts);
 }
 
 /// Whether a triangle has a solid on one side and nothing on the other.
