@@ -70,7 +70,7 @@ bool areFlatAround(const PointCloud& cloud, const Eigen::Vector3d& normal, Execu
   std::size_t count = 0;
   for (std::size_t place = 0; place < places.size(); place += places.size() / most + 1)
   {
-    if (cloud.normals[*places.begin(place)] != normal)
+    if (!areEqual(cloud.normals[*places.begin(place)], normal))
     {
       continue;
     }

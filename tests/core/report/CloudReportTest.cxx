@@ -375,9 +375,10 @@ TEST(CloudReport, KnowsNormalsThatAreEqualWhereNoPlaneIs)
     EXPECT_EQ(report(with(ball, Point(0.3, -2, 0.1), others)).equalNormalsExcept, others);
   }
   Cloud noisy = with(ball, up, 1);
-  for (std::size_t i = 0; i < ball.size(); ++i)
+  Random random(3705);
+  for (Point& normal : noisy.normals)
   {
-    noisy.normals[i].x() += i % 2 == 0 ? 1e-6 : -1e-6;
+    normal.x() += random(-1e-4, 1e-4);
   }
   EXPECT_EQ(report(noisy).equalNormalsExcept, 1u);
   EXPECT_FALSE(report(with(ball, up, 7)).equalNormalsExcept) << "more than a hundredth";
