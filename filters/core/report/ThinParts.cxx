@@ -318,8 +318,9 @@ std::optional<ThinParts> thinPartsOf(
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
                 [&](const SampleBox& box)
                 {
-                  samples += box.size();
-                  return samples > mostSamples || box.hasAny(take);
+                  const bool isTooLarge = samples + box.size() > mostSamples;
+                  samples += isTooLarge ? 0 : box.size();
+                  return isTooLarge || box.hasAny(take);
                 }),
     boxes.end());
   std::vector<unsigned char> inside(numbers.size());
