@@ -3,9 +3,9 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
 #include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/Options.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/SourceProperties.h"
 

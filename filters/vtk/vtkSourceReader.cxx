@@ -1,14 +1,10 @@
 #include "vtkSourceReader.h"
 
-#include "files/ObjFile.h"
-#include "files/OffFile.h"
-#include "files/PlyFile.h"
-#include "files/PointsFile.h"
-#include "files/StlFile.h"
+#include "files/MeshFormats.h"
 #include "files/TableFile.h"
+#include "messages/Options.h"
 #include "private/output/HandedArrays.h"
 #include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 
 #include "vtkDoubleArray.h"
@@ -17,10 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtksys/SystemTools.hxx"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -28,26 +21,6 @@ vtkStandardNewMacro(vtkSourceReader);
 
 namespace
 {
-
-/// A format of files.
-struct Format
-{
-  const char* suffix;
-  winding::MeshArrays (*read)(const winding::InputFile& file, winding::Executor& executor);
-  char separator; ///< of a table, which has no function
-};
-
-/// All formats, in the order in which users are given their suffixes.
-constexpr Format formats[] = {
-  {".ply", winding::readPly, 0},
-  {".stl", winding::readStl, 0},
-  {".obj", winding::readObj, 0},
-  {".off", winding::readOff, 0},
-  {".xyz", winding::readPoints, 0},
-  {".pwn", winding::readPoints, 0},
-  {".csv", nullptr, ','},
-  {".tsv", nullptr, '\t'},
-};
 
 /// Texts go straight into VTK's arrays, so that there is no second copy of them.
 class StringArrays final : public winding::TextColumns
@@ -105,16 +78,7 @@ vtkSourceReader::~vtkSourceReader()
 
 const char* vtkSourceReader::GetFileExtensions()
 {
-  static const std::string all = []
-  {
-    std::string suffixes;
-    for (const Format& format : formats)
-    {
-      suffixes += (suffixes.empty() ? "" : " ") + std::string(format.suffix);
-    }
-    return suffixes;
-  }();
-  return all.c_str();
+  return winding::suffixesOfMeshes().c_str();
 }
 
 std::string vtkSourceReader::GetHeader() const
@@ -172,20 +136,13 @@ int vtkSourceReader::RequestData(
 void vtkSourceReader::Read(
   const winding::InputFile& file, winding::Executor& executor, vtkPolyData* output)
 {
-  const std::string suffix =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file.name()));
-  const Format* const format = std::find_if(std::begin(formats), std::end(formats),
-    [&suffix](const Format& candidate) { return candidate.suffix == suffix; });
-  if (format == std::end(formats))
+  const winding::MeshFormat& format = winding::formatOf(file);
+  if (!format.read)
   {
-    file.refuse(std::string("has a suffix that is not known; give one of ") + GetFileExtensions());
-  }
-  if (!format->read)
-  {
-    this->ReadTable(file, format->separator, executor, output);
+    this->ReadTable(file, format.separator, executor, output);
     return;
   }
-  winding::MeshArrays mesh = format->read(file, executor);
+  winding::MeshArrays mesh = format.read(file, executor);
   for (const winding::Message& note : mesh.notes)
   {
     vtkWarningMacro(<< file.name() << ": " << winding::lineOf(note));

@@ -1,10 +1,10 @@
 #include "vtkSurfaceReport.h"
 
 #include "base/Refusal.h"
+#include "messages/PropertyChecks.h"
 #include "private/output/FaultBlocks.h"
 #include "private/output/SourceReport.h"
 #include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"

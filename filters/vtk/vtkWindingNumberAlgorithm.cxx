@@ -3,10 +3,10 @@
 #include "base/Bounds.h"
 #include "base/Refusal.h"
 #include "base/Stopwatch.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Options.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
@@ -14,7 +14,7 @@
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
 #include "report/ExpectedTimeAdvice.h"
-#include "report/InsideOutAdvice.h"
+#include "report/SourceAdvice.h"
 #include "source/Grid.h"
 
 #include "vtkDataObject.h"
@@ -341,17 +341,11 @@ const winding::Field& vtkWindingNumberAlgorithm::FieldOf(
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
   std::vector<winding::Message> warnings = info.warnings;
-  const winding::Openings& openings = info.openings;
-  const bool isUnclear =
-    this->WindingThreshold > 0 && !(openings.areOfSheet() && this->TakesTouchedVoxels());
-  if (openings.areWide() && info.contradictingEdges == 0 && (openings.lookInward || isUnclear))
+  const auto openSide = winding::openSideAdvice(
+    info, {this->WindingThreshold, this->TakesTouchedVoxels(), this->MayCloseBorder()});
+  if (openSide)
   {
-    warnings.push_back(winding::openSideAdvice(openings));
-    if (!openings.lookInward && this->MayCloseBorder())
-    {
-      // With that threshold all behind the surface is inside, up to the border.
-      warnings.back().remedies.back().settings.emplace_back(winding::Parameter::closeBorder, 1);
-    }
+    warnings.push_back(*openSide);
   }
   if (!warnings.empty())
   {
@@ -519,21 +513,13 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
 void vtkWindingNumberAlgorithm::TellSides(
   const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  // A source without sides has been warned of.
-  const bool isAsked = this->InsideRule == SIGNED && !field.info().hasNoSides;
-  const winding::Inwardness inwardness =
-    isAsked ? winding::inwardnessOf(field, sides, executor) : winding::Inwardness::none;
-  this->SourceLooksInward = inwardness == winding::Inwardness::solids;
-  if (inwardness == winding::Inwardness::sheets && !field.info().openings.areWide())
+  const winding::Facing facing = winding::facingOf(
+    field, sides, winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+  this->SourceLooksInward = facing.looksInward;
+  this->SourceIsInsideOut = facing.looksInward ? facing.isInsideOut : this->SourceIsInsideOut;
+  if (facing.warning)
   {
-    vtkWarningMacro(<< winding::lineOf(winding::openSheetsAdvice()));
-  }
-  if (this->SourceLooksInward)
-  {
-    this->SourceIsInsideOut = sides.negative > sides.inside;
-    vtkWarningMacro(<< winding::lineOf(
-                      winding::insideOutAdvice(field.info().isSurface ? "faces" : "normals", sides,
-                        this->WindingThreshold)));
+    vtkWarningMacro(<< winding::lineOf(*facing.warning));
   }
 }
 

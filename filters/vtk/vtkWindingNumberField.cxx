@@ -2,10 +2,10 @@
 
 #include "base/Executor.h"
 #include "field/InsideOut.h"
+#include "messages/PropertyChecks.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"

@@ -2,9 +2,9 @@
 
 #include "field/InsideOut.h"
 #include "level/VoxelTreesMemory.h"
+#include "messages/PropertyChecks.h"
 #include "private/output/TreeGrid.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"

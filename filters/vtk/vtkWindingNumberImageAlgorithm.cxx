@@ -1,7 +1,7 @@
 #include "vtkWindingNumberImageAlgorithm.h"
 
 #include "base/Refusal.h"
-#include "private/pipeline/PropertyChecks.h"
+#include "messages/PropertyChecks.h"
 #include "private/source/ContentHash.h"
 #include "source/Grid.h"
 #include "voxels/VoxelEvaluation.h"

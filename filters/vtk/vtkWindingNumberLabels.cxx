@@ -1,11 +1,12 @@
 #include "vtkWindingNumberLabels.h"
 
 #include "base/Refusal.h"
+#include "field/FieldVolume.h"
 #include "field/InsideOut.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
 #include "private/output/LabelImage.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Options.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SolidBlocks.h"
@@ -16,7 +17,6 @@
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
-#include "source/SourceVolume.h"
 #include "surface/OpenParts.h"
 #include "voxels/LabelMerge.h"
 #include "voxels/SolidEvaluation.h"
@@ -49,13 +49,6 @@ static_assert(isNumber(winding::OverlapRule::first, Filter::FIRST));
 static_assert(isNumber(winding::OverlapRule::last, Filter::LAST));
 static_assert(isNumber(winding::OverlapRule::largestWindingNumber, Filter::LARGEST_WINDING_NUMBER));
 static_assert(isNumber(winding::OverlapRule::smallestVolume, Filter::SMALLEST_VOLUME));
-
-double volumeOf(const winding::Field& field)
-{
-  return field.cloud()     ? winding::volumeOf(*field.cloud())
-         : field.surface() ? winding::volumeOf(*field.surface())
-                           : 0;
-}
 
 } // namespace
 
@@ -323,7 +316,8 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
     this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(extent)), executor,
       [&]
       {
-        merge.begin(solids.label(i), this->OverlapRule == SMALLEST_VOLUME ? volumeOf(field) : 0,
+        merge.begin(solids.label(i),
+          this->OverlapRule == SMALLEST_VOLUME ? winding::volumeOf(field) : 0,
           labels.addSharesOf(solids.label(i)));
         executor.setShare(0, 1);
         winding::SideTally sides;

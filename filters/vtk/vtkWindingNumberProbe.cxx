@@ -1,7 +1,7 @@
 #include "vtkWindingNumberProbe.h"
 
+#include "messages/PropertyChecks.h"
 #include "private/output/ResultArrays.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/probe/InsidePart.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"

@@ -7,12 +7,12 @@
 #include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
 #include "level/SharpContour.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
 #include "private/output/HandedArrays.h"
 #include "private/output/ResultArrays.h"
 #include "private/output/SurfaceFidelity.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Options.h"
-#include "private/pipeline/PropertyChecks.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
@@ -33,7 +33,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 namespace
@@ -168,14 +167,7 @@ bool vtkWindingNumberSurface::NeedsDoublePoints() const
   {
     return this->OutputPointsPrecision == DOUBLE_PRECISION;
   }
-  const winding::Grid& grid = this->GetSampling();
-  const double largest =
-    (grid.firstSample.cwiseAbs() + grid.dimensions.cast<double>().cwiseProduct(grid.spacing))
-      .maxCoeff();
-  const double finest = 1e-4 * grid.spacing.minCoeff();
-  using Single = std::numeric_limits<float>;
-  return largest > Single::max() || finest < Single::min() ||
-         finest < 0.5 * Single::epsilon() * largest;
+  return winding::needsDoublePoints(this->GetSampling());
 }
 
 int vtkWindingNumberSurface::RequestData(

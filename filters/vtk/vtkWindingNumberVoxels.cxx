@@ -2,10 +2,10 @@
 
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
+#include "messages/Options.h"
 #include "private/output/HandedArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Options.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/pipeline/VtkVersions.h"
 #include "private/source/SourceParts.h"

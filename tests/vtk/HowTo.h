@@ -1,6 +1,6 @@
 #pragma once
 
-#include "private/pipeline/Options.h"
+#include "messages/Options.h"
 
 #include <string>
 

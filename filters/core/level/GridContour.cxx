@@ -4,6 +4,7 @@
 #include "level/CrossedCells.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace winding
 {
@@ -35,6 +36,17 @@ void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endO
 }
 
 } // namespace
+
+bool needsDoublePoints(const Grid& grid)
+{
+  const double largest =
+    (grid.firstSample.cwiseAbs() + grid.dimensions.cast<double>().cwiseProduct(grid.spacing))
+      .maxCoeff();
+  const double finest = 1e-4 * grid.spacing.minCoeff();
+  using Single = std::numeric_limits<float>;
+  return largest > Single::max() || finest < Single::min() ||
+         finest < 0.5 * Single::epsilon() * largest;
+}
 
 GridContour::GridContour(const Grid& grid, const LevelEdges& edges, Executor& executor)
   : grid_(grid)

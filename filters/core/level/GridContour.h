@@ -10,6 +10,9 @@
 namespace winding
 {
 
+/// Returns whether single precision would move vertices by more than a ten-thousandth of a voxel.
+bool needsDoublePoints(const Grid& grid);
+
 /**
  * The triangles between the inside and the outside samples of a grid, by marching cubes: every edge
  * between an inside sample and an outside one has a vertex. Triangles face outward. The result is

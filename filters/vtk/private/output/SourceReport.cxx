@@ -2,8 +2,8 @@
 
 #include "base/Bounds.h"
 #include "field/Field.h"
+#include "messages/Options.h"
 #include "private/output/FaultBlocks.h"
-#include "private/pipeline/Options.h"
 #include "private/source/InputViews.h"
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"

@@ -1,8 +1,8 @@
 #include "private/pipeline/ErrorReports.h"
 
 #include "base/Executor.h"
+#include "messages/Options.h"
 #include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Options.h"
 
 #include "vtkObject.h"
 

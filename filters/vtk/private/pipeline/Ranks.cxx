@@ -2,9 +2,9 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
+#include "messages/Options.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/HostShare.h"
-#include "private/pipeline/Options.h"
 
 #include "vtkMultiProcessController.h"
 

@@ -1,5 +1,6 @@
 #include "private/pipeline/SmpExecutor.h"
 
+#include "base/ExpectedTime.h"
 #include "private/pipeline/HostShare.h"
 #include "private/pipeline/VtkVersions.h"
 
@@ -151,20 +152,11 @@ bool SmpExecutor::runBatches(
   return true;
 }
 
-/// Calls look_ when a part `done` of a run is done. Work before the run may have been slower than
-/// its share of progress says, and the first blocks of a run slower than the others: the smaller
-/// estimate counts.
+/// Calls look_ when a part `done` of a run is done.
 void SmpExecutor::lookAtClock(Clock::time_point startOfRun, double done) const
 {
   const double elapsed = secondsSince(start_), ofRun = secondsSince(startOfRun) / done;
-  const double share = lastShare_ - firstShare_, progress = firstShare_ + share * done;
-  double expected = elapsed + ofRun * (1 - done);
-  if (share > 0)
-  {
-    expected =
-      std::max(expected, std::min(elapsed / progress, elapsed + ofRun * (1 - progress) / share));
-  }
-  look_(elapsed, expected);
+  look_(elapsed, expectedSeconds(elapsed, ofRun, done, this->share()));
 }
 
 void SmpExecutor::runByClock(const std::function<void()>& work, const Look& look)

@@ -1,6 +1,6 @@
 #include "private/source/SourceDistribution.h"
 
-#include "private/pipeline/PropertyChecks.h"
+#include "messages/PropertyChecks.h"
 #include "private/source/SourceParts.h"
 
 namespace winding

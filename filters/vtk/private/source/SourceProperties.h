@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/InsideRule.h"
-#include "private/pipeline/Options.h"
-#include "private/pipeline/PropertyChecks.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
 #include "private/source/SourceField.h"
 
 #include "vtkIndent.h"

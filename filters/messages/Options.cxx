@@ -1,4 +1,4 @@
-#include "private/pipeline/Options.h"
+#include "messages/Options.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ std::vector<Option> makeOptions()
     label, option, keyword, {}});
 #define CHOICE(parameter, number, constant, entry, word)                                           \
   options.back().choices.push_back({number, constant, entry, word});
-#define OTHER(parameter, cxx, label, option, keyword)
+#define OTHER(parameter, cxx, label, option, keyword, c)
 #include "Options.def"
 #undef OPTION
 #undef CHOICE
@@ -34,14 +34,14 @@ std::vector<Option> makeOptions()
 struct Other
 {
   Parameter parameter;
-  std::array<const char*, 4> names; ///< by front end
+  std::array<const char*, 5> names; ///< by front end
 };
 
 constexpr Other others[] = {
 #define OPTION(...)
 #define CHOICE(...)
-#define OTHER(parameter, cxx, label, option, keyword)                                              \
-  {Parameter::parameter, {cxx, label, option, keyword}},
+#define OTHER(parameter, cxx, label, option, keyword, c)                                           \
+  {Parameter::parameter, {cxx, label, option, keyword, c}},
 #include "Options.def"
 #undef OPTION
 #undef CHOICE
@@ -126,6 +126,38 @@ std::string inPython(const Option& option, const Setting& setting)
   return setting.value ? name + (*setting.value != 0 ? "True" : "False") : name;
 }
 
+/// Returns a name with words in capitals, as "NormalEstimation", with underscores between them.
+std::string withUnderscores(const std::string& name)
+{
+  std::string result;
+  for (const char letter : name)
+  {
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    result += isCapital && !result.empty() ? "_" : "";
+    result += static_cast<char>(isCapital ? letter - 'A' + 'a' : letter);
+  }
+  return result;
+}
+
+std::string inC(const Option& option, const Setting& setting)
+{
+  const std::string name = withUnderscores(option.property);
+  if (!setting.value)
+  {
+    return name;
+  }
+  std::string value = std::to_string(*setting.value);
+  if (const Choice* choice = choiceOf(option, setting); choice && *choice->word)
+  {
+    value = "WINDING_" + name + "_" + choice->word;
+    for (char& letter : value)
+    {
+      letter = static_cast<char>(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
+    }
+  }
+  return name + " = " + value;
+}
+
 /// The names of the settings that a front end has, with "and" between them.
 std::string namesOf(const std::vector<Setting>& settings, FrontEnd frontEnd)
 {
@@ -176,6 +208,8 @@ std::string nameOf(Parameter parameter, FrontEnd frontEnd)
     return option->option;
   case FrontEnd::python:
     return option->keyword;
+  case FrontEnd::c:
+    return withUnderscores(option->property);
   default:
     return option->property;
   }
@@ -197,6 +231,8 @@ std::string howTo(const Setting& setting, FrontEnd frontEnd)
     return inProgram(*option, setting);
   case FrontEnd::python:
     return inPython(*option, setting);
+  case FrontEnd::c:
+    return inC(*option, setting);
   default:
     return inCxx(*option, setting);
   }

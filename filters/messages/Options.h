@@ -19,7 +19,8 @@ enum class FrontEnd
   cxx,
   paraview,
   program,
-  python
+  python,
+  c
 };
 
 enum class OptionKind

@@ -1,7 +1,7 @@
-#include "private/pipeline/PropertyChecks.h"
+#include "messages/PropertyChecks.h"
 
 #include "base/Refusal.h"
-#include "private/pipeline/Options.h"
+#include "messages/Options.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,73 @@
+#include "files/MeshFormats.h"
+
+#include "files/ObjFile.h"
+#include "files/OffFile.h"
+#include "files/PlyFile.h"
+#include "files/PointsFile.h"
+#include "files/StlFile.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace winding
+{
+
+namespace
+{
+
+/// All formats, in the order in which users are given their suffixes.
+constexpr MeshFormat formats[] = {
+  {".ply", readPly, 0},
+  {".stl", readStl, 0},
+  {".obj", readObj, 0},
+  {".off", readOff, 0},
+  {".xyz", readPoints, 0},
+  {".pwn", readPoints, 0},
+  {".csv", nullptr, ','},
+  {".tsv", nullptr, '\t'},
+};
+
+/// Returns the suffix of a file's name in small letters.
+std::string suffixOf(const std::string& name)
+{
+  const std::size_t folder = name.find_last_of("/\\"), dot = name.rfind('.');
+  const bool isOfFolder = folder != std::string::npos && dot != std::string::npos && dot < folder;
+  std::string suffix = dot == std::string::npos || isOfFolder ? "" : name.substr(dot);
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+    [](char letter)
+    {
+      const bool isCapital = letter >= 'A' && letter <= 'Z';
+      return static_cast<char>(isCapital ? letter - 'A' + 'a' : letter);
+    });
+  return suffix;
+}
+
+} // namespace
+
+const MeshFormat& formatOf(const InputFile& file)
+{
+  const std::string suffix = suffixOf(file.name());
+  const auto* format = std::find_if(std::begin(formats), std::end(formats),
+    [&suffix](const MeshFormat& candidate) { return candidate.suffix == suffix; });
+  if (format == std::end(formats))
+  {
+    file.refuse("has a suffix that is not known; give one of " + suffixesOfMeshes());
+  }
+  return *format;
+}
+
+const std::string& suffixesOfMeshes()
+{
+  static const std::string all = []
+  {
+    std::string suffixes;
+    for (const MeshFormat& format : formats)
+    {
+      suffixes += (suffixes.empty() ? "" : " ") + std::string(format.suffix);
+    }
+    return suffixes;
+  }();
+  return all;
+}
+
+} // namespace winding

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "files/InputFile.h"
+#include "files/MeshArrays.h"
+
+#include <string>
+
+namespace winding
+{
+
+class Executor;
+
+/// A format of files of meshes and points.
+struct MeshFormat
+{
+  const char* suffix; ///< in small letters, with the dot
+  MeshArrays (*read)(const InputFile& file, Executor& executor); ///< null for tables
+  char separator; ///< of a table (TableFile.h)
+};
+
+/// Returns the format of a file by the suffix of its name. Throws FileRefusal for others.
+const MeshFormat& formatOf(const InputFile& file);
+
+/// Returns all suffixes, with blanks between them.
+const std::string& suffixesOfMeshes();
+
+} // namespace winding
