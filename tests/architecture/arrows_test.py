@@ -15,10 +15,11 @@ FLOOR_ROW = re.compile(r"^\| (\d+) \| `(\w+)` \|", re.MULTILINE)
 VTK_HEADER = re.compile(r"vtk\w*\.h")
 
 CORE = "filters/core"
-PARSERS = "filters/files"
 PROGRAM = "apps/winding"
 CLASSES = "filters/vtk"
 HELPERS = "filters/vtk/private"
+# Folders of filters beside the core that are plain C++, and the others of them that they know.
+PLAIN = {"files": (), "messages": (), "c": ("files", "messages")}
 LIST_OF_OPTIONS = "Options.def"  # lies in filters, for helpers and the program
 
 
@@ -118,23 +119,29 @@ def check_core(core):
     return core.check()
 
 
-def check_parsers(root, core):
-    """Parsers know the core and each other, and no VTK; the core knows no parser."""
+def check_plain(root, core, folder, known):
+    """A folder of plain C++ knows the core, itself and the folders in `known`, and no VTK. Files of
+    its own are included with the folder's name, or without it in a folder that nobody includes."""
     faults, needs, names = [], {}, set()
-    for path in sorted((root / PARSERS).iterdir()):
+    filters = root / "filters"
+    for path in sorted((filters / folder).iterdir()):
         if path.suffix not in (".h", ".cxx"):
             continue
-        names.add(f"files/{path.name}")
+        names.add(path.name)
         for bracket, included in includes_of(path):
+            name = pathlib.PurePath(included)
+            own = (filters / folder / included).is_file() or name.parts[0] == folder
             if VTK_HEADER.match(included):
-                faults.append(f"{PARSERS}: {path.name} includes {included}: parsers know no VTK")
-            elif (root / "filters" / included).is_file():
-                if pathlib.PurePath(included).stem != path.stem:
-                    needs.setdefault(f"files/{path.stem}", set()).add(included[: -len(".h")])
+                faults.append(f"filters/{folder}: {path.name} includes {included}: it knows no VTK")
+            elif own:
+                if name.stem != path.stem:
+                    needs.setdefault(path.stem, set()).add(name.stem)
+            elif included == LIST_OF_OPTIONS or name.parts[0] in known:
+                continue
             elif bracket == '"' and not core.has(included):
-                faults.append(f'{PARSERS}: {path.name} includes "{included}", which is not for parsers')
-    faults += [f"{PARSERS}: {circle}: these need each other" for circle in circles(needs)]
-    return faults if names else [f"{PARSERS}: there are no sources"]
+                faults.append(f'filters/{folder}: {path.name} includes "{included}", which it may not')
+    faults += [f"filters/{folder}: {circle}: these need each other" for circle in circles(needs)]
+    return faults if names else [f"filters/{folder}: there are no sources"]
 
 
 def check_program(program, core):
@@ -175,7 +182,9 @@ def main(root):
     core = Rooms(root, CORE, floors.get(CORE, {}))
     helpers = Rooms(root, HELPERS, floors.get(HELPERS, {}))
     program = Rooms(root, PROGRAM, floors.get(PROGRAM, {}), at_the_top=("main.cxx",))
-    faults = check_core(core) + check_parsers(root, core) + check_helpers(root, helpers, core)
+    faults = check_core(core) + check_helpers(root, helpers, core)
+    for folder, known in PLAIN.items():
+        faults += check_plain(root, core, folder, known)
     faults += check_program(program, core)
     for fault in faults:
         print("FAULT", fault)

@@ -35,7 +35,7 @@ def build(settings, source, target, *options):
     """Configures and builds a project against nothing but the installed package."""
     run(settings.cmake, "-S", source, "-B", target, "-G", settings.generator,
         f"-DCMAKE_BUILD_TYPE={settings.config}", f"-DCMAKE_PREFIX_PATH={settings.prefix}",
-        f"-DCMAKE_CXX_FLAGS={settings.flags}", *options)
+        f"-DCMAKE_C_FLAGS={settings.flags}", f"-DCMAKE_CXX_FLAGS={settings.flags}", *options)
     run(settings.cmake, "--build", target)
 
 

@@ -1,12 +1,37 @@
 """The programs of data/examples build against the installed package, and the commands of the page there
 make what they say."""
 
+import os
+import pathlib
 import shlex
+import shutil
+import subprocess
 
 from consumers import ROOT, arguments, build, emptied, require_files, run
 
 import inputs
 from pages import Page
+
+
+def build_in_c(settings, files):
+    """The example in C builds by CMake and, where it is there, by what pkg-config says."""
+    source = ROOT / "data" / "examples" / "c"
+    target = emptied(settings.folder / "c")
+    build(settings, source, target)
+    run(target / "solid", "scan.obj", "cmake.off", "20", folder=files)
+    made = ["cmake.off"]
+    if shutil.which("pkg-config"):
+        flags = subprocess.run(
+            ["pkg-config", "--cflags", "--libs", "winding"], check=True, text=True,
+            stdout=subprocess.PIPE, env={**os.environ, "PKG_CONFIG_PATH": os.pathsep.join(
+                str(path.parent) for path in pathlib.Path(settings.prefix).rglob("winding.pc"))},
+        ).stdout.split()
+        library = next(flag[2:] for flag in flags if flag.startswith("-L"))
+        run("cc", "-std=c99", source / "solid.c", "-o", target / "by_pkg_config", *flags,
+            f"-Wl,-rpath,{library}", *shlex.split(settings.flags))
+        run(target / "by_pkg_config", "scan.obj", "pkg_config.off", "20", folder=files)
+        made.append("pkg_config.off")
+    require_files(files, made)
 
 
 def main():
@@ -26,6 +51,7 @@ def main():
                 run(target / name, *words[1:], folder=files)
                 require_files(files, [output])
                 programs.discard(name)
+    build_in_c(settings, files)
     if programs:
         raise SystemExit(f"no command in {examples / 'README.md'} runs {', '.join(sorted(programs))}")
 

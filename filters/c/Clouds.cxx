@@ -1,0 +1,104 @@
+#include "Border.h"
+#include "cloud/OutwardNormals.h"
+#include "cloud/PointAreas.h"
+#include "source/PointCloud.h"
+#include "source/Sanitize.h"
+
+#include <limits>
+
+using namespace winding::c;
+using winding::OrientedPointsView;
+using winding::PointCloud;
+
+namespace
+{
+
+/// Calls visit(point, n) for each point that is in the cloud, as its point n.
+template <class Visit> void forEachKept(const OrientedPointsView& view, const Visit& visit)
+{
+  std::size_t kept = 0;
+  for (std::size_t point = 0; point < view.positions.size(); ++point)
+  {
+    if (winding::isUsable(view, point))
+    {
+      visit(point, kept++);
+    }
+  }
+}
+
+winding::PointAreaOptions areasOf(const winding::FieldOptions& options)
+{
+  return {options.pointAreaMethod, options.pointArea, options.neighbors};
+}
+
+/// Writes the areas of a cloud's points, and NaN for points that are not in it.
+void writeAreas(const OrientedPointsView& view, const std::vector<double>& from, double* to)
+{
+  std::fill(to, to + view.positions.size(), std::numeric_limits<double>::quiet_NaN());
+  forEachKept(view, [&](std::size_t point, std::size_t n) { to[point] = from[n]; });
+}
+
+} // namespace
+
+winding_status winding_estimate_normals(winding_array points, const winding_options* options,
+  const winding_run* run, float* normals, double* areas, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
+      const winding::FieldOptions wished = optionsOf(options);
+      if (view.positions.empty())
+      {
+        return;
+      }
+      float* const result = &required(normals, "normals");
+      Call call(run);
+      PointCloud cloud = winding::sanitize(std::vector<OrientedPointsView>{view}, call.executor);
+      const winding::OutwardNormals found =
+        winding::giveOutwardNormals(cloud, wished.normalEstimation, areasOf(wished), call.executor);
+      if (!found.orientation.isClear())
+      {
+        call.warn(winding::adviceOnNormals(found.orientation));
+      }
+      std::fill(result, result + 3 * view.positions.size(), 0.0F);
+      forEachKept(view,
+        [&](std::size_t point, std::size_t n)
+        {
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            result[3 * point + static_cast<std::size_t>(axis)] =
+              static_cast<float>(cloud.normals[n][axis]);
+          }
+        });
+      if (areas)
+      {
+        writeAreas(view, cloud.areas, areas);
+      }
+    });
+}
+
+winding_status winding_point_areas(winding_array points, winding_array normals,
+  const winding_options* options, const winding_run* run, double* areas, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const OrientedPointsView view = {
+        vectorsOf(points, "points"), vectorsOf(normals, "normals"), {}};
+      const winding::FieldOptions wished = optionsOf(options);
+      if (view.positions.empty())
+      {
+        return;
+      }
+      double* const result = &required(areas, "areas");
+      Call call(run);
+      const PointCloud cloud =
+        winding::sanitize(std::vector<OrientedPointsView>{view}, call.executor);
+      if (cloud.normals.empty())
+      {
+        throw winding::Refusal(winding::missingNormals(!view.normals.empty()));
+      }
+      writeAreas(view, winding::pointAreas(cloud, areasOf(wished), call.executor), result);
+    });
+}

@@ -1,0 +1,308 @@
+#include "Evaluation.h"
+
+#include "Handles.h"
+#include "base/SideCounts.h"
+#include "messages/PropertyChecks.h"
+#include "report/ExpectedTimeAdvice.h"
+#include "report/GridAdvice.h"
+#include "report/SourceAdvice.h"
+#include "voxels/VoxelEvaluation.h"
+
+#include <cmath>
+
+namespace winding::c
+{
+
+void evaluateInTime(const Field& field, double tolerance, std::size_t samples, Call& call,
+  const std::function<void()>& work)
+{
+  const double limit = call.longestExpectedTime();
+  double nextLook = std::min(limit, 1.0);
+  call.executor.runByClock(work,
+    [&](double elapsed, double expected)
+    {
+      if (limit > 0 && elapsed >= nextLook)
+      {
+        nextLook = 2 * elapsed;
+        if (expected > limit)
+        {
+          throw Refusal(expectedTimeAdvice(field.info(), expected, samples, tolerance));
+        }
+      }
+    });
+}
+
+void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnGrid& result,
+  const winding_rule& rule, Call& call)
+{
+  const Field& field = *handle.field;
+  if (field.info().primitives == 0)
+  {
+    return;
+  }
+  const InsideRule insideRule = ruleOf(rule);
+  if (const auto openSide = openSideAdvice(
+        field.info(), {rule.winding_threshold, result.takesTouchedVoxels, result.mayCloseBorder}))
+  {
+    call.warn(*openSide);
+  }
+  const Facing facing =
+    facingOf(field, result.sides, insideRule, rule.winding_threshold, call.executor);
+  if (facing.warning)
+  {
+    call.warn(*facing.warning);
+  }
+  if (field.info().hasNoSides)
+  {
+    return;
+  }
+  GridResult found;
+  found.isEmpty = result.isEmpty && !facing.isInsideOut;
+  found.mayTouch = result.mayTouchVoxels;
+  found.hasHighThreshold = insideRule != InsideRule::odd && rule.winding_threshold > 0.5;
+  if (!facing.looksInward)
+  {
+    found.parts =
+      thinPartsOf(field, grid, result.isInside, insideRule, rule.winding_threshold, call.executor);
+  }
+  if (const auto advice = gridAdvice(grid, field.info().bounds, found))
+  {
+    call.warn(*advice);
+  }
+}
+
+} // namespace winding::c
+
+using namespace winding::c;
+using winding::Extent;
+using winding::FieldOutput;
+using winding::Grid;
+
+namespace
+{
+
+/// Throws Misuse for an extent that does not lie in the grid.
+Extent extentOf(const Grid& grid, const int32_t* extent)
+{
+  Extent result = grid.wholeExtent();
+  for (int i = 0; extent && i < 6; i += 2)
+  {
+    if (extent[i] < 0 || extent[i + 1] >= grid.dimensions[i / 2] || extent[i] > extent[i + 1])
+    {
+      throw Misuse("extent does not lie in the grid");
+    }
+    result[static_cast<std::size_t>(i)] = extent[i];
+    result[static_cast<std::size_t>(i) + 1] = extent[i + 1];
+  }
+  return result;
+}
+
+winding_values defaultValues()
+{
+  winding_values values = {};
+  values.size = sizeof values;
+  values.type = WINDING_FLOAT32;
+  values.coverage = WINDING_COVERAGE_CENTER;
+  values.coverage_samples = 4;
+  return values;
+}
+
+/// Returns the output that a caller's arrays make.
+FieldOutput outputOf(const winding_values& values, const winding_rule& rule)
+{
+  if (values.type != WINDING_FLOAT32 && values.type != WINDING_FLOAT64)
+  {
+    throw Misuse("values.type is no type of floating-point numbers");
+  }
+  if (std::isnan(values.distance_limit) || values.distance_limit < 0)
+  {
+    throw Misuse("values.distance_limit is negative");
+  }
+  FieldOutput output;
+  const bool areDoubles = values.type == WINDING_FLOAT64;
+  output.values = areDoubles ? nullptr : static_cast<float*>(values.winding);
+  output.doubleValues = areDoubles ? static_cast<double*>(values.winding) : nullptr;
+  output.inside = values.inside;
+  output.rule = ruleOf(rule);
+  output.threshold = rule.winding_threshold;
+  output.distances = areDoubles ? nullptr : static_cast<float*>(values.distance);
+  output.doubleDistances = areDoubles ? static_cast<double*>(values.distance) : nullptr;
+  if (values.distance_limit > 0)
+  {
+    output.distanceLimit = values.distance_limit;
+  }
+  return output;
+}
+
+} // namespace
+
+void winding_rule_init(winding_rule* rule, size_t size)
+{
+  fill(rule, size, defaultRule());
+}
+
+void winding_values_init(winding_values* values, size_t size)
+{
+  fill(values, size, defaultValues());
+}
+
+void winding_grid_request_init(winding_grid_request* request, size_t size)
+{
+  const winding::GridRequest standard;
+  winding_grid_request defaults = {};
+  defaults.resolution = standard.resolution;
+  defaults.padding = 0.05;
+  fill(request, size, defaults);
+}
+
+winding_status winding_lay_out_grid(
+  const winding_grid_request* request, winding_grid* grid, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      winding_grid_request wished = {};
+      wished = known(&required(request, "request"), wished);
+      winding::checkProperty(winding::Parameter::resolution, wished.resolution);
+      winding::checkProperty(winding::Parameter::voxelSize, wished.voxel_size);
+      winding::checkProperty(winding::Parameter::padding, wished.padding);
+      winding::GridRequest asked;
+      asked.resolution = wished.resolution;
+      asked.voxelSize = wished.voxel_size;
+      asked.padding = wished.padding;
+      const int32_t* dimensions = wished.sampling_dimensions;
+      if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
+      {
+        winding::checkDimensions(dimensions);
+        asked.dimensions = Eigen::Vector3i(dimensions[0], dimensions[1], dimensions[2]);
+      }
+      const double* bounds = wished.sampling_bounds;
+      asked.bounds = winding::Bounds(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
+        Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
+      const Grid made = winding::layOutGrid(asked);
+      winding_grid& result = required(grid, "grid");
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        result.origin[axis] = made.firstSample[axis];
+        result.spacing[axis] = made.spacing[axis];
+        result.dimensions[axis] = made.dimensions[axis];
+      }
+    });
+}
+
+winding_status winding_evaluate_grid(const winding_field* field, const winding_grid* grid,
+  const int32_t* extent, const winding_rule* rule, winding_values* values, const winding_run* run,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding_field& handle = required(field, "field");
+      const winding_rule inside = known(rule, defaultRule());
+      const winding_values wished = known(&required(values, "values"), defaultValues());
+      const Grid samples = gridOf(grid);
+      const Extent part = extentOf(samples, extent);
+      const std::size_t count = winding::sampleCount(part);
+      winding::checkProperty(winding::Parameter::coverage, wished.coverage);
+      winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
+      Call call(run);
+      winding::SideTally sides;
+      winding::VoxelEvaluation voxels;
+      voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
+      voxels.samplesPerAxis = wished.coverage_samples;
+      voxels.fractions = wished.fractions;
+      voxels.output = outputOf(wished, inside);
+      voxels.output.sides = &sides;
+      if (wished.gradient)
+      {
+        throw Misuse("values.gradient is for points only");
+      }
+      if ((voxels.coverage == winding::Coverage::fraction) != (wished.fractions != nullptr))
+      {
+        throw Misuse("values.fractions goes with WINDING_COVERAGE_FRACTION");
+      }
+      // Voxels by coverage, and warnings of the whole grid, need an array of what is inside.
+      const bool isWhole = part == samples.wholeExtent();
+      const bool needsInside =
+        voxels.coverage != winding::Coverage::center || (isWhole && !wished.winding);
+      std::vector<unsigned char> own(needsInside && !wished.inside ? count : 0);
+      voxels.output.inside = own.empty() ? wished.inside : own.data();
+      evaluateInTime(*handle.field, handle.tolerance, count, call,
+        [&] { voxels.run(*handle.field, samples, part, call.executor); });
+      const unsigned char* const isInside = voxels.output.inside;
+      ResultOnGrid result;
+      result.sides = sides.counts(count);
+      std::size_t insideCount = result.sides.inside;
+      if (isInside)
+      {
+        insideCount = static_cast<std::size_t>(std::count(isInside, isInside + count, 1));
+      }
+      if (isWhole)
+      {
+        result.isEmpty = insideCount == 0;
+        result.takesTouchedVoxels = voxels.coverage == winding::Coverage::any;
+        result.mayTouchVoxels = voxels.coverage == winding::Coverage::center;
+        result.isInside = [&](int i, int j, int k)
+        {
+          const std::size_t n = winding::sampleNumber(part, i, j, k);
+          return isInside ? isInside[n] != 0
+                          : winding::isInside(voxels.output.values ? voxels.output.values[n]
+                                                                   : voxels.output.doubleValues[n],
+                              voxels.output.rule, voxels.output.threshold);
+        };
+        call.executor.setShare(1, 1);
+        warnOfResult(handle, samples, result, inside, call);
+      }
+      winding_values written = wished;
+      written.inside_count = static_cast<int64_t>(insideCount);
+      give(written, *values);
+    });
+}
+
+winding_status winding_evaluate_points(const winding_field* field, winding_array points,
+  const winding_rule* rule, winding_values* values, const winding_run* run,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding_field& handle = required(field, "field");
+      const winding_rule inside = known(rule, defaultRule());
+      const winding_values wished = known(&required(values, "values"), defaultValues());
+      const winding::VectorsView samples = vectorsOf(points, "points");
+      if (wished.fractions || wished.coverage != WINDING_COVERAGE_CENTER)
+      {
+        throw Misuse("values.fractions and values.coverage are for grids only");
+      }
+      Call call(run);
+      winding::SideTally sides;
+      FieldOutput output = outputOf(wished, inside);
+      output.sides = &sides;
+      evaluateInTime(*handle.field, handle.tolerance, samples.size(), call,
+        [&]
+        {
+          const bool hasGradients = wished.gradient != nullptr;
+          call.executor.setShare(0, hasGradients ? 0.5 : 1);
+          handle.field->evaluate(samples, output, call.executor);
+          if (hasGradients)
+          {
+            call.executor.setShare(0.5, 1);
+            handle.field->gradient(samples, wished.gradient, call.executor);
+          }
+        });
+      const winding::SideCounts counts = sides.counts(samples.size());
+      call.executor.setShare(1, 1);
+      if (handle.field->info().primitives > 0)
+      {
+        const winding::Facing facing =
+          winding::facingOf(*handle.field, counts, output.rule, output.threshold, call.executor);
+        if (facing.warning)
+        {
+          call.warn(*facing.warning);
+        }
+      }
+      winding_values written = wished;
+      written.inside_count = static_cast<int64_t>(counts.inside);
+      give(written, *values);
+    });
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "base/UninitializedVector.h"
+#include "field/Field.h"
+#include "winding.h"
+
+#include <cstdint>
+#include <memory>
+
+/// The handle of a field.
+struct winding_field
+{
+  std::shared_ptr<const winding::Field> field;
+  double tolerance; ///< that it was made with
+};
+
+/// The handle of a mesh. Arrays that it does not have are empty.
+struct winding_mesh
+{
+  winding::UninitializedVector<float> floatPoints; ///< three each; either these or doubles
+  winding::UninitializedVector<double> doublePoints;
+  winding::UninitializedVector<std::int64_t> offsets, corners;
+  winding::UninitializedVector<float> pointNormals, polygonNormals;
+  winding::UninitializedVector<double> doublePointNormals, pointAreas;
+  winding::UninitializedVector<std::uint16_t> labels;
+};
+
+namespace winding::c
+{
+
+/// Makes a handle, and gives it to a caller once `fillIn` has filled it.
+template <class Handle, class FillIn> void giveHandle(Handle*& to, const FillIn& fillIn)
+{
+  auto handle = std::make_unique<Handle>();
+  fillIn(*handle);
+  to = handle.release();
+}
+
+} // namespace winding::c

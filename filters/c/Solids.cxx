@@ -1,0 +1,208 @@
+#include "Evaluation.h"
+#include "Handles.h"
+#include "field/FieldVolume.h"
+#include "messages/PropertyChecks.h"
+#include "report/Advice.h"
+#include "report/GridAdvice.h"
+#include "report/LabelFacts.h"
+#include "report/SourceAdvice.h"
+#include "report/SurfaceReport.h"
+#include "source/Sanitize.h"
+#include "surface/Orientation.h"
+#include "surface/SolidParts.h"
+#include "voxels/LabelMerge.h"
+#include "voxels/SolidEvaluation.h"
+
+using namespace winding::c;
+using winding::Field;
+using winding::Grid;
+
+namespace
+{
+
+winding::SolidEvaluationOptions evaluationOptions(
+  const winding_rule& rule, int32_t overlapRule, int32_t coverage)
+{
+  winding::SolidEvaluationOptions options;
+  options.voxels.coverage = static_cast<winding::Coverage>(coverage);
+  options.voxels.output.rule = ruleOf(rule);
+  options.voxels.output.threshold = rule.winding_threshold;
+  options.withValues = overlapRule == WINDING_OVERLAP_RULE_LARGEST;
+  return options;
+}
+
+/// Warns of solids without a label.
+void warnOfSolids(const winding::LabelFacts& facts, std::size_t count, Call& call)
+{
+  if (facts.insideOut.count() > 0)
+  {
+    call.warn(winding::Message("some solids look inward and have no label",
+      {{"turn their faces", {{winding::Parameter::orientFaces, 1}}}},
+      facts.insideOut.outOf(count)));
+  }
+  if (facts.missed.count() > 0)
+  {
+    call.warn(winding::Message("the grid misses some solids",
+      {{"choose a grid around them", {winding::Parameter::samplingBounds}}},
+      facts.missed.outOf(count)));
+  }
+  if (facts.thin.count() > 0)
+  {
+    constexpr int any = WINDING_COVERAGE_ANY;
+    call.warn(winding::Message("some solids have no voxel inside",
+      {winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, any}}}},
+      facts.thin.outOf(count)));
+  }
+}
+
+} // namespace
+
+winding_status winding_label(const winding_field* const* fields, const uint16_t* numbers,
+  size_t count, const winding_grid* grid, const winding_rule* rule, int32_t overlap_rule,
+  int32_t coverage, uint16_t* labels, uint16_t* counts, const winding_run* run,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      constexpr std::size_t most = 65535;
+      if (count > most)
+      {
+        throw Misuse("count exceeds 65535");
+      }
+      const Grid samples = gridOf(grid);
+      const winding_rule inside = known(rule, defaultRule());
+      winding::checkProperty(winding::Parameter::overlapRule, overlap_rule);
+      winding::checkProperty(winding::Parameter::coverage, coverage);
+      const winding::Extent extent = samples.wholeExtent();
+      Call call(run);
+      winding::LabelArrays arrays;
+      arrays.extent = extent;
+      arrays.labels = &required(labels, "labels");
+      arrays.counts = counts;
+      std::vector<float> best(
+        overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? winding::sampleCount(extent) : 0);
+      arrays.best = best.empty() ? nullptr : best.data();
+      const winding::InsideRule insideRule = ruleOf(inside);
+      winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(overlap_rule),
+        insideRule == winding::InsideRule::absoluteThreshold, call.executor);
+      winding::SolidEvaluation evaluation(evaluationOptions(inside, overlap_rule, coverage));
+      winding::LabelFacts facts;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const winding_field& handle = required(fields ? fields[i] : nullptr, "a field");
+        const Field& field = *handle.field;
+        const auto number = static_cast<unsigned short>(numbers ? numbers[i] : i + 1);
+        if (number == 0)
+        {
+          throw Misuse("a number of numbers is 0");
+        }
+        const auto all = static_cast<double>(count);
+        call.executor.setShare(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+        const double volume =
+          overlap_rule == WINDING_OVERLAP_RULE_SMALLEST ? winding::volumeOf(field) : 0;
+        merge.begin(number, volume, nullptr);
+        winding::SideTally sides;
+        evaluation.run(field, samples, extent, merge, &sides, call.executor);
+        if (!merge.hasInside() && field.info().primitives > 0 && !field.info().hasNoSides)
+        {
+          const winding::Facing facing =
+            winding::facingOf(field, sides.counts(winding::sampleCount(extent)), insideRule,
+              inside.winding_threshold, call.executor);
+          const std::string name = std::to_string(number);
+          const bool isMissed = winding::missesSource(samples, field.info().bounds);
+          (facing.looksInward ? facts.insideOut : isMissed ? facts.missed : facts.thin).add(name);
+        }
+      }
+      warnOfSolids(facts, count, call);
+    });
+}
+
+winding_status winding_solids(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, int32_t* solids, int64_t* count, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Triangles triangles(points, polygons);
+      int32_t* const result = triangles.polygons() > 0 ? &required(solids, "solids") : solids;
+      Call call(run);
+      const winding::Surface surface = winding::sanitize(triangles.views(), call.executor);
+      const winding::SolidParts parts =
+        winding::solidPartsOf(surface, winding::polygonPartsOf(triangles.views()), call.executor);
+      required(count, "count") = static_cast<int64_t>(parts.count);
+      std::fill(result, result + triangles.polygons(), -1);
+      triangles.forEachKept(
+        [&](std::size_t polygon, std::size_t n) { result[polygon] = parts.ofTriangle[n]; });
+    });
+}
+
+void winding_report_init(winding_report* report, size_t size)
+{
+  fill(report, size, winding_report());
+}
+
+winding_status winding_examine(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, winding_report* report, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      winding_report& result = required(report, "report");
+      const Triangles triangles(points, polygons);
+      Call call(run);
+      const auto field = Field::build(triangles.views(), {}, call.executor);
+      const winding::Surface& surface = *field->surface();
+      winding::SurfaceReport found =
+        winding::reportOn(surface, winding::edgesOf(surface, call.executor), call.executor,
+          winding::polygonPartsOf(triangles.views()));
+      found.openings = field->info().openings;
+      call.warn(winding::adviceOn(surface, found));
+      winding_report to = {};
+      to.points = static_cast<int64_t>(surface.vertices.size());
+      to.triangles = static_cast<int64_t>(surface.triangles.size());
+      to.dropped = static_cast<int64_t>(surface.dropped());
+      to.edges = static_cast<int64_t>(found.edges.edges);
+      to.boundary_edges = static_cast<int64_t>(found.edges.boundary);
+      to.net_boundary_edges = static_cast<int64_t>(found.edges.netBoundary);
+      to.non_manifold_edges = static_cast<int64_t>(found.edges.nonManifold);
+      to.inconsistent_edges = static_cast<int64_t>(found.edges.inconsistent);
+      to.components = static_cast<int64_t>(found.edges.components);
+      to.inverted_components = static_cast<int64_t>(found.orientation.inverted);
+      to.nested_solids = static_cast<int64_t>(found.orientation.nestedSolids);
+      to.duplicate_triangles = static_cast<int64_t>(found.duplicateTriangles);
+      to.open_parts_inside = static_cast<int64_t>(found.openPartsInside);
+      to.area = found.area;
+      to.volume = found.volume;
+      give(to, result);
+    });
+}
+
+winding_status winding_orient(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Triangles triangles(points, polygons);
+      const std::size_t count = triangles.polygons();
+      if (count > 0 && (!turned || !left_out))
+      {
+        throw Misuse("turned or left_out is null");
+      }
+      Call call(run);
+      const winding::Surface surface = winding::sanitize(triangles.views(), call.executor);
+      const winding::PolygonParts parts = winding::polygonPartsOf(triangles.views());
+      const winding::Orientation found =
+        winding::orient(surface, winding::edgesOf(surface, call.executor), parts, call.executor);
+      std::fill(turned, turned + count, 0);
+      std::fill(left_out, left_out + count, 0);
+      triangles.forEachKept(
+        [&](std::size_t polygon, std::size_t n)
+        {
+          turned[polygon] = static_cast<uint8_t>(found.isTurned[n]);
+          left_out[polygon] =
+            found.isLeftOut.empty() ? 0 : static_cast<uint8_t>(found.isLeftOut[n]);
+        });
+    });
+}

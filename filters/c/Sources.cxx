@@ -1,0 +1,119 @@
+#include "Border.h"
+#include "Handles.h"
+#include "field/FieldVolume.h"
+
+#include <limits>
+
+using namespace winding::c;
+using winding::Field;
+using winding::FieldOptions;
+
+namespace
+{
+
+/// Makes a field of views, and warns of what it found.
+template <class View>
+void buildField(const std::vector<View>& views, const winding_options* options,
+  const winding_run* run, winding_field*& to)
+{
+  const FieldOptions wished = optionsOf(options);
+  Call call(run);
+  giveHandle(to,
+    [&](winding_field& handle)
+    {
+      handle.tolerance = wished.tolerance;
+      handle.field = Field::build(views, wished, call.executor);
+      call.warn(handle.field->info().warnings);
+      if (handle.field->info().primitives == 0)
+      {
+        call.warn(winding::Message("the source is empty, so its field is 0"));
+      }
+    });
+}
+
+} // namespace
+
+int32_t winding_abi(void)
+{
+  return WINDING_ABI;
+}
+
+const char* winding_version(void)
+{
+  return WINDING_VERSION;
+}
+
+void winding_run_init(winding_run* run, size_t size)
+{
+  fill(run, size, defaultRun());
+}
+
+void winding_options_init(winding_options* options, size_t size)
+{
+  fill(options, size, defaultOptions());
+}
+
+winding_status winding_faces(winding_array points, const winding_polygons* polygons,
+  const winding_options* options, const winding_run* run, winding_field** field,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(field, "field") = nullptr;
+      const Triangles triangles(points, polygons);
+      buildField(triangles.views(), options, run, *field);
+    });
+}
+
+winding_status winding_points(winding_array points, winding_array normals, winding_array areas,
+  const winding_options* options, const winding_run* run, winding_field** field,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(field, "field") = nullptr;
+      const std::vector<winding::OrientedPointsView> views = {
+        {vectorsOf(points, "points"), vectorsOf(normals, "normals"), scalarsOf(areas, "areas")}};
+      buildField(views, options, run, *field);
+    });
+}
+
+void winding_field_free(winding_field* field)
+{
+  delete field;
+}
+
+void winding_field_info_init(winding_field_info* info, size_t size)
+{
+  fill(info, size, winding_field_info());
+}
+
+winding_status winding_describe(
+  const winding_field* field, winding_field_info* info, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const Field& source = *required(field, "field").field;
+      const winding::FieldInfo& known = source.info();
+      winding_field_info found = {};
+      found.method = static_cast<int32_t>(known.method);
+      found.is_surface = known.isSurface;
+      found.normals_estimated = known.normalsAreEstimated;
+      found.primitives = static_cast<int64_t>(known.primitives);
+      found.dropped = static_cast<int64_t>(known.dropped);
+      found.boundary_edges = static_cast<int64_t>(known.boundaryEdges);
+      found.net_boundary_edges = static_cast<int64_t>(known.netBoundaryEdges);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        found.bounds[2 * axis] = known.bounds.isEmpty() ? none : known.bounds.min()[axis];
+        found.bounds[2 * axis + 1] = known.bounds.isEmpty() ? none : known.bounds.max()[axis];
+      }
+      found.area = source.area();
+      found.volume = winding::volumeOf(source);
+      give(found, required(info, "info"));
+    });
+}

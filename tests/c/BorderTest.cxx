@@ -1,0 +1,369 @@
+#include "Calls.h"
+#include "messages/Options.h"
+
+#include <atomic>
+#include <cctype>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <thread>
+
+namespace
+{
+
+using namespace calls;
+using shapes::Mesh;
+using shapes::Point;
+
+/// Everything that a call needs, right at first.
+struct Arguments
+{
+  Arguments()
+    : mesh(shapes::icosphere(1))
+    , field(fieldOf(mesh))
+    , polygons(polygonsOf(mesh))
+    , grid(gridAround({-1, -1, -1}, {1, 1, 1}, 6))
+    , points(arrayOf(mesh.points))
+    , floats(sizeOf(grid))
+    , doubles(3 * sizeOf(grid))
+    , bytes(sizeOf(grid))
+    , labels(sizeOf(grid))
+    , solids(mesh.triangles.size())
+    , values(with(winding_values_init))
+    , rule(with(winding_rule_init))
+    , options(with(winding_options_init))
+    , run(with(winding_run_init))
+  {
+    values.winding = floats.data();
+    values.inside = bytes.data();
+    run.number_of_threads = 2;
+  }
+
+  Mesh mesh;
+  Field field;
+  winding_polygons polygons;
+  winding_grid grid;
+  winding_array points;
+  std::vector<float> floats;
+  std::vector<double> doubles;
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint16_t> labels;
+  std::vector<std::int32_t> solids;
+  winding_values values;
+  winding_rule rule;
+  winding_options options;
+  winding_run run;
+  winding_field* madeField = nullptr;
+  winding_mesh* madeMesh = nullptr;
+  winding_refusal refusal = {};
+};
+
+struct Call
+{
+  const char* name;
+  winding_status (*make)(Arguments& with);
+};
+
+/// Every function that works, with arguments that are right.
+const Call allCalls[] = {
+  {"winding_faces",
+    [](Arguments& a)
+    {
+      return winding_faces(a.points, &a.polygons, &a.options, &a.run, &a.madeField, &a.refusal);
+    }},
+  {"winding_points",
+    [](Arguments& a)
+    {
+      return winding_points(
+        a.points, a.points, {nullptr, 0, 0, 0}, &a.options, &a.run, &a.madeField, &a.refusal);
+    }},
+  {"winding_evaluate_grid",
+    [](Arguments& a)
+    {
+      return winding_evaluate_grid(
+        a.field.get(), &a.grid, nullptr, &a.rule, &a.values, &a.run, &a.refusal);
+    }},
+  {"winding_evaluate_points",
+    [](Arguments& a)
+    {
+      return winding_evaluate_points(
+        a.field.get(), a.points, &a.rule, &a.values, &a.run, &a.refusal);
+    }},
+  {"winding_level_surface",
+    [](Arguments& a)
+    {
+      return winding_level_surface(
+        a.field.get(), &a.grid, &a.rule, nullptr, &a.run, &a.madeMesh, &a.refusal);
+    }},
+  {"winding_voxel_surface",
+    [](Arguments& a)
+    {
+      return winding_voxel_surface(
+        {a.bytes.data(), static_cast<int64_t>(a.bytes.size()), 0, WINDING_UINT8}, &a.grid, &a.run,
+        &a.madeMesh, &a.refusal);
+    }},
+  {"winding_label",
+    [](Arguments& a)
+    {
+      const winding_field* fields[] = {a.field.get()};
+      return winding_label(
+        fields, nullptr, 1, &a.grid, &a.rule, 0, 0, a.labels.data(), nullptr, &a.run, &a.refusal);
+    }},
+  {"winding_solids",
+    [](Arguments& a)
+    {
+      std::int64_t count;
+      return winding_solids(a.points, &a.polygons, &a.run, a.solids.data(), &count, &a.refusal);
+    }},
+  {"winding_examine",
+    [](Arguments& a)
+    {
+      auto report = with(winding_report_init);
+      return winding_examine(a.points, &a.polygons, &a.run, &report, &a.refusal);
+    }},
+  {"winding_orient",
+    [](Arguments& a)
+    {
+      return winding_orient(a.points, &a.polygons, &a.run, a.bytes.data(),
+        a.bytes.data() + a.bytes.size() / 2, &a.refusal);
+    }},
+  {"winding_estimate_normals",
+    [](Arguments& a)
+    {
+      return winding_estimate_normals(
+        a.points, &a.options, &a.run, a.floats.data(), nullptr, &a.refusal);
+    }},
+  {"winding_point_areas",
+    [](Arguments& a)
+    {
+      return winding_point_areas(
+        a.points, a.points, &a.options, &a.run, a.doubles.data(), &a.refusal);
+    }},
+};
+
+/// Expects WINDING_MISUSED of all calls that `spoil` concerns, which returns whether it does.
+void expectMisuse(const std::function<void(Arguments&)>& spoil, const std::string& those)
+{
+  for (const Call& call : allCalls)
+  {
+    if (those.find(call.name) == std::string::npos)
+    {
+      continue;
+    }
+    Arguments arguments;
+    spoil(arguments);
+    EXPECT_EQ(call.make(arguments), WINDING_MISUSED) << call.name << arguments.refusal.text;
+    EXPECT_NE(arguments.refusal.text[0], 0) << call.name;
+    EXPECT_EQ(arguments.madeField, nullptr);
+    EXPECT_EQ(arguments.madeMesh, nullptr);
+  }
+}
+
+void release(Arguments& arguments)
+{
+  winding_field_free(arguments.madeField);
+  winding_mesh_free(arguments.madeMesh);
+  arguments.madeField = nullptr;
+  arguments.madeMesh = nullptr;
+}
+
+} // namespace
+
+TEST(Border, LetsEveryRightCallPass)
+{
+  for (const Call& call : allCalls)
+  {
+    Arguments arguments;
+    EXPECT_EQ(call.make(arguments), WINDING_OK) << call.name << arguments.refusal.text;
+    EXPECT_STREQ(arguments.refusal.text, "");
+    release(arguments);
+  }
+}
+
+TEST(Border, RefusesWhatIsNoArray)
+{
+  const std::string points = "winding_faces winding_points winding_evaluate_points winding_solids "
+                             "winding_examine winding_orient winding_estimate_normals "
+                             "winding_point_areas";
+  expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
+  expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);
+  expectMisuse([](Arguments& a) { a.points.type = 99; }, points);
+  expectMisuse([](Arguments& a) { a.points.rows = -1; }, points);
+  expectMisuse([](Arguments& a) { a.points.stride = 2; }, points);
+  expectMisuse([](Arguments& a) { a.points.stride = -3; }, points);
+  expectMisuse(
+    [](Arguments& a) { a.points.stride = std::numeric_limits<std::int64_t>::max() / 2; }, points);
+  const std::string polygons = "winding_faces winding_solids winding_examine winding_orient";
+  expectMisuse([](Arguments& a) { a.polygons.corners.data = nullptr; }, polygons);
+  expectMisuse([](Arguments& a) { a.polygons.corners.type = WINDING_FLOAT64; }, polygons);
+  expectMisuse([](Arguments& a) { a.polygons.corners.stride = 1; }, polygons);
+}
+
+TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
+{
+  expectMisuse(
+    [](Arguments& a) { a.values.size = 0; }, "winding_evaluate_grid winding_evaluate_points");
+  expectMisuse([](Arguments& a) { a.rule.size = 3; },
+    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
+  expectMisuse([](Arguments& a) { a.options.size = 0; },
+    "winding_faces winding_points winding_estimate_normals winding_point_areas");
+  expectMisuse([](Arguments& a) { a.field.reset(); },
+    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
+  const auto spoilGrid = "winding_evaluate_grid winding_level_surface winding_voxel_surface "
+                         "winding_label";
+  expectMisuse([](Arguments& a) { a.grid.dimensions[2] = 0; }, spoilGrid);
+  expectMisuse([](Arguments& a) { a.grid.spacing[1] = -1; }, spoilGrid);
+  expectMisuse([](Arguments& a) { a.grid.origin[0] = std::nan(""); }, spoilGrid);
+
+  Arguments a;
+  EXPECT_EQ(
+    winding_faces(a.points, nullptr, nullptr, nullptr, &a.madeField, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(
+    winding_faces(a.points, &a.polygons, nullptr, nullptr, nullptr, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_describe(nullptr, nullptr, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_lay_out_grid(nullptr, &a.grid, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_mesh_show(nullptr, nullptr, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_read(nullptr, nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_label(nullptr, nullptr, 1, &a.grid, nullptr, 0, 0, a.labels.data(), nullptr,
+              nullptr, nullptr),
+    WINDING_MISUSED);
+  winding_run noSize = {};
+  EXPECT_EQ(winding_solids(a.points, &a.polygons, &noSize, a.solids.data(), nullptr, nullptr),
+    WINDING_MISUSED);
+  winding_field_free(nullptr);
+  winding_mesh_free(nullptr);
+  winding_options_init(nullptr, 8);
+}
+
+/// Callers that were compiled with an older header have smaller structs.
+TEST(Border, TakesStructsOfOlderAndNewerHeaders)
+{
+  Arguments a;
+  a.options.size = offsetof(winding_options, regularization);
+  a.options.regularization = -7; // is not looked at
+  EXPECT_EQ(
+    winding_faces(a.points, &a.polygons, &a.options, nullptr, &a.madeField, nullptr), WINDING_OK);
+  release(a);
+
+  struct Newer
+  {
+    winding_options known;
+    double more[4];
+  };
+  Newer newer;
+  winding_options_init(&newer.known, sizeof newer);
+  EXPECT_EQ(newer.known.size, sizeof newer);
+  EXPECT_EQ(newer.more[3], 0);
+  EXPECT_EQ(
+    winding_faces(a.points, &a.polygons, &newer.known, nullptr, &a.madeField, nullptr), WINDING_OK);
+  release(a);
+
+  struct winding_field_info info;
+  std::memset(&info, 0xFF, sizeof info);
+  info.size = offsetof(winding_field_info, volume);
+  EXPECT_EQ(winding_describe(a.field.get(), &info, nullptr), WINDING_OK);
+  EXPECT_EQ(info.primitives, 80);
+  EXPECT_TRUE(std::isnan(info.volume)) << "it is beyond the caller's struct";
+}
+
+/// Every progress call of every function asks to end it, one after the other.
+TEST(Border, EndsCallsWhereverProgressAsksForIt)
+{
+  struct Countdown
+  {
+    int left;
+    int calls = 0;
+    double last = 0;
+    std::thread::id caller = std::this_thread::get_id();
+    bool isRight = true;
+  };
+  for (const Call& call : allCalls)
+  {
+    Arguments arguments;
+    arguments.run.interval = 0;
+    arguments.run.progress = [](double share, void* user)
+    {
+      auto& countdown = *static_cast<Countdown*>(user);
+      countdown.isRight &=
+        share >= countdown.last && share <= 1 && countdown.caller == std::this_thread::get_id();
+      countdown.last = share;
+      ++countdown.calls;
+      return countdown.left-- == 0 ? 1 : 0;
+    };
+    Countdown whole = {-1};
+    arguments.run.user = &whole;
+    EXPECT_EQ(call.make(arguments), WINDING_OK) << call.name;
+    release(arguments);
+    EXPECT_TRUE(whole.isRight) << call.name;
+    const int step = std::max(1, whole.calls / 50);
+    for (int i = 0; i < whole.calls - 5; i += step)
+    {
+      Countdown countdown = {i};
+      arguments.run.user = &countdown;
+      const winding_status status = call.make(arguments);
+      // Other threads may leave the calling one fewer blocks than in the first run.
+      EXPECT_EQ(status, countdown.left < 0 ? WINDING_INTERRUPTED : WINDING_OK) << call.name << i;
+      EXPECT_STREQ(arguments.refusal.text, "");
+      if (status == WINDING_INTERRUPTED)
+      {
+        EXPECT_EQ(arguments.madeField, nullptr);
+        EXPECT_EQ(arguments.madeMesh, nullptr);
+      }
+      release(arguments);
+    }
+  }
+}
+
+TEST(Border, CutsLongTextsBetweenCharacters)
+{
+  std::string path;
+  for (int i = 0; i < 800; ++i)
+  {
+    path += "\xC3\xA4";
+  }
+  winding_mesh* mesh = nullptr;
+  winding_refusal refusal;
+  EXPECT_EQ(winding_read(path.c_str(), nullptr, &mesh, &refusal), WINDING_REFUSED);
+  const std::string text = refusal.text;
+  EXPECT_LT(text.size(), sizeof refusal.text);
+  EXPECT_EQ(text.back(), '\xA4');
+}
+
+/// The members of structs have the names, defaults and choices that messages use.
+TEST(Border, NamesOptionsAsMessagesDo)
+{
+  using winding::FrontEnd;
+  using winding::Parameter;
+  EXPECT_EQ(nameOf(Parameter::numberOfNeighbors, FrontEnd::c), "number_of_neighbors");
+  EXPECT_EQ(howTo({Parameter::method, 3}, FrontEnd::c), "method = WINDING_METHOD_DIRECT");
+  EXPECT_EQ(howTo({Parameter::coverage, 1}, FrontEnd::c), "coverage = WINDING_COVERAGE_ANY");
+  EXPECT_EQ(howTo({Parameter::estimateNormals, 1}, FrontEnd::c), "estimate_normals = 1");
+  EXPECT_EQ(howTo({Parameter::resolution}, FrontEnd::c), "resolution");
+  const auto options = with(winding_options_init);
+  const auto defaultOf = [](Parameter parameter)
+  {
+    return std::stod(winding::optionOf(parameter)->standard);
+  };
+  EXPECT_EQ(options.method, defaultOf(Parameter::method));
+  EXPECT_EQ(options.tolerance, defaultOf(Parameter::tolerance));
+  EXPECT_EQ(options.regularization, defaultOf(Parameter::regularization));
+  EXPECT_EQ(options.point_area, defaultOf(Parameter::pointArea));
+  EXPECT_EQ(options.number_of_neighbors, defaultOf(Parameter::numberOfNeighbors));
+  EXPECT_EQ(options.estimate_normals, defaultOf(Parameter::estimateNormals));
+  EXPECT_EQ(options.normal_estimation, defaultOf(Parameter::normalEstimation));
+  EXPECT_EQ(options.orient_faces, defaultOf(Parameter::orientFaces));
+  EXPECT_EQ(options.ignore_open_parts, defaultOf(Parameter::ignoreOpenParts));
+  const auto request = with(winding_grid_request_init);
+  EXPECT_EQ(request.resolution, defaultOf(Parameter::resolution));
+  EXPECT_EQ(request.padding, defaultOf(Parameter::padding));
+  EXPECT_EQ(request.voxel_size, defaultOf(Parameter::voxelSize));
+  const auto rule = with(winding_rule_init);
+  EXPECT_EQ(rule.winding_threshold, defaultOf(Parameter::windingThreshold));
+  EXPECT_EQ(rule.inside_rule, defaultOf(Parameter::insideRule));
+  EXPECT_EQ(with(winding_values_init).coverage_samples, defaultOf(Parameter::coverageSamples));
+  const auto surface = with(winding_surface_options_init);
+  EXPECT_EQ(surface.features, defaultOf(Parameter::features));
+  EXPECT_EQ(surface.generate_normals, defaultOf(Parameter::generateNormals));
+  EXPECT_EQ(surface.close_border, defaultOf(Parameter::closeBorder));
+}

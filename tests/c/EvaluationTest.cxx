@@ -1,0 +1,189 @@
+#include "Calls.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace
+{
+
+using namespace calls;
+using shapes::Mesh;
+using shapes::Point;
+
+} // namespace
+
+TEST(Grids, AreLaidOutAsWished)
+{
+  const winding_grid grid = gridAround({0, 0, 0}, {2, 1, 1}, 20);
+  EXPECT_EQ(grid.dimensions[0], 20);
+  EXPECT_EQ(grid.spacing[0], grid.spacing[1]);
+  EXPECT_NEAR(grid.spacing[0], 0.11, 1e-12);
+
+  auto request = with(winding_grid_request_init);
+  winding_grid none;
+  winding_refusal refusal;
+  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED) << "no bounds";
+  request.resolution = 0;
+  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED);
+  EXPECT_STREQ(refusal.parameter, "resolution");
+  request = with(winding_grid_request_init);
+  request.sampling_dimensions[1] = 3;
+  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED);
+  EXPECT_STREQ(refusal.parameter, "sampling_dimensions");
+}
+
+TEST(Grids, HaveTheSameBitsInParts)
+{
+  const Mesh soup = shapes::triangleSoup(500, 3901);
+  const Field field = fieldOf(soup);
+  const winding_grid grid = gridAround({-2, -2, -2}, {2, 2, 2}, 24);
+  std::vector<float> whole(sizeOf(grid)), part(whole.size());
+  std::vector<std::uint8_t> inside(whole.size());
+  auto values = with(winding_values_init);
+  values.winding = whole.data();
+  values.inside = inside.data();
+  auto run = with(winding_run_init);
+  run.number_of_threads = 1;
+  ASSERT_EQ(winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, &run, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(values.inside_count, std::count(inside.begin(), inside.end(), 1));
+  std::size_t before = 0;
+  for (const auto& [first, last] : {std::pair(0, 4), {5, 5}, {6, 23}})
+  {
+    const int32_t extent[6] = {0, 23, 0, 23, first, last};
+    auto some = with(winding_values_init);
+    some.winding = part.data() + before;
+    ASSERT_EQ(winding_evaluate_grid(field.get(), &grid, extent, nullptr, &some, nullptr, nullptr),
+      WINDING_OK);
+    before += static_cast<std::size_t>(24 * 24 * (last - first + 1));
+  }
+  EXPECT_EQ(whole, part);
+
+  for (const std::array<int32_t, 6>& wrong :
+    {std::array<int32_t, 6>{0, 24, 0, 23, 0, 23}, {-1, 3, 0, 3, 0, 3}, {0, 3, 4, 3, 0, 3}})
+  {
+    EXPECT_EQ(
+      winding_evaluate_grid(field.get(), &grid, wrong.data(), nullptr, &values, nullptr, nullptr),
+      WINDING_MISUSED);
+  }
+}
+
+TEST(Grids, HaveCoverageOfVoxels)
+{
+  const Field field = fieldOf(shapes::cube());
+  winding_grid grid = {{-0.25, 0, 0}, {0.5, 0.5, 0.5}, {5, 3, 3}};
+  std::vector<float> shares(45);
+  std::vector<std::uint8_t> any(45);
+  auto values = with(winding_values_init);
+  values.fractions = shares.data();
+  values.coverage = WINDING_COVERAGE_FRACTION;
+  ASSERT_EQ(winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, nullptr, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(shares[15 + 5 + 1], 1.0F);
+  EXPECT_EQ(shares[5 + 1], 0.5F);
+  EXPECT_EQ(shares[0], 0.0F);
+  values = with(winding_values_init);
+  values.coverage = WINDING_COVERAGE_ANY;
+  values.inside = any.data();
+  ASSERT_EQ(winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, nullptr, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(values.inside_count, 36) << "all but the last layer along x touch it";
+  values.fractions = shares.data();
+  EXPECT_EQ(winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, nullptr, nullptr),
+    WINDING_MISUSED);
+}
+
+TEST(Grids, SayWhatMakesTheResultDiffer)
+{
+  const auto warningsOf = [](const Mesh& mesh, const winding_grid& grid, double threshold)
+  {
+    Warnings told;
+    const Field field = fieldOf(mesh, nullptr, &told.run);
+    std::vector<std::uint8_t> inside(sizeOf(grid));
+    auto values = with(winding_values_init);
+    values.inside = inside.data();
+    auto rule = with(winding_rule_init);
+    rule.winding_threshold = threshold;
+    EXPECT_EQ(
+      winding_evaluate_grid(field.get(), &grid, nullptr, &rule, &values, &told.run, nullptr),
+      WINDING_OK);
+    EXPECT_LE(told.texts.size(), 1u);
+    return told.texts.empty() ? "" : told.texts[0];
+  };
+  const Mesh ball = shapes::icosphere(3);
+  const winding_grid around = gridAround({-1, -1, -1}, {1, 1, 1}, 20);
+  EXPECT_EQ(warningsOf(ball, around, 0.5), "");
+  EXPECT_NE(warningsOf(ball.reversed(), around, 0.5)
+              .find("look inward: use inside_rule = WINDING_INSIDE_RULE_ABSOLUTE"),
+    std::string::npos)
+    << warningsOf(ball.reversed(), around, 0.5);
+  EXPECT_NE(warningsOf(ball, around, 5).find("(winding_threshold)"), std::string::npos);
+  EXPECT_NE(
+    warningsOf(ball, gridAround({7, 7, 7}, {8, 8, 8}, 4), 0.5).find("misses"), std::string::npos);
+  const Mesh shell =
+    ball.with(ball.reversed().mapped([](const Point& p) { return Point(0.98 * p); }));
+  EXPECT_NE(warningsOf(shell, around, 0.5).find("thinner than a voxel"), std::string::npos);
+}
+
+TEST(SamplePoints, HaveValuesDistancesAndGradients)
+{
+  const Field field = fieldOf(shapes::openCube());
+  const std::vector<Point> points = {{0.5, 0.5, 0.5}, {3, 0.5, 0.5},
+    {std::numeric_limits<double>::infinity(), 0, 0}, {std::nan(""), 0, 0}};
+  std::vector<double> w(4), distances(4), gradients(12);
+  std::vector<std::uint8_t> inside(4);
+  auto values = with(winding_values_init);
+  values.type = WINDING_FLOAT64;
+  values.winding = w.data();
+  values.inside = inside.data();
+  values.distance = distances.data();
+  values.gradient = gradients.data();
+  ASSERT_EQ(
+    winding_evaluate_points(field.get(), arrayOf(points), nullptr, &values, nullptr, nullptr),
+    WINDING_OK);
+  EXPECT_NEAR(w[0], 5.0 / 6, 1e-12);
+  EXPECT_EQ(inside, (std::vector<std::uint8_t>{1, 0, 0, 0}));
+  EXPECT_EQ(values.inside_count, 1);
+  EXPECT_EQ(distances[0], -0.5);
+  EXPECT_EQ(distances[1], 2);
+  EXPECT_LT(gradients[2], 0) << "w grows away from the opening";
+  EXPECT_TRUE(std::isnan(gradients[9]));
+
+  values.distance_limit = 0.75;
+  ASSERT_EQ(
+    winding_evaluate_points(field.get(), arrayOf(points), nullptr, &values, nullptr, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(distances[1], 0.75);
+}
+
+TEST(SamplePoints, MayBeAskedForByManyThreadsAtOnce)
+{
+  const Mesh soup = shapes::triangleSoup(2000, 3902);
+  const Field field = fieldOf(soup);
+  const std::vector<Point> points = shapes::pointsNear(soup, 500, 0.1, 3903);
+  const auto evaluate = [&]
+  {
+    std::vector<double> w(points.size());
+    auto values = with(winding_values_init);
+    values.type = WINDING_FLOAT64;
+    values.winding = w.data();
+    EXPECT_EQ(
+      winding_evaluate_points(field.get(), arrayOf(points), nullptr, &values, nullptr, nullptr),
+      WINDING_OK);
+    return w;
+  };
+  const std::vector<double> expected = evaluate();
+  std::vector<std::thread> threads;
+  std::atomic<int> different{0};
+  for (int i = 0; i < 16; ++i)
+  {
+    threads.emplace_back([&] { different += evaluate() != expected; });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(different, 0);
+}

@@ -1,0 +1,202 @@
+#include "Calls.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+
+namespace
+{
+
+using namespace calls;
+using shapes::Mesh;
+using shapes::Point;
+
+winding_mesh_arrays show(const OwnedMesh& mesh)
+{
+  auto arrays = with(winding_mesh_arrays_init);
+  EXPECT_EQ(winding_mesh_show(mesh.get(), &arrays, nullptr), WINDING_OK);
+  return arrays;
+}
+
+OwnedMesh surfaceOf(const Field& field, const winding_grid& grid,
+  const winding_surface_options& options, const winding_run* run = nullptr)
+{
+  winding_mesh* mesh = nullptr;
+  winding_refusal refusal;
+  EXPECT_EQ(
+    winding_level_surface(field.get(), &grid, nullptr, &options, run, &mesh, &refusal), WINDING_OK)
+    << refusal.text;
+  return {mesh, winding_mesh_free};
+}
+
+Point pointOf(const winding_mesh_arrays& arrays, std::int64_t id)
+{
+  const auto at = [&](const auto* numbers)
+  {
+    return Point(numbers[3 * id], numbers[3 * id + 1], numbers[3 * id + 2]);
+  };
+  return arrays.type == WINDING_FLOAT64 ? at(static_cast<const double*>(arrays.points))
+                                        : at(static_cast<const float*>(arrays.points));
+}
+
+/// The volume within the polygons, taken as fans; every edge of them must be used once in each
+/// sense.
+double closedVolumeOf(const winding_mesh_arrays& arrays)
+{
+  double volume = 0;
+  std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
+  for (std::int64_t polygon = 0; polygon < arrays.polygon_count; ++polygon)
+  {
+    const std::int64_t first = arrays.offsets[polygon], last = arrays.offsets[polygon + 1];
+    const Point origin = pointOf(arrays, arrays.corners[first]);
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      const std::int64_t from = arrays.corners[i],
+                         to = arrays.corners[i + 1 < last ? i + 1 : first];
+      ++edges[{from, to}];
+      --edges[{to, from}];
+      volume += origin.dot(pointOf(arrays, from).cross(pointOf(arrays, to))) / 6;
+    }
+  }
+  for (const auto& [edge, net] : edges)
+  {
+    EXPECT_EQ(net, 0) << edge.first << " " << edge.second;
+  }
+  return volume;
+}
+
+} // namespace
+
+TEST(LevelSurface, LiesOnTheSourceAndIsClosed)
+{
+  const Field field = fieldOf(shapes::icosphere(4));
+  const winding_grid grid = gridAround({-1, -1, -1}, {1, 1, 1}, 30);
+  auto options = with(winding_surface_options_init);
+  const OwnedMesh smooth = surfaceOf(field, grid, options);
+  const winding_mesh_arrays arrays = show(smooth);
+  EXPECT_EQ(arrays.type, WINDING_FLOAT32);
+  EXPECT_EQ(arrays.corner_count, 3 * arrays.polygon_count);
+  EXPECT_NEAR(closedVolumeOf(arrays), 4.16, 0.02); // measured: 4.159
+  ASSERT_NE(arrays.point_normals, nullptr);
+  for (std::int64_t i = 0; i < arrays.point_count; ++i)
+  {
+    EXPECT_NEAR(pointOf(arrays, i).norm(), 1, 0.01);
+  }
+  options.type = WINDING_FLOAT64;
+  options.generate_normals = 0;
+  const OwnedMesh precise = surfaceOf(field, grid, options);
+  EXPECT_EQ(show(precise).type, WINDING_FLOAT64);
+  EXPECT_EQ(show(precise).point_normals, nullptr);
+
+  auto fidelity = with(winding_fidelity_init);
+  ASSERT_EQ(
+    winding_compare(field.get(), precise.get(), grid.spacing[0], 1000, nullptr, &fidelity, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(fidelity.samples, 1000);
+  EXPECT_EQ(fidelity.self_intersections, 0);
+  EXPECT_LT(fidelity.largest_to_source, 0.01);
+  EXPECT_GT(fidelity.largest_to_source, 0);
+}
+
+TEST(LevelSurface, KeepsEdgesIfItIsSharp)
+{
+  const Field field = fieldOf(shapes::cube());
+  const winding_grid grid = gridAround({-0.3, -0.3, -0.3}, {1.3, 1.3, 1.3}, 10);
+  auto options = with(winding_surface_options_init);
+  options.features = WINDING_FEATURES_SHARP;
+  const OwnedMesh sharp = surfaceOf(field, grid, options);
+  EXPECT_NEAR(closedVolumeOf(show(sharp)), 1, 1e-6);
+  EXPECT_NE(show(sharp).polygon_normals, nullptr);
+  options.generate_triangles = 1;
+  const OwnedMesh cut = surfaceOf(field, grid, options);
+  EXPECT_EQ(show(cut).corner_count, 3 * show(cut).polygon_count);
+}
+
+TEST(LevelSurface, SaysWhyItIsEmpty)
+{
+  const Field field = fieldOf(shapes::cube({-9, -9, -9}, {9, 9, 9}));
+  const winding_grid grid = gridAround({0, 0, 0}, {1, 1, 1}, 5);
+  Warnings told;
+  auto options = with(winding_surface_options_init);
+  const OwnedMesh none = surfaceOf(field, grid, options, &told.run);
+  EXPECT_EQ(show(none).polygon_count, 0);
+  ASSERT_EQ(told.texts.size(), 1u);
+  EXPECT_NE(told.texts[0].find("(close_border = 1)"), std::string::npos) << told.texts[0];
+  options.close_border = 1;
+  const OwnedMesh closed = surfaceOf(field, grid, options, &told.run);
+  EXPECT_GT(closedVolumeOf(show(closed)), 1);
+
+  winding_grid flat = grid;
+  flat.dimensions[2] = 1;
+  winding_mesh* mesh = nullptr;
+  EXPECT_EQ(winding_level_surface(field.get(), &flat, nullptr, nullptr, nullptr, &mesh, nullptr),
+    WINDING_REFUSED);
+  EXPECT_EQ(mesh, nullptr);
+}
+
+TEST(VoxelSurface, LiesBetweenLabels)
+{
+  const winding_grid grid = {{10, 0, 0}, {1, 2, 1}, {3, 1, 1}};
+  const std::vector<std::uint16_t> labels = {7, 9, 0};
+  winding_mesh* mesh = nullptr;
+  ASSERT_EQ(
+    winding_voxel_surface({labels.data(), 3, 0, WINDING_UINT16}, &grid, nullptr, &mesh, nullptr),
+    WINDING_OK);
+  const OwnedMesh owned(mesh, winding_mesh_free);
+  const winding_mesh_arrays arrays = show(owned);
+  EXPECT_EQ(arrays.polygon_count, 11);
+  EXPECT_EQ(arrays.point_count, 12);
+  int between = 0;
+  for (std::int64_t i = 0; i < arrays.polygon_count; ++i)
+  {
+    between += arrays.labels[2 * i] != 0 && arrays.labels[2 * i + 1] != 0;
+  }
+  EXPECT_EQ(between, 1);
+  EXPECT_EQ(pointOf(arrays, 0), Point(9.5, -1, -0.5));
+
+  for (const winding_array& wrong : {winding_array{labels.data(), 2, 0, WINDING_UINT16},
+         winding_array{labels.data(), 3, 0, WINDING_FLOAT32},
+         winding_array{nullptr, 3, 0, WINDING_UINT8}})
+  {
+    EXPECT_EQ(winding_voxel_surface(wrong, &grid, nullptr, &mesh, nullptr), WINDING_MISUSED);
+    EXPECT_EQ(mesh, nullptr);
+  }
+}
+
+TEST(Files, AreReadWithNormalsAndNotes)
+{
+  const std::string folder = testing::TempDir();
+  const auto read = [&](const std::string& name, const std::string& text, Warnings& told)
+  {
+    const std::string path = folder + "winding_c_" + name;
+    std::ofstream(path) << text;
+    winding_mesh* mesh = nullptr;
+    winding_refusal refusal;
+    const winding_status status = winding_read(path.c_str(), &told.run, &mesh, &refusal);
+    std::remove(path.c_str());
+    told.texts.emplace_back(refusal.text);
+    EXPECT_EQ(mesh == nullptr, status != WINDING_OK);
+    return OwnedMesh(mesh, winding_mesh_free);
+  };
+  Warnings told;
+  const OwnedMesh square =
+    read("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", told);
+  EXPECT_EQ(show(square).point_count, 4);
+  EXPECT_EQ(show(square).polygon_count, 1);
+  EXPECT_EQ(show(square).corners[3], 3);
+
+  const OwnedMesh points = read("points.xyz", "0 0 0 1 0 0\n1 2 3 0 1 0\n", told);
+  EXPECT_EQ(show(points).point_count, 2);
+  ASSERT_NE(show(points).point_normals, nullptr);
+  EXPECT_EQ(show(points).offsets, nullptr);
+
+  const OwnedMesh table = read("points.csv", "x,y,z,area\n1,2,3,4\n", told);
+  ASSERT_NE(show(table).point_areas, nullptr);
+  EXPECT_EQ(show(table).point_areas[0], 4);
+
+  EXPECT_EQ(read("a.abc", "?", told), nullptr);
+  EXPECT_NE(told.texts.back().find("suffix that is not known"), std::string::npos);
+  EXPECT_EQ(read("a.off", "OFF\n3 1", told), nullptr);
+  EXPECT_NE(told.texts.back().find("a.off"), std::string::npos) << told.texts.back();
+}
