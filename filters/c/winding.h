@@ -29,6 +29,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** Marks what the library exports. */
 #if defined(_WIN32)
 #if defined(WINDING_BUILDS_LIBRARY)
 #define WINDING_API __declspec(dllexport)
@@ -56,7 +57,7 @@ extern "C"
   /** How a call ended. */
   typedef enum winding_status
   {
-    WINDING_OK = 0,
+    WINDING_OK = 0,          /**< the result is there */
     WINDING_REFUSED = 1,     /**< the input or an option cannot be worked with */
     WINDING_INTERRUPTED = 2, /**< the progress function asked for it */
     WINDING_NO_MEMORY = 3,   /**< an allocation failed */
@@ -83,7 +84,7 @@ extern "C"
   /** The way in which a call works. A null pointer in its place stands for the defaults. */
   typedef struct winding_run
   {
-    uint32_t size;
+    uint32_t size;             /**< bytes of the struct that its caller knows */
     int32_t number_of_threads; /**< most threads to use, 0 for one for each core. Default: 0 */
     int32_t words;             /**< a winding_words. Default: WINDING_WORDS_C */
     /**
@@ -106,26 +107,32 @@ extern "C"
     double longest_expected_time;
   } winding_run;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param run the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_run_init(winding_run* run, size_t size);
 
   /** The types of numbers in arrays. */
   typedef enum winding_type
   {
-    WINDING_FLOAT32 = 1,
-    WINDING_FLOAT64 = 2,
-    WINDING_INT32 = 3,
-    WINDING_INT64 = 4,
-    WINDING_UINT8 = 5,
-    WINDING_UINT16 = 6
+    WINDING_FLOAT32 = 1, /**< float */
+    WINDING_FLOAT64 = 2, /**< double */
+    WINDING_INT32 = 3,   /**< int32_t */
+    WINDING_INT64 = 4,   /**< int64_t */
+    WINDING_UINT8 = 5,   /**< uint8_t */
+    WINDING_UINT16 = 6   /**< uint16_t */
   } winding_type;
 
   /** Rows of numbers that are read. All members 0 make an array that is not there. */
   typedef struct winding_array
   {
-    const void* data;
-    int64_t rows;
-    int64_t stride; /**< numbers from the start of one row to the next, 0 for no gaps */
-    int32_t type;   /**< a winding_type: floating-point for coordinates, integer for ids */
+    const void* data; /**< the first number */
+    int64_t rows;     /**< 0 or more */
+    int64_t stride;   /**< numbers from the start of one row to the next, 0 for no gaps */
+    int32_t type;     /**< a winding_type: floating-point for coordinates, integer for ids */
   } winding_array;
 
   /** The faces of a surface over its points, whose ids count from 0. */
@@ -150,7 +157,7 @@ extern "C"
   /** How normals are estimated. */
   typedef enum winding_normal_estimation
   {
-    WINDING_NORMAL_ESTIMATION_AUTO = 0,
+    WINDING_NORMAL_ESTIMATION_AUTO = 0,      /**< the tree, where its field is clear */
     WINDING_NORMAL_ESTIMATION_TREE = 1,      /**< along a spanning tree: fast */
     WINDING_NORMAL_ESTIMATION_CONSISTENT = 2 /**< w is a half at all points */
   } winding_normal_estimation;
@@ -158,63 +165,76 @@ extern "C"
   /** The choices that a field depends on, apart from its source. */
   typedef struct winding_options
   {
-    uint32_t size;
+    uint32_t size;         /**< bytes of the struct that its caller knows */
     int32_t method;        /**< a winding_method. Default: WINDING_METHOD_AUTO */
     double tolerance;      /**< largest error of w by approximations. Default: 0.001 */
     double regularization; /**< spread of each point, 0 to 4 spacings. Default: 0 */
     double point_area;     /**< area of every point, 0 for areas by Voronoi cells. Default: 0 */
-    int32_t
-      number_of_neighbors;     /**< that areas and normals are taken from, 3 or more. Default: 20 */
-    int32_t estimate_normals;  /**< whether points without normals get some. Default: 0 */
-    int32_t normal_estimation; /**< a winding_normal_estimation. Default: ..._AUTO */
-    int32_t orient_faces;      /**< whether faces are turned outward first. Default: 0 */
+    int32_t number_of_neighbors; /**< that give areas and normals, 3 or more. Default: 20 */
+    int32_t estimate_normals;    /**< whether points without normals get some. Default: 0 */
+    int32_t normal_estimation;   /**< a winding_normal_estimation. Default: ..._AUTO */
+    int32_t orient_faces;        /**< whether faces are turned outward first. Default: 0 */
     int32_t ignore_open_parts; /**< whether open sheets in closed parts are left out. Default: 0 */
     int32_t scattered;         /**< whether points will be asked for, not grids. Default: 0 */
   } winding_options;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param options the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_options_init(winding_options* options, size_t size);
 
   /** The winding field of a source. */
   typedef struct winding_field winding_field;
 
   /**
- * Makes the field of a surface.
- *
- * @param points three coordinates in each row
- * @param polygons triangles, or polygons, which are cut into fans from their first corners
- * @param options null for the defaults; what is about points alone is not looked at
- * @param field receives the field, or null; winding_field_free() gives it back
- *
- * Triangles with NaN or infinite coordinates and with ids of points that are not there are left
- * out with a warning. Refused are coordinates beyond 1e100, a surface that nothing remains of, and
- * options out of their ranges.
- */
+   * Makes the field of a surface.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are cut into fans from their first corners
+   * @param options null for the defaults; what is about points alone is not looked at
+   * @param run null for the defaults
+   * @param field receives the field, or null; winding_field_free() gives it back
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Triangles with NaN or infinite coordinates and with ids of points that are not there are left
+   * out with a warning. Refused are coordinates beyond 1e100, a surface that nothing remains of, and
+   * options out of their ranges.
+   */
   WINDING_API winding_status winding_faces(winding_array points, const winding_polygons* polygons,
     const winding_options* options, const winding_run* run, winding_field** field,
     winding_refusal* refusal);
 
   /**
- * Makes the field of a point cloud.
- *
- * @param points three coordinates in each row
- * @param normals as many, of any length, outward; not there for estimated ones
- * @param areas one for each point; not there for Voronoi cells
- * @param options null for the defaults
- * @param field receives the field, or null; winding_field_free() gives it back
- *
- * Refused are points without normals, unless options have estimate_normals.
- */
+   * Makes the field of a point cloud.
+   *
+   * @param points three coordinates in each row
+   * @param normals as many, of any length, outward; not there for estimated ones
+   * @param areas one for each point; not there for Voronoi cells
+   * @param options null for the defaults
+   * @param run null for the defaults
+   * @param field receives the field, or null; winding_field_free() gives it back
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Refused are points without normals, unless options have estimate_normals.
+   */
   WINDING_API winding_status winding_points(winding_array points, winding_array normals,
     winding_array areas, const winding_options* options, const winding_run* run,
     winding_field** field, winding_refusal* refusal);
 
-  /** Gives a field back. Null is left alone. */
+  /**
+   * Gives a field back. Null is left alone.
+   *
+   * @param field the field
+   */
   WINDING_API void winding_field_free(winding_field* field);
 
   /** Facts about a field. */
   typedef struct winding_field_info
   {
-    uint32_t size;
+    uint32_t size;              /**< bytes of the struct that its caller knows */
     int32_t method;             /**< the winding_method that is used, never automatic */
     int32_t is_surface;         /**< whether the source has faces */
     int32_t normals_estimated;  /**< whether normals were estimated */
@@ -224,12 +244,24 @@ extern "C"
     int64_t net_boundary_edges; /**< edges that do not cancel: w is an integer if there are none */
     double bounds[6];           /**< least and largest x, y and z; NaN without primitives */
     double area;                /**< of all triangles, or of all points */
-    double volume;              /**< signed volume that the source encloses; see docs/library.md */
+    double volume;              /**< that the source encloses, without cavities */
   } winding_field_info;
 
-  /** Describes a field. `info` has its size set, as by winding_field_info_init(). */
+  /**
+   * Describes a field. `info` has its size set, as by winding_field_info_init().
+   *
+   * @param field the field
+   * @param info receives the facts; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_describe(
     const winding_field* field, winding_field_info* info, winding_refusal* refusal);
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param info the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_field_info_init(winding_field_info* info, size_t size);
 
   /** A grid of voxels, whose centres are the samples; x runs fastest in arrays. */
@@ -243,7 +275,7 @@ extern "C"
   /** A wish for a grid. */
   typedef struct winding_grid_request
   {
-    uint32_t size;
+    uint32_t size;      /**< bytes of the struct that its caller knows */
     int32_t resolution; /**< cubic voxels along the longest side. Default: 64 */
     double voxel_size;  /**< side of the cubic voxels, 0 for resolution. Default: 0 */
     int32_t
@@ -252,9 +284,21 @@ extern "C"
     double padding;            /**< margin, as a share of the longest side. Default: 0.05 */
   } winding_grid_request;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param request the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_grid_request_init(winding_grid_request* request, size_t size);
 
-  /** Lays out a grid. Refused are sizes, bounds and paddings that make none. */
+  /**
+   * Lays out a grid. Refused are sizes, bounds and paddings that make none.
+   *
+   * @param request the wish
+   * @param grid the samples
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_lay_out_grid(
     const winding_grid_request* request, winding_grid* grid, winding_refusal* refusal);
 
@@ -269,11 +313,17 @@ extern "C"
   /** A rule, and its threshold. A null pointer in its place stands for the defaults. */
   typedef struct winding_rule
   {
-    uint32_t size;
+    uint32_t size;            /**< bytes of the struct that its caller knows */
     int32_t inside_rule;      /**< a winding_inside_rule. Default: WINDING_INSIDE_RULE_SIGNED */
     double winding_threshold; /**< Default: 0.5 */
   } winding_rule;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param rule the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_rule_init(winding_rule* rule, size_t size);
 
   /** The rules by which voxels are inside. */
@@ -287,7 +337,7 @@ extern "C"
   /** The arrays that an evaluation fills, a number for each sample. Null leaves one out. */
   typedef struct winding_values
   {
-    uint32_t size;
+    uint32_t size;    /**< bytes of the struct that its caller knows */
     int32_t type;     /**< of winding, distance: WINDING_FLOAT32 or _FLOAT64. Default: _FLOAT32 */
     void* winding;    /**< winding numbers */
     uint8_t* inside;  /**< 1 inside, 0 outside */
@@ -300,27 +350,42 @@ extern "C"
     int64_t inside_count;     /**< receives the number of samples inside */
   } winding_values;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param values the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_values_init(winding_values* values, size_t size);
 
   /**
- * Evaluates a field at the samples of a grid.
- *
- * @param extent first and last index along x, y and z of the part to evaluate; null for all
- * @param rule what is inside; null for the defaults
- * @param values the arrays, with as many numbers as the extent has samples
- *
- * Warns, for the whole grid only, where the source looks inward, the grid misses it or is too
- * coarse for it, or nothing is inside.
- */
+   * Evaluates a field at the samples of a grid.
+   *
+   * @param field the field
+   * @param grid the samples
+   * @param extent first and last index along x, y and z of the part to evaluate; null for all
+   * @param rule what is inside; null for the defaults
+   * @param values the arrays, with as many numbers as the extent has samples
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns, for the whole grid only, where the source looks inward, the grid misses it or is too
+   * coarse for it, or nothing is inside.
+   */
   WINDING_API winding_status winding_evaluate_grid(const winding_field* field,
     const winding_grid* grid, const int32_t* extent, const winding_rule* rule,
     winding_values* values, const winding_run* run, winding_refusal* refusal);
 
   /**
- * Evaluates a field at points. Values at points that are NaN or infinite are NaN, and 0 inside.
- *
- * @param points three coordinates in each row
- */
+   * Evaluates a field at points. Values at points that are NaN or infinite are NaN, and 0 inside.
+   *
+   * @param field the field
+   * @param points three coordinates in each row
+   * @param rule the rule for what is inside; null for the defaults
+   * @param values the arrays
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_evaluate_points(const winding_field* field,
     winding_array points, const winding_rule* rule, winding_values* values, const winding_run* run,
     winding_refusal* refusal);
@@ -331,10 +396,10 @@ extern "C"
   /** The arrays of a mesh, which belong to it. Those that it does not have are null. */
   typedef struct winding_mesh_arrays
   {
-    uint32_t size;
-    int32_t type; /**< of points: WINDING_FLOAT32 or _FLOAT64 */
-    int64_t point_count;
-    int64_t polygon_count;
+    uint32_t size;                /**< bytes of the struct that its caller knows */
+    int32_t type;                 /**< of points: WINDING_FLOAT32 or _FLOAT64 */
+    int64_t point_count;          /**< rows of points */
+    int64_t polygon_count;        /**< 0 for points alone */
     int64_t corner_count;         /**< of all polygons */
     const void* points;           /**< three coordinates each */
     const int64_t* offsets;       /**< polygon_count + 1 */
@@ -342,30 +407,46 @@ extern "C"
     const void* point_normals;    /**< three each */
     int32_t normals_type;         /**< of point_normals */
     const float* polygon_normals; /**< three each, of unit length or 0 */
-    const double* point_areas;
-    const uint16_t* labels; /**< two for each polygon: behind it, and before it */
+    const double* point_areas;    /**< one each */
+    const uint16_t* labels;       /**< two for each polygon: behind it, and before it */
   } winding_mesh_arrays;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param arrays the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_mesh_arrays_init(winding_mesh_arrays* arrays, size_t size);
 
-  /** Shows the arrays of a mesh. They live until winding_mesh_free(). */
+  /**
+   * Shows the arrays of a mesh. They live until winding_mesh_free().
+   *
+   * @param mesh the mesh
+   * @param arrays receives the pointers; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_mesh_show(
     const winding_mesh* mesh, winding_mesh_arrays* arrays, winding_refusal* refusal);
 
-  /** Gives a mesh back. Null is left alone. */
+  /**
+   * Gives a mesh back. Null is left alone.
+   *
+   * @param mesh the mesh
+   */
   WINDING_API void winding_mesh_free(winding_mesh* mesh);
 
   /** The fates of a source's edges and corners. */
   typedef enum winding_features
   {
-    WINDING_FEATURES_SMOOTH = 0,
-    WINDING_FEATURES_SHARP = 1 /**< they are kept, by faces of four corners */
+    WINDING_FEATURES_SMOOTH = 0, /**< they are rounded within a voxel */
+    WINDING_FEATURES_SHARP = 1   /**< they are kept, by faces of four corners */
   } winding_features;
 
   /** How the surface between inside and outside is made. */
   typedef struct winding_surface_options
   {
-    uint32_t size;
+    uint32_t size;              /**< bytes of the struct that its caller knows */
     int32_t features;           /**< a winding_features. Default: WINDING_FEATURES_SMOOTH */
     int32_t generate_triangles; /**< whether quads of sharp surfaces are cut. Default: 0 */
     int32_t close_border;     /**< whether what is beyond the grid counts as outside. Default: 0 */
@@ -373,72 +454,96 @@ extern "C"
     int32_t type; /**< of points: _FLOAT32, _FLOAT64, or 0 for what they need. Default: 0 */
   } winding_surface_options;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param options the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_surface_options_init(winding_surface_options* options, size_t size);
 
   /**
- * Makes the surface between the inside and the outside of a field: its vertices lie on the edges of
- * a grid, exactly where w crosses the threshold. It is closed, except at the border of the grid,
- * and 2-manifold.
- *
- * @param options null for the defaults
- * @param mesh receives the surface, or null; winding_mesh_free() gives it back
- *
- * Warns as winding_evaluate_grid() does.
- */
+   * Makes the surface between the inside and the outside of a field: its vertices lie on the edges of
+   * a grid, exactly where w crosses the threshold. It is closed, except at the border of the grid,
+   * and 2-manifold.
+   *
+   * @param field the field
+   * @param grid the samples
+   * @param rule the rule for what is inside; null for the defaults
+   * @param options null for the defaults
+   * @param run null for the defaults
+   * @param mesh receives the surface, or null; winding_mesh_free() gives it back
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns as winding_evaluate_grid() does.
+   */
   WINDING_API winding_status winding_level_surface(const winding_field* field,
     const winding_grid* grid, const winding_rule* rule, const winding_surface_options* options,
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
   /**
- * Makes the faces of voxels, as quads, between labels that differ.
- *
- * @param voxels one integer for each sample of the grid, WINDING_UINT8 or WINDING_UINT16, 0 outside
- * @param mesh receives the faces with labels, or null
- */
+   * Makes the faces of voxels, as quads, between labels that differ.
+   *
+   * @param voxels one integer for each sample of the grid, WINDING_UINT8 or WINDING_UINT16, 0 outside
+   * @param grid the samples
+   * @param run null for the defaults
+   * @param mesh receives the faces with labels, or null
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_voxel_surface(winding_array voxels, const winding_grid* grid,
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
   /** The solids that give a voxel its label, if it is in several. */
   typedef enum winding_overlap_rule
   {
-    WINDING_OVERLAP_RULE_FIRST = 0,
-    WINDING_OVERLAP_RULE_LAST = 1,
+    WINDING_OVERLAP_RULE_FIRST = 0,   /**< the first one */
+    WINDING_OVERLAP_RULE_LAST = 1,    /**< the last one */
     WINDING_OVERLAP_RULE_LARGEST = 2, /**< the one with the largest w */
     WINDING_OVERLAP_RULE_SMALLEST = 3 /**< the one with the smallest volume */
   } winding_overlap_rule;
 
   /**
- * Labels the voxels of a grid by the solids that they are in.
- *
- * @param fields one for each solid
- * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
- * @param count of solids, at most 65535
- * @param labels receives a label for each sample of the whole grid, 0 for none
- * @param counts receives the number of solids that each sample is in, unless it is null
- */
+   * Labels the voxels of a grid by the solids that they are in.
+   *
+   * @param fields one for each solid
+   * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
+   * @param count of solids, at most 65535
+   * @param grid the samples
+   * @param rule the rule for what is inside; null for the defaults
+   * @param overlap_rule a winding_overlap_rule
+   * @param coverage a winding_coverage
+   * @param labels receives a label for each sample of the whole grid, 0 for none
+   * @param counts receives the number of solids that each sample is in, unless it is null
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_label(const winding_field* const* fields,
     const uint16_t* numbers, size_t count, const winding_grid* grid, const winding_rule* rule,
     int32_t overlap_rule, int32_t coverage, uint16_t* labels, uint16_t* counts,
     const winding_run* run, winding_refusal* refusal);
 
   /**
- * Finds the solids of a surface by its connectivity, with their cavities. Solids are numbered by
- * their triangles, most first.
- *
- * @param solids receives a number from 0 on for each polygon, and -1 for polygons that are left out
- * @param count receives the number of solids
- */
+   * Finds the solids of a surface by its connectivity, with their cavities. Solids are numbered by
+   * their triangles, most first.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param solids receives a number from 0 on for each polygon, and -1 for polygons that are left out
+   * @param count receives the number of solids
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_solids(winding_array points, const winding_polygons* polygons,
     const winding_run* run, int32_t* solids, int64_t* count, winding_refusal* refusal);
 
   /** The health of a surface. */
   typedef struct winding_report
   {
-    uint32_t size;
-    int64_t points; /**< different positions that polygons use */
-    int64_t triangles;
-    int64_t dropped; /**< with NaN or infinite coordinates, or ids of no points */
-    int64_t edges;
+    uint32_t size;               /**< bytes of the struct that its caller knows */
+    int64_t points;              /**< different positions that polygons use */
+    int64_t triangles;           /**< that can be used */
+    int64_t dropped;             /**< with NaN or infinite coordinates, or ids of no points */
+    int64_t edges;               /**< between different positions */
     int64_t boundary_edges;      /**< of one triangle */
     int64_t net_boundary_edges;  /**< that do not cancel */
     int64_t non_manifold_edges;  /**< of more than two triangles */
@@ -446,80 +551,121 @@ extern "C"
     int64_t components;          /**< connected through edges */
     int64_t inverted_components; /**< that look inward, and are no cavities */
     int64_t nested_solids;       /**< that look outward inside of others */
-    int64_t duplicate_triangles;
-    int64_t open_parts_inside; /**< open sheets inside of closed parts */
-    double area;
-    double volume; /**< signed; for closed surfaces */
+    int64_t duplicate_triangles; /**< of faces that are there before */
+    int64_t open_parts_inside;   /**< open sheets inside of closed parts */
+    double area;                 /**< of all triangles except repeated ones */
+    double volume;               /**< signed; for closed surfaces */
   } winding_report;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param report the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_report_init(winding_report* report, size_t size);
 
-  /** Examines a surface. Advice comes as warnings, the most important first. */
+  /**
+   * Examines a surface. Advice comes as warnings, the most important first.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param report receives the counts; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
 
   /**
- * Finds the polygons to turn round, and to leave out, so that a surface has an outside.
- *
- * @param turned receives 1 for each polygon to turn, and 0 for any other
- * @param left_out receives 1 for each polygon to leave out, since it is there twice
- */
+   * Finds the polygons to turn round, and to leave out, so that a surface has an outside.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param turned receives 1 for each polygon to turn, and 0 for any other
+   * @param left_out receives 1 for each polygon to leave out, since it is there twice
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_orient(winding_array points, const winding_polygons* polygons,
     const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal);
 
   /**
- * Estimates outward normals of points, and the areas that they stand for.
- *
- * @param options null for the defaults; number_of_neighbors and normal_estimation are looked at
- * @param normals receives three numbers for each point, of unit length; 0 for unusable points
- * @param areas receives a number for each point, unless it is null
- */
+   * Estimates outward normals of points, and the areas that they stand for.
+   *
+   * @param points three coordinates in each row
+   * @param options null for the defaults; number_of_neighbors and normal_estimation are looked at
+   * @param run null for the defaults
+   * @param normals receives three numbers for each point, of unit length; 0 for unusable points
+   * @param areas receives a number for each point, unless it is null
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_estimate_normals(winding_array points,
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_refusal* refusal);
 
   /**
- * Finds the areas that points with normals stand for: their Voronoi cells.
- *
- * @param areas receives a number for each point; NaN for unusable points
- */
+   * Finds the areas that points with normals stand for: their Voronoi cells.
+   *
+   * @param points three coordinates in each row
+   * @param normals three numbers for each point, of any length
+   * @param options null for the defaults
+   * @param run null for the defaults
+   * @param areas receives a number for each point; NaN for unusable points
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_point_areas(winding_array points, winding_array normals,
     const winding_options* options, const winding_run* run, double* areas,
     winding_refusal* refusal);
 
   /**
- * Reads a file: .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv by its name.
- *
- * @param path in UTF-8
- * @param mesh receives points, polygons where there are any, and normals and areas of points
- *
- * Warns of what the file holds and the mesh does not.
- */
+   * Reads a file: .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv by its name.
+   *
+   * @param path in UTF-8
+   * @param run null for the defaults
+   * @param mesh receives points, polygons where there are any, and normals and areas of points
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns of what the file holds and the mesh does not.
+   */
   WINDING_API winding_status winding_read(
     const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
   /** How near a surface is to the source that it was made of. */
   typedef struct winding_fidelity
   {
-    uint32_t size;
-    int64_t samples;                              /**< points drawn from each of the two */
-    double largest_from_source, mean_from_source; /**< distances of the source from the surface */
-    double largest_to_source, mean_to_source;     /**< distances of the surface from the source */
-    double source_volume;                         /**< NaN where the source is not closed */
-    double volume;
+    uint32_t size;              /**< bytes of the struct that its caller knows */
+    int64_t samples;            /**< points drawn from each of the two */
+    double largest_from_source; /**< distance of the source from the surface */
+    double mean_from_source;    /**< of these distances */
+    double largest_to_source;   /**< distance of the surface from the source */
+    double mean_to_source;      /**< of these distances */
+    double source_volume;       /**< NaN where the source is not closed */
+    double volume;              /**< of the surface */
     int64_t components;         /**< connected parts of the source */
     int64_t lost_components;    /**< that the surface has nothing of */
     int64_t self_intersections; /**< of the surface */
   } winding_fidelity;
 
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param fidelity the struct; null is left alone
+   * @param size sizeof of the struct
+   */
   WINDING_API void winding_fidelity_init(winding_fidelity* fidelity, size_t size);
 
   /**
- * Compares a mesh with the source of a field.
- *
- * @param voxel size of the largest voxel that the mesh was made with
- * @param samples points to draw from each, 1 or more
- */
+   * Compares a mesh with the source of a field.
+   *
+   * @param field the field
+   * @param mesh the mesh
+   * @param voxel size of the largest voxel that the mesh was made with
+   * @param samples points to draw from each, 1 or more
+   * @param run null for the defaults
+   * @param fidelity receives the figures; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
   WINDING_API winding_status winding_compare(const winding_field* field, const winding_mesh* mesh,
     double voxel, int64_t samples, const winding_run* run, winding_fidelity* fidelity,
     winding_refusal* refusal);

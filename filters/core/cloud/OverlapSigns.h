@@ -28,7 +28,7 @@ public:
 
   /// Turns one sign, or two that have a bond, as long as that lowers the sum of the mean fault and
   /// the costs. The result is a minimum in this sense, and near to the signs given. It takes
-  /// O(#points · (#patches + #bonds)) time for each of up to 50 rounds.
+  /// O(n (p + b)) time for n points, p patches and b bonds, in each of up to 50 rounds.
   Eigen::VectorXd improved(Eigen::VectorXd signs) const;
 
 private:
