@@ -200,8 +200,8 @@ extern "C"
    * @param refusal receives why the call was refused, unless it is null
    *
    * Triangles with NaN or infinite coordinates and with ids of points that are not there are left
-   * out with a warning. Refused are coordinates beyond 1e100, a surface that nothing remains of, and
-   * options out of their ranges.
+   * out with a warning. Refused are coordinates beyond 1e100, a surface without usable faces,
+   * and options out of their ranges.
    */
   WINDING_API winding_status winding_faces(winding_array points, const winding_polygons* polygons,
     const winding_options* options, const winding_run* run, winding_field** field,
@@ -463,7 +463,7 @@ extern "C"
   WINDING_API void winding_surface_options_init(winding_surface_options* options, size_t size);
 
   /**
-   * Makes the surface between the inside and the outside of a field: its vertices lie on the edges of
+   * Makes the surface between inside and outside of a field: its vertices lie on the edges of
    * a grid, exactly where w crosses the threshold. It is closed, except at the border of the grid,
    * and 2-manifold.
    *
@@ -484,7 +484,7 @@ extern "C"
   /**
    * Makes the faces of voxels, as quads, between labels that differ.
    *
-   * @param voxels one integer for each sample of the grid, WINDING_UINT8 or WINDING_UINT16, 0 outside
+   * @param voxels one integer for each sample, WINDING_UINT8 or WINDING_UINT16, 0 outside
    * @param grid the samples
    * @param run null for the defaults
    * @param mesh receives the faces with labels, or null
@@ -529,7 +529,7 @@ extern "C"
    * @param points three coordinates in each row
    * @param polygons triangles, or polygons, which are taken as fans from their first corners
    * @param run null for the defaults
-   * @param solids receives a number from 0 on for each polygon, and -1 for polygons that are left out
+   * @param solids receives a number from 0 on for each polygon, and -1 for unusable ones
    * @param count receives the number of solids
    * @param refusal receives why the call was refused, unless it is null
    */

@@ -40,6 +40,9 @@ std::string checkSharp(Choices& choices);
 /// Dual meshes of random solids of a few samples are manifold: LatticeCheck.cxx.
 std::string checkLattice(Choices& choices);
 
+/// Calls of libwinding, right ones and spoiled ones: LibraryCheck.cxx.
+std::string checkLibrary(Choices& choices);
+
 /// The trees of voxels: VoxelTreesCheck.cxx.
 std::string checkVoxelTrees(Choices& choices);
 
@@ -58,7 +61,8 @@ inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel},
-    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice}};
+    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
+    {"library", checkLibrary}};
 }
 
 } // namespace fuzz
