@@ -95,7 +95,7 @@ private:
   winding_polygons polygons_;
 };
 
-/// What is wrong with how a call ended, if it made `result` or nothing.
+/// Returns the fault in how a call ended, if it made a result or none.
 std::string checkEnd(winding_status status, const winding_refusal& refusal, bool hasResult)
 {
   const bool isSilent = refusal.text[0] == 0;
