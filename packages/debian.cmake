@@ -30,7 +30,7 @@ if(WINDING_PARAVIEW)
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
 clouds of points with normals: fields, closed surfaces, voxels, queries, reports. ParaView\n\
-loads them when it starts.")
+loads them when it starts, or lists them in Tools, Manage Plugins.")
   set(CPACK_COMPONENTS_ALL runtime Unspecified) # nothing to build with
   # ParaView's libraries lie in no package that dpkg-shlibdeps could ask here: python3-paraview
   # excludes python3-vtk9, so ParaView is not installed where both packages are made.
@@ -42,11 +42,22 @@ loads them when it starts.")
     list(APPEND depends "${package}")
   endforeach()
   list(JOIN depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
-  # ParaView's programs load what paraview.conf beside them names.
-  file(RELATIVE_PATH plugins "${CMAKE_INSTALL_FULL_BINDIR}"
-    "${CMAKE_INSTALL_PREFIX}/${winding_plugins_folder}/winding.plugins.xml")
-  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/paraview.conf" CONTENT "${plugins}\n")
-  install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  if(EXISTS "${ParaView_DIR}/../../paraview-${oldest}/paraview.conf")
+    # Debian's own file, of Debian 13 and later, is the only one that is read. It names a folder:
+    # plugins in there are listed, for users to load, or to have loaded always.
+    set(listed "${CMAKE_BINARY_DIR}/listed/WindingNumbers.so")
+    file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/listed")
+    file(RELATIVE_PATH plugin "${CMAKE_INSTALL_PREFIX}/${winding_listed_folder}"
+      "${CMAKE_INSTALL_PREFIX}/${winding_library_folder}/WindingNumbers.so")
+    file(CREATE_LINK "${plugin}" "${listed}" SYMBOLIC)
+    install(FILES "${listed}" DESTINATION "${winding_listed_folder}")
+  else()
+    # ParaView's programs load what paraview.conf beside them names.
+    file(RELATIVE_PATH plugins "${CMAKE_INSTALL_FULL_BINDIR}"
+      "${CMAKE_INSTALL_PREFIX}/${winding_plugins_folder}/winding.plugins.xml")
+    file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/paraview.conf" CONTENT "${plugins}\n")
+    install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  endif()
 else()
   set(CPACK_PACKAGE_NAME vtk-winding)
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields for VTK")

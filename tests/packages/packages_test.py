@@ -1,5 +1,5 @@
 """The Debian packages, each unpacked into a root of its own, are whole and work there: the program, a
-C++ project that finds the module, Python, and ParaView, which loads the plugin when it starts.
+C++ project that finds the module, Python, and ParaView, which has the plugin.
 
 Usage: packages_test.py <vtk-winding.deb> <paraview-winding.deb> <root of ParaView> <folder for work>
 """
@@ -115,9 +115,19 @@ class TestParaViewWinding(unittest.TestCase):
             else:
                 target.symlink_to(path.resolve())
 
-    def test_paraview_loads_the_plugin_when_it_starts(self):
+    def test_paraview_has_the_plugin(self):
+        """ParaView loads it when it starts; with Debian's own paraview.conf it lists what is in a
+        folder, from which scripts load it."""
         script = WORK / "load.py"
-        script.write_text(LOAD_IN_PARAVIEW)
+        conf = list((PARAVIEW_ROOT / LIBRARIES).glob("paraview-*/paraview.conf"))
+        if conf:
+            listed = self.root / "usr/share/paraview/plugins/WindingNumbers.so"
+            self.assertIn("/usr/share/paraview/plugins", conf[0].read_text().split())
+            self.assertTrue(listed.is_file(), "a link to the plugin")
+            script.write_text(f"from paraview.simple import LoadPlugin\n"
+                              f"LoadPlugin({str(listed)!r}, remote=False)\n{LOAD_IN_PARAVIEW}")
+        else:
+            script.write_text(LOAD_IN_PARAVIEW)
         found = output_of(
             self.root / "usr/bin/pvpython", "--force-offscreen-rendering", script,
             env={**os.environ, "LD_LIBRARY_PATH": str(self.root / LIBRARIES),
