@@ -16,18 +16,29 @@ namespace winding::c
 void evaluateInTime(const Field& field, double tolerance, std::size_t samples, Call& call,
   const std::function<void()>& work)
 {
+  constexpr double longEnoughToTell = 60;
   const double limit = call.longestExpectedTime();
-  double nextLook = std::min(limit, 1.0);
+  double nextLook = limit > 0 ? std::min(limit, 1.0) : 1;
+  bool isTold = false;
   call.executor.runByClock(work,
     [&](double elapsed, double expected)
     {
-      if (limit > 0 && elapsed >= nextLook)
+      if (elapsed < nextLook)
       {
-        nextLook = 2 * elapsed;
-        if (expected > limit)
+        return;
+      }
+      nextLook = 2 * elapsed;
+      const bool isRefused = limit > 0 && expected > limit;
+      if (isRefused || (!isTold && expected > longEnoughToTell))
+      {
+        isTold = true;
+        Message advice = expectedTimeAdvice(field.info(), expected, samples, tolerance);
+        if (isRefused)
         {
-          throw Refusal(expectedTimeAdvice(field.info(), expected, samples, tolerance));
+          advice.remedies.push_back(moreTime(limit));
+          throw Refusal(advice);
         }
+        call.warn(advice);
       }
     });
 }
@@ -155,10 +166,10 @@ void winding_grid_request_init(winding_grid_request* request, size_t size)
   fill(request, size, defaults);
 }
 
-winding_status winding_lay_out_grid(
-  const winding_grid_request* request, winding_grid* grid, winding_refusal* refusal)
+winding_status winding_lay_out_grid(const winding_grid_request* request, const winding_run* run,
+  winding_grid* grid, winding_refusal* refusal)
 {
-  return guarded(nullptr, refusal,
+  return guarded(run, refusal,
     [&]
     {
       winding_grid_request wished = {};

@@ -1,6 +1,7 @@
 #include "Border.h"
 #include "Handles.h"
 #include "field/FieldVolume.h"
+#include "source/MeshVertices.h"
 
 #include <limits>
 
@@ -62,6 +63,17 @@ winding_status winding_faces(winding_array points, const winding_polygons* polyg
     {
       required(field, "field") = nullptr;
       const Triangles triangles(points, polygons);
+      if (known(options, defaultOptions()).source_as_points)
+      {
+        Call call(run);
+        const winding::VectorsView positions = triangles.view().points;
+        const winding::MeshVertices vertices =
+          winding::meshVertices(triangles.views(), positions.size(), call.executor);
+        const std::vector<winding::OrientedPointsView> views = {
+          {positions, vertices.normals(), {}}};
+        buildField(views, options, run, *field);
+        return;
+      }
       buildField(triangles.views(), options, run, *field);
     });
 }

@@ -176,6 +176,7 @@ extern "C"
     int32_t orient_faces;        /**< whether faces are turned outward first. Default: 0 */
     int32_t ignore_open_parts; /**< whether open sheets in closed parts are left out. Default: 0 */
     int32_t scattered;         /**< whether points will be asked for, not grids. Default: 0 */
+    int32_t source_as_points;  /**< whether faces make a cloud of their points. Default: 0 */
   } winding_options;
 
   /**
@@ -296,11 +297,12 @@ extern "C"
    * Lays out a grid. Refused are sizes, bounds and paddings that make none.
    *
    * @param request the wish
+   * @param run null for the defaults
    * @param grid the samples
    * @param refusal receives why the call was refused, unless it is null
    */
-  WINDING_API winding_status winding_lay_out_grid(
-    const winding_grid_request* request, winding_grid* grid, winding_refusal* refusal);
+  WINDING_API winding_status winding_lay_out_grid(const winding_grid_request* request,
+    const winding_run* run, winding_grid* grid, winding_refusal* refusal);
 
   /** The rules by which winding numbers are inside. */
   typedef enum winding_inside_rule

@@ -454,9 +454,7 @@ void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
     field.info(), this->ExpectedSeconds, this->SamplesOfResult, this->Tolerance);
   if (isRefused)
   {
-    char allowed[64];
-    std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", this->LongestExpectedTime);
-    advice.remedies.push_back({allowed, {winding::Parameter::longestExpectedTime}});
+    advice.remedies.push_back(winding::moreTime(this->LongestExpectedTime));
     throw winding::Refusal(advice);
   }
   vtkWarningMacro(<< winding::lineOf(advice));

@@ -222,7 +222,7 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   EXPECT_EQ(
     winding_faces(a.points, &a.polygons, nullptr, nullptr, nullptr, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_describe(nullptr, nullptr, nullptr), WINDING_MISUSED);
-  EXPECT_EQ(winding_lay_out_grid(nullptr, &a.grid, nullptr), WINDING_MISUSED);
+  EXPECT_EQ(winding_lay_out_grid(nullptr, nullptr, &a.grid, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_mesh_show(nullptr, nullptr, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_read(nullptr, nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_label(nullptr, nullptr, 1, &a.grid, nullptr, 0, 0, a.labels.data(), nullptr,

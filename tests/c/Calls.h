@@ -66,7 +66,7 @@ inline winding_grid gridAround(const shapes::Point& low, const shapes::Point& hi
     request.sampling_bounds[2 * axis + 1] = high[axis];
   }
   winding_grid grid;
-  EXPECT_EQ(winding_lay_out_grid(&request, &grid, nullptr), WINDING_OK);
+  EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &grid, nullptr), WINDING_OK);
   return grid;
 }
 

@@ -24,13 +24,14 @@ TEST(Grids, AreLaidOutAsWished)
   auto request = with(winding_grid_request_init);
   winding_grid none;
   winding_refusal refusal;
-  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED) << "no bounds";
+  EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &none, &refusal), WINDING_REFUSED)
+    << "no bounds";
   request.resolution = 0;
-  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED);
+  EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &none, &refusal), WINDING_REFUSED);
   EXPECT_STREQ(refusal.parameter, "resolution");
   request = with(winding_grid_request_init);
   request.sampling_dimensions[1] = 3;
-  EXPECT_EQ(winding_lay_out_grid(&request, &none, &refusal), WINDING_REFUSED);
+  EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &none, &refusal), WINDING_REFUSED);
   EXPECT_STREQ(refusal.parameter, "sampling_dimensions");
 }
 

@@ -112,7 +112,7 @@ protected:
     request.resolution = resolution;
     std::copy_n(info.bounds, 6, request.sampling_bounds);
     winding_grid result;
-    EXPECT_EQ(winding_lay_out_grid(&request, &result, nullptr), WINDING_OK);
+    EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &result, nullptr), WINDING_OK);
     return result;
   }
 

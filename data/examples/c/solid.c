@@ -83,7 +83,7 @@ int main(int argc, char** argv)
     request.sampling_bounds[i] = info.bounds[i];
   }
   winding_grid grid;
-  check(winding_lay_out_grid(&request, &grid, &refusal), &refusal);
+  check(winding_lay_out_grid(&request, &run, &grid, &refusal), &refusal);
 
   winding_surface_options options;
   winding_surface_options_init(&options, sizeof options);

@@ -58,4 +58,11 @@ Message expectedTimeAdvice(
       (info.isSurface ? " triangles" : " points") + " by the method " + nameOf(info.method)};
 }
 
+Remedy moreTime(double limit)
+{
+  char allowed[64];
+  std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", limit);
+  return {allowed, {Parameter::longestExpectedTime}};
+}
+
 } // namespace winding

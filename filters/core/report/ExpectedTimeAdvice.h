@@ -11,4 +11,7 @@ namespace winding
 Message expectedTimeAdvice(
   const FieldInfo& info, double seconds, std::size_t samples, double tolerance);
 
+/// Returns the remedy for work that is expected to take longer than a limit in seconds.
+Remedy moreTime(double limit);
+
 } // namespace winding
