@@ -51,30 +51,46 @@ def box(value):
     return values
 
 
-def lay(algorithm, source_bounds, *, resolution=None, dimensions=None, spacing=None, bounds=None,
-        padding=0.05):
-    """Tells a filter its grid. source_bounds() gives the box of the source, and is asked only for
-    voxels that are not cubic."""
-    given = {"resolution": resolution, "dimensions": dimensions, "spacing": spacing}
-    names = [name for name, value in given.items() if value is not None]
-    if len(names) > 1:
-        raise TypeError(f"give only one of {' and '.join(names)}")
-    padding = _options.number("padding", padding, 0)
-    algorithm.SetPadding(padding)
-    if bounds is not None:
-        bounds = box(bounds)
+class Plan:
+    """A grid that was asked for: voxels by one of three numbers, over a box or a source."""
+
+    def __init__(self, source_bounds, *, resolution=None, dimensions=None, spacing=None,
+                 bounds=None, padding=0.05):
+        """source_bounds() gives the box of the source, and is asked only for voxels that are not
+        cubic."""
+        given = {"resolution": resolution, "dimensions": dimensions, "spacing": spacing}
+        names = [name for name, value in given.items() if value is not None]
+        if len(names) > 1:
+            raise TypeError(f"give only one of {' and '.join(names)}")
+        self.padding = _options.number("padding", padding, 0)
+        self.bounds = None if bounds is None else box(bounds)
+        self.resolution = self.dimensions = self.voxel_size = None
+        if resolution is not None:
+            self.resolution = _options.integer("resolution", resolution, 1, 2**31 - 1)
+        elif dimensions is not None:
+            self.dimensions = dimensions_of(dimensions)
+        elif spacing is not None:
+            steps = spacings(spacing)
+            if steps[0] == steps[1] == steps[2]:
+                self.voxel_size = steps[0]
+            else:
+                box_of_source = self.bounds or _padded(source_bounds(), self.padding)
+                self.bounds, self.dimensions = _bricks(box_of_source, steps)
+
+
+def lay(algorithm, source_bounds, **grid):
+    """Gives a filter the grid that a Plan is."""
+    plan = Plan(source_bounds, **grid)
+    algorithm.SetPadding(plan.padding)
+    if plan.bounds is not None:
         algorithm.UseInputBoundsOff()
-        algorithm.SetSamplingBounds(*bounds)
-    if resolution is not None:
-        algorithm.SetResolution(_options.integer("resolution", resolution, 1, 2**31 - 1))
-    elif dimensions is not None:
-        algorithm.SetSamplingDimensions(*dimensions_of(dimensions))
-    elif spacing is not None:
-        steps = spacings(spacing)
-        if steps[0] == steps[1] == steps[2]:
-            algorithm.SetVoxelSize(steps[0])
-        else:
-            _lay_bricks(algorithm, bounds or _padded(source_bounds(), padding), steps)
+        algorithm.SetSamplingBounds(*plan.bounds)
+    if plan.resolution is not None:
+        algorithm.SetResolution(plan.resolution)
+    if plan.dimensions is not None:
+        algorithm.SetSamplingDimensions(*plan.dimensions)
+    if plan.voxel_size is not None:
+        algorithm.SetVoxelSize(plan.voxel_size)
 
 
 def _padded(bounds, padding):
@@ -82,9 +98,9 @@ def _padded(bounds, padding):
     return [end + (margin if index % 2 else -margin) for index, end in enumerate(bounds)]
 
 
-def _lay_bricks(algorithm, bounds, steps):
-    """Voxels with three different sides: the box grows to a whole number of them, evenly on both
-    sides, as it does for cubes."""
+def _bricks(bounds, steps):
+    """The box and the dimensions of voxels with three different sides: the box grows to a whole
+    number of them, evenly on both sides, as it does for cubes."""
     counts, ends = [], []
     for axis, step in enumerate(steps):
         low, high = bounds[2 * axis], bounds[2 * axis + 1]
@@ -96,6 +112,4 @@ def _lay_bricks(algorithm, bounds, steps):
         margin = (count * step - (high - low)) / 2
         counts.append(count)
         ends += [low - margin, high + margin]
-    algorithm.UseInputBoundsOff()
-    algorithm.SetSamplingBounds(*ends)
-    algorithm.SetSamplingDimensions(*counts)
+    return ends, counts

@@ -3,24 +3,14 @@
 import contextlib
 import os
 import re
-import signal
-import sys
 import threading
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkObject
 
+from ._errors import WindingError, WindingWarning, levels_above_package
+from ._interrupt import Interrupt
 from .vtkFiltersWinding import vtkWindingNumberAlgorithm as Filter
-
-_PACKAGE = os.path.dirname(os.path.abspath(__file__))
-
-
-class WindingError(RuntimeError):
-    """A filter refused its input or could not finish, in one line that says what to do."""
-
-
-class WindingWarning(RuntimeWarning):
-    """A filter worked, with a result that may not be the one that was meant."""
 
 
 def run(algorithm, *, progress_bar=False, message=""):
@@ -37,7 +27,7 @@ def run(algorithm, *, progress_bar=False, message=""):
         notes = _Messages(stack, algorithm, "WarningEvent")
         # The executive speaks of what is wrong before the filter runs, and repeats its failures.
         failures = _Messages(stack, algorithm.GetExecutive(), "ErrorEvent")
-        interrupt = stack.enter_context(_Interrupt())
+        interrupt = stack.enter_context(Interrupt())
         bar = stack.enter_context(_bar(message)) if progress_bar else None
         watch = _Watch(stack, algorithm, interrupt, bar)
         algorithm.Update()
@@ -46,7 +36,7 @@ def run(algorithm, *, progress_bar=False, message=""):
     for error in errors.texts or failures.texts:
         raise WindingError(error)
     for note in notes.texts:
-        warnings.warn(note, WindingWarning, stacklevel=_levels_above_package())
+        warnings.warn(note, WindingWarning, stacklevel=levels_above_package())
     return algorithm
 
 
@@ -150,38 +140,6 @@ class _Watch:
         _observe(stack, algorithm, "ProgressEvent", look)
 
 
-class _Interrupt:
-    """Notes Ctrl-C while it is entered, and hands it to the handler of before at the exit.
-
-    Other threads than the main one get no signals, so there it does nothing. Nor does it replace a
-    handler that is not one of Python, such as the one that ignores the signal.
-    """
-
-    def __init__(self):
-        self._signal = None
-        self._before = None
-
-    def is_set(self):
-        return self._signal is not None
-
-    def _note(self, *arguments):
-        self._signal = arguments
-
-    def __enter__(self):
-        is_main = threading.current_thread() is threading.main_thread()
-        handler = signal.getsignal(signal.SIGINT)
-        if is_main and callable(handler):
-            self._before = signal.signal(signal.SIGINT, self._note)
-        return self
-
-    def __exit__(self, *_):
-        if self._before is not None:
-            signal.signal(signal.SIGINT, self._before)
-        if self.is_set():
-            self._before(*self._signal)
-            raise KeyboardInterrupt
-
-
 @contextlib.contextmanager
 def _bar(message):
     try:
@@ -191,11 +149,3 @@ def _bar(message):
     with tqdm(total=1, desc=message, bar_format="{l_bar}{bar}[{elapsed}<{remaining}]") as bar:
         yield bar
         bar.update(1 - bar.n)
-
-
-def _levels_above_package():
-    """The stacklevel of the first caller outside this package, as warnings counts it."""
-    frame, level = sys._getframe(1), 1
-    while frame.f_back and os.path.dirname(frame.f_code.co_filename) == _PACKAGE:
-        frame, level = frame.f_back, level + 1
-    return level

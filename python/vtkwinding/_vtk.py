@@ -21,6 +21,15 @@ DEPENDENCIES = (
 _REMEDY = f"this vtk-winding needs VTK {VTK_MINOR} (with pip: vtk=={VTK_MINOR}.*)"
 
 
+def load_if_it_fits():
+    """Imports what the filters need, so that they can be imported by themselves. Functions of arrays
+    do without."""
+    try:
+        load()
+    except ImportError:
+        pass
+
+
 def load():
     """Imports what the package needs, and raises an ImportError that says which VTK is missing."""
     try:

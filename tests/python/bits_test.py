@@ -12,7 +12,9 @@ import tempfile
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 import vtkwinding
@@ -30,6 +32,14 @@ import inputs  # noqa: E402
 PROGRAM = os.environ.get("WINDING_PROGRAM", "")
 MESHES = {"closed": inputs.sphere(), "scan": inputs.scan(*inputs.sphere()),
           "soup": inputs.soup(*inputs.sphere())}
+
+
+def polydata_of(array):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(array))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
 
 
 def off(points, triangles):
@@ -82,7 +92,7 @@ class BitsTest(unittest.TestCase):
         points = np.random.default_rng(3).uniform(-1, 1, (500, 3))
         for name, mesh in MESHES.items():
             probe = self.after(vtkWindingNumberProbe(), name)
-            probe.SetInputData(vtkwinding._meshes.points_of(points).data)
+            probe.SetInputData(polydata_of(points))
             probe.Update()
             np.testing.assert_array_equal(
                 vtkwinding.winding_number(points, *mesh), array(probe.GetOutput()))

@@ -3,6 +3,7 @@
 import contextlib
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -28,6 +29,7 @@ LONG = """
 import os, signal, sys, threading, time
 import numpy as np
 import vtkwinding
+{filter}
 signal.signal(signal.SIGINT, signal.default_int_handler) # shells have it ignored in the background
 sys.path.insert(0, {folder!r})
 from arrays_test import sphere
@@ -116,13 +118,19 @@ class ErrorTest(unittest.TestCase):
 
 
 class InterruptTest(unittest.TestCase):
-    def interrupted(self, setup="before = signal.getsignal(signal.SIGINT)", call="work()"):
-        """What a long evaluation prints that gets Ctrl-C, and the seconds that it then takes."""
-        code = LONG.format(folder=str(pathlib.Path(__file__).parent), setup=setup, call=call)
+    def interrupted(self, setup="before = signal.getsignal(signal.SIGINT)", call="work()",
+                    warns=False):
+        """What a long evaluation prints that gets Ctrl-C, and the seconds that it then takes. If it
+        warns, that is to come before."""
+        code = LONG.format(
+            folder=str(pathlib.Path(__file__).parent), setup=setup, call=call,
+            filter="" if warns else "import warnings; warnings.simplefilter('ignore')")
         process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE,
                                    stderr=subprocess.STDOUT, text=True)
         self.addCleanup(process.kill)
         self.assertEqual(process.stdout.readline(), "ready\n")
+        if warns:
+            self.assertIn("WindingWarning: this takes about", process.stdout.readline())
         time.sleep(1)
         start = time.time()
         process.send_signal(signal.SIGINT)
@@ -134,6 +142,10 @@ class InterruptTest(unittest.TestCase):
         words, seconds = self.interrupted()
         self.assertEqual(words, ["KeyboardInterrupt", "True"])
         self.assertLess(seconds, 15)  # 0.3 on a machine with nothing else to do
+
+    def test_long_work_is_told_before_it_is_done(self):
+        words, _ = self.interrupted(warns=True)
+        self.assertEqual(words[-2:], ["KeyboardInterrupt", "True"])
 
     def test_handlers_of_others_are_asked(self):
         words, _ = self.interrupted(
@@ -207,8 +219,16 @@ class VersionTest(unittest.TestCase):
             copy.mkdir()
             for file in package.glob("*.py"):
                 shutil.copy(file, copy)
-            (copy / "_built.py").write_text("VERSION = '1'\nVTK_MINOR = '12.3'\n")
-            run = subprocess.run([sys.executable, "-c", "import vtkwinding"], cwd=folder,
+            built = (package / "_built.py").read_text()
+            library = (package / re.search('LIBRARY = "(.*)"', built)[1]).resolve()
+            (copy / "_built.py").write_text(
+                f"VERSION = '1'\nLIBRARY = {str(library)!r}\nVTK_MINOR = '12.3'\n")
+            works = "import vtkwinding; print(vtkwinding.contains([[0, 0, 0]], [[0, 0, 0]], []))"
+            alone = subprocess.run([sys.executable, "-W", "ignore", "-c", works], cwd=folder,
+                                   capture_output=True, text=True, env={"PYTHONPATH": folder})
+            self.assertEqual(alone.stdout, "[False]\n", alone.stderr)
+            run = subprocess.run([sys.executable, "-c", "from vtkwinding import _vtk; _vtk.load()"],
+                                 cwd=folder,
                                  capture_output=True, text=True, env={"PYTHONPATH": folder})
         self.assertRegex(run.stderr.splitlines()[-1],
                          r"ImportError: this vtk-winding needs VTK 12\.3 .*the one here is 9\.")

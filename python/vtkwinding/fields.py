@@ -1,0 +1,485 @@
+"""Fields that are built once and asked often, and what else there is for arrays of NumPy.
+
+A surface is vertices (V, 3) and faces (F, 3), ids of its vertices, counter-clockwise seen from
+outside; it need not be closed. A cloud is vertices alone, with normals (V, 3) that point outward,
+or with estimate_normals=True, and with areas (V,) where they are known. Anything that has both
+vertices and faces as attributes, as meshes of trimesh have, is a surface by itself.
+
+Refused input is a WindingError, wrong arguments are a TypeError or a ValueError.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import threading
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from . import _grids, _library, _numbers, _options
+from ._errors import WindingError
+
+FloatArray = NDArray[np.floating]
+BoolArray = NDArray[np.bool_]
+IdArray = NDArray[np.int64]
+
+
+class Grid(NamedTuple):
+    """Samples on a grid: values[i, j, k] is that at origin + spacing * (i, j, k)."""
+
+    values: NDArray[Any]
+    origin: FloatArray
+    spacing: FloatArray
+
+
+def float_type(dtype: Any) -> np.dtype:
+    """float32 or float64, by any of the names that NumPy knows them by."""
+    try:
+        found = None if dtype is None else np.dtype(dtype)
+    except TypeError:
+        raise TypeError(f"dtype must be float32 or float64, not {dtype!r}") from None
+    if found not in (np.float32, np.float64):
+        raise ValueError(f"dtype must be float32 or float64, not {found}")
+    return found.newbyteorder("=")
+
+
+def _parts(vertices, faces):
+    """Vertices and faces, which may be attributes of a mesh."""
+    if faces is None and hasattr(vertices, "vertices") and hasattr(vertices, "faces"):
+        return np.asarray(vertices.vertices), np.asarray(vertices.faces)
+    return vertices, faces
+
+
+def _polygons(faces):
+    return _library.Polygons(_library.array_of(faces), _library.array_of(None))
+
+
+class _Sides:
+    """What is inside, and how it is evaluated."""
+
+    def __init__(self, threshold, rule, n_threads, longest_expected_time):
+        self.rule = _library.Rule(
+            inside_rule=_options.choice("rule", rule, _options.RULES),
+            winding_threshold=_options.number("threshold", threshold))
+        self.run = {
+            "threads": _options.threads(n_threads),
+            "longest_expected_time": _options.number(
+                "longest_expected_time", longest_expected_time, 0)}
+
+
+class Field:
+    """The winding field of a surface or a cloud. It is built when it is asked for the first time,
+    once for points and once for grids, and may be asked by several threads.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (V, 3)
+        Vertices of a surface or points of a cloud; or a mesh with vertices and faces.
+    faces : array_like of int, shape (F, 3), optional
+        Triangles of a surface; None for a cloud.
+    normals : array_like, shape (V, 3), optional
+        Outward normals of a cloud, of any length.
+    areas : array_like, shape (V,), optional
+        Areas of the points of a cloud; None for Voronoi cells.
+    method : {'auto', 'rows', 'hierarchical', 'direct', 'parity'}
+        How winding numbers are computed; 'auto' takes what is fastest within the tolerance.
+    tolerance : float
+        The largest error of w that an approximation may make.
+    threshold, rule : float, {'signed', 'absolute', 'odd'}
+        Inside is w >= threshold, abs(w) >= threshold, or where the nearest integer is odd.
+    n_threads : int, optional
+        The most threads to use; None for all. It changes no result.
+    longest_expected_time : float
+        Seconds; work expected to take longer is refused after one. 0 for no limit.
+    as_points : bool
+        Whether a surface is taken as the cloud of its vertices.
+    orient_faces : bool
+        Whether faces are turned outward first, and doubled ones taken once.
+    ignore_open_parts : bool
+        Whether open sheets inside of closed parts are left out.
+    estimate_normals : bool
+        Whether a cloud without normals gets estimated ones.
+    normal_estimation : {'auto', 'tree', 'consistent'}
+        How normals are estimated.
+    n_neighbors : int
+        Neighbours that give a point its area and estimated normal.
+    regularization : float
+        Length over which the points of a cloud are spread, 0 to 4 spacings.
+
+    Examples
+    --------
+    >>> field = vtkwinding.Field(vertices, faces)
+    >>> field.contains([[0, 0, 0]])
+    array([ True])
+    """
+
+    def __init__(self, vertices: Any, faces: ArrayLike | None = None, *,
+                 normals: ArrayLike | None = None, areas: ArrayLike | None = None,
+                 method: str = "auto", tolerance: float = 1e-3, threshold: float = 0.5,
+                 rule: str = "signed", n_threads: int | None = None,
+                 longest_expected_time: float = 600, as_points: bool = False,
+                 orient_faces: bool = False, ignore_open_parts: bool = False,
+                 estimate_normals: bool = False, normal_estimation: str = "auto",
+                 n_neighbors: int = 20, regularization: float = 0) -> None:
+        vertices, faces = _parts(vertices, faces)
+        self._vertices = _numbers.vectors("vertices", vertices)
+        count = len(self._vertices)
+        as_points = _options.flag("as_points", as_points)
+        self._faces = None if faces is None else _numbers.triangles("faces", faces, count)
+        if faces is None and normals is None and not estimate_normals and count:
+            raise ValueError(
+                "give faces of a surface, or normals of a cloud, or estimate_normals=True")
+        for name, given in (("normals", normals), ("areas", areas)):
+            if given is not None and faces is not None and not as_points:
+                raise ValueError(
+                    f"give faces or {name}: only clouds (as_points=True) have {name}")
+        self._normals = None if normals is None else _numbers.vectors("normals", normals)
+        if normals is not None and len(self._normals) != count:
+            raise ValueError(
+                f"normals must have the shape ({count}, 3), not {self._normals.shape}")
+        self._areas = None if areas is None else _numbers.scalars("areas", areas, count)
+        self._options = {
+            "method": _options.choice("method", method, _options.METHODS),
+            "tolerance": _options.number("tolerance", tolerance, 0),
+            "regularization": _options.number("regularization", regularization, 0, 4),
+            "number_of_neighbors": _options.integer("n_neighbors", n_neighbors, 3, 1000),
+            "estimate_normals": _options.flag("estimate_normals", estimate_normals),
+            "normal_estimation": _options.choice(
+                "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
+            "orient_faces": _options.flag("orient_faces", orient_faces),
+            "ignore_open_parts": _options.flag("ignore_open_parts", ignore_open_parts),
+            "source_as_points": as_points}
+        self._threshold, self._rule = threshold, rule
+        self._n_threads, self._longest = n_threads, longest_expected_time
+        self._sides()  # checks them
+        self._handles: dict[bool, _library.Handle] = {}
+        self._lock = threading.Lock()
+
+    def _sides(self, threshold=None, rule=None):
+        return _Sides(self._threshold if threshold is None else threshold,
+                      self._rule if rule is None else rule, self._n_threads, self._longest)
+
+    def _handle(self, scattered):
+        """The field of the library for points, or for grids."""
+        with self._lock:
+            if scattered not in self._handles:
+                handle = _library.Handle("winding_field_free")
+                options = _library.Options(scattered=scattered, **self._options)
+                rest = [ctypes.byref(options), _library.RUN, ctypes.byref(handle.pointer)]
+                points = _library.array_of(self._vertices)
+                run = {"threads": self._sides().run["threads"]}
+                if self._handles:
+                    run["note"] = lambda text: None  # the first one has said it
+                if self._faces is not None and self._normals is None and self._areas is None:
+                    _library.call("winding_faces", points, ctypes.byref(_polygons(self._faces)),
+                                  *rest, **run)
+                else:
+                    _library.call("winding_points", points, _library.array_of(self._normals),
+                                  _library.array_of(self._areas), *rest, **run)
+                self._handles[scattered] = handle
+            return self._handles[scattered].pointer
+
+    def _info(self):
+        info = _library.FieldInfo()
+        _library.call("winding_describe", self._handle(False), ctypes.byref(info))
+        return info
+
+    @property
+    def bounds(self) -> FloatArray:
+        """Least and largest x, y and z of what w is the sum over: (6,) floats, or NaN for none."""
+        return np.array(self._info().bounds)
+
+    @property
+    def area(self) -> float:
+        """The area of all triangles, or of all points."""
+        return self._info().area
+
+    @property
+    def volume(self) -> float:
+        """The volume that the source encloses, without cavities."""
+        return self._info().volume
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether all edges of a surface cancel, so that w is an integer everywhere."""
+        info = self._info()
+        return bool(info.is_surface) and info.net_boundary_edges == 0 and info.primitives > 0
+
+    def _at(self, points, sides, **arrays):
+        places = _numbers.vectors("points", points)
+        values = _library.Values()
+        for name, make in arrays.items():
+            array = make(len(places))
+            if name in ("winding", "distance"):
+                values.type = _library.TYPES[array.dtype]
+            setattr(values, name, array.ctypes.data)
+        if len(places):
+            _library.call("winding_evaluate_points", self._handle(True), _library.array_of(places),
+                          ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, **sides.run)
+        return array
+
+    def winding_number(self, points: ArrayLike, *, dtype: DTypeLike = np.float32) -> FloatArray:
+        """The winding number at points (N, 3): (N,) floats."""
+        kind = float_type(dtype)
+        return self._at(points, self._sides(), winding=lambda n: np.empty(n, kind))
+
+    def contains(self, points: ArrayLike, *, threshold: float | None = None,
+                 rule: str | None = None) -> BoolArray:
+        """Whether points (N, 3) are inside: (N,) bools. A threshold or rule given here counts
+        instead of the field's, and nothing is built anew."""
+        inside = self._at(points, self._sides(threshold, rule), inside=lambda n: np.empty(n, "u1"))
+        return inside.view(np.bool_)
+
+    def signed_distance(self, points: ArrayLike, *, dtype: DTypeLike = np.float32,
+                        threshold: float | None = None, rule: str | None = None) -> FloatArray:
+        """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative
+        inside: (N,) floats."""
+        kind = float_type(dtype)
+        return self._at(
+            points, self._sides(threshold, rule), distance=lambda n: np.empty(n, kind))
+
+    def gradient(self, points: ArrayLike) -> FloatArray:
+        """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""
+        return self._at(points, self._sides(), gradient=lambda n: np.empty((n, 3)))
+
+    def _grid(self, **wishes):
+        def bounds():
+            found = self.bounds
+            return [0, 1] * 3 if np.isnan(found).any() else found.tolist()
+
+        return grid_of(_grids.Plan(bounds, **wishes), bounds)
+
+    def _on_grid(self, grid, sides, **arrays):
+        shape = tuple(grid.dimensions)
+        values = _library.Values()
+        for name, array in arrays.items():
+            if isinstance(array, np.dtype):
+                array = _empty(shape, array)
+                values.type = _library.TYPES[array.dtype] if name == "winding" else values.type
+                found = array
+                array = array.ctypes.data
+            setattr(values, name, array)
+        _library.call("winding_evaluate_grid", self._handle(False), ctypes.byref(grid), None,
+                      ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, **sides.run)
+        return Grid(found, np.array(grid.origin), np.array(grid.spacing))
+
+    def field(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
+              spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
+              padding: float = 0.05, dtype: DTypeLike = np.float32) -> Grid:
+        """The winding number on a grid: a Grid.
+
+        resolution is the number of cubic voxels along the longest side (64 where nothing is said),
+        dimensions that along each axis, spacing the side of the voxels, one number or three. The
+        grid lies over the bounds of the source with a padding, a fraction of their longest side, or
+        over bounds (xmin, xmax, ymin, ymax, zmin, zmax), which are the outer faces of the voxels.
+        Samples are their centres.
+        """
+        kind = float_type(dtype)
+        grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
+                          bounds=bounds, padding=padding)
+        return self._on_grid(grid, self._sides(), winding=kind)
+
+    def mask(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
+             spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
+             padding: float = 0.05, coverage: str = "center", threshold: float | None = None,
+             rule: str | None = None) -> Grid:
+        """The voxels of a grid that are inside: a Grid of bools. The grid is that of field().
+
+        coverage: 'center' for voxels whose centre is inside, 'any' for those of which any part is,
+        or that the source touches."""
+        sides = self._sides(threshold, rule)
+        number = _options.choice("coverage", coverage, {"center": 0, "any": 1})
+        grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
+                          bounds=bounds, padding=padding)
+        found = self._on_grid(grid, sides, coverage=number, inside=np.dtype("u1"))
+        return found._replace(values=found.values.view(np.bool_))
+
+    def surface(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
+                spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
+                padding: float = 0.05, features: str = "smooth", close_border: bool = False,
+                dtype: DTypeLike | None = None, threshold: float | None = None,
+                rule: str | None = None) -> tuple[FloatArray, IdArray]:
+        """The surface w = threshold: vertices (V, 3) and faces (F, 3).
+
+        The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners.
+        dtype is that of the vertices: float32, float64, or None for float64 only where float32
+        could not tell places apart.
+        """
+        sides = self._sides(threshold, rule)
+        options = _library.SurfaceOptions(
+            features=_options.choice("features", features, _options.FEATURES),
+            generate_triangles=1, generate_normals=0,
+            close_border=_options.flag("close_border", close_border),
+            type=0 if dtype is None else _library.TYPES[float_type(dtype)])
+        grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
+                          bounds=bounds, padding=padding)
+        mesh = _library.Handle("winding_mesh_free")
+        _library.call("winding_level_surface", self._handle(False), ctypes.byref(grid),
+                      ctypes.byref(sides.rule), ctypes.byref(options), _library.RUN,
+                      ctypes.byref(mesh.pointer), **sides.run)
+        arrays = _library.arrays_of(mesh)
+        if arrays["points"] is None:
+            return (np.empty((0, 3), np.float32 if dtype is None else dtype),
+                    np.empty((0, 3), np.int64))
+        return arrays["points"], arrays["corners"].reshape(-1, 3)
+
+
+def _empty(shape, dtype):
+    """An array for the samples of a grid, x running fastest."""
+    try:
+        return np.empty(shape, dtype, order="F")
+    except (MemoryError, ValueError) as error:
+        voxels = " x ".join(str(count) for count in shape)
+        raise WindingError("not enough memory: choose larger voxels (resolution=, spacing=); "
+                           f"the grid has {voxels}") from error
+
+
+def grid_of(plan, source_bounds):
+    """The grid of the library for a Plan."""
+    request = _library.GridRequest()
+    bounds = plan.bounds
+    if bounds is None:
+        bounds, request.padding = source_bounds(), plan.padding
+    else:
+        request.padding = 0
+    request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
+    if plan.resolution is not None:
+        request.resolution = plan.resolution
+    if plan.voxel_size is not None:
+        request.voxel_size = plan.voxel_size
+    if plan.dimensions is not None:
+        request.sampling_dimensions = (ctypes.c_int32 * 3)(*plan.dimensions)
+    grid = _library.Grid()
+    _library.call(
+        "winding_lay_out_grid", ctypes.byref(request), _library.RUN, ctypes.byref(grid))
+    return grid
+
+
+def labels(fields: list[Field], *, resolution: int | None = None,
+           dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
+           bounds: ArrayLike | None = None, padding: float = 0.05, overlap: str = "first",
+           coverage: str = "center", threshold: float = 0.5, rule: str = "signed",
+           n_threads: int | None = None) -> Grid:
+    """Labels of several solids on one grid: a Grid of uint16, 1, 2, ... in the order of the fields,
+    and 0 outside of all.
+
+    overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
+    number) or 'smallest' (volume). The grid lies over all fields, as that of Field.field() does.
+    """
+    if not fields or not all(isinstance(field, Field) for field in fields):
+        raise TypeError("fields must be a list of Field")
+    rules = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
+    number = _options.choice("overlap", overlap, rules)
+    covers = _options.choice("coverage", coverage, _options.COVERAGES)
+    sides = _Sides(threshold, rule, n_threads, 0)
+
+    def box():
+        found = np.array([field.bounds for field in fields])
+        found = found[~np.isnan(found).any(axis=1)]
+        if not len(found):
+            return [0, 1] * 3
+        low, high = found[:, ::2].min(axis=0), found[:, 1::2].max(axis=0)
+        return np.stack([low, high], 1).ravel().tolist()
+
+    grid = grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions, spacing=spacing,
+                               bounds=bounds, padding=padding), box)
+    found = _empty(tuple(grid.dimensions), np.uint16)
+    handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
+    _library.call("winding_label", handles, None, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
+                  ctypes.byref(sides.rule), number, covers, ctypes.c_void_p(found.ctypes.data),
+                  None, _library.RUN, threads=sides.run["threads"])
+    return Grid(found, np.array(grid.origin), np.array(grid.spacing))
+
+
+def report(vertices: Any, faces: ArrayLike | None = None) -> dict[str, Any]:
+    """The health of a surface: counts of its edges and parts, area and volume, and 'advice', a list
+    of lines, the most important first."""
+    vertices, faces = _parts(vertices, faces)
+    points = _numbers.vectors("vertices", vertices)
+    ids = _numbers.triangles("faces", faces, len(points))
+    found = _library.Report()
+    advice: list[str] = []
+    _library.call("winding_examine", _library.array_of(points), ctypes.byref(_polygons(ids)),
+                  _library.RUN, ctypes.byref(found), note=advice.append)
+    counts = {name: getattr(found, name) for name, _ in found._fields_ if name != "size"}
+    return {**counts, "advice": advice}
+
+
+def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
+    """The faces (F, 3) of a surface, turned so that they look outward; faces that are there twice
+    are taken once."""
+    vertices, faces = _parts(vertices, faces)
+    points = _numbers.vectors("vertices", vertices)
+    ids = _numbers.triangles("faces", faces, len(points))
+    turned, left_out = (np.empty(len(ids), np.uint8) for _ in range(2))
+    _library.call("winding_orient", _library.array_of(points), ctypes.byref(_polygons(ids)),
+                  _library.RUN, ctypes.c_void_p(turned.ctypes.data),
+                  ctypes.c_void_p(left_out.ctypes.data))
+    fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
+    return fixed[left_out == 0]
+
+
+def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
+                     n_neighbors: int = 20) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Outward unit normals (V, 3) and areas (V,) of the points of a cloud."""
+    points = _numbers.vectors("vertices", vertices)
+    options = _library.Options(
+        number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
+        normal_estimation=_options.choice(
+            "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS))
+    normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
+    _library.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
+                  _library.RUN, ctypes.c_void_p(normals.ctypes.data),
+                  ctypes.c_void_p(areas.ctypes.data))
+    return normals, areas
+
+
+def point_areas(vertices: ArrayLike, normals: ArrayLike, *,
+                n_neighbors: int = 20) -> NDArray[np.float64]:
+    """The areas (V,) that the points of a cloud with normals (V, 3) stand for."""
+    points = _numbers.vectors("vertices", vertices)
+    directions = _numbers.vectors("normals", normals)
+    if len(directions) != len(points):
+        raise ValueError(f"normals must have the shape ({len(points)}, 3), not {directions.shape}")
+    options = _library.Options(
+        number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000))
+    areas = np.empty(len(points))
+    _library.call("winding_point_areas", _library.array_of(points), _library.array_of(directions),
+                  ctypes.byref(options), _library.RUN, ctypes.c_void_p(areas.ctypes.data))
+    return areas
+
+
+class Mesh(NamedTuple):
+    """The content of a file. Polygons are cut into triangles; faces are None for a cloud."""
+
+    vertices: FloatArray
+    faces: IdArray | None
+    normals: FloatArray | None
+    areas: FloatArray | None
+
+
+def read(path: str | os.PathLike[str]) -> Mesh:
+    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file: a Mesh."""
+    handle = _library.Handle("winding_mesh_free")
+    _library.call("winding_read", ctypes.c_char_p(os.fsencode(path)), _library.RUN,
+                  ctypes.byref(handle.pointer))
+    arrays = _library.arrays_of(handle)
+    points = arrays["points"]
+    faces = None
+    if arrays["offsets"] is not None and len(arrays["offsets"]) > 1:
+        faces = _fans(arrays["offsets"], arrays["corners"])
+    return Mesh(np.empty((0, 3)) if points is None else points, faces, arrays["point_normals"],
+                arrays["point_areas"])
+
+
+def _fans(offsets, corners):
+    """The triangles of polygons, as fans from their first corners."""
+    sizes = np.diff(offsets)
+    if (sizes == 3).all():
+        return corners.reshape(-1, 3)
+    counts = np.maximum(sizes - 2, 0)
+    first = np.repeat(offsets[:-1], counts)
+    step = np.arange(len(first)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.stack([corners[first], corners[first + step + 1], corners[first + step + 2]], 1)

@@ -1,0 +1,184 @@
+"""Field, which is built once and asked often, and the functions that need no VTK."""
+
+import inspect
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import typing
+import unittest
+import warnings
+
+import numpy as np
+
+import vtkwinding
+from vtkwinding import Field, fields
+
+CORNERS = np.array([[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)])
+CUBE = np.array([[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
+                 [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]])
+POINTS = np.array([[0.4, 0.5, 0.6], [2.0, 0.5, 0.5]])
+SPHERE = np.array([[np.cos(k * 2.399963) * np.sqrt(1 - z * z),
+                    np.sin(k * 2.399963) * np.sqrt(1 - z * z), z]
+                   for k, z in enumerate(np.linspace(-1, 1, 2000))])
+
+
+class FieldTest(unittest.TestCase):
+    def test_gives_what_the_functions_give(self):
+        field = Field(CORNERS, CUBE)
+        points = np.random.default_rng(4).uniform(-0.5, 1.5, (200, 3))
+        for name in ("winding_number", "contains", "signed_distance"):
+            expected = getattr(vtkwinding, name)(points, CORNERS, CUBE)
+            np.testing.assert_array_equal(getattr(field, name)(points), expected)
+        np.testing.assert_array_equal(
+            field.field(resolution=9).values, vtkwinding.field(CORNERS, CUBE, resolution=9).values)
+        grid = {"resolution": 9, "padding": 0.2}
+        for found, expected in zip(field.surface(**grid),
+                                   vtkwinding.surface(CORNERS, CUBE, **grid)):
+            np.testing.assert_array_equal(found, expected)
+
+    def test_knows_its_source(self):
+        field = Field(CORNERS * [1, 2, 3], CUBE)
+        np.testing.assert_array_equal(field.bounds, [0, 1, 0, 2, 0, 3])
+        self.assertTrue(field.is_closed)
+        self.assertAlmostEqual(field.volume, 6)
+        self.assertAlmostEqual(field.area, 22)
+        self.assertFalse(Field(CORNERS, CUBE[2:]).is_closed)
+        self.assertFalse(Field(SPHERE, normals=SPHERE).is_closed)
+
+    def test_other_thresholds_build_nothing(self):
+        field = Field(CORNERS, CUBE[:, ::-1])
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "look inward"):
+            self.assertFalse(field.contains(POINTS)[0])
+        handle = field._handles[True]
+        self.assertTrue(field.contains(POINTS, rule="absolute")[0])
+        self.assertFalse(Field(CORNERS, CUBE).contains(POINTS, threshold=1.5)[0])
+        self.assertIs(field._handles[True], handle)
+
+    def test_gradients(self):
+        field = Field(CORNERS, CUBE[2:])
+        step = 1e-5
+        for axis in range(3):
+            ends = np.array([POINTS[0] - np.eye(3)[axis] * step, POINTS[0] + np.eye(3)[axis] * step])
+            low, high = field.winding_number(ends, dtype=float)
+            self.assertAlmostEqual(field.gradient(POINTS[:1])[0, axis], (high - low) / (2 * step), 4)
+
+    def test_masks(self):
+        field = Field(CORNERS, CUBE)
+        inside = field.mask(resolution=10, padding=0.3)
+        self.assertEqual(inside.values.dtype, np.bool_)
+        touched = field.mask(resolution=10, padding=0.3, coverage="any")
+        self.assertTrue((touched.values >= inside.values).all())
+        self.assertGreater(touched.values.sum(), inside.values.sum())
+        corner = inside.origin + inside.spacing * (np.argwhere(inside.values).min(axis=0) - 0.5)
+        self.assertTrue((corner > -0.2).all() and (corner < 0.2).all())
+
+    def test_may_be_asked_by_many_threads(self):
+        field = Field(CORNERS, CUBE[2:])
+        points = np.random.default_rng(5).uniform(-1, 2, (500, 3))
+        expected = Field(CORNERS, CUBE[2:]).winding_number(points)
+        results = []
+
+        def ask():
+            results.append(np.array_equal(field.winding_number(points), expected))
+
+        threads = [threading.Thread(target=ask) for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(results, [True] * 8)
+
+    def test_takes_meshes_with_vertices_and_faces(self):
+        class Mesh:
+            vertices, faces = CORNERS, CUBE
+
+        np.testing.assert_array_equal(Field(Mesh()).contains(POINTS), [True, False])
+        self.assertEqual(vtkwinding.report(Mesh())["boundary_edges"], 0)
+
+    def test_warns_once_of_its_source(self):
+        field = Field(CORNERS, np.concatenate([CUBE, CUBE[:1]]))
+        with warnings.catch_warnings(record=True) as notes:
+            warnings.simplefilter("always")
+            field.winding_number(POINTS)
+            field.field(resolution=4)
+        self.assertEqual(sum("more than once" in str(note.message) for note in notes), 1)
+        self.assertEqual({note.filename for note in notes}, {__file__})
+
+    def test_warnings_may_be_errors(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(vtkwinding.WindingWarning, "look inward"):
+                Field(CORNERS, CUBE[:, ::-1]).contains(POINTS)
+
+    def test_what_does_not_fit_is_refused_in_words(self):
+        with self.assertRaisesRegex(vtkwinding.WindingError, r"\(resolution=, spacing=\)"):
+            Field(CORNERS, CUBE).field(resolution=200_000)
+
+
+class FunctionsTest(unittest.TestCase):
+    def test_labels(self):
+        left, right = Field(CORNERS, CUBE), Field(CORNERS + [0.5, 0, 0], CUBE)
+        first = vtkwinding.labels([left, right], spacing=0.25, padding=0)
+        self.assertEqual(first.values.dtype, np.uint16)
+        self.assertEqual(first.values[:, 0, 0].tolist(), [1, 1, 1, 1, 2, 2])
+        last = vtkwinding.labels([left, right], spacing=0.25, padding=0, overlap="last")
+        self.assertEqual(last.values[:, 0, 0].tolist(), [1, 1, 2, 2, 2, 2])
+        with self.assertRaisesRegex(TypeError, "list of Field"):
+            vtkwinding.labels([CORNERS])
+
+    def test_report_and_orientation(self):
+        faces = CUBE.copy()
+        faces[3] = faces[3, ::-1]
+        found = vtkwinding.report(CORNERS, faces)
+        self.assertEqual(found["inconsistent_edges"], 3)
+        self.assertIn("orient_faces=True", found["advice"][0])
+        fixed = vtkwinding.fix_orientation(CORNERS, np.concatenate([faces, faces[:2]]))
+        self.assertEqual(fixed.shape, (12, 3))
+        self.assertAlmostEqual(vtkwinding.report(CORNERS, fixed)["volume"], 1)
+
+    def test_normals_and_areas(self):
+        normals, areas = vtkwinding.estimate_normals(SPHERE)
+        self.assertGreater((normals * SPHERE).sum(axis=1).min(), 0.9)
+        np.testing.assert_allclose(areas.sum(), 4 * np.pi, rtol=0.02)
+        np.testing.assert_allclose(
+            vtkwinding.point_areas(SPHERE, SPHERE).sum(), 4 * np.pi, rtol=0.02)
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "wärme.obj")
+            path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n")
+            mesh = vtkwinding.read(path)
+            self.assertEqual(mesh.vertices.shape, (5, 3))
+            self.assertEqual(mesh.faces.tolist(), [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
+            path = pathlib.Path(folder, "points.xyz")
+            path.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
+            cloud = vtkwinding.read(path)
+            self.assertIsNone(cloud.faces)
+            np.testing.assert_array_equal(cloud.normals, [[0, 0, 1]] * 2)
+            with self.assertRaisesRegex(vtkwinding.WindingError, "nothing.ply"):
+                vtkwinding.read(pathlib.Path(folder, "nothing.ply"))
+
+
+class ModuleTest(unittest.TestCase):
+    def test_all_arguments_have_types(self):
+        for function in (Field.winding_number, Field.contains, Field.signed_distance,
+                         Field.gradient, Field.field, Field.mask, Field.surface, fields.labels,
+                         fields.report, fields.fix_orientation, fields.estimate_normals,
+                         fields.point_areas, fields.read):
+            names = set(inspect.signature(function).parameters) | {"return"}
+            self.assertEqual(set(typing.get_type_hints(function)), names - {"self"}, function)
+
+    def test_needs_no_vtk(self):
+        """Where VTK cannot be imported, all that is for arrays works."""
+        code = ("import sys; sys.modules['vtkmodules'] = None\n"
+                "import vtkwinding\n"
+                "print(vtkwinding.Field([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "
+                "[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).contains([[.1, .1, .1]]))")
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual(run.stdout, "[ True]\n", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
