@@ -124,8 +124,24 @@ winding_status winding_describe(
         found.bounds[2 * axis] = known.bounds.isEmpty() ? none : known.bounds.min()[axis];
         found.bounds[2 * axis + 1] = known.bounds.isEmpty() ? none : known.bounds.max()[axis];
       }
-      found.area = source.area();
-      found.volume = winding::volumeOf(source);
       give(found, required(info, "info"));
+    });
+}
+
+winding_status winding_measure(
+  const winding_field* field, double* area, double* volume, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const Field& source = *required(field, "field").field;
+      if (area)
+      {
+        *area = source.area();
+      }
+      if (volume)
+      {
+        *volume = winding::volumeOf(source);
+      }
     });
 }

@@ -244,8 +244,6 @@ extern "C"
     int64_t boundary_edges;     /**< edges of one triangle */
     int64_t net_boundary_edges; /**< edges that do not cancel: w is an integer if there are none */
     double bounds[6];           /**< least and largest x, y and z; NaN without primitives */
-    double area;                /**< of all triangles, or of all points */
-    double volume;              /**< that the source encloses, without cavities */
   } winding_field_info;
 
   /**
@@ -264,6 +262,17 @@ extern "C"
    * @param size sizeof of the struct
    */
   WINDING_API void winding_field_info_init(winding_field_info* info, size_t size);
+
+  /**
+   * Measures the source of a field, in O(n log n) time for n triangles or points.
+   *
+   * @param field the field
+   * @param area receives the area of all triangles, or of all points, unless it is null
+   * @param volume receives the volume that the source encloses, without cavities, unless it is null
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_measure(
+    const winding_field* field, double* area, double* volume, winding_refusal* refusal);
 
   /** A grid of voxels, whose centres are the samples; x runs fastest in arrays. */
   typedef struct winding_grid

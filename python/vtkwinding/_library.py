@@ -74,7 +74,7 @@ class FieldInfo(Sized):
     _fields_ = [("size", ctypes.c_uint32), ("method", _int32), ("is_surface", _int32),
                 ("normals_estimated", _int32), ("primitives", _int64), ("dropped", _int64),
                 ("boundary_edges", _int64), ("net_boundary_edges", _int64),
-                ("bounds", _double * 6), ("area", _double), ("volume", _double)]
+                ("bounds", _double * 6)]
 
 
 class GridRequest(Sized):

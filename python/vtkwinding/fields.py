@@ -186,6 +186,12 @@ class Field:
         _library.call("winding_describe", self._handle(False), ctypes.byref(info))
         return info
 
+    def _measured(self):
+        area, volume = ctypes.c_double(), ctypes.c_double()
+        _library.call("winding_measure", self._handle(False), ctypes.byref(area),
+                      ctypes.byref(volume))
+        return area.value, volume.value
+
     @property
     def bounds(self) -> FloatArray:
         """Least and largest x, y and z of what w is the sum over: (6,) floats, or NaN for none."""
@@ -194,12 +200,12 @@ class Field:
     @property
     def area(self) -> float:
         """The area of all triangles, or of all points."""
-        return self._info().area
+        return self._measured()[0]
 
     @property
     def volume(self) -> float:
         """The volume that the source encloses, without cavities."""
-        return self._info().volume
+        return self._measured()[1]
 
     @property
     def is_closed(self) -> bool:

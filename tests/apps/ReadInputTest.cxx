@@ -279,11 +279,22 @@ TEST(ReadInput, SharedCases)
     GTEST_SKIP() << cases << " is not there";
   }
   const std::tuple<const char*, int, const char*> expected[] = {
-    {"c02_xyzrgb.xyz", 0, "columns 4 to 6 are taken for colours"}, {"c02_comma.xyz", 0, ""},
-    {"c03_cc.csv", 0, ""}, {"c03_enu.csv", 0, ""}, {"c03_q_name.csv", 0, ""},
-    {"c07_blank.stl", 0, ""}, {"c11_polyh.vtu", 2, "written by a newer VTK, format 2.3"},
-    {"c17_ncoff.off", 0, ""}, {"c18_tristrips.ply", 0, ""}, {"c35_unref_nan.obj", 0, ""},
-    {"c44_splats.ply", 0, ""}};
+    {"c02_xyzrgb.xyz", 0, "columns 4 to 6 are taken for colours"},
+    {"c02_comma.xyz", 0, ""},
+    {"c03_cc.csv", 0, ""},
+    {"c03_enu.csv", 0, ""},
+    {"c03_q_name.csv", 0, ""},
+    {"c07_blank.stl", 0, ""},
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+    {"c11_polyh.vtu", 2, "written by a newer VTK, format 2.3"},
+#else
+    {"c11_polyh.vtu", 0, ""},
+#endif
+    {"c17_ncoff.off", 0, ""},
+    {"c18_tristrips.ply", 0, ""},
+    {"c35_unref_nan.obj", 0, ""},
+    {"c44_splats.ply", 0, ""}
+  };
   for (const auto& [name, status, words] : expected)
   {
     const Outcome run = check(cases + name);
