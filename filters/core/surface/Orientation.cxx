@@ -459,8 +459,14 @@ Orientation orient(
   SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
   if (!agreesEverywhere(edgesOfOnce))
   {
-    once = SurfacePart(surface, withWalls(result.isLeftOut, faces), false);
-    edgesOfOnce = edgesOf(once.chain, executor);
+    SurfacePart skins(surface, withWalls(result.isLeftOut, faces), false);
+    SurfaceEdges edgesOfSkins = edgesOf(skins.chain, executor);
+    // Walls may be all that keeps parts from having one side only.
+    if (contradictionsOf(skins.chain, edgesOfSkins).oneSided == 0)
+    {
+      once = std::move(skins);
+      edgesOfOnce = std::move(edgesOfSkins);
+    }
   }
   PolygonParts partsOfOnce;
   for (const std::size_t number : once.numbers)
