@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,7 @@ winding_status guarded(const winding_run* run, winding_refusal* refusal, const W
   try
   {
     write(refusal, "", "");
+    known(run, defaultRun()); // so that what is caught below finds a right one
     work();
     return WINDING_OK;
   }
@@ -193,6 +195,11 @@ winding_status guarded(const winding_run* run, winding_refusal* refusal, const W
     return WINDING_INTERRUPTED;
   }
   catch (const std::bad_alloc&)
+  {
+    write(refusal, "", "not enough memory");
+    return WINDING_NO_MEMORY;
+  }
+  catch (const std::length_error&)
   {
     write(refusal, "", "not enough memory");
     return WINDING_NO_MEMORY;

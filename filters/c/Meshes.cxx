@@ -375,7 +375,10 @@ winding_status winding_read(
     [&]
     {
       required(mesh, "mesh") = nullptr;
-      required(path, "path");
+      if (required(path, "path") == 0)
+      {
+        throw Misuse("path is empty");
+      }
       Call call(run);
       giveHandle(*mesh,
         [&](winding_mesh& made)

@@ -637,7 +637,8 @@ extern "C"
    * @param mesh receives points, polygons where there are any, and normals and areas of points
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns of what the file holds and the mesh does not.
+   * Lines, vertices, colours, texture coordinates and columns without a meaning are left out.
+   * Warns of content that cannot be read.
    */
   WINDING_API winding_status winding_read(
     const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);

@@ -152,8 +152,7 @@ def array_of(array):
     Rows whose numbers lie one behind the other are read where they are."""
     if array is None:
         return Array(None, 0, 0, 0)
-    assert array.ndim == 1 or array.strides[1] == array.itemsize or array.shape[0] == 0, array.strides
-    stride = array.strides[0] // array.itemsize if len(array) else 0
+    stride = array.strides[0] // array.itemsize if len(array) > 1 else 0
     return Array(array.ctypes.data, len(array), stride, TYPES[array.dtype])
 
 
@@ -169,13 +168,18 @@ class _Call:
     def __init__(self, interrupt, threads, longest_expected_time, note):
         self.failure = None
 
+        # Handlers of signals run in here, too, and may raise anything.
         def progress(_share, _user):
-            return 1 if interrupt.is_set() or self.failure is not None else 0
+            try:
+                return 1 if interrupt.is_set() or self.failure is not None else 0
+            except BaseException as failure:
+                self.failure = self.failure or failure
+                return 1
 
         def warn(text, _user):
             try:
                 note(text.decode())
-            except Exception as failure:
+            except BaseException as failure:
                 self.failure = self.failure or failure
 
         # References to the functions are kept as long as the library may call them.
@@ -195,6 +199,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None):
         made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
         status = function(*given, ctypes.byref(refusal))
+    made.run = None  # which refers to functions that refer to `made`
     if made.failure is not None:
         raise made.failure
     text = refusal.text.decode(errors="ignore")
@@ -218,7 +223,7 @@ class Handle:
         self._free = getattr(_library, free)
 
     def __del__(self):
-        if self.pointer and not sys.is_finalizing():
+        if getattr(self, "pointer", None) and not sys.is_finalizing():
             self._free(self.pointer)
 
 

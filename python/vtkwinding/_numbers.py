@@ -40,7 +40,7 @@ def _finite(name, array):
 def _floats(array):
     """The array itself, if it is of float32 or float64 and in C order; else a copy."""
     is_kept = array.dtype in (np.float32, np.float64)
-    return np.ascontiguousarray(array, dtype=None if is_kept else np.float64)
+    return np.require(array, None if is_kept else np.float64, ["C", "A"])
 
 
 def vectors(name, array):

@@ -33,13 +33,21 @@ _OPTIONS = [name for name, parameter in inspect.signature(Field).parameters.item
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")]
 
 
+class _OneQuestion(Field):
+    """A field that is asked at once, so that it needs no copies of its arrays."""
+
+    @staticmethod
+    def _kept(array):
+        return array
+
+
 def _field(vertices, faces, normals, areas, options):
     for name in options:
         if name in ("normals_array", "areas_array"):
             raise TypeError(f"give the array itself, as {name[:-6]}, instead of {name}")
         if name not in _OPTIONS:
             raise TypeError(f"there is no option {name}; the options are {', '.join(_OPTIONS)}")
-    return Field(vertices, faces, normals=normals, areas=areas, **options)
+    return _OneQuestion(vertices, faces, normals=normals, areas=areas, **options)
 
 
 def winding_number(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,

@@ -48,7 +48,7 @@ def float_type(dtype: Any) -> np.dtype:
 def _parts(vertices, faces):
     """Vertices and faces, which may be attributes of a mesh."""
     if faces is None and hasattr(vertices, "vertices") and hasattr(vertices, "faces"):
-        return np.asarray(vertices.vertices), np.asarray(vertices.faces)
+        return vertices.vertices, vertices.faces
     return vertices, faces
 
 
@@ -105,6 +105,8 @@ class Field:
         How normals are estimated.
     n_neighbors : int
         Neighbours that give a point its area and estimated normal.
+    point_area : float
+        The area of every point of a cloud; 0 for Voronoi cells.
     regularization : float
         Length over which the points of a cloud are spread, 0 to 4 spacings.
 
@@ -122,12 +124,18 @@ class Field:
                  longest_expected_time: float = 600, as_points: bool = False,
                  orient_faces: bool = False, ignore_open_parts: bool = False,
                  estimate_normals: bool = False, normal_estimation: str = "auto",
-                 n_neighbors: int = 20, regularization: float = 0) -> None:
+                 n_neighbors: int = 20, point_area: float = 0,
+                 regularization: float = 0) -> None:
+        if isinstance(vertices, Mesh) and faces is None:
+            is_cloud = vertices.faces is None
+            normals = vertices.normals if is_cloud and normals is None else normals
+            areas = vertices.areas if is_cloud and areas is None else areas
         vertices, faces = _parts(vertices, faces)
-        self._vertices = _numbers.vectors("vertices", vertices)
+        self._vertices = self._kept(_numbers.vectors("vertices", vertices))
         count = len(self._vertices)
         as_points = _options.flag("as_points", as_points)
-        self._faces = None if faces is None else _numbers.triangles("faces", faces, count)
+        self._faces = None if faces is None else self._kept(
+            _numbers.triangles("faces", faces, count))
         if faces is None and normals is None and not estimate_normals and count:
             raise ValueError(
                 "give faces of a surface, or normals of a cloud, or estimate_normals=True")
@@ -135,15 +143,20 @@ class Field:
             if given is not None and faces is not None and not as_points:
                 raise ValueError(
                     f"give faces or {name}: only clouds (as_points=True) have {name}")
-        self._normals = None if normals is None else _numbers.vectors("normals", normals)
+        if faces is not None and areas is not None and normals is None:
+            raise ValueError("give normals, too: with areas, points are taken without their faces")
+        self._normals = None if normals is None else self._kept(
+            _numbers.vectors("normals", normals))
         if normals is not None and len(self._normals) != count:
             raise ValueError(
                 f"normals must have the shape ({count}, 3), not {self._normals.shape}")
-        self._areas = None if areas is None else _numbers.scalars("areas", areas, count)
+        self._areas = None if areas is None else self._kept(
+            _numbers.scalars("areas", areas, count))
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
             "tolerance": _options.number("tolerance", tolerance, 0),
             "regularization": _options.number("regularization", regularization, 0, 4),
+            "point_area": _options.number("point_area", point_area, 0),
             "number_of_neighbors": _options.integer("n_neighbors", n_neighbors, 3, 1000),
             "estimate_normals": _options.flag("estimate_normals", estimate_normals),
             "normal_estimation": _options.choice(
@@ -155,7 +168,19 @@ class Field:
         self._n_threads, self._longest = n_threads, longest_expected_time
         self._sides()  # checks them
         self._handles: dict[bool, _library.Handle] = {}
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # what shows a warning may ask the field
+
+    @staticmethod
+    def _kept(array):
+        """A copy, so that the field stays what it is when the array is changed."""
+        return array.copy()
+
+    def __getstate__(self):
+        return {name: value for name, value in self.__dict__.items()
+                if name not in ("_handles", "_lock")}
+
+    def __setstate__(self, state):
+        self.__dict__.update(state, _handles={}, _lock=threading.RLock())
 
     def _sides(self, threshold=None, rule=None):
         return _Sides(self._threshold if threshold is None else threshold,
@@ -369,11 +394,14 @@ def labels(fields: list[Field], *, resolution: int | None = None,
            coverage: str = "center", threshold: float = 0.5, rule: str = "signed",
            n_threads: int | None = None) -> Grid:
     """Labels of several solids on one grid: a Grid of uint16, 1, 2, ... in the order of the fields,
-    and 0 outside of all.
+    and 0 outside of all. threshold and rule are for all of them; the fields' own do not count.
 
     overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
-    number) or 'smallest' (volume). The grid lies over all fields, as that of Field.field() does.
+    number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid, 'any' for those
+    that it touches, 'fraction' for those of which half is. The grid lies over all fields, as that of
+    Field.field() does.
     """
+    fields = list(fields)
     if not fields or not all(isinstance(field, Field) for field in fields):
         raise TypeError("fields must be a list of Field")
     rules = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
@@ -467,15 +495,20 @@ class Mesh(NamedTuple):
 
 
 def read(path: str | os.PathLike[str]) -> Mesh:
-    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file: a Mesh."""
+    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file: a Mesh. Lines, colours and
+    columns without a meaning are left out."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("path must have no null character")
     handle = _library.Handle("winding_mesh_free")
-    _library.call("winding_read", ctypes.c_char_p(os.fsencode(path)), _library.RUN,
+    _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
                   ctypes.byref(handle.pointer))
     arrays = _library.arrays_of(handle)
     points = arrays["points"]
     faces = None
     if arrays["offsets"] is not None and len(arrays["offsets"]) > 1:
-        faces = _fans(arrays["offsets"], arrays["corners"])
+        corners = arrays["corners"]
+        faces = _fans(arrays["offsets"], np.empty(0, np.int64) if corners is None else corners)
     return Mesh(np.empty((0, 3)) if points is None else points, faces, arrays["point_normals"],
                 arrays["point_areas"])
 

@@ -228,7 +228,10 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   EXPECT_EQ(winding_label(nullptr, nullptr, 1, &a.grid, nullptr, 0, 0, a.labels.data(), nullptr,
               nullptr, nullptr),
     WINDING_MISUSED);
+  winding_grid_request request = {};
   winding_run noSize = {};
+  EXPECT_EQ(winding_lay_out_grid(&request, &noSize, &a.grid, &a.refusal), WINDING_MISUSED);
+  EXPECT_EQ(winding_read("", nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_solids(a.points, &a.polygons, &noSize, a.solids.data(), nullptr, nullptr),
     WINDING_MISUSED);
   winding_field_free(nullptr);

@@ -1,7 +1,10 @@
 """Field, which is built once and asked often, and the functions that need no VTK."""
 
+import copy
 import inspect
 import pathlib
+import pickle
+import signal
 import subprocess
 import sys
 import tempfile
@@ -97,6 +100,43 @@ class FieldTest(unittest.TestCase):
         np.testing.assert_array_equal(Field(Mesh()).contains(POINTS), [True, False])
         self.assertEqual(vtkwinding.report(Mesh())["boundary_edges"], 0)
 
+    def test_stays_what_it_is(self):
+        vertices = CORNERS.copy()
+        field = Field(vertices, CUBE)
+        vertices *= 10
+        self.assertAlmostEqual(field.volume, 1)
+        np.testing.assert_array_equal(field.contains(POINTS), [True, False])
+
+    def test_may_be_pickled_and_copied(self):
+        field = Field(CORNERS, CUBE, threshold=0.7)
+        field.contains(POINTS)
+        for again in (pickle.loads(pickle.dumps(field)), copy.deepcopy(field)):
+            np.testing.assert_array_equal(again.contains(POINTS), [True, False])
+
+    def test_single_rows_of_any_stride(self):
+        field = Field(CORNERS, CUBE)
+        for row in (POINTS[:1].T.copy().T, np.asfortranarray(POINTS[:1]), POINTS[::-1][1:]):
+            self.assertEqual(field.contains(row).tolist(), [True])
+
+    def test_points_of_faces_with_areas_need_normals(self):
+        with self.assertRaisesRegex(ValueError, "give normals, too"):
+            Field(CORNERS, CUBE, as_points=True, areas=np.ones(8))
+
+    def test_handlers_of_warnings_may_ask_the_field(self):
+        field = Field(CORNERS, np.concatenate([CUBE, CUBE[:1]]))
+        shown, found = [], []
+
+        def show(*_):
+            shown.append(True)
+            if len(shown) == 1:
+                found.append(field.bounds[1])
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            warnings.showwarning = show
+            field.contains(POINTS)
+        self.assertEqual(found, [1])
+
     def test_warns_once_of_its_source(self):
         field = Field(CORNERS, np.concatenate([CUBE, CUBE[:1]]))
         with warnings.catch_warnings(record=True) as notes:
@@ -117,6 +157,23 @@ class FieldTest(unittest.TestCase):
             Field(CORNERS, CUBE).field(resolution=200_000)
 
 
+    @unittest.skipUnless(hasattr(signal, "setitimer"), "there are no timers here")
+    def test_what_handlers_of_signals_raise_comes_out(self):
+        def late(*_):
+            raise TimeoutError("late")
+
+        before = signal.signal(signal.SIGALRM, late)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        field = Field(np.random.default_rng(6).random((3000, 3)),
+                      np.arange(3000).reshape(-1, 3), method="direct")
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        self.addCleanup(signal.setitimer, signal.ITIMER_REAL, 0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with self.assertRaisesRegex(TimeoutError, "late"):
+                field.winding_number(np.zeros((3_000_000, 3)))
+
+
 class FunctionsTest(unittest.TestCase):
     def test_labels(self):
         left, right = Field(CORNERS, CUBE), Field(CORNERS + [0.5, 0, 0], CUBE)
@@ -125,6 +182,8 @@ class FunctionsTest(unittest.TestCase):
         self.assertEqual(first.values[:, 0, 0].tolist(), [1, 1, 1, 1, 2, 2])
         last = vtkwinding.labels([left, right], spacing=0.25, padding=0, overlap="last")
         self.assertEqual(last.values[:, 0, 0].tolist(), [1, 1, 2, 2, 2, 2])
+        again = vtkwinding.labels((f for f in (left, right)), spacing=0.25, padding=0)
+        np.testing.assert_array_equal(again.values, first.values)
         with self.assertRaisesRegex(TypeError, "list of Field"):
             vtkwinding.labels([CORNERS])
 
@@ -156,6 +215,14 @@ class FunctionsTest(unittest.TestCase):
             path.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
             cloud = vtkwinding.read(path)
             self.assertIsNone(cloud.faces)
+            self.assertGreater(Field(cloud).area, 0)
+            with self.assertRaisesRegex(ValueError, "null character"):
+                vtkwinding.read("points.xyz\0.ply")
+            path = pathlib.Path(folder, "empty.ply")
+            path.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                            "property float y\nproperty float z\nelement face 1\n"
+                            "property list uchar int vertex_indices\nend_header\n0 0 0\n0\n")
+            self.assertEqual(vtkwinding.read(path).faces.shape, (0, 3))
             np.testing.assert_array_equal(cloud.normals, [[0, 0, 1]] * 2)
             with self.assertRaisesRegex(vtkwinding.WindingError, "nothing.ply"):
                 vtkwinding.read(pathlib.Path(folder, "nothing.ply"))

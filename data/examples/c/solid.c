@@ -65,6 +65,11 @@ int main(int argc, char** argv)
   winding_mesh_arrays_init(&arrays, sizeof arrays);
   check(winding_mesh_show(input, &arrays, &refusal), &refusal);
 
+  if (arrays.polygon_count == 0)
+  {
+    fprintf(stderr, "error: %s has no faces\n", argv[1]);
+    return EXIT_FAILURE;
+  }
   const winding_array points = {arrays.points, arrays.point_count, 0, arrays.type};
   const winding_polygons polygons = {{arrays.corners, arrays.corner_count, 0, WINDING_INT64},
     {arrays.offsets, arrays.polygon_count + 1, 0, WINDING_INT64}};
