@@ -4,10 +4,12 @@ The library has no Python in it, so one build serves all versions of Python. win
 functions do; the structs here have its members in its order.
 """
 
+import contextlib
 import ctypes
 import os
 import pathlib
 import sys
+import threading
 import warnings
 
 import numpy as np
@@ -182,9 +184,32 @@ class _Call:
             except BaseException as failure:
                 self.failure = self.failure or failure
 
+        # Handlers may raise before a function has begun, too: ctypes hands that to a hook.
+        self.functions = (progress, warn)
         # References to the functions are kept as long as the library may call them.
         self.run = Run(number_of_threads=threads, words=1, progress=_Progress(progress),
                        warn=_Warn(warn), longest_expected_time=longest_expected_time)
+
+
+    @contextlib.contextmanager
+    def catching(self):
+        """Keeps what is raised where no function can catch it, in the thread that has signals."""
+        if threading.current_thread() is not threading.main_thread():
+            yield
+            return
+        before = sys.unraisablehook
+
+        def hook(unraisable):
+            if unraisable.object in self.functions:
+                self.failure = self.failure or unraisable.exc_value
+            else:
+                before(unraisable)
+
+        sys.unraisablehook = hook
+        try:
+            yield
+        finally:
+            sys.unraisablehook = before
 
 
 def call(name, *arguments, threads=0, longest_expected_time=0, note=None):
@@ -198,8 +223,9 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None):
     with Interrupt() as interrupt:
         made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
-        status = function(*given, ctypes.byref(refusal))
-    made.run = None  # which refers to functions that refer to `made`
+        with made.catching():
+            status = function(*given, ctypes.byref(refusal))
+    made.run = made.functions = None  # which refer to `made`
     if made.failure is not None:
         raise made.failure
     text = refusal.text.decode(errors="ignore")
