@@ -10,7 +10,7 @@
 #include "report/Fidelity.h"
 #include "voxels/BlockSurface.h"
 
-#include <numeric>
+#include <algorithm>
 
 using namespace winding::c;
 using winding::Field;

@@ -140,11 +140,12 @@ private:
 
 ThreadExecutor::ThreadExecutor(const winding_run& run)
   : run_(run)
-  , threadCount_(run.number_of_threads > 0 ? static_cast<std::size_t>(run.number_of_threads)
-                                           : std::max(1u, std::thread::hardware_concurrency()))
+  , threadCount_(std::max(1u, std::thread::hardware_concurrency()))
 {
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  threadCount_ = std::min(threadCount_, cores);
+  if (run.number_of_threads > 0)
+  {
+    threadCount_ = std::min(threadCount_, static_cast<std::size_t>(run.number_of_threads));
+  }
 }
 
 ThreadExecutor::~ThreadExecutor() = default;

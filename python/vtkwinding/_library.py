@@ -135,7 +135,6 @@ def _load():
         raise ImportError(f"vtkwinding has no library at {path} ({error})") from error
     if library.winding_abi() != ABI:
         raise ImportError(f"the library {path} has another interface than this vtkwinding needs")
-    library.winding_version.restype = ctypes.c_char_p
     for name in ("winding_field_free", "winding_mesh_free"):
         getattr(library, name).argtypes = [ctypes.c_void_p]
         getattr(library, name).restype = None
@@ -276,7 +275,3 @@ def arrays_of(mesh):
         "point_areas": view(arrays.point_areas, np.float64, points),
         "labels": view(arrays.labels, np.uint16, polygons, 2),
     }
-
-
-def version():
-    return _library.winding_version().decode()

@@ -57,7 +57,7 @@ def scalars(name, array, count):
 
 
 def triangles(name, array, points):
-    """(F, 3) ids of so many points."""
+    """(F, 3) ids of vertices, less than `points`."""
     found = _shaped(name, _numbers(name, array, "iu", "ids of vertices (integers)"), 3)
     if found.size and not (0 <= found.min() and found.max() < points):
         bad = np.flatnonzero(((found < 0) | (found >= points)).any(axis=1))[0]

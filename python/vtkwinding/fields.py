@@ -316,9 +316,9 @@ class Field:
              spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
              padding: float = 0.05, coverage: str = "center", threshold: float | None = None,
              rule: str | None = None) -> Grid:
-        """The voxels of a grid that are inside: a Grid of bools. The grid is that of field().
+        """The voxels of a grid that are inside: a Grid of bools. The grid is laid out as in field().
 
-        coverage: 'center' for voxels whose centre is inside, 'any' for those of which any part is,
+        coverage: 'center' for voxels whose centre is inside, 'any' for voxels with any part inside,
         or that the source touches."""
         sides = self._sides(threshold, rule)
         number = _options.choice("coverage", coverage, {"center": 0, "any": 1})
@@ -334,9 +334,9 @@ class Field:
                 rule: str | None = None) -> tuple[FloatArray, IdArray]:
         """The surface w = threshold: vertices (V, 3) and faces (F, 3).
 
-        The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners.
-        dtype is that of the vertices: float32, float64, or None for float64 only where float32
-        could not tell places apart.
+        The grid is laid out as in field(). features: 'smooth', or 'sharp', which keeps edges and
+        corners. The vertices have the given dtype: float32, float64, or None for float64 only where
+        float32 could not tell places apart.
         """
         sides = self._sides(threshold, rule)
         options = _library.SurfaceOptions(
@@ -397,9 +397,9 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     and 0 outside of all. threshold and rule are for all of them; the fields' own do not count.
 
     overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
-    number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid, 'any' for those
-    that it touches, 'fraction' for those of which half is. The grid lies over all fields, as that of
-    Field.field() does.
+    number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid,
+    'any' for voxels that it touches, 'fraction' for voxels with half of them in it. The grid is laid
+    out as in Field.field(), over all fields.
     """
     fields = list(fields)
     if not fields or not all(isinstance(field, Field) for field in fields):

@@ -18,7 +18,7 @@ CORE = "filters/core"
 PROGRAM = "apps/winding"
 CLASSES = "filters/vtk"
 HELPERS = "filters/vtk/private"
-# Folders of filters beside the core that are plain C++, and the others of them that they know.
+# Folders of filters beside the core that are plain C++, each with the ones that it includes.
 PLAIN = {"files": (), "messages": (), "c": ("files", "messages")}
 LIST_OF_OPTIONS = "Options.def"  # lies in filters, for helpers and the program
 

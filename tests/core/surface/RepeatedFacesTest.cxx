@@ -433,7 +433,7 @@ TEST(RepeatedFaces, BoxesOfABlockAreSolidsWhateverIsWrongWithThem)
   }
 }
 
-/// A cavity between boxes has faces of one box each, and walls have those of two.
+/// Each face of a cavity between boxes is of one box, and each wall holds faces of two.
 TEST(RepeatedFaces, CavitiesBetweenDoubledBoxesStayEmpty)
 {
   Random random(3706);
