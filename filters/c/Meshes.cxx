@@ -8,6 +8,7 @@
 #include "level/SharpContour.h"
 #include "messages/PropertyChecks.h"
 #include "report/Fidelity.h"
+#include "report/GridAdvice.h"
 #include "voxels/BlockSurface.h"
 
 #include <algorithm>
@@ -101,10 +102,7 @@ private:
     const bool isAllInside = edges_.size() == 0 && edges_.beginsInside(0, 0);
     if (isAllInside)
     {
-      call_.warn(winding::Message("all samples are inside, so the surface is empty",
-        {{"close the border", {{winding::Parameter::closeBorder, 1}}},
-          {"choose a larger grid",
-            {winding::Parameter::padding, winding::Parameter::samplingBounds}}}));
+      call_.warn(winding::allInsideAdvice());
     }
     ResultOnGrid result;
     result.sides = edges_.sides();
@@ -181,29 +179,6 @@ private:
   Call& call_;
   winding::LevelEdges edges_;
 };
-
-/// Throws Refusal for a grid that has no edges along an axis.
-void checkForSurface(const Grid& grid, bool closesBorder)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (grid.dimensions[axis] < 2 && !closesBorder)
-    {
-      throw winding::Refusal(winding::Message(
-        std::string("the grid has one voxel along ") + "xyz" [axis],
-        {
-          winding::smallerVoxels(),
-          {
-            "choose more padding",
-            {
-              winding::Parameter::padding
-            }
-          }
-        },
-        "a surface needs two or more"));
-    }
-  }
-}
 
 /// Makes the quads between voxels, with labels on both sides of them.
 template <class Label>
@@ -282,7 +257,10 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
       {
         throw Misuse("options.type is no type of floating-point numbers");
       }
-      checkForSurface(samples, wished.close_border != 0);
+      if (!wished.close_border)
+      {
+        winding::refuseFlatGrid(samples);
+      }
       Call call(run);
       giveHandle(*mesh,
         [&](winding_mesh& made)

@@ -1,7 +1,6 @@
 #include "vtkWindingNumberSurface.h"
 
 #include "base/Executor.h"
-#include "base/Refusal.h"
 #include "field/InsideOut.h"
 #include "level/GridContour.h"
 #include "level/LevelMemory.h"
@@ -17,6 +16,7 @@
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
+#include "report/GridAdvice.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -146,21 +146,6 @@ double vtkWindingNumberSurface::GetResultBytes(vtkIdType) const
          (hasSlabs ? winding::LevelEdges::bytesOfSlab(this->GetSampling()) : 0);
 }
 
-void vtkWindingNumberSurface::CheckGrid() const
-{
-  const Eigen::Vector3i& dimensions = this->GetSampling().dimensions;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::string along = std::string(" along ") + "xyz"[axis];
-    if (dimensions[axis] < 2 && !this->CloseBorder)
-    {
-      throw winding::Refusal(winding::Message("the grid has one voxel" + along,
-        {winding::smallerVoxels(), {"choose more padding", {winding::Parameter::padding}}},
-        "a surface needs two or more"));
-    }
-  }
-}
-
 bool vtkWindingNumberSurface::NeedsDoublePoints() const
 {
   if (this->OutputPointsPrecision != DEFAULT_PRECISION)
@@ -184,7 +169,10 @@ int vtkWindingNumberSurface::RequestData(
   this->AgreeOnProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
   this->LayOutGrid(source);
-  this->CheckGrid();
+  if (!this->CloseBorder)
+  {
+    winding::refuseFlatGrid(this->GetSampling());
+  }
   this->CheckVerification(true);
   const winding::Field& field = this->PrepareGridField(source);
   if (this->IsHelper())
@@ -272,11 +260,7 @@ void vtkWindingNumberSurface::FindEdges(
   const bool isAllInside = edges.size() == 0 && edges.beginsInside(0, 0);
   if (isAllInside)
   {
-    vtkWarningMacro(<< winding::lineOf(
-                      winding::Message("all samples are inside, so the surface is empty",
-                        {{"close the border", {{winding::Parameter::closeBorder, 1}}},
-                          {"choose a larger grid",
-                            {winding::Parameter::padding, winding::Parameter::samplingBounds}}})));
+    vtkWarningMacro(<< winding::lineOf(winding::allInsideAdvice()));
   }
   this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
     [&edges](int i, int j, int k) {

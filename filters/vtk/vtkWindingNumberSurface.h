@@ -180,7 +180,6 @@ protected:
   int FidelitySamples = 0;
 
 private:
-  void CheckGrid() const;
   bool NeedsDoublePoints() const;
   void MakeSurface(const winding::Field& field, vtkPolyData* output);
   void FindEdges(

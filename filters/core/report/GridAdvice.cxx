@@ -1,6 +1,8 @@
 #include "report/GridAdvice.h"
+#include "base/Refusal.h"
 
 #include <cstdio>
+#include <string>
 
 namespace winding
 {
@@ -56,6 +58,26 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
     return thinPartsAdvice(*result.parts, grid, result.mayTouch);
   }
   return std::nullopt;
+}
+
+void refuseFlatGrid(const Grid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.dimensions[axis] < 2)
+    {
+      throw Refusal(Message(std::string("the grid has one voxel along ") + "xyz"[axis],
+        {smallerVoxels(), {"choose more padding", {Parameter::padding}}},
+        "a surface needs two or more"));
+    }
+  }
+}
+
+Message allInsideAdvice()
+{
+  return Message("all samples are inside, so the surface is empty",
+    {{"close the border", {{Parameter::closeBorder, 1}}},
+      {"choose a larger grid", {Parameter::padding, Parameter::samplingBounds}}});
 }
 
 bool missesSource(const Grid& grid, const Bounds& source)

@@ -27,6 +27,12 @@ struct GridResult
  */
 std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result);
 
+/// Throws Refusal for a grid with one voxel along an axis: it has no edges for a surface to cross.
+void refuseFlatGrid(const Grid& grid);
+
+/// Returns what to do about a surface that is empty because all samples are inside.
+Message allInsideAdvice();
+
 /// Returns the remedy for sources that reach the threshold nowhere.
 inline Remedy lowerThreshold()
 {
