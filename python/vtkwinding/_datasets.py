@@ -1,0 +1,156 @@
+"""Data objects of VTK as arrays of NumPy, by the classes of the package that they come from.
+
+Packages such as vtkmodules and cvista have the same classes, which do not go together. None is
+imported here before a data object of it is at hand.
+"""
+
+import importlib
+
+import numpy as np
+
+GHOST_CELLS = 1 | 8 | 32  # of another piece, refined, hidden
+GHOST_POINTS = 1 | 2  # of another piece, hidden
+
+# Dimensions of cells by their types, and what types have curved edges.
+_DIMENSIONS = {
+    0: (1, 2),
+    1: (3, 4, 21, 35, 51, 60, 68, 75),
+    2: (5, 6, 7, 8, 9, 22, 23, 28, 30, 34, 36, 52, 53, 54, 61, 62, 63, 69, 70, 76, 77),
+    3: (*range(10, 17), *range(24, 28), 29, *range(31, 34), 37, 41, 42, 55, *range(64, 68),
+        *range(71, 75), *range(78, 82)),
+}
+_CURVED = (*range(21, 38), *range(51, 56), *range(60, 82))
+
+
+def package_of(data):
+    """The name of the package that has the classes of VTK which an object is of."""
+    for kind in type(data).__mro__:
+        root, _, module = kind.__module__.partition(".")
+        if kind.__name__ == "vtkObjectBase" or module.startswith("vtkCommon"):
+            return root
+    raise TypeError(f"{type(data).__name__} is no class of VTK")
+
+
+def class_of(data, modules, name):
+    """A class of VTK, of the package that an object is of: from the first of some modules that has
+    it, for classes move from one version to the next."""
+    for module in [modules] if isinstance(modules, str) else modules:
+        found = getattr(importlib.import_module(f"{package_of(data)}.{module}"), name, None)
+        if found is not None:
+            return found
+    raise ImportError(f"{package_of(data)} has no {name}")
+
+
+def array_of(data, array):
+    """An array of VTK, over its own memory where that lies as NumPy needs it."""
+    numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
+    if array.GetNumberOfTuples() == 0:
+        width = array.GetNumberOfComponents()
+        kind = numpy_support.get_numpy_array_type(array.GetDataType())
+        return np.empty((0, width) if width > 1 else 0, kind)
+    if array.HasStandardMemoryLayout():
+        try:
+            return numpy_support.vtk_to_numpy(array)
+        except (TypeError, ValueError, BufferError, AttributeError):
+            pass  # arrays that compute their values say that they lie in memory, in some versions
+    kind = numpy_support.get_numpy_array_type(array.GetDataType())
+    copy = numpy_support.create_vtk_array(array.GetDataType())
+    copy.DeepCopy(array)
+    return numpy_support.vtk_to_numpy(copy).astype(kind, copy=False)
+
+
+def vtk_array_of(data, name, values):
+    """An array of VTK with a name, which keeps the memory of an array of NumPy alive."""
+    numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
+    array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values))
+    array.SetName(name)
+    return array
+
+
+def floats_of(data, array):
+    """An array of VTK as float32 or float64."""
+    found = array_of(data, array)
+    return found if found.dtype in (np.float32, np.float64) else found.astype(np.float64)
+
+
+def cells_of(data, cells):
+    """The ids of the points of all cells of a vtkCellArray, and where each begins and ends."""
+    corners = array_of(data, cells.GetConnectivityArray())
+    offsets = array_of(data, cells.GetOffsetsArray())
+    if len(offsets) == 0:
+        offsets = np.zeros(1, np.int64)
+    return _ids(corners), _ids(offsets)
+
+
+def _ids(array):
+    return array if array.dtype in (np.int32, np.int64) else array.astype(np.int64)
+
+
+def cell_array_of(data, corners, offsets):
+    """A vtkCellArray of ids of points, and of where each cell begins and ends."""
+    numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
+    cells = class_of(data, "vtkCommonDataModel", "vtkCellArray")()
+    cells.SetData(numpy_support.numpy_to_vtkIdTypeArray(np.ascontiguousarray(offsets, np.int64), 1),
+                  numpy_support.numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners, np.int64), 1))
+    return cells
+
+
+def leaves_of(data):
+    """The data sets of a composite data set with their names, or the data set itself."""
+    if not data.IsA("vtkCompositeDataSet"):
+        return [("the source", data)]
+    leaves = []
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        leaves.append((f"block {iterator.GetCurrentFlatIndex()}", iterator.GetCurrentDataObject()))
+        iterator.GoToNextItem()
+    return leaves
+
+
+def cell_types_of(grid):
+    """The types of the cells of an unstructured grid."""
+    types = grid.GetCellTypes() if not hasattr(grid, "GetCellTypesArray") else (
+        grid.GetCellTypesArray())
+    return np.empty(0, np.uint8) if types is None else array_of(grid, types)
+
+
+def dimensions_of(types):
+    """The dimensions of cells, 0 to 3, by their types; -1 for types that there are none of."""
+    table = np.full(256, -1, np.int8)
+    for dimension, kinds in _DIMENSIONS.items():
+        table[list(kinds)] = dimension
+    return table[types]
+
+
+def has_curved(types):
+    """Whether there are cells with curved edges among cells of some types."""
+    return bool(np.isin(types, _CURVED).any())
+
+
+def has_faces(mesh):
+    """Whether a vtkPointSet has cells of two or three dimensions."""
+    if mesh.IsA("vtkPolyData"):
+        return mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() > 0
+    if mesh.IsA("vtkUnstructuredGrid"):
+        return bool((dimensions_of(cell_types_of(mesh)) >= 2).any())
+    return mesh.GetNumberOfCells() > 0
+
+
+def ghosts_of(attributes, bits, count):
+    """Which of `count` cells or points are ghosts, or None where none is."""
+    flags = attributes.GetArray("vtkGhostType")
+    if flags is None or flags.GetNumberOfTuples() != count:
+        return None
+    are = (array_of(flags, flags).astype(np.int64) & bits) != 0
+    return are if are.any() else None
+
+
+def triangles_of_strips(corners, offsets):
+    """The triangles (F, 3) of strips: every other one is turned round."""
+    sizes = np.maximum(np.diff(offsets) - 2, 0)
+    step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    first = np.repeat(offsets[:-1], sizes) + step
+    is_turned = step % 2 == 1
+    return np.stack([corners[first], corners[first + np.where(is_turned, 2, 1)],
+                     corners[first + np.where(is_turned, 1, 2)]], 1).astype(np.int64)

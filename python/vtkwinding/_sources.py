@@ -1,0 +1,384 @@
+"""Sources of winding numbers: data objects of VTK as arrays that a field is made of.
+
+Polydata are surfaces, and clouds where they have no faces. Other meshes count through their outer
+surface. All blocks of composite data are one source.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _datasets, _library
+from ._errors import WindingError
+
+_KINDS = "extract the blocks of one kind: the source mixes surfaces and point clouds"
+_MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
+_LOOSE = ("lines and single points bound nothing: make faces of them, if they are walls; "
+          "{count} are left out")
+_MEND = "mend the data set: the source"
+_ACTIVE = ("Active Normals", "None")  # what lists of arrays in ParaView have for the active ones
+_OWNERS = "Winding.Cells"
+
+
+class Leaf(NamedTuple):
+    """A data set of a source: its points with what belongs to them, and its polygons if it has some.
+
+    `data` has the points and polygons: the data set itself, or its outer surface."""
+
+    data: object
+    points: np.ndarray
+    corners: np.ndarray | None
+    offsets: np.ndarray | None
+    normals: np.ndarray | None
+    areas: np.ndarray | None
+
+    @property
+    def polygon_count(self):
+        return 0 if self.offsets is None else len(self.offsets) - 1
+
+
+class Source:
+    """What a field is made of, and the data sets that it comes from.
+
+    points: (N, 3) floats of all leaves.
+    corners, offsets: ids of points, and where each polygon begins and ends; None for a cloud.
+    normals, areas: of the points, or None.
+    notes: lines on what is left out, with {surface_cells} for the name of that option.
+    """
+
+    def __init__(self, leaves, notes):
+        self.leaves, self.notes = leaves, notes
+        self.points = _joined([leaf.points for leaf in leaves], np.empty((0, 3)))
+        self.corners = self.offsets = None
+        faced = [leaf for leaf in leaves if leaf.corners is not None]
+        if faced:
+            first_points = _starts([len(leaf.points) for leaf in leaves])
+            first_corners = _starts([len(leaf.corners) for leaf in leaves])
+            self.corners = _joined([leaf.corners if start == 0 else leaf.corners + start
+                                    for leaf, start in zip(leaves, first_points)])
+            self.offsets = np.concatenate(
+                [np.zeros(1, np.int64)] + [leaf.offsets[1:] + start for leaf, start in zip(
+                    leaves, first_corners)]) if len(leaves) > 1 else leaves[0].offsets
+        self.normals, self.areas = (
+            _joined([getattr(leaf, name) for leaf in leaves])
+            if leaves and all(getattr(leaf, name) is not None for leaf in leaves) else None
+            for name in ("normals", "areas"))
+
+    @property
+    def is_surface(self):
+        return self.corners is not None
+
+    @property
+    def bounds(self):
+        """Least and largest x, y and z of all points; 0 to 1 for none."""
+        points = self.points[np.isfinite(self.points).all(axis=1)] if len(self.points) else ()
+        if not len(points):
+            return [0.0, 1.0] * 3
+        return np.stack([points.min(axis=0), points.max(axis=0)], 1).ravel().astype(float).tolist()
+
+    def polygons(self):
+        """The polygons as the library takes them: triangles alone have no offsets."""
+        return polygons_of(self.corners, self.offsets)
+
+
+def polygons_of(corners, offsets):
+    """Polygons as the library takes them. The arrays must outlive the call."""
+    if len(offsets) > 1 and (np.diff(offsets) == 3).all() and offsets[0] == 0:
+        ids = corners[:offsets[-1]].reshape(-1, 3)
+        return _library.Polygons(_library.array_of(ids), _library.array_of(None))
+    return _library.Polygons(_library.array_of(corners), _library.array_of(offsets))
+
+
+def _joined(arrays, none=None):
+    if len(arrays) == 1:
+        return np.ascontiguousarray(arrays[0])
+    return np.concatenate(arrays) if arrays else none
+
+
+def _starts(counts):
+    return np.cumsum([0, *counts[:-1]]) if counts else []
+
+
+def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False, as_points=False):
+    """Looks at a data object of VTK: a Source.
+
+    Parameters
+    ----------
+    data : vtkDataObject
+        vtkPolyData, any other vtkPointSet, or composite data of these.
+    normals_array, areas_array : str, optional
+        Point arrays with normals, where these are not the active ones, and with areas.
+    surface_cells : bool
+        Whether cells without volume are taken of a mesh that has both kinds.
+    as_points : bool
+        Whether meshes are clouds of their points, with the normals that these have.
+    """
+    leaves, loose, left_out = [], 0, 0
+    is_surface = None
+    for name, leaf in _datasets.leaves_of(data):
+        if not leaf.IsA("vtkPointSet"):
+            raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "
+                               "surface first, as by Contour")
+        if leaf.GetNumberOfPoints() == 0:
+            continue
+        has_faces = _datasets.has_faces(leaf)
+        if has_faces:
+            skin, counts = _outer_surface(leaf, surface_cells)
+            left_out += counts[1]
+            loose += 0 if as_points else counts[0]
+        else:
+            skin = leaf
+        found = _leaf(skin, has_faces, as_points or not has_faces, normals_array, areas_array)
+        if not len(found.points) or (has_faces and not found.polygon_count and not as_points):
+            continue
+        if is_surface not in (None, has_faces and not as_points):
+            raise WindingError(_KINDS)
+        is_surface = has_faces and not as_points
+        leaves.append(found)
+    notes = []
+    if left_out:
+        notes.append(f"{_MIXED}; {left_out} cells of the other kind are left out")
+    if loose:
+        notes.append(_LOOSE.format(count=loose))
+    return Source(leaves, notes)
+
+
+def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
+    """Of polydata, or any data set that is a cloud."""
+    points = _datasets.floats_of(data, data.GetPoints().GetData())
+    corners = offsets = normals = areas = None
+    if has_faces:
+        corners, offsets = _own_polygons(data)
+    if is_cloud:
+        normals = _point_array(data, normals_array, 3)
+        if has_faces and normals is not None and not _have_directions(normals):
+            normals = None  # the faces have directions
+        if areas_array is not None:
+            areas = _point_array(data, areas_array, 1)
+    ghosts = None if has_faces else _datasets.ghosts_of(
+        data.GetPointData(), _datasets.GHOST_POINTS, len(points))
+    if ghosts is not None:
+        points, normals, areas = (
+            None if array is None else array[~ghosts] for array in (points, normals, areas))
+    return Leaf(data, points, corners, offsets, normals, areas)
+
+
+def _have_directions(normals):
+    with np.errstate(all="ignore"):
+        return bool((np.isfinite(normals).all(axis=1) & (normals != 0).any(axis=1)).any())
+
+
+def _point_array(data, name, width):
+    """A point array by its name, or the active normals; None for no such."""
+    arrays = data.GetPointData()
+    is_active = name is None or name == "" or (name in _ACTIVE and not arrays.HasArray(name))
+    array = arrays.GetNormals() if is_active else arrays.GetArray(name)
+    if array is None and not is_active:
+        raise WindingError(f"choose another array: there is no point array '{name}'")
+    if array is None:
+        return None
+    name = array.GetName() or ""
+    if array.GetNumberOfComponents() != width:
+        raise WindingError(f"choose another array: the point array '{name}' has "
+                           f"{array.GetNumberOfComponents()} components, not {width}")
+    count = data.GetNumberOfPoints()
+    if array.GetNumberOfTuples() < count:
+        raise WindingError(f"choose another array: the point array '{name}' has "
+                           f"{array.GetNumberOfTuples()} values for {count} points")
+    return _datasets.floats_of(data, array)[:count]
+
+
+def _own_polygons(data):
+    """The polygons of polydata that are no ghosts, with strips as triangles."""
+    corners, offsets = _datasets.cells_of(data, data.GetPolys())
+    before = data.GetNumberOfVerts() + data.GetNumberOfLines()
+    strips = data.GetNumberOfStrips()
+    ghosts = _datasets.ghosts_of(
+        data.GetCellData(), _datasets.GHOST_CELLS, data.GetNumberOfCells())
+    if ghosts is not None:
+        corners, offsets = kept_polygons(
+            corners, offsets, ~ghosts[before:before + len(offsets) - 1])
+    if strips:
+        ids, starts = _datasets.cells_of(data, data.GetStrips())
+        if ghosts is not None:
+            ids, starts = kept_polygons(ids, starts, ~ghosts[-strips:])
+        triangles = _datasets.triangles_of_strips(ids, starts)
+        corners = np.concatenate([corners[:offsets[-1]], triangles.ravel()])
+        offsets = np.concatenate(
+            [offsets, offsets[-1] + 3 * np.arange(1, len(triangles) + 1)]).astype(np.int64)
+    return corners, offsets
+
+
+def kept_polygons(corners, offsets, are_kept):
+    """Some of the polygons, in their order: corners and offsets."""
+    if are_kept.all():
+        return corners, offsets
+    sizes = np.diff(offsets)
+    chosen = corners[offsets[0]:offsets[-1]][np.repeat(are_kept, sizes)]
+    return chosen, np.concatenate([[0], np.cumsum(sizes[are_kept])]).astype(offsets.dtype)
+
+
+def turned_polygons(corners, offsets, are_turned):
+    """The corners of polygons of which some are turned round; each keeps its first point."""
+    sizes = np.diff(offsets)
+    step = np.arange(offsets[-1] - offsets[0]) - np.repeat(offsets[:-1] - offsets[0], sizes)
+    back = np.repeat(sizes, sizes) - step
+    place = np.where(np.repeat(are_turned, sizes) & (step > 0), back, step)
+    return corners[np.repeat(offsets[:-1], sizes) + place]
+
+
+def _outer_surface(mesh, surface_cells):
+    """The polydata that bounds a mesh with faces, and how many loose cells, and cells of the other
+    kind, it leaves out."""
+    if mesh.IsA("vtkPolyData"):
+        return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0)
+    types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
+    loose = left_out = 0
+    cells = mesh
+    _check_cells(mesh, types)
+    ghosts = _datasets.ghosts_of(
+        mesh.GetCellData(), _datasets.GHOST_CELLS, mesh.GetNumberOfCells())
+    if types is not None:
+        dimensions = _datasets.dimensions_of(types)
+        loose = int(((dimensions == 0) | (dimensions == 1)).sum())
+        are_own = np.ones(len(types), bool) if ghosts is None else ~ghosts
+        if (dimensions == 2).any() and (dimensions == 3).any():
+            are_other = are_own & (dimensions == (3 if surface_cells else 2))
+            left_out = int(are_other.sum())
+            are_own &= ~are_other
+        if not are_own.all():
+            cells = _extracted(mesh, are_own)
+    elif ghosts is not None:
+        cells = _extracted(mesh, ~ghosts)
+    is_curved = types is not None and _datasets.has_curved(_datasets.cell_types_of(cells))
+    numbered = _datasets.class_of(mesh, "vtkCommonDataModel", cells.GetClassName())()
+    numbered.ShallowCopy(cells)
+    # VTK's own array of cells is that of straight ones where cells are curved.
+    numbered.GetCellData().AddArray(_datasets.vtk_array_of(
+        mesh, _OWNERS, np.arange(cells.GetNumberOfCells())))
+    level = _level_for(numbered) if is_curved else 0
+    surface = _looking_outward(cells, _surface_at(numbered, level))
+    surface.GetCellData().RemoveArray(_OWNERS)
+    return surface, (loose, left_out)
+
+
+def _surface_at(mesh, level):
+    """The outer surface of cells, each curved edge of which is divided into 2 ** level pieces."""
+    surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
+    surface.SetInputData(mesh)
+    surface.SetNonlinearSubdivisionLevel(level)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def _level_for(mesh):
+    """The level at which faces are within a thousandth of the diagonal of their shape, 5 at most.
+
+    A chord of length h whose arc rises s above it is shorter by 8/3 (s/h)**2 of its length. Each
+    level halves the chords, and leaves a quarter of s."""
+    areas = []
+    for level in (1, 2):
+        surface = _surface_at(mesh, level)
+        owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
+        first = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
+        sizes = np.linalg.norm(_areas_of(surface)[0], axis=1) / 2
+        areas.append(np.bincount(owners[first:first + len(sizes)], sizes, mesh.GetNumberOfCells()))
+    with np.errstate(all="ignore"):
+        excess = np.nan_to_num(np.abs(areas[1] - areas[0]) / areas[0], posinf=0)
+    rise = (np.sqrt(areas[0] * excess * 3 / 8) / 2).max(initial=0)
+    wanted = 1e-3 * mesh.GetLength()
+    return 1 if rise <= wanted else min(5, 1 + math.ceil(math.log(rise / wanted, 4)))
+
+
+def _check_cells(mesh, types):
+    """Refuses cells that code of VTK could not follow."""
+    if types is None:
+        return
+    cells = mesh.GetCells()
+    count, points = mesh.GetNumberOfCells(), mesh.GetNumberOfPoints()
+    if not cells.IsValid():
+        raise WindingError(f"{_MEND} has cells whose offsets lead out of their list of ids")
+    if len(types) < count:
+        raise WindingError(f"{_MEND} has {count} cells but types for {len(types)}")
+    unknown = np.flatnonzero(_datasets.dimensions_of(types[:count]) < 0)
+    if unknown.size:
+        raise WindingError(f"cell {unknown[0]} of the source has unknown type {types[unknown[0]]}: "
+                           "use a VTK that knows it, or leave these cells out")
+    corners, offsets = _datasets.cells_of(mesh, cells)
+    bad = np.flatnonzero((corners < 0) | (corners >= points))
+    if bad.size:
+        cell = np.searchsorted(offsets, bad[0], "right") - 1
+        raise WindingError(f"mend the data set: cell {cell} of the source refers to point "
+                           f"{corners[bad[0]]} of {points}")
+
+
+def _extracted(mesh, are_kept):
+    """Some of the cells of a mesh."""
+    ids = _datasets.class_of(mesh, "vtkCommonCore", "vtkIdList")()
+    for cell in np.flatnonzero(are_kept).tolist():
+        ids.InsertNextId(cell)
+    extract = _datasets.class_of(
+        mesh, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
+    extract.SetInputData(mesh)
+    extract.SetCellList(ids)
+    extract.Update()
+    return extract.GetOutput()
+
+
+def _areas_of(surface):
+    """Twice the areas of the polygons of polydata as vectors, and the middles of their corners."""
+    corners, offsets = _datasets.cells_of(surface, surface.GetPolys())
+    if len(offsets) < 2:
+        return np.empty((0, 3)), np.empty((0, 3))
+    points = _datasets.floats_of(surface, surface.GetPoints().GetData()).astype(float)
+    sizes = np.diff(offsets)
+    first = np.repeat(points[corners[offsets[:-1]]], sizes, axis=0)
+    following = np.arange(len(corners)) + 1
+    following[offsets[1:] - 1] = offsets[:-1]
+    at, after = points[corners], points[corners[following]]
+    return (np.add.reduceat(np.cross(at - first, after - first), offsets[:-1], axis=0),
+            np.add.reduceat(at, offsets[:-1], axis=0) / sizes[:, None])
+
+
+def _looking_outward(mesh, surface):
+    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell."""
+    polygons = surface.GetNumberOfPolys()
+    if polygons == 0:
+        return surface
+    before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
+    owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
+    centres, have_volume = _cell_centres(mesh, owners[before:before + polygons])
+    areas, middles = _areas_of(surface)
+    are_inward = have_volume & (((middles - centres) * areas).sum(axis=1) < 0)
+    if are_inward.any():
+        corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
+        surface.SetPolys(_datasets.cell_array_of(
+            mesh, turned_polygons(corners, offsets, are_inward), offsets))
+    return surface
+
+
+def _cell_centres(mesh, cells):
+    """The middles of the corners of some cells, and which of these have volume."""
+    points = _datasets.floats_of(mesh, mesh.GetPoints().GetData())
+    if mesh.IsA("vtkUnstructuredGrid"):
+        corners, offsets = _datasets.cells_of(mesh, mesh.GetCells())
+        have_volume = _datasets.dimensions_of(_datasets.cell_types_of(mesh)[cells]) == 3
+        sizes = np.maximum(np.diff(offsets)[cells], 1)
+        starts = np.cumsum(sizes) - sizes
+        step = np.arange(sizes.sum()) - np.repeat(starts, sizes)
+        used = points[corners[np.repeat(offsets[:-1][cells], sizes) + step]].astype(float)
+        return np.add.reduceat(used, starts, axis=0) / sizes[:, None], have_volume
+    # Structured cells: their corners follow from their number.
+    extent = mesh.GetExtent()
+    counts = np.array([extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in range(3)])
+    steps = np.minimum(counts - 1, 1)
+    place = np.unravel_index(cells, np.maximum(counts - 1, 1), order="F")
+    centres = np.zeros((len(cells), 3))
+    for corner in np.ndindex(*(steps + 1)):
+        ids = np.ravel_multi_index(
+            [at + step for at, step in zip(place, corner)], counts, order="F")
+        centres += points[ids]
+    return centres / np.prod(steps + 1), np.full(len(cells), steps.sum() == 3)
