@@ -9,6 +9,7 @@
 #include "report/SourceAdvice.h"
 #include "report/SurfaceReport.h"
 #include "source/Sanitize.h"
+#include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/SolidParts.h"
 #include "voxels/LabelMerge.h"
@@ -219,6 +220,24 @@ winding_status winding_solids(winding_array points, const winding_polygons* poly
       std::fill(result, result + triangles.polygons(), -1);
       triangles.forEachKept(
         [&](std::size_t polygon, std::size_t n) { result[polygon] = parts.ofTriangle[n]; });
+    });
+}
+
+winding_status winding_open_parts(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, uint8_t* are_open, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Triangles triangles(points, polygons);
+      uint8_t* const result = triangles.polygons() > 0 ? &required(are_open, "are_open") : are_open;
+      Call call(run);
+      const winding::Surface surface = winding::sanitize(triangles.views(), call.executor);
+      const winding::OpenParts open =
+        winding::openPartsInside(surface, winding::edgesOf(surface, call.executor), call.executor);
+      std::fill(result, result + triangles.polygons(), 0);
+      triangles.forEachKept([&](std::size_t polygon, std::size_t n)
+        { result[polygon] = static_cast<uint8_t>(!open.isInside.empty() && open.isInside[n]); });
     });
 }
 

@@ -665,6 +665,19 @@ extern "C"
   WINDING_API winding_status winding_solids(winding_array points, const winding_polygons* polygons,
     const winding_run* run, int32_t* solids, int64_t* count, winding_refusal* refusal);
 
+  /**
+   * Finds the open parts of a surface that lie inside of its closed parts, as baffles do.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param are_open receives 1 for each polygon of such a part, and 0 for any other
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_open_parts(winding_array points,
+    const winding_polygons* polygons, const winding_run* run, uint8_t* are_open,
+    winding_refusal* refusal);
+
   /** The health of a surface. */
   typedef struct winding_report
   {
