@@ -47,10 +47,12 @@ class Source:
     corners, offsets: ids of points, and where each polygon begins and ends; None for a cloud.
     normals, areas: of the points, or None.
     notes: lines on what is left out, with {surface_cells} for the name of that option.
+    left_out_cells, turned_cells: of meshes with volume.
     """
 
-    def __init__(self, leaves, notes):
+    def __init__(self, leaves, notes, left_out_cells=0, turned_cells=0):
         self.leaves, self.notes = leaves, notes
+        self.left_out_cells, self.turned_cells = left_out_cells, turned_cells
         self.points = _joined([leaf.points for leaf in leaves], np.empty((0, 3)))
         self.corners = self.offsets = None
         faced = [leaf for leaf in leaves if leaf.corners is not None]
@@ -116,7 +118,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
     as_points : bool
         Whether meshes are clouds of their points, with the normals that these have.
     """
-    leaves, loose, left_out = [], 0, 0
+    leaves, loose, left_out, turned = [], 0, 0, 0
     is_surface = None
     for name, leaf in _datasets.leaves_of(data):
         if not leaf.IsA("vtkPointSet"):
@@ -128,6 +130,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         if has_faces:
             skin, counts = _outer_surface(leaf, surface_cells)
             left_out += counts[1]
+            turned += counts[2]
             loose += 0 if as_points else counts[0]
         else:
             skin = leaf
@@ -143,7 +146,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         notes.append(f"{_MIXED}; {left_out} cells of the other kind are left out")
     if loose:
         notes.append(_LOOSE.format(count=loose))
-    return Source(leaves, notes)
+    return Source(leaves, notes, left_out, turned)
 
 
 def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
@@ -232,9 +235,9 @@ def turned_polygons(corners, offsets, are_turned):
 
 def _outer_surface(mesh, surface_cells):
     """The polydata that bounds a mesh with faces, and how many loose cells, and cells of the other
-    kind, it leaves out."""
+    kind, it leaves out, and how many polygons it has turned."""
     if mesh.IsA("vtkPolyData"):
-        return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0)
+        return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
     types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
     loose = left_out = 0
     cells = mesh
@@ -260,9 +263,9 @@ def _outer_surface(mesh, surface_cells):
     numbered.GetCellData().AddArray(_datasets.vtk_array_of(
         mesh, _OWNERS, np.arange(cells.GetNumberOfCells())))
     level = _level_for(numbered) if is_curved else 0
-    surface = _looking_outward(cells, _surface_at(numbered, level))
+    surface, turned = _looking_outward(cells, _surface_at(numbered, level))
     surface.GetCellData().RemoveArray(_OWNERS)
-    return surface, (loose, left_out)
+    return surface, (loose, left_out, turned)
 
 
 def _surface_at(mesh, level):
@@ -344,10 +347,11 @@ def _areas_of(surface):
 
 
 def _looking_outward(mesh, surface):
-    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell."""
+    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell, and
+    how many were turned."""
     polygons = surface.GetNumberOfPolys()
     if polygons == 0:
-        return surface
+        return surface, 0
     before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
     owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
     centres, have_volume = _cell_centres(mesh, owners[before:before + polygons])
@@ -357,7 +361,7 @@ def _looking_outward(mesh, surface):
         corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
         surface.SetPolys(_datasets.cell_array_of(
             mesh, turned_polygons(corners, offsets, are_inward), offsets))
-    return surface
+    return surface, int(are_inward.sum())
 
 
 def _cell_centres(mesh, cells):

@@ -7,11 +7,12 @@ import math
 import pathlib
 import re
 import time
+import traceback
 
 import numpy as np
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from vtkwinding import _library
@@ -182,9 +183,9 @@ class Algorithm(VTKPythonAlgorithmBase):
             self._refuse(str(error))
         except Exception as error:
             self.status = REFUSED
-            self._refuse(f"unexpected, please report it: {error!r}")
-            if vtkLogger.GetCurrentVerbosityCutoff() >= vtkLogger.VERBOSITY_1:
-                raise
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            self._refuse(f"unexpected, please report it: {error!r} at line {place.lineno} of "
+                         f"{pathlib.Path(place.filename).name}")
         if self.status != DONE and output is not None:
             output.Initialize()
 

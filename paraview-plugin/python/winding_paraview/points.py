@@ -7,11 +7,10 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vt
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import source_of
 
 from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer
 from .ranks import Ranks
-from .sources import CONSTANT_AREA, cloud_of, gathered
+from .sources import CONSTANT_AREA, cloud_of, gathered, source_in_words
 
 
 @declared
@@ -67,16 +66,29 @@ class PointAreas(Algorithm):
         if all_parts is not own and len(all_parts.points) != len(own.points):
             counts = ranks.gather(np.array([len(own.points)]))
             first = int(sum(count[0] for count in counts[:ranks.rank]))
-        lacks_normals = all_parts.normals is None and len(all_parts.points) > 0
         normals, areas = self._normals_and_areas(all_parts)
+        are_estimated = normals is not None
+        if not are_estimated and all_parts.normals is not None:
+            normals = _unit(all_parts.normals)
         mine = slice(first, first + len(own.points))
         self._give(sets, leaves, None if normals is None else normals[mine], areas[mine],
-                   lacks_normals)
+                   are_estimated)
         self.total_area = float(np.cumsum(np.concatenate(
             [[0.0], np.nan_to_num(areas[mine])]))[-1])
-        unusable = int(np.isnan(areas[mine]).sum())
-        if unusable:
-            self.warn(f"{unusable} of {len(own.points)} points are unusable and have area 0")
+        self._tell_unusable(all_parts, areas)
+
+    def _tell_unusable(self, parts, areas):
+        are_unusable = np.isnan(areas)
+        if are_unusable.any():
+            are_finite = np.isfinite(parts.points).all(axis=1)
+            if parts.normals is not None:
+                are_finite &= np.isfinite(parts.normals).all(axis=1)
+            count = int((~are_finite).sum())
+            zero = int((are_unusable & are_finite).sum())
+            self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 ({count} "
+                      f"with NaN or infinite values, {zero} with normals of length 0)")
+        if self.total_area == 0 and len(areas):
+            self.warn("the points have no areas: theirs are 0")
 
     def _normals_and_areas(self, parts):
         """Estimated normals, or None where there are some, and areas with NaN for no area."""
@@ -105,7 +117,7 @@ class PointAreas(Algorithm):
             areas = parts.areas.astype(float)
         return normals, areas
 
-    def _give(self, sets, leaves, normals, areas, lacks_normals):
+    def _give(self, sets, leaves, normals, areas, are_estimated):
         """Gives each data set its share, in the order of its points."""
         by_data = {}
         first = 0
@@ -125,12 +137,29 @@ class PointAreas(Algorithm):
                     "the input is a mesh with volume, whose surface has other points: extract its "
                     "surface first (Extract Surface)")
             data.GetPointData().AddArray(copied(name, own))
-            if normals is not None and lacks_normals:
+            lacks = self.value("EstimateNormals") and not _has_normals(
+                data, self.values["NormalsArray"])
+            if normals is not None and (are_estimated or lacks):
                 data.GetPointData().SetNormals(copied("Normals", normals[part], 3))
 
 
 def _leaves_of(data, normals_array):
-    return source_of(data, normals_array=normals_array or None, as_points=True).leaves
+    return source_in_words(data, normals_array=normals_array, as_points=True)[0].leaves
+
+
+def _has_normals(data, name):
+    arrays = data.GetPointData()
+    return arrays.GetNormals() is not None or bool(name and arrays.HasArray(name))
+
+
+def _unit(normals):
+    """Normals of unit length, and 0 for those without a direction."""
+    found = np.zeros((len(normals), 3))
+    largest = np.abs(normals).max(axis=1, initial=0)
+    are_usable = np.isfinite(largest) & (largest > 0)
+    scaled = normals[are_usable].astype(float) / largest[are_usable, None]
+    found[are_usable] = scaled / np.sqrt((scaled * scaled).sum(axis=1))[:, None]
+    return found.astype(np.float32)
 
 
 def _copy(data, output):

@@ -29,6 +29,7 @@ from .sources import SourceAlgorithm, ask_for_part, kind_of
 _MASK = "winding_paraview.Kept"
 _NUMBERS = "winding_paraview.Numbers"
 _POLY_VERTEX = 2
+_MANY = 100  # samples
 _SINGLE, _DOUBLE = 0, 1  # precisions
 
 
@@ -284,6 +285,8 @@ class ProbeAlgorithm(SourceAlgorithm):
         raise NotImplementedError
 
     def evaluate_samples(self, grid, samples, values):
+        self.inside_count = 0
+        values.without_advice = 1
         if grid is not None:
             self.evaluate("winding_evaluate_grid", self.field.pointer, ctypes.byref(grid), None,
                           ctypes.byref(self.rule()), ctypes.byref(values), RUN)
@@ -291,6 +294,25 @@ class ProbeAlgorithm(SourceAlgorithm):
             self.evaluate("winding_evaluate_points", self.field.pointer,
                           _library.array_of(samples), ctypes.byref(self.rule()),
                           ctypes.byref(values), RUN)
+        self.inside_count = values.inside_count
+
+    def tell_outside(self, leaves, grid, samples):
+        """Warns where none of many samples is inside of an open source, though they lie within its
+        bounds."""
+        info = self.info
+        is_closed = info.is_surface and info.net_boundary_edges == 0
+        if (is_closed or self.inside_count or info.has_no_sides or info.is_wide_open
+                or not info.primitives or not Ranks().are_alone):
+            return
+        places = samples
+        if places is None:
+            places = centres_of(leaves[0]) if self.at_cells() else points_of(leaves[0])
+        low, high = np.array(info.bounds[::2]), np.array(info.bounds[1::2])
+        if ((places >= low) & (places <= high)).all(axis=1).sum() >= _MANY:
+            lower = self.values["InsideRule"] != 2 and self.values["WindingThreshold"] > 0.5
+            self.warn("no sample is inside: " + ("lower the threshold (Winding Threshold), or " if (
+                lower) else "") + "look whether the source is closed (Surface Report); 100 or more "
+                "lie within the bounds of the source")
 
     def turned(self, inside, samples):
         """What is outside instead of inside. Samples that are nowhere stay outside."""
@@ -330,6 +352,8 @@ class WindingNumberProbe(ProbeAlgorithm):
         results = ResultArrays(self, total, has_inside=has_inside or extracts)
         self.expect(total, "distance" in results.views, results.bytes)
         self.evaluate_samples(grid, samples, results.values())
+        if not extracts:
+            self.tell_outside(leaves, grid, samples)
         inside = results.views.get("inside")
         if inside is not None and self.value("InsideOut"):
             inside[...] = self.turned(inside, samples)

@@ -14,6 +14,7 @@ from .algorithm import RUN, Algorithm, copied, declared
 from .surfaces import polydata_of
 
 _TABLES = (".csv", ".tsv")
+_MESHES = (".obj", ".ply", ".stl")
 
 
 @declared
@@ -25,7 +26,6 @@ class SourceReader(Algorithm):
 
     def RequestData(self, request, inputs, outputs):
         output = vtkPolyData.GetData(outputs)
-        output.Initialize()
         with self.reporting(output):
             name = self.values["FileName"]
             if not name:
@@ -50,8 +50,9 @@ class SourceReader(Algorithm):
         arrays = _library.arrays_of(handle)
         count = 0 if arrays["points"] is None else len(arrays["points"])
         is_cloud = arrays["offsets"] is None or len(arrays["offsets"]) < 2
-        output.ShallowCopy(polydata_of(arrays))
-        if is_cloud and count:
+        polydata_of(arrays, output=output)
+        # Files of meshes have vertices of their own, or none.
+        if is_cloud and count and not self.values["FileName"].lower().endswith(_MESHES):
             output.SetVerts(_datasets.cell_array_of(output, np.arange(count), np.array([0, count])))
         if is_table and self.value("ReadAllColumns"):
             for name, values in _library.columns_of(handle, arrays["column_count"]):

@@ -16,11 +16,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTubeFilter
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import kept_polygons, polygons_of, source_of, turned_polygons
+from vtkwinding._sources import kept_polygons, polygons_of, turned_polygons
 
 from .algorithm import RUN, Algorithm, add_number, add_text, copied, declared, pointer
 from .ranks import Ranks
-from .sources import Parts, ask_for_part, cloud_of, gathered
+from .sources import Parts, ask_for_part, cloud_of, gathered, source_in_words
 from .surfaces import polydata_of
 
 _DOUBLE = 11
@@ -94,8 +94,6 @@ class SurfaceReport(Algorithm):
 
     def RequestData(self, request, inputs, outputs):
         output, faults = vtkPolyData.GetData(outputs, 0), vtkMultiBlockDataSet.GetData(outputs, 1)
-        output.Initialize()
-        faults.Initialize()
         ranks = Ranks()
         asked = max(0, request.Get(Pipeline.FROM_OUTPUT_PORT()))
         piece = outputs.GetInformationObject(asked).Get(Pipeline.UPDATE_PIECE_NUMBER())
@@ -111,9 +109,9 @@ class SurfaceReport(Algorithm):
         return 1
 
     def _report(self, data, ranks, output, faults):
-        options = {"normals_array": self.values["NormalsArray"] or None,
+        options = {"normals_array": self.values["NormalsArray"],
                    "surface_cells": bool(self.value("UseSurfaceCells"))}
-        source = ranks.agree(lambda: source_of(data, **options))
+        source, notes = ranks.agree(lambda: source_in_words(data, **options))
         leaves = [leaf.data for leaf in source.leaves]
         fixed = None
         if self.values["FixOrientation"]:
@@ -122,14 +120,13 @@ class SurfaceReport(Algorithm):
             blocks = vtkMultiBlockDataSet()
             for number, leaf in enumerate(leaves):
                 blocks.SetBlock(number, leaf)
-            data, source = blocks, source_of(blocks, **options)
-        notes = [note.replace("{surface_cells}", "Use Surface Cells") for note in source.notes]
+            data, source = blocks, source_in_words(blocks, **options)[0]
         own = Parts(source.points, source.corners, source.offsets) if source.is_surface else (
             cloud_of(self, source.leaves, 0))
         parts = gathered(own, ranks, self.value("SourceDistribution"))
         output.ShallowCopy(_joined(leaves, data))
         if parts.is_surface:
-            self._report_surface(parts, notes, fixed, output)
+            self._report_surface(parts, source, notes, fixed, output)
             if ranks.rank == 0:
                 is_double = output.GetPoints() is not None and (
                     output.GetPoints().GetDataType() == _DOUBLE)
@@ -137,7 +134,7 @@ class SurfaceReport(Algorithm):
         else:
             self._report_cloud(parts, data, fixed, output)
 
-    def _report_surface(self, parts, notes, fixed, output):
+    def _report_surface(self, parts, source, notes, fixed, output):
         report, advice = _library.Report(), []
         points = np.ascontiguousarray(parts.points)
         polygons = polygons_of(parts.corners, parts.offsets)
@@ -153,6 +150,8 @@ class SurfaceReport(Algorithm):
         add_number(output, "volume", report.volume)
         add_number(output, "area", report.area)
         add_number(output, "fractional_share", report.fractional_share)
+        add_number(output, "turned_cells", source.turned_cells, np.int64)
+        add_number(output, "left_out_cells", source.left_out_cells, np.int64)
         for name, count in (fixed or {}).items():
             add_number(output, name, count, np.int64)
         _box(output, report.bounds)
@@ -191,18 +190,18 @@ class SurfaceReport(Algorithm):
         """The leaves with faces turned so that they agree, and counts of these."""
         points = np.ascontiguousarray(source.points)
         turned, left_out = (np.zeros(len(source.offsets) - 1, np.uint8) for _ in range(2))
-        self.call("winding_orient", _library.array_of(points), ctypes.byref(source.polygons()), RUN,
-                  pointer(turned), pointer(left_out))
+        flipped, components = ctypes.c_int64(), ctypes.c_int64()
+        self.call("winding_orient_counted", _library.array_of(points),
+                  ctypes.byref(source.polygons()), RUN, pointer(turned), pointer(left_out),
+                  ctypes.byref(flipped), ctypes.byref(components))
         leaves, first = [], 0
-        flipped = left = 0
         for leaf in source.leaves:
             part = slice(first, first + leaf.polygon_count)
             first += leaf.polygon_count
             are_turned = (turned[part] == 1) & (left_out[part] == 0)
-            flipped += int(np.maximum(np.diff(leaf.offsets) - 2, 0)[are_turned].sum())
-            left += int(left_out[part].sum())
             leaves.append(_with_polygons(leaf, are_turned, left_out[part] == 0))
-        return leaves, {"flipped_triangles": flipped, "left_out_faces": left}
+        return leaves, {"flipped_triangles": flipped.value, "flipped_components": components.value,
+                        "left_out_faces": int(left_out.sum())}
 
     def _fixed_normals(self, source):
         """The leaves with normals turned so that they agree with their field, and a count."""

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import Leaf, kept_polygons, polygons_of, source_of
+from vtkwinding._sources import Leaf, kept_polygons, polygons_of
 
 from .algorithm import RUN, copied, declared, new_array, pointer
 from .grids import FRACTION, ImageAlgorithm, sample_count
@@ -26,6 +26,7 @@ from .sources import (
     gathered,
     kind_of,
     parts_of,
+    source_in_words,
 )
 
 _MOST = 65535
@@ -141,13 +142,12 @@ class Solids:
 
     def _leaf_of(self, data):
         """The only leaf of a data set with its polygons, or None without any data."""
-        source = source_of(
-            data, normals_array=self._options["normals_array"] or None,
+        source, notes = source_in_words(
+            data, normals_array=self._options["normals_array"],
             areas_array=self._options["areas_array"] if (
                 self._options["areas"] == AREAS_OF_ARRAY) else None,
             surface_cells=self._options["surface_cells"], as_points=self._options["as_points"])
-        self.notes += [note.replace("{surface_cells}", "Use Surface Cells")
-                       for note in source.notes]
+        self.notes += notes
         return source.leaves[0] if source.leaves else None
 
     def _parts(self, leaf):
@@ -354,7 +354,7 @@ class WindingNumberLabels(ImageAlgorithm):
         self.info = max(self.infos, key=lambda info: info.primitives, default=None)
         self.inside_out_count = 0
         self._label(solids.solids, fields, grid, extent, attributes)
-        self._tell(solids)
+        self._tell_solids(solids)
         self._describe_solids(solids.solids, image)
         self.describe(image)
         self.verification = self._verify_all(fields, grid, extent)
@@ -384,6 +384,8 @@ class WindingNumberLabels(ImageAlgorithm):
             arrays.shares = ctypes.addressof(shares)
         handles = (ctypes.c_void_p * max(1, len(fields)))(*(one.pointer.value for one in fields))
         numbers = (ctypes.c_uint16 * max(1, len(solids)))(*(solid.label for solid in solids))
+        names = (ctypes.c_char_p * max(1, len(solids)))(*(solid.name.encode() for solid in solids))
+        arrays.names = ctypes.addressof(names)
         options = _library.LabelOptions(
             overlap_rule=self.value("OverlapRule"), coverage=self.value("Coverage"),
             coverage_samples=self.value("CoverageSamples"))
@@ -413,7 +415,7 @@ class WindingNumberLabels(ImageAlgorithm):
         finally:
             del self.warn
 
-    def _tell(self, solids):
+    def _tell_solids(self, solids):
         count = len(solids.solids)
         pairs = list(zip(solids.solids, self.infos))
         empty = [solid.name for solid, info in pairs if info.primitives == 0]

@@ -89,13 +89,22 @@ class Parts:
         return np.stack([low, high], 1).ravel().astype(float).tolist()
 
 
+def source_in_words(data, **options):
+    """A source, and notes on it. What is said has the words of ParaView."""
+    try:
+        source = source_of(data, **options)
+    except WindingError as error:
+        text = str(error).replace(", as by Contour", " (Contour)")
+        raise type(error)(text.replace("{surface_cells}", _SURFACE_CELLS)) from error
+    return source, [note.replace("{surface_cells}", _SURFACE_CELLS) for note in source.notes]
+
+
 def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
              normals_array=None, areas_array=None):
     """The parts of a source that this rank has. `areas` is a value of Point Area Method."""
-    source = source_of(data, normals_array=normals_array or None,
-                       areas_array=areas_array if areas == AREAS_OF_ARRAY else None,
-                       surface_cells=surface_cells, as_points=as_points)
-    notes = [note.replace("{surface_cells}", _SURFACE_CELLS) for note in source.notes]
+    source, notes = source_in_words(
+        data, normals_array=normals_array, surface_cells=surface_cells, as_points=as_points,
+        areas_array=areas_array if areas == AREAS_OF_ARRAY else None)
     if source.is_surface and not as_points:
         return Parts(source.points, source.corners, source.offsets, notes=notes)
     return cloud_of(filter, source.leaves, areas, notes)

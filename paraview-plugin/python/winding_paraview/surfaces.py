@@ -25,9 +25,9 @@ _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
              ("LostComponents", "lost_components"), ("SelfIntersections", "self_intersections"))
 
 
-def polydata_of(arrays, lines=False):
-    """The points and polygons, or lines, of a mesh of the library."""
-    output = vtkPolyData()
+def polydata_of(arrays, lines=False, output=None):
+    """The points and polygons, or lines, of a mesh of the library, in an output if there is one."""
+    output = vtkPolyData() if output is None else output
     if arrays["points"] is None:
         return output
     points = vtkPoints()
@@ -61,7 +61,6 @@ class WindingNumberSurface(GridAlgorithm):
     def RequestData(self, request, inputs, outputs):
         out_info = outputs.GetInformationObject(0)
         output = vtkPolyData.GetData(out_info)
-        output.Initialize()
         ranks = Ranks()
         if out_info.Get(Pipeline.UPDATE_PIECE_NUMBER()) and ranks.are_alone:
             return 1
@@ -90,7 +89,7 @@ class WindingNumberSurface(GridAlgorithm):
                       ctypes.byref(self.rule()), ctypes.byref(options), RUN,
                       ctypes.byref(mesh.pointer))
         arrays = _library.arrays_of(mesh)
-        output.ShallowCopy(polydata_of(arrays))
+        polydata_of(arrays, output=output)
         if arrays["point_normals"] is not None:
             output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
         if arrays["polygon_normals"] is not None:
@@ -169,7 +168,6 @@ class WindingNumberVoxels(Algorithm):
     def RequestData(self, request, inputs, outputs):
         out_info = outputs.GetInformationObject(0)
         output = vtkPolyData.GetData(out_info)
-        output.Initialize()
         if out_info.Get(Pipeline.UPDATE_PIECE_NUMBER()):
             return 1
         with self.reporting(output):
@@ -231,7 +229,7 @@ class WindingNumberVoxels(Algorithm):
         if np.linalg.det(columns[:3, :3]) < 0:
             corners = corners[:, [0, 3, 2, 1]]
         arrays["corners"] = corners.ravel()
-        output.ShallowCopy(polydata_of(arrays))
+        polydata_of(arrays, output=output)
         self._add_data(image, of_cells, arrays, are_labels, counts, places, corners, output)
 
     def _sides(self, values):
