@@ -272,7 +272,7 @@ extern "C"
   WINDING_API void winding_field_info_init(winding_field_info* info, size_t size);
 
   /**
-   * Estimates the memory of an evaluation, with that of the field.
+   * Estimates the memory of an evaluation, the field included.
    *
    * @param field the field
    * @param samples the number of samples
@@ -633,8 +633,8 @@ extern "C"
   WINDING_API void winding_label_options_init(winding_label_options* options, size_t size);
 
   /**
-   * The arrays of labels, a number for each sample. Null leaves one out. Shares are those of voxels
-   * that are inside, and for WINDING_COVERAGE_FRACTION only.
+   * The arrays of labels, a number for each sample. Null leaves one out. Shares say how much of
+   * a voxel is inside, and are for WINDING_COVERAGE_FRACTION only.
    */
   typedef struct winding_labels
   {
@@ -658,7 +658,7 @@ extern "C"
   WINDING_API void winding_labels_init(winding_labels* labels, size_t size);
 
   /**
-   * Labels the voxels of a part of a grid, as winding_label() labels those of a whole one.
+   * Labels the voxels of a part of a grid by the rules of winding_label().
    *
    * @param fields one for each solid
    * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
@@ -698,7 +698,7 @@ extern "C"
    * @param points three coordinates in each row
    * @param polygons triangles, or polygons, which are taken as fans from their first corners
    * @param run null for the defaults
-   * @param are_open receives 1 for each polygon of such a part, and 0 for any other
+   * @param are_open receives 1 for each polygon of these parts, and 0 for any other
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_open_parts(winding_array points,
@@ -761,7 +761,7 @@ extern "C"
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
 
-  /** What can be wrong with edges. */
+  /** The faults of edges. */
   typedef enum winding_fault
   {
     WINDING_FAULT_BOUNDARY = 0,     /**< edges that do not cancel, as loops */
@@ -903,7 +903,7 @@ extern "C"
    * Does as winding_estimate_normals(), and says how.
    *
    * @param points three coordinates in each row
-   * @param options null for the defaults; those of areas and normals are looked at
+   * @param options null for the defaults; the choices about areas and normals count
    * @param run null for the defaults
    * @param normals receives three numbers for each point, of unit length; 0 for unusable points
    * @param areas receives a number for each point, unless it is null; NaN for unusable points
