@@ -1,4 +1,5 @@
 #include "Border.h"
+#include "cloud/ConsistentNormals.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
 #include "source/PointCloud.h"
@@ -75,6 +76,36 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
       {
         writeAreas(view, cloud.areas, areas);
       }
+    });
+}
+
+winding_status winding_orient_normals(winding_array points, winding_array normals,
+  const winding_run* run, uint8_t* turned, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding::VectorsView places = vectorsOf(points, "points"),
+                                 directions = vectorsOf(normals, "normals");
+      if (places.size() != directions.size())
+      {
+        throw Misuse("normals has other rows than points");
+      }
+      if (places.empty())
+      {
+        return;
+      }
+      uint8_t* const result = &required(turned, "turned");
+      Call call(run);
+      std::vector<Eigen::Vector3d> positions, vectors;
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        positions.push_back(places[i]);
+        vectors.push_back(directions[i]);
+      }
+      const std::vector<unsigned char> turns =
+        winding::normalsToTurn(positions, vectors, call.executor);
+      std::copy(turns.begin(), turns.end(), result);
     });
 }
 

@@ -2,11 +2,9 @@
 #include "Handles.h"
 #include "field/FieldVolume.h"
 #include "messages/PropertyChecks.h"
-#include "report/Advice.h"
 #include "report/GridAdvice.h"
 #include "report/LabelFacts.h"
 #include "report/SourceAdvice.h"
-#include "report/SurfaceReport.h"
 #include "source/Sanitize.h"
 #include "surface/Orientation.h"
 #include "surface/SolidParts.h"
@@ -134,47 +132,6 @@ winding_status winding_solids(winding_array points, const winding_polygons* poly
       std::fill(result, result + triangles.polygons(), -1);
       triangles.forEachKept(
         [&](std::size_t polygon, std::size_t n) { result[polygon] = parts.ofTriangle[n]; });
-    });
-}
-
-void winding_report_init(winding_report* report, size_t size)
-{
-  fill(report, size, winding_report());
-}
-
-winding_status winding_examine(winding_array points, const winding_polygons* polygons,
-  const winding_run* run, winding_report* report, winding_refusal* refusal)
-{
-  return guarded(run, refusal,
-    [&]
-    {
-      winding_report& result = required(report, "report");
-      const Triangles triangles(points, polygons);
-      Call call(run);
-      const auto field = Field::build(triangles.views(), {}, call.executor);
-      const winding::Surface& surface = *field->surface();
-      winding::SurfaceReport found =
-        winding::reportOn(surface, winding::edgesOf(surface, call.executor), call.executor,
-          winding::polygonPartsOf(triangles.views()));
-      found.openings = field->info().openings;
-      call.warn(winding::adviceOn(surface, found));
-      winding_report to = {};
-      to.points = static_cast<int64_t>(surface.vertices.size());
-      to.triangles = static_cast<int64_t>(surface.triangles.size());
-      to.dropped = static_cast<int64_t>(surface.dropped());
-      to.edges = static_cast<int64_t>(found.edges.edges);
-      to.boundary_edges = static_cast<int64_t>(found.edges.boundary);
-      to.net_boundary_edges = static_cast<int64_t>(found.edges.netBoundary);
-      to.non_manifold_edges = static_cast<int64_t>(found.edges.nonManifold);
-      to.inconsistent_edges = static_cast<int64_t>(found.edges.inconsistent);
-      to.components = static_cast<int64_t>(found.edges.components);
-      to.inverted_components = static_cast<int64_t>(found.orientation.inverted);
-      to.nested_solids = static_cast<int64_t>(found.orientation.nestedSolids);
-      to.duplicate_triangles = static_cast<int64_t>(found.duplicateTriangles);
-      to.open_parts_inside = static_cast<int64_t>(found.openPartsInside);
-      to.area = found.area;
-      to.volume = found.volume;
-      give(to, result);
     });
 }
 

@@ -550,22 +550,35 @@ extern "C"
   /** The health of a surface. */
   typedef struct winding_report
   {
-    uint32_t size;               /**< bytes of the struct that its caller knows */
-    int64_t points;              /**< different positions that polygons use */
-    int64_t triangles;           /**< that can be used */
-    int64_t dropped;             /**< with NaN or infinite coordinates, or ids of no points */
-    int64_t edges;               /**< between different positions */
-    int64_t boundary_edges;      /**< of one triangle */
-    int64_t net_boundary_edges;  /**< that do not cancel */
-    int64_t non_manifold_edges;  /**< of more than two triangles */
-    int64_t inconsistent_edges;  /**< that two triangles run along in the same sense */
-    int64_t components;          /**< connected through edges */
-    int64_t inverted_components; /**< that look inward, and are no cavities */
-    int64_t nested_solids;       /**< that look outward inside of others */
-    int64_t duplicate_triangles; /**< of faces that are there before */
-    int64_t open_parts_inside;   /**< open sheets inside of closed parts */
-    double area;                 /**< of all triangles except repeated ones */
-    double volume;               /**< signed; for closed surfaces */
+    uint32_t size;                 /**< bytes of the struct that its caller knows */
+    int32_t closed;                /**< whether all edges cancel, and there are triangles */
+    int64_t triangles;             /**< that polygons are cut into */
+    int64_t vertices;              /**< rows of points */
+    int64_t vertices_merged;       /**< finite positions, equal ones counted once */
+    int64_t edges;                 /**< between different positions */
+    int64_t boundary_edges;        /**< of one triangle */
+    int64_t boundary_loops;        /**< connected pieces of the boundary edges */
+    int64_t nonmanifold_edges;     /**< of more than two triangles */
+    int64_t inconsistent_edges;    /**< that two triangles run along in the same sense */
+    int64_t net_boundary_edges;    /**< that do not cancel */
+    int64_t components_vertex;     /**< pieces connected through vertices */
+    int64_t components_edge;       /**< pieces connected through edges */
+    int64_t closed_components;     /**< pieces whose edges cancel */
+    int64_t inverted_components;   /**< that look inward, and are no cavities */
+    int64_t nested_solids;         /**< that look outward inside of others */
+    int64_t one_sided_components;  /**< that no turning could make agree */
+    int64_t open_parts_inside;     /**< open sheets inside of closed parts */
+    int64_t duplicate_faces;       /**< triangles of faces that are there before */
+    int64_t degenerate;            /**< triangles with less than three different vertices */
+    int64_t zero_area;             /**< triangles with three different vertices on a line */
+    int64_t unreferenced_vertices; /**< different positions that no triangle uses */
+    int64_t euler;                 /**< vertices less edges plus triangles: 2 for a sphere */
+    double volume;                 /**< signed; for closed surfaces */
+    double area;                   /**< of all triangles except repeated ones */
+    double fractional_share;       /**< samples where w is no integer; NaN without a grid */
+    double bbox[6];      /**< least x, y and z, then the largest; NaN without triangles */
+    int64_t non_finite;  /**< triangles left out for coordinates that are NaN or infinite */
+    int64_t invalid_ids; /**< triangles left out for ids of points that are not there */
   } winding_report;
 
   /**
@@ -587,6 +600,48 @@ extern "C"
    */
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
+
+  /** The health of a point cloud. Figures that cannot be had are NaN. */
+  typedef struct winding_cloud_report
+  {
+    uint32_t size;             /**< bytes of the struct that its caller knows */
+    int32_t normals;           /**< whether there are normals */
+    int64_t points;            /**< rows of points */
+    int64_t duplicates;        /**< points beyond the first at their place */
+    int64_t zero_normals;      /**< normals of length 0 */
+    int64_t non_unit_normals;  /**< normals whose length is neither 0 nor 1 */
+    int64_t non_finite;        /**< points with NaN or infinite numbers; the rest leaves them out */
+    double spacing_min;        /**< least distance of a place to the nearest other one */
+    double spacing_median;     /**< of these distances */
+    double spacing_mean;       /**< of these distances */
+    double spacing_max;        /**< of these distances */
+    double opposite_neighbors; /**< share of neighbours whose normals are more than 90 degrees apart */
+    double w_behind;           /**< mean winding number close behind the points */
+    double w_before;           /**< mean winding number close before the points */
+    double outward_share;      /**< share of points whose normal points outward by w */
+    double inward_share;       /**< share of points whose normal points inward by w */
+    double bbox[6];            /**< least x, y and z, then the largest */
+  } winding_cloud_report;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param report the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_cloud_report_init(winding_cloud_report* report, size_t size);
+
+  /**
+   * Examines a point cloud. Advice comes as warnings, the most important first.
+   *
+   * @param points three coordinates in each row
+   * @param normals as many, of any length; not there for points alone
+   * @param run null for the defaults
+   * @param report receives the figures; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_examine_points(winding_array points, winding_array normals,
+    const winding_run* run, winding_cloud_report* report, winding_refusal* refusal);
 
   /**
    * Finds the polygons to turn round, and to leave out, so that a surface has an outside.
@@ -614,6 +669,18 @@ extern "C"
   WINDING_API winding_status winding_estimate_normals(winding_array points,
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_refusal* refusal);
+
+  /**
+   * Finds the normals to turn round, so that they point outward. Their directions stay.
+   *
+   * @param points three coordinates in each row
+   * @param normals three numbers for each point, of any length
+   * @param run null for the defaults
+   * @param turned receives 1 for each normal to turn, and 0 for any other and for unusable points
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_orient_normals(winding_array points, winding_array normals,
+    const winding_run* run, uint8_t* turned, winding_refusal* refusal);
 
   /**
    * Finds the areas that points with normals stand for: their Voronoi cells.

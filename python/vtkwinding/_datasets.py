@@ -60,9 +60,9 @@ def array_of(data, array):
 
 
 def vtk_array_of(data, name, values):
-    """An array of VTK with a name, which keeps the memory of an array of NumPy alive."""
+    """An array of VTK with a name and its own memory."""
     numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
-    array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values))
+    array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values), 1)
     array.SetName(name)
     return array
 

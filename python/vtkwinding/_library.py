@@ -118,13 +118,28 @@ class SurfaceOptions(Sized):
 
 class Report(Sized):
     _init_ = "winding_report_init"
-    _fields_ = [("size", ctypes.c_uint32), ("points", _int64), ("triangles", _int64),
-                ("dropped", _int64), ("edges", _int64), ("boundary_edges", _int64),
-                ("net_boundary_edges", _int64), ("non_manifold_edges", _int64),
-                ("inconsistent_edges", _int64), ("components", _int64),
+    _fields_ = [("size", ctypes.c_uint32), ("closed", _int32), ("triangles", _int64),
+                ("vertices", _int64), ("vertices_merged", _int64), ("edges", _int64),
+                ("boundary_edges", _int64), ("boundary_loops", _int64),
+                ("nonmanifold_edges", _int64), ("inconsistent_edges", _int64),
+                ("net_boundary_edges", _int64), ("components_vertex", _int64),
+                ("components_edge", _int64), ("closed_components", _int64),
                 ("inverted_components", _int64), ("nested_solids", _int64),
-                ("duplicate_triangles", _int64), ("open_parts_inside", _int64),
-                ("area", _double), ("volume", _double)]
+                ("one_sided_components", _int64), ("open_parts_inside", _int64),
+                ("duplicate_faces", _int64), ("degenerate", _int64), ("zero_area", _int64),
+                ("unreferenced_vertices", _int64), ("euler", _int64), ("volume", _double),
+                ("area", _double), ("fractional_share", _double), ("bbox", _double * 6),
+                ("non_finite", _int64), ("invalid_ids", _int64)]
+
+
+class CloudReport(Sized):
+    _init_ = "winding_cloud_report_init"
+    _fields_ = [("size", ctypes.c_uint32), ("normals", _int32), ("points", _int64),
+                ("duplicates", _int64), ("zero_normals", _int64), ("non_unit_normals", _int64),
+                ("non_finite", _int64), ("spacing_min", _double), ("spacing_median", _double),
+                ("spacing_mean", _double), ("spacing_max", _double),
+                ("opposite_neighbors", _double), ("w_behind", _double), ("w_before", _double),
+                ("outward_share", _double), ("inward_share", _double), ("bbox", _double * 6)]
 
 
 def _load():

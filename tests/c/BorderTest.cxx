@@ -128,6 +128,15 @@ const Call allCalls[] = {
       return winding_orient(a.points, &a.polygons, &a.run, a.bytes.data(),
         a.bytes.data() + a.bytes.size() / 2, &a.refusal);
     }},
+  {"winding_examine_points",
+    [](Arguments& a)
+    {
+      auto report = with(winding_cloud_report_init);
+      return winding_examine_points(a.points, a.points, &a.run, &report, &a.refusal);
+    }},
+  {"winding_orient_normals",
+    [](Arguments& a)
+    { return winding_orient_normals(a.points, a.points, &a.run, a.bytes.data(), &a.refusal); }},
   {"winding_estimate_normals",
     [](Arguments& a)
     {
@@ -184,7 +193,8 @@ TEST(Border, LetsEveryRightCallPass)
 TEST(Border, RefusesWhatIsNoArray)
 {
   const std::string points = "winding_faces winding_points winding_evaluate_points winding_solids "
-                             "winding_examine winding_orient winding_estimate_normals "
+                             "winding_examine winding_orient winding_examine_points "
+                             "winding_orient_normals winding_estimate_normals "
                              "winding_point_areas";
   expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
   expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);

@@ -86,9 +86,14 @@ TEST(Examination, CountsAndAdvises)
   Warnings told;
   ASSERT_EQ(
     winding_examine(arrayOf(mesh.points), &polygons, &told.run, &report, nullptr), WINDING_OK);
-  EXPECT_EQ(report.points, 162);
+  EXPECT_EQ(report.closed, 0);
+  EXPECT_EQ(report.vertices, 162);
+  EXPECT_EQ(report.vertices_merged, 162);
   EXPECT_EQ(report.triangles, 320);
   EXPECT_EQ(report.edges, 480);
+  EXPECT_EQ(report.euler, 2);
+  EXPECT_EQ(report.bbox[3], 1);
+  EXPECT_GT(report.fractional_share, 0);
   EXPECT_EQ(report.boundary_edges, 0);
   EXPECT_EQ(report.inconsistent_edges, 3);
   ASSERT_FALSE(told.texts.empty());
