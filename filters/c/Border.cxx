@@ -101,6 +101,8 @@ const Setting* settingOf(const Message& message)
   return nullptr;
 }
 
+} // namespace
+
 void copyText(const std::string& text, char* to, std::size_t size)
 {
   std::size_t length = std::min(text.size(), size - 1);
@@ -113,7 +115,15 @@ void copyText(const std::string& text, char* to, std::size_t size)
   to[length] = 0;
 }
 
-} // namespace
+void giveBounds(const Bounds& bounds, double (&to)[6])
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    to[2 * axis] = bounds.isEmpty() ? none : bounds.min()[axis];
+    to[2 * axis + 1] = bounds.isEmpty() ? none : bounds.max()[axis];
+  }
+}
 
 winding_run defaultRun()
 {
@@ -230,8 +240,9 @@ FieldOptions optionsOf(const winding_options* options)
   result.method = static_cast<Method>(wished.method);
   result.tolerance = wished.tolerance;
   result.regularization = wished.regularization;
-  result.pointAreaMethod =
-    wished.point_area > 0 ? PointAreaMethod::constant : PointAreaMethod::voronoi;
+  result.pointAreaMethod = wished.point_area > 0 || wished.mean_point_area != 0
+                             ? PointAreaMethod::constant
+                             : PointAreaMethod::voronoi;
   result.pointArea = wished.point_area;
   result.neighbors = wished.number_of_neighbors;
   result.estimateNormals = wished.estimate_normals != 0;
@@ -279,8 +290,15 @@ void Call::warn(const std::vector<Message>& messages) const
 
 FrontEnd frontEndOf(const winding_run* run)
 {
-  const bool isPython = run && known(run, defaultRun()).words == WINDING_WORDS_PYTHON;
-  return isPython ? FrontEnd::python : FrontEnd::c;
+  switch (run ? known(run, defaultRun()).words : WINDING_WORDS_C)
+  {
+  case WINDING_WORDS_PYTHON:
+    return FrontEnd::python;
+  case WINDING_WORDS_PARAVIEW:
+    return FrontEnd::paraview;
+  default:
+    return FrontEnd::c;
+  }
 }
 
 void write(winding_refusal* refusal, const char* parameter, const std::string& text)

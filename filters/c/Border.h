@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ThreadExecutor.h"
+#include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/InsideRule.h"
 #include "base/Message.h"
@@ -80,6 +81,12 @@ template <class Struct> void fill(Struct* to, std::size_t size, Struct defaults)
     std::memcpy(to, &defaults, std::min(size, sizeof(Struct)));
   }
 }
+
+/// Copies text into a member of a struct, cut off where it is longer.
+void copyText(const std::string& text, char* to, std::size_t size);
+
+/// Writes a box as least and largest x, y and z, NaN for an empty one.
+void giveBounds(const Bounds& bounds, double (&to)[6]);
 
 ///@{
 /// The defaults of structs that callers may leave out.

@@ -2,6 +2,7 @@
 #include "cloud/ConsistentNormals.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
+#include "source/MeshVertices.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
 
@@ -41,14 +42,29 @@ void writeAreas(const OrientedPointsView& view, const std::vector<double>& from,
 
 } // namespace
 
+void winding_estimate_init(winding_estimate* estimate, size_t size)
+{
+  fill(estimate, size, winding_estimate());
+}
+
 winding_status winding_estimate_normals(winding_array points, const winding_options* options,
   const winding_run* run, float* normals, double* areas, winding_refusal* refusal)
+{
+  winding_estimate estimate;
+  winding_estimate_init(&estimate, sizeof estimate);
+  return winding_estimate_points(points, options, run, normals, areas, &estimate, refusal);
+}
+
+winding_status winding_estimate_points(winding_array points, const winding_options* options,
+  const winding_run* run, float* normals, double* areas, winding_estimate* estimate,
+  winding_refusal* refusal)
 {
   return guarded(run, refusal,
     [&]
     {
       const OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
       const winding::FieldOptions wished = optionsOf(options);
+      winding_estimate& how = required(estimate, "estimate");
       if (view.positions.empty())
       {
         return;
@@ -76,6 +92,10 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
       {
         writeAreas(view, cloud.areas, areas);
       }
+      winding_estimate to = {};
+      to.normal_estimation = static_cast<int32_t>(found.estimation);
+      to.clear_share = found.orientation.outward;
+      give(to, how);
     });
 }
 
@@ -131,5 +151,29 @@ winding_status winding_point_areas(winding_array points, winding_array normals,
         throw winding::Refusal(winding::missingNormals(!view.normals.empty()));
       }
       writeAreas(view, winding::pointAreas(cloud, areasOf(wished), call.executor), result);
+    });
+}
+
+winding_status winding_vertices(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, double* normals, double* areas, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Triangles triangles(points, polygons);
+      const std::size_t count = triangles.view().points.size();
+      if (count > 0 && (!normals || !areas))
+      {
+        throw Misuse("normals or areas is null");
+      }
+      Call call(run);
+      const winding::MeshVertices vertices =
+        winding::meshVertices(triangles.views(), count, call.executor);
+      for (std::size_t point = 0; point < count; ++point)
+      {
+        const Eigen::Vector3d normal = vertices.normals()[point];
+        std::copy_n(normal.data(), 3, normals + 3 * point);
+        areas[point] = vertices.areas()[point];
+      }
     });
 }

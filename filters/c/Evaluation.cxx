@@ -6,6 +6,7 @@
 #include "report/ExpectedTimeAdvice.h"
 #include "report/GridAdvice.h"
 #include "report/SourceAdvice.h"
+#include "report/Verify.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include <cmath>
@@ -82,17 +83,6 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
   }
 }
 
-} // namespace winding::c
-
-using namespace winding::c;
-using winding::Extent;
-using winding::FieldOutput;
-using winding::Grid;
-
-namespace
-{
-
-/// Throws Misuse for an extent that does not lie in the grid.
 Extent extentOf(const Grid& grid, const int32_t* extent)
 {
   Extent result = grid.wholeExtent();
@@ -107,6 +97,16 @@ Extent extentOf(const Grid& grid, const int32_t* extent)
   }
   return result;
 }
+
+} // namespace winding::c
+
+using namespace winding::c;
+using winding::Extent;
+using winding::FieldOutput;
+using winding::Grid;
+
+namespace
+{
 
 winding_values defaultValues()
 {
@@ -187,6 +187,7 @@ winding_status winding_lay_out_grid(const winding_grid_request* request, const w
         winding::checkDimensions(dimensions);
         asked.dimensions = Eigen::Vector3i(dimensions[0], dimensions[1], dimensions[2]);
       }
+      asked.isCubic = wished.cubic != 0;
       const double* bounds = wished.sampling_bounds;
       asked.bounds = winding::Bounds(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
         Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
@@ -315,5 +316,41 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(counts.inside);
       give(written, *values);
+    });
+}
+
+void winding_verification_init(winding_verification* verification, size_t size)
+{
+  fill(verification, size, winding_verification());
+}
+
+winding_status winding_verify(const winding_field* field, const winding_grid* grid,
+  const int32_t* extent, winding_array winding, int64_t samples, const winding_run* run,
+  winding_verification* verification, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding_field& handle = required(field, "field");
+      winding_verification& result = required(verification, "verification");
+      const Grid all = gridOf(grid);
+      const Extent part = extentOf(all, extent);
+      const winding::ScalarsView values = scalarsOf(winding, "winding");
+      if (samples < 0 || values.size() != winding::sampleCount(part))
+      {
+        throw Misuse("samples are less than 0, or winding has not a row for each sample");
+      }
+      constexpr unsigned seed = 20260101;
+      Call call(run);
+      const winding::Verification found = winding::verify(
+        *handle.field, all, part, [&](std::size_t n) { return values[n]; },
+        static_cast<std::size_t>(samples), seed, call.executor);
+      winding_verification to = {};
+      to.samples = static_cast<int64_t>(found.everywhere.samples);
+      to.max_error = found.everywhere.max;
+      to.rms_error = found.everywhere.rms();
+      to.near_source = static_cast<int64_t>(found.nearSurface.samples);
+      to.near_max_error = found.nearSurface.max;
+      give(to, result);
     });
 }

@@ -13,6 +13,9 @@
 namespace winding::c
 {
 
+/// Returns an extent of a grid, null for all of it. Throws Misuse where it does not lie in the grid.
+Extent extentOf(const Grid& grid, const int32_t* extent);
+
 /// Does `work`, which evaluates samples of a field. Throws Refusal in the first seconds of work
 /// that is expected to take longer than the caller wants.
 void evaluateInTime(const Field& field, double tolerance, std::size_t samples, Call& call,

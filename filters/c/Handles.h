@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 /// The handle of a field.
 struct winding_field
@@ -23,6 +25,17 @@ struct winding_mesh
   winding::UninitializedVector<float> pointNormals, polygonNormals;
   winding::UninitializedVector<double> doublePointNormals, pointAreas;
   winding::UninitializedVector<std::uint16_t> labels;
+  winding::UninitializedVector<std::int64_t> numbers; ///< of polygons
+
+  /// A column of a table: numbers, or texts.
+  struct Column
+  {
+    std::string name;
+    std::vector<double> numbers;
+    std::vector<std::string> texts;
+    std::vector<const char*> pointers; ///< to the texts, once they stay where they are
+  };
+  std::vector<Column> columns;
 };
 
 namespace winding::c

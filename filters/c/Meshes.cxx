@@ -12,6 +12,7 @@
 #include "voxels/BlockSurface.h"
 
 #include <algorithm>
+#include <map>
 
 using namespace winding::c;
 using winding::Field;
@@ -220,6 +221,51 @@ void copy(const winding::PlainArray<Number>& from, winding::UninitializedVector<
   to.assign(from.begin(), from.end());
 }
 
+/// Keeps the texts of columns in a mesh. The columns are made first.
+class ColumnTexts final : public winding::TextColumns
+{
+public:
+  void add(std::size_t column, std::size_t rows) override { texts_[column].resize(rows); }
+  void set(std::size_t column, std::size_t row, const std::string& text) override
+  {
+    texts_.find(column)->second[row] = text;
+  }
+  std::vector<std::string> take(std::size_t column) { return std::move(texts_[column]); }
+
+private:
+  std::map<std::size_t, std::vector<std::string>> texts_;
+};
+
+/// Gives a mesh the points, normals and areas of a file.
+void takePoints(const winding::MeshArrays& arrays, winding_mesh& mesh)
+{
+  copy(arrays.points.floats, mesh.floatPoints);
+  copy(arrays.points.doubles, mesh.doublePoints);
+  copy(arrays.normals.floats, mesh.pointNormals);
+  copy(arrays.normals.doubles, mesh.doublePointNormals);
+  copy(arrays.areas, mesh.pointAreas);
+}
+
+/// Gives a mesh the columns of a table.
+void takeColumns(const winding::PointTable& table, ColumnTexts& texts, winding_mesh& mesh)
+{
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+  {
+    const winding::TableColumn& from = table.columns[i];
+    winding_mesh::Column& to = mesh.columns.emplace_back();
+    to.name = from.name;
+    to.numbers.assign(from.numbers.begin(), from.numbers.end());
+    to.texts = texts.take(i);
+  }
+  for (winding_mesh::Column& column : mesh.columns)
+  {
+    for (const std::string& text : column.texts)
+    {
+      column.pointers.push_back(text.c_str());
+    }
+  }
+}
+
 /// Reads a file of any format.
 winding::MeshArrays readMesh(const winding::InputFile& file, winding::Executor& executor)
 {
@@ -337,6 +383,8 @@ winding_status winding_mesh_show(
       to.polygon_normals = pointerTo(from.polygonNormals);
       to.point_areas = pointerTo(from.pointAreas);
       to.labels = pointerTo(from.labels);
+      to.numbers = pointerTo(from.numbers);
+      to.column_count = static_cast<int64_t>(from.columns.size());
       give(to, required(arrays, "arrays"));
     });
 }
@@ -364,14 +412,62 @@ winding_status winding_read(
           const winding::InputFile file(path);
           const winding::MeshArrays arrays = readMesh(file, call.executor);
           call.warn(arrays.notes);
-          copy(arrays.points.floats, made.floatPoints);
-          copy(arrays.points.doubles, made.doublePoints);
-          copy(arrays.normals.floats, made.pointNormals);
-          copy(arrays.normals.doubles, made.doublePointNormals);
-          copy(arrays.areas, made.pointAreas);
+          takePoints(arrays, made);
           copy(arrays.polygons.offsets, made.offsets);
           copy(arrays.polygons.connectivity, made.corners);
         });
+    });
+}
+
+winding_status winding_read_table(const char* path, int32_t normals_and_areas,
+  const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(mesh, "mesh") = nullptr;
+      required(path, "path");
+      Call call(run);
+      giveHandle(*mesh,
+        [&](winding_mesh& made)
+        {
+          const winding::InputFile file(path);
+          const winding::MeshFormat& format = winding::formatOf(file);
+          ColumnTexts texts;
+          winding::TableOptions options;
+          options.separator = format.read ? ',' : format.separator;
+          options.normalsAndAreas = normals_and_areas != 0;
+          options.texts = &texts;
+          const winding::PointTable table = winding::readPointTable(file, options, call.executor);
+          call.warn(table.points.notes);
+          takePoints(table.points, made);
+          takeColumns(table, texts, made);
+        });
+    });
+}
+
+void winding_column_init(winding_column* column, size_t size)
+{
+  fill(column, size, winding_column());
+}
+
+winding_status winding_mesh_column(
+  const winding_mesh* mesh, int64_t index, winding_column* column, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const winding_mesh& from = required(mesh, "mesh");
+      if (index < 0 || index >= static_cast<int64_t>(from.columns.size()))
+      {
+        throw Misuse("the mesh has no such column");
+      }
+      const winding_mesh::Column& found = from.columns[static_cast<std::size_t>(index)];
+      winding_column to = {};
+      to.name = found.name.c_str();
+      to.numbers = found.texts.empty() ? found.numbers.data() : nullptr;
+      to.texts = found.texts.empty() ? nullptr : found.pointers.data();
+      give(to, required(column, "column"));
     });
 }
 

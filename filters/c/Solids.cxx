@@ -6,6 +6,7 @@
 #include "report/LabelFacts.h"
 #include "report/SourceAdvice.h"
 #include "source/Sanitize.h"
+#include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/SolidParts.h"
 #include "voxels/LabelMerge.h"
@@ -18,15 +19,54 @@ using winding::Grid;
 namespace
 {
 
+winding_label_options defaultLabelOptions()
+{
+  winding_label_options options = {};
+  options.size = sizeof options;
+  options.coverage_samples = 4;
+  return options;
+}
+
+winding_labels noLabels()
+{
+  winding_labels labels = {};
+  labels.size = sizeof labels;
+  return labels;
+}
+
 winding::SolidEvaluationOptions evaluationOptions(
-  const winding_rule& rule, int32_t overlapRule, int32_t coverage)
+  const winding_rule& rule, const winding_label_options& wished)
 {
   winding::SolidEvaluationOptions options;
-  options.voxels.coverage = static_cast<winding::Coverage>(coverage);
+  options.voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
+  options.voxels.samplesPerAxis = wished.coverage_samples;
   options.voxels.output.rule = ruleOf(rule);
   options.voxels.output.threshold = rule.winding_threshold;
-  options.withValues = overlapRule == WINDING_OVERLAP_RULE_LARGEST;
+  options.withValues = wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST;
   return options;
+}
+
+/// Returns the arrays of a caller. Throws Misuse for shares without fractions.
+winding::LabelArrays arraysOf(
+  const winding_labels& labels, const winding::Extent& extent, int32_t coverage)
+{
+  const bool hasTwo =
+    labels.first_labels && labels.first_shares && labels.second_labels && labels.second_shares;
+  const bool hasAny =
+    labels.first_labels || labels.first_shares || labels.second_labels || labels.second_shares;
+  if (hasAny != hasTwo || ((hasAny || labels.shares) && coverage != WINDING_COVERAGE_FRACTION))
+  {
+    throw Misuse("arrays of shares go together, and with WINDING_COVERAGE_FRACTION");
+  }
+  winding::LabelArrays arrays;
+  arrays.extent = extent;
+  arrays.labels = &required(labels.labels, "labels.labels");
+  arrays.counts = labels.counts;
+  arrays.firstLabels = labels.first_labels;
+  arrays.firstShares = labels.first_shares;
+  arrays.secondLabels = labels.second_labels;
+  arrays.secondShares = labels.second_shares;
+  return arrays;
 }
 
 /// Warns of solids without a label.
@@ -55,9 +95,34 @@ void warnOfSolids(const winding::LabelFacts& facts, std::size_t count, Call& cal
 
 } // namespace
 
+void winding_label_options_init(winding_label_options* options, size_t size)
+{
+  fill(options, size, defaultLabelOptions());
+}
+
+void winding_labels_init(winding_labels* labels, size_t size)
+{
+  fill(labels, size, noLabels());
+}
+
 winding_status winding_label(const winding_field* const* fields, const uint16_t* numbers,
   size_t count, const winding_grid* grid, const winding_rule* rule, int32_t overlap_rule,
   int32_t coverage, uint16_t* labels, uint16_t* counts, const winding_run* run,
+  winding_refusal* refusal)
+{
+  winding_label_options options = defaultLabelOptions();
+  options.overlap_rule = overlap_rule;
+  options.coverage = coverage;
+  winding_labels arrays = noLabels();
+  arrays.labels = labels;
+  arrays.counts = counts;
+  return winding_label_part(
+    fields, numbers, count, grid, nullptr, rule, &options, &arrays, run, refusal);
+}
+
+winding_status winding_label_part(const winding_field* const* fields, const uint16_t* numbers,
+  size_t count, const winding_grid* grid, const int32_t* extent, const winding_rule* rule,
+  const winding_label_options* options, const winding_labels* labels, const winding_run* run,
   winding_refusal* refusal)
 {
   return guarded(run, refusal,
@@ -70,23 +135,24 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       }
       const Grid samples = gridOf(grid);
       const winding_rule inside = known(rule, defaultRule());
-      winding::checkProperty(winding::Parameter::overlapRule, overlap_rule);
-      winding::checkProperty(winding::Parameter::coverage, coverage);
-      const winding::Extent extent = samples.wholeExtent();
+      const winding_label_options wished = known(options, defaultLabelOptions());
+      winding::checkProperty(winding::Parameter::overlapRule, wished.overlap_rule);
+      winding::checkProperty(winding::Parameter::coverage, wished.coverage);
+      winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
+      const winding::Extent part = extentOf(samples, extent);
+      const bool isWhole = part == samples.wholeExtent();
+      const std::size_t voxels = winding::sampleCount(part);
       Call call(run);
-      winding::LabelArrays arrays;
-      arrays.extent = extent;
-      arrays.labels = &required(labels, "labels");
-      arrays.counts = counts;
-      std::vector<float> best(
-        overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? winding::sampleCount(extent) : 0);
+      const winding_labels given = known(&required(labels, "labels"), noLabels());
+      winding::LabelArrays arrays = arraysOf(given, part, wished.coverage);
+      std::vector<float> best(wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? voxels : 0);
       arrays.best = best.empty() ? nullptr : best.data();
       const winding::InsideRule insideRule = ruleOf(inside);
-      winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(overlap_rule),
+      winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(wished.overlap_rule),
         insideRule == winding::InsideRule::absoluteThreshold, call.executor);
-      winding::SolidEvaluation evaluation(evaluationOptions(inside, overlap_rule, coverage));
+      winding::SolidEvaluation evaluation(evaluationOptions(inside, wished));
       winding::LabelFacts facts;
-      for (std::size_t i = 0; i < count; ++i)
+      const auto addSolid = [&](std::size_t i)
       {
         const winding_field& handle = required(fields ? fields[i] : nullptr, "a field");
         const Field& field = *handle.field;
@@ -98,19 +164,36 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         const auto all = static_cast<double>(count);
         call.executor.setShare(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
         const double volume =
-          overlap_rule == WINDING_OVERLAP_RULE_SMALLEST ? winding::volumeOf(field) : 0;
-        merge.begin(number, volume, nullptr);
-        winding::SideTally sides;
-        evaluation.run(field, samples, extent, merge, &sides, call.executor);
-        if (!merge.hasInside() && field.info().primitives > 0 && !field.info().hasNoSides)
+          wished.overlap_rule == WINDING_OVERLAP_RULE_SMALLEST ? winding::volumeOf(field) : 0;
+        float* const shares = given.shares ? given.shares[i] : nullptr;
+        if (shares)
         {
-          const winding::Facing facing =
-            winding::facingOf(field, sides.counts(winding::sampleCount(extent)), insideRule,
-              inside.winding_threshold, call.executor);
+          std::fill_n(shares, voxels, 0.0F);
+        }
+        merge.begin(number, volume, shares);
+        winding::SideTally sides;
+        evaluation.run(field, samples, part, merge, &sides, call.executor);
+        if (isWhole && !merge.hasInside() && field.info().primitives > 0 &&
+            !field.info().hasNoSides)
+        {
+          const winding::Facing facing = winding::facingOf(
+            field, sides.counts(voxels), insideRule, inside.winding_threshold, call.executor);
           const std::string name = std::to_string(number);
           const bool isMissed = winding::missesSource(samples, field.info().bounds);
           (facing.looksInward ? facts.insideOut : isMissed ? facts.missed : facts.thin).add(name);
         }
+      };
+      if (count > 0)
+      {
+        const winding_field& first = required(fields ? fields[0] : nullptr, "a field");
+        evaluateInTime(*first.field, first.tolerance, count * voxels, call,
+          [&]
+          {
+            for (std::size_t i = 0; i < count; ++i)
+            {
+              addSolid(i);
+            }
+          });
       }
       warnOfSolids(facts, count, call);
     });
@@ -132,6 +215,24 @@ winding_status winding_solids(winding_array points, const winding_polygons* poly
       std::fill(result, result + triangles.polygons(), -1);
       triangles.forEachKept(
         [&](std::size_t polygon, std::size_t n) { result[polygon] = parts.ofTriangle[n]; });
+    });
+}
+
+winding_status winding_open_parts(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, uint8_t* are_open, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Triangles triangles(points, polygons);
+      uint8_t* const result = triangles.polygons() > 0 ? &required(are_open, "are_open") : are_open;
+      Call call(run);
+      const winding::Surface surface = winding::sanitize(triangles.views(), call.executor);
+      const winding::OpenParts open =
+        winding::openPartsInside(surface, winding::edgesOf(surface, call.executor), call.executor);
+      std::fill(result, result + triangles.polygons(), 0);
+      triangles.forEachKept([&](std::size_t polygon, std::size_t n)
+        { result[polygon] = static_cast<uint8_t>(!open.isInside.empty() && open.isInside[n]); });
     });
 }
 

@@ -3,8 +3,6 @@
 #include "field/FieldVolume.h"
 #include "source/MeshVertices.h"
 
-#include <limits>
-
 using namespace winding::c;
 using winding::Field;
 using winding::FieldOptions;
@@ -118,13 +116,33 @@ winding_status winding_describe(
       found.dropped = static_cast<int64_t>(known.dropped);
       found.boundary_edges = static_cast<int64_t>(known.boundaryEdges);
       found.net_boundary_edges = static_cast<int64_t>(known.netBoundaryEdges);
-      for (int axis = 0; axis < 3; ++axis)
+      giveBounds(known.bounds, found.bounds);
+      found.mean_point_area = known.pointArea;
+      if (known.normalsAreEstimated)
       {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        found.bounds[2 * axis] = known.bounds.isEmpty() ? none : known.bounds.min()[axis];
-        found.bounds[2 * axis + 1] = known.bounds.isEmpty() ? none : known.bounds.max()[axis];
+        found.clear_share = known.orientation.outward;
+        found.normal_estimation = static_cast<int32_t>(known.normalEstimation);
       }
+      copyText(known.why, found.reason, sizeof found.reason);
       give(found, required(info, "info"));
+    });
+}
+
+winding_status winding_expect_memory(const winding_field* field, int64_t samples,
+  int32_t with_distances, int64_t* bytes, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const Field& source = *required(field, "field").field;
+      if (samples < 0)
+      {
+        throw Misuse("samples are less than 0");
+      }
+      const auto count = static_cast<std::size_t>(samples);
+      std::size_t expected = source.expectedBytes(count);
+      expected += with_distances ? source.expectedBytesOfDistances(count) : 0;
+      required(bytes, "bytes") = static_cast<int64_t>(expected);
     });
 }
 

@@ -77,8 +77,9 @@ extern "C"
   /** The words of messages: what options are called in them. */
   typedef enum winding_words
   {
-    WINDING_WORDS_C = 0,     /**< the members of options structs */
-    WINDING_WORDS_PYTHON = 1 /**< the keywords of the package vtkwinding */
+    WINDING_WORDS_C = 0,       /**< the members of options structs */
+    WINDING_WORDS_PYTHON = 1,  /**< the keywords of the package vtkwinding */
+    WINDING_WORDS_PARAVIEW = 2 /**< the labels of the panels in ParaView */
   } winding_words;
 
   /** The way in which a call works. A null pointer in its place stands for the defaults. */
@@ -177,6 +178,7 @@ extern "C"
     int32_t ignore_open_parts; /**< whether open sheets in closed parts are left out. Default: 0 */
     int32_t scattered;         /**< whether points will be asked for, not grids. Default: 0 */
     int32_t source_as_points;  /**< whether faces make a cloud of their points. Default: 0 */
+    int32_t mean_point_area;   /**< whether all points get the mean of their areas. Default: 0 */
   } winding_options;
 
   /**
@@ -244,6 +246,10 @@ extern "C"
     int64_t boundary_edges;     /**< edges of one triangle */
     int64_t net_boundary_edges; /**< edges that do not cancel: w is an integer if there are none */
     double bounds[6];           /**< least and largest x, y and z; NaN without primitives */
+    double mean_point_area;     /**< of a cloud's points; 0 for faces */
+    double clear_share;         /**< of points whose estimated normals have two sides; else 0 */
+    int32_t normal_estimation;  /**< the winding_normal_estimation that was used; else ..._AUTO */
+    char reason[260];           /**< why the method is used, in a line */
   } winding_field_info;
 
   /**
@@ -262,6 +268,18 @@ extern "C"
    * @param size sizeof of the struct
    */
   WINDING_API void winding_field_info_init(winding_field_info* info, size_t size);
+
+  /**
+   * Estimates the memory of an evaluation, with that of the field.
+   *
+   * @param field the field
+   * @param samples the number of samples
+   * @param with_distances whether distances are among the values
+   * @param bytes receives the memory; arrays of results are left out
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_expect_memory(const winding_field* field, int64_t samples,
+    int32_t with_distances, int64_t* bytes, winding_refusal* refusal);
 
   /**
    * Measures the source of a field, in O(n log n) time for n triangles or points.
@@ -292,6 +310,7 @@ extern "C"
       sampling_dimensions[3];  /**< voxels along each axis, 0 0 0 for cubic ones. Default: 0 0 0 */
     double sampling_bounds[6]; /**< least and largest x, y and z. To be set */
     double padding;            /**< margin, as a share of the longest side. Default: 0.05 */
+    int32_t cubic; /**< whether sampling_dimensions give cubic voxels, too. Default: 0 */
   } winding_grid_request;
 
   /**
@@ -401,6 +420,41 @@ extern "C"
     winding_array points, const winding_rule* rule, winding_values* values, const winding_run* run,
     winding_refusal* refusal);
 
+  /** The differences of values from the sum over all primitives, which is slow and exact. */
+  typedef struct winding_verification
+  {
+    uint32_t size;         /**< bytes of the struct that its caller knows */
+    int64_t samples;       /**< of the whole grid that were compared */
+    double max_error;      /**< over these */
+    double rms_error;      /**< over these */
+    int64_t near_source;   /**< samples within two voxels of the source that were compared */
+    double near_max_error; /**< over these */
+  } winding_verification;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param verification the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_verification_init(winding_verification* verification, size_t size);
+
+  /**
+   * Verifies winding numbers on a grid at samples that are drawn, the same ones for any extent.
+   *
+   * @param field the field
+   * @param grid the samples
+   * @param extent the part that there are values of, as for winding_evaluate_grid(); null for all
+   * @param winding the winding numbers, rows of one
+   * @param samples to draw from the grid, and as many from within two voxels of the source
+   * @param run null for the defaults
+   * @param verification receives the differences; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_verify(const winding_field* field, const winding_grid* grid,
+    const int32_t* extent, winding_array winding, int64_t samples, const winding_run* run,
+    winding_verification* verification, winding_refusal* refusal);
+
   /** Faces that the library has made or read. */
   typedef struct winding_mesh winding_mesh;
 
@@ -420,6 +474,8 @@ extern "C"
     const float* polygon_normals; /**< three each, of unit length or 0 */
     const double* point_areas;    /**< one each */
     const uint16_t* labels;       /**< two for each polygon: behind it, and before it */
+    const int64_t* numbers;       /**< one for each polygon, which winding_faults() explains */
+    int64_t column_count;         /**< of winding_read_table() */
   } winding_mesh_arrays;
 
   /**
@@ -533,6 +589,68 @@ extern "C"
     int32_t overlap_rule, int32_t coverage, uint16_t* labels, uint16_t* counts,
     const winding_run* run, winding_refusal* refusal);
 
+  /** The way in which solids become labels. */
+  typedef struct winding_label_options
+  {
+    uint32_t size;            /**< bytes of the struct that its caller knows */
+    int32_t overlap_rule;     /**< a winding_overlap_rule. Default: ..._FIRST */
+    int32_t coverage;         /**< a winding_coverage. Default: ..._CENTER */
+    int32_t coverage_samples; /**< along each axis, for fractions, 1 to 10. Default: 4 */
+  } winding_label_options;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param options the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_label_options_init(winding_label_options* options, size_t size);
+
+  /**
+   * The arrays of labels, a number for each sample. Null leaves one out. Shares are those of voxels
+   * that are inside, and for WINDING_COVERAGE_FRACTION only.
+   */
+  typedef struct winding_labels
+  {
+    uint32_t size;           /**< bytes of the struct that its caller knows */
+    uint16_t* labels;        /**< 0 for none; may not be left out */
+    uint16_t* counts;        /**< the number of solids that each sample is in */
+    uint16_t* first_labels;  /**< the labels with the largest shares; all four, or none */
+    float* first_shares;     /**< these shares */
+    uint16_t* second_labels; /**< the labels with the next shares, 0 for none */
+    float* second_shares;    /**< these shares */
+    float* const* shares;    /**< an array for the shares of each solid */
+  } winding_labels;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param labels the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_labels_init(winding_labels* labels, size_t size);
+
+  /**
+   * Labels the voxels of a part of a grid, as winding_label() labels those of a whole one.
+   *
+   * @param fields one for each solid
+   * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
+   * @param count of solids, at most 65535
+   * @param grid the samples
+   * @param extent first and last index along x, y and z of the part to evaluate; null for all
+   * @param rule the rule for what is inside; null for the defaults
+   * @param options null for the defaults
+   * @param labels the arrays, with as many numbers as the extent has samples
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns, for the whole grid only, of solids without a label.
+   */
+  WINDING_API winding_status winding_label_part(const winding_field* const* fields,
+    const uint16_t* numbers, size_t count, const winding_grid* grid, const int32_t* extent,
+    const winding_rule* rule, const winding_label_options* options, const winding_labels* labels,
+    const winding_run* run, winding_refusal* refusal);
+
   /**
    * Finds the solids of a surface by its connectivity, with their cavities. Solids are numbered by
    * their triangles, most first.
@@ -546,6 +664,19 @@ extern "C"
    */
   WINDING_API winding_status winding_solids(winding_array points, const winding_polygons* polygons,
     const winding_run* run, int32_t* solids, int64_t* count, winding_refusal* refusal);
+
+  /**
+   * Finds the open parts of a surface that lie inside of its closed parts, as baffles do.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param are_open receives 1 for each polygon of such a part, and 0 for any other
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_open_parts(winding_array points,
+    const winding_polygons* polygons, const winding_run* run, uint8_t* are_open,
+    winding_refusal* refusal);
 
   /** The health of a surface. */
   typedef struct winding_report
@@ -601,6 +732,31 @@ extern "C"
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
 
+  /** What can be wrong with edges. */
+  typedef enum winding_fault
+  {
+    WINDING_FAULT_BOUNDARY = 0,     /**< edges that do not cancel, as loops */
+    WINDING_FAULT_CAPS = 1,         /**< the triangles that close these loops */
+    WINDING_FAULT_NON_MANIFOLD = 2, /**< edges of more than two triangles */
+    WINDING_FAULT_INCONSISTENT = 3  /**< edges that two triangles run along in the same sense */
+  } winding_fault;
+
+  /**
+   * Finds what is wrong with the edges of a surface.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param fault a winding_fault
+   * @param run null for the defaults
+   * @param mesh receives loops as polygons whose last corner is the first one, caps as triangles,
+   *   or edges as polygons of two corners, over the points that they use. Its numbers are how often
+   *   a loop runs along an edge, at most; the loop of each triangle of a cap, from 0 on; the
+   *   triangles at an edge; or 2.
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_faults(winding_array points, const winding_polygons* polygons,
+    int32_t fault, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
   /** The health of a point cloud. Figures that cannot be had are NaN. */
   typedef struct winding_cloud_report
   {
@@ -615,11 +771,11 @@ extern "C"
     double spacing_median;     /**< of these distances */
     double spacing_mean;       /**< of these distances */
     double spacing_max;        /**< of these distances */
-    double opposite_neighbors; /**< share of neighbours whose normals are more than 90 degrees apart */
-    double w_behind;           /**< mean winding number close behind the points */
-    double w_before;           /**< mean winding number close before the points */
-    double outward_share;      /**< share of points whose normal points outward by w */
-    double inward_share;       /**< share of points whose normal points inward by w */
+    double opposite_neighbors; /**< share of neighbours with opposite normals */
+    double w_behind;           /**< median of w behind the points */
+    double w_before;           /**< median of w before the points */
+    double outward_share;      /**< of points with w about 1 behind and 0 before them */
+    double inward_share;       /**< of points with w about 0 behind and -1 before them */
     double bbox[6];            /**< least x, y and z, then the largest */
   } winding_cloud_report;
 
@@ -670,6 +826,52 @@ extern "C"
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_refusal* refusal);
 
+  /** How normals were estimated, and what their own field says of them. */
+  typedef struct winding_estimate
+  {
+    uint32_t size;             /**< bytes of the struct that its caller knows */
+    int32_t normal_estimation; /**< a winding_normal_estimation, never automatic */
+    double clear_share;        /**< of points with w of about 1 behind and 0 before them */
+  } winding_estimate;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param estimate the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_estimate_init(winding_estimate* estimate, size_t size);
+
+  /**
+   * Does as winding_estimate_normals(), and says how.
+   *
+   * @param points three coordinates in each row
+   * @param options null for the defaults; those of areas and normals are looked at
+   * @param run null for the defaults
+   * @param normals receives three numbers for each point, of unit length; 0 for unusable points
+   * @param areas receives a number for each point, unless it is null; NaN for unusable points
+   * @param estimate receives how; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_estimate_points(winding_array points,
+    const winding_options* options, const winding_run* run, float* normals, double* areas,
+    winding_estimate* estimate, winding_refusal* refusal);
+
+  /**
+   * Finds what the points of a mesh are as a cloud.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param normals receives three numbers for each point, the sum of the area vectors of its
+   *   triangles
+   * @param areas receives a third of the areas of its triangles for each point
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_vertices(winding_array points,
+    const winding_polygons* polygons, const winding_run* run, double* normals, double* areas,
+    winding_refusal* refusal);
+
   /**
    * Finds the normals to turn round, so that they point outward. Their directions stay.
    *
@@ -709,6 +911,46 @@ extern "C"
    */
   WINDING_API winding_status winding_read(
     const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
+  /**
+   * Reads a table of points with a row of names: .csv or .tsv.
+   *
+   * @param path in UTF-8
+   * @param normals_and_areas whether columns of these names become normals and areas
+   * @param run null for the defaults
+   * @param mesh receives points, normals and areas, and all other columns
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_read_table(const char* path, int32_t normals_and_areas,
+    const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
+  /** A column of a table, which belongs to its mesh. */
+  typedef struct winding_column
+  {
+    uint32_t size;            /**< bytes of the struct that its caller knows */
+    const char* name;         /**< in UTF-8 */
+    const double* numbers;    /**< one for each point; null for texts */
+    const char* const* texts; /**< one for each point; null for numbers */
+  } winding_column;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param column the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_column_init(winding_column* column, size_t size);
+
+  /**
+   * Shows a column of a mesh. It lives until winding_mesh_free().
+   *
+   * @param mesh the mesh
+   * @param index from 0 on
+   * @param column receives the pointers; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_mesh_column(
+    const winding_mesh* mesh, int64_t index, winding_column* column, winding_refusal* refusal);
 
   /** How near a surface is to the source that it was made of. */
   typedef struct winding_fidelity

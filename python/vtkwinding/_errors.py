@@ -10,6 +10,14 @@ class WindingError(RuntimeError):
     """Input was refused, or work could not be finished, in one line that says what to do."""
 
 
+class WindingMemoryError(WindingError):
+    """There is not enough memory for the work."""
+
+
+class WindingInterrupted(WindingError):
+    """The work was to end before it was done."""
+
+
 class WindingWarning(RuntimeWarning):
     """Work is done, with a result that may not be the one that was meant."""
 

@@ -15,10 +15,18 @@ import warnings
 import numpy as np
 
 from ._built import LIBRARY
-from ._errors import WindingError, WindingWarning, levels_above_package
+from ._errors import (
+    WindingError,
+    WindingInterrupted,
+    WindingMemoryError,
+    WindingWarning,
+    levels_above_package,
+)
 from ._interrupt import Interrupt
 
 ABI = 1
+PYTHON_WORDS, PARAVIEW_WORDS = 1, 2
+_VOXELS = {PYTHON_WORDS: "resolution=, spacing=", PARAVIEW_WORDS: "Resolution, Voxel Size"}
 OK, REFUSED, INTERRUPTED, NO_MEMORY, MISUSED, FAILED = range(6)
 TYPES = {np.dtype(name): number for name, number in
          (("f4", 1), ("f8", 2), ("i4", 3), ("i8", 4), ("u1", 5), ("u2", 6))}
@@ -68,7 +76,7 @@ class Options(Sized):
                 ("number_of_neighbors", _int32), ("estimate_normals", _int32),
                 ("normal_estimation", _int32), ("orient_faces", _int32),
                 ("ignore_open_parts", _int32), ("scattered", _int32),
-                ("source_as_points", _int32)]
+                ("source_as_points", _int32), ("mean_point_area", _int32)]
 
 
 class FieldInfo(Sized):
@@ -76,14 +84,15 @@ class FieldInfo(Sized):
     _fields_ = [("size", ctypes.c_uint32), ("method", _int32), ("is_surface", _int32),
                 ("normals_estimated", _int32), ("primitives", _int64), ("dropped", _int64),
                 ("boundary_edges", _int64), ("net_boundary_edges", _int64),
-                ("bounds", _double * 6)]
+                ("bounds", _double * 6), ("mean_point_area", _double), ("clear_share", _double),
+                ("normal_estimation", _int32), ("reason", ctypes.c_char * 260)]
 
 
 class GridRequest(Sized):
     _init_ = "winding_grid_request_init"
     _fields_ = [("size", ctypes.c_uint32), ("resolution", _int32), ("voxel_size", _double),
                 ("sampling_dimensions", _int32 * 3), ("sampling_bounds", _double * 6),
-                ("padding", _double)]
+                ("padding", _double), ("cubic", _int32)]
 
 
 class Rule(Sized):
@@ -107,7 +116,49 @@ class MeshArrays(Sized):
                 ("offsets", ctypes.c_void_p), ("corners", ctypes.c_void_p),
                 ("point_normals", ctypes.c_void_p), ("normals_type", _int32),
                 ("polygon_normals", ctypes.c_void_p), ("point_areas", ctypes.c_void_p),
-                ("labels", ctypes.c_void_p)]
+                ("labels", ctypes.c_void_p), ("numbers", ctypes.c_void_p),
+                ("column_count", _int64)]
+
+
+class Column(Sized):
+    _init_ = "winding_column_init"
+    _fields_ = [("size", ctypes.c_uint32), ("name", ctypes.c_char_p),
+                ("numbers", ctypes.c_void_p), ("texts", ctypes.POINTER(ctypes.c_char_p))]
+
+
+class Verification(Sized):
+    _init_ = "winding_verification_init"
+    _fields_ = [("size", ctypes.c_uint32), ("samples", _int64), ("max_error", _double),
+                ("rms_error", _double), ("near_source", _int64), ("near_max_error", _double)]
+
+
+class LabelOptions(Sized):
+    _init_ = "winding_label_options_init"
+    _fields_ = [("size", ctypes.c_uint32), ("overlap_rule", _int32), ("coverage", _int32),
+                ("coverage_samples", _int32)]
+
+
+class Labels(Sized):
+    _init_ = "winding_labels_init"
+    _fields_ = [("size", ctypes.c_uint32), ("labels", ctypes.c_void_p),
+                ("counts", ctypes.c_void_p), ("first_labels", ctypes.c_void_p),
+                ("first_shares", ctypes.c_void_p), ("second_labels", ctypes.c_void_p),
+                ("second_shares", ctypes.c_void_p), ("shares", ctypes.c_void_p)]
+
+
+class Estimate(Sized):
+    _init_ = "winding_estimate_init"
+    _fields_ = [("size", ctypes.c_uint32), ("normal_estimation", _int32),
+                ("clear_share", _double)]
+
+
+class Fidelity(Sized):
+    _init_ = "winding_fidelity_init"
+    _fields_ = [("size", ctypes.c_uint32), ("samples", _int64),
+                ("largest_from_source", _double), ("mean_from_source", _double),
+                ("largest_to_source", _double), ("mean_to_source", _double),
+                ("source_volume", _double), ("volume", _double), ("components", _int64),
+                ("lost_components", _int64), ("self_intersections", _int64)]
 
 
 class SurfaceOptions(Sized):
@@ -177,17 +228,18 @@ def _note(text):
 
 
 class _Call:
-    """What a call is given: threads, Ctrl-C, and what takes warnings.
+    """What a call is given: threads, Ctrl-C, words, and what takes progress and warnings.
 
     No exception may leave these functions, so one is kept, and ends the work."""
 
-    def __init__(self, interrupt, threads, longest_expected_time, note):
+    def __init__(self, interrupt, threads, longest_expected_time, note, words, show):
         self.failure = None
 
         # Handlers of signals run in here, too, and may raise anything.
-        def progress(_share, _user):
+        def progress(share, _user):
             try:
-                return 1 if interrupt.is_set() or self.failure is not None else 0
+                ends = show is not None and show(share)
+                return 1 if ends or interrupt.is_set() or self.failure is not None else 0
             except BaseException as failure:
                 self.failure = self.failure or failure
                 return 1
@@ -201,8 +253,10 @@ class _Call:
         # Handlers may raise before a function has begun, too: ctypes hands that to a hook.
         self.functions = (progress, warn)
         # References to the functions are kept as long as the library may call them.
-        self.run = Run(number_of_threads=threads, words=1, progress=_Progress(progress),
+        self.run = Run(number_of_threads=threads, words=words, progress=_Progress(progress),
                        warn=_Warn(warn), longest_expected_time=longest_expected_time)
+        if show is not None:
+            self.run.interval = 0.002  # little work is to show progress, too
 
 
     @contextlib.contextmanager
@@ -226,16 +280,20 @@ class _Call:
             sys.unraisablehook = before
 
 
-def call(name, *arguments, threads=0, longest_expected_time=0, note=None):
+def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=PYTHON_WORDS,
+         show=None):
     """Calls a function of the library with its arguments, the refusal excepted.
 
     RUN stands for the run among them. Refused input is raised as WindingError. Warnings are warned
-    of as WindingWarning when they come, or go to note(text). In the main thread Ctrl-C ends the work
-    within a fraction of a second, and raises KeyboardInterrupt."""
+    of as WindingWarning when they come, or go to note(text). Messages have the words of Python or of
+    ParaView. Where show(share) is true for the share of work that is done, the work ends, and
+    WindingInterrupted is raised. In the main thread Ctrl-C ends the work within a fraction of a
+    second, and raises KeyboardInterrupt."""
     refusal = Refusal()
     function = getattr(_library, name)
     with Interrupt() as interrupt:
-        made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note)
+        made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note,
+                     words, show)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
         with made.catching():
             status = function(*given, ctypes.byref(refusal))
@@ -244,15 +302,20 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None):
         raise made.failure
     text = refusal.text.decode(errors="ignore")
     if status == NO_MEMORY and name in _ON_GRIDS:
-        text += ": choose larger voxels (resolution=, spacing=)"
-    if status in (REFUSED, NO_MEMORY):
+        text += f": choose larger voxels ({_VOXELS[words]})"
+    if status == NO_MEMORY:
+        raise WindingMemoryError(text)
+    if status == REFUSED:
         raise WindingError(text)
+    if status == INTERRUPTED:
+        raise WindingInterrupted(f"{name} was interrupted")
     if status != OK:
         raise WindingError(f"{name}: {text} (status {status})")
 
 
 RUN = object()
-_ON_GRIDS = ("winding_evaluate_grid", "winding_level_surface", "winding_label")
+_ON_GRIDS = (
+    "winding_evaluate_grid", "winding_level_surface", "winding_label", "winding_label_part")
 
 
 class Handle:
@@ -288,5 +351,25 @@ def arrays_of(mesh):
         "corners": view(arrays.corners, np.int64, arrays.corner_count),
         "point_normals": view(arrays.point_normals, floats[arrays.normals_type], points, 3),
         "point_areas": view(arrays.point_areas, np.float64, points),
+        "polygon_normals": view(arrays.polygon_normals, np.float32, polygons, 3),
         "labels": view(arrays.labels, np.uint16, polygons, 2),
+        "numbers": view(arrays.numbers, np.int64, polygons),
+        "column_count": arrays.column_count,
     }
+
+
+def columns_of(mesh, count):
+    """The columns of a table that the library has read: names, and arrays of numbers or texts."""
+    points = MeshArrays()
+    call("winding_mesh_show", mesh.pointer, ctypes.byref(points))
+    for index in range(count):
+        column = Column()
+        call("winding_mesh_column", mesh.pointer, _int64(index), ctypes.byref(column))
+        rows = points.point_count
+        if column.texts:
+            values = [column.texts[row].decode(errors="replace") for row in range(rows)]
+        else:
+            values = np.ctypeslib.as_array(
+                ctypes.cast(column.numbers, ctypes.POINTER(_double)), (rows,)).copy() if rows else (
+                    np.empty(0))
+        yield column.name.decode(errors="replace"), values

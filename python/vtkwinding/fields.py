@@ -438,6 +438,7 @@ def report(vertices: Any, faces: ArrayLike | None = None) -> dict[str, Any]:
     _library.call("winding_examine", _library.array_of(points), ctypes.byref(_polygons(ids)),
                   _library.RUN, ctypes.byref(found), note=advice.append)
     counts = {name: getattr(found, name) for name, _ in found._fields_ if name != "size"}
+    counts["bbox"] = tuple(counts["bbox"])
     return {**counts, "advice": advice}
 
 
