@@ -108,6 +108,16 @@ def leaves_of(data):
     return leaves
 
 
+def unstructured(data):
+    """The cells of a data set as an unstructured grid."""
+    if data.IsA("vtkUnstructuredGrid"):
+        return data
+    append = class_of(data, "vtkFiltersCore", "vtkAppendFilter")()
+    append.SetInputData(data)
+    append.Update()
+    return append.GetOutput()
+
+
 def cell_types_of(grid):
     """The types of the cells of an unstructured grid."""
     types = grid.GetCellTypes() if not hasattr(grid, "GetCellTypesArray") else (

@@ -235,6 +235,8 @@ def _outer_surface(mesh, surface_cells):
     kind, it leaves out."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0)
+    if mesh.IsA("vtkExplicitStructuredGrid"):
+        mesh = _datasets.unstructured(mesh)  # VTK gives surfaces of the other no numbers of cells
     types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
     loose = left_out = 0
     cells = mesh
