@@ -223,6 +223,16 @@ def array_of(array):
     return Array(array.ctypes.data, len(array), stride, TYPES[array.dtype])
 
 
+def polygons_of(corners, offsets=None):
+    """Polygons as the library takes them: the ids of all corners, and where each polygon begins and
+    ends; without offsets, triangles (F, 3). The arrays must outlive the call."""
+    if offsets is None:
+        return Polygons(array_of(corners), array_of(None))
+    if len(offsets) > 1 and offsets[0] == 0 and (np.diff(offsets) == 3).all():
+        return Polygons(array_of(corners[:offsets[-1]].reshape(-1, 3)), array_of(None))
+    return Polygons(array_of(corners), array_of(offsets))
+
+
 def _note(text):
     warnings.warn(text, WindingWarning, stacklevel=levels_above_package())
 

@@ -80,16 +80,8 @@ class Source:
         return np.stack([points.min(axis=0), points.max(axis=0)], 1).ravel().astype(float).tolist()
 
     def polygons(self):
-        """The polygons as the library takes them: triangles alone have no offsets."""
-        return polygons_of(self.corners, self.offsets)
-
-
-def polygons_of(corners, offsets):
-    """Polygons as the library takes them. The arrays must outlive the call."""
-    if len(offsets) > 1 and (np.diff(offsets) == 3).all() and offsets[0] == 0:
-        ids = corners[:offsets[-1]].reshape(-1, 3)
-        return _library.Polygons(_library.array_of(ids), _library.array_of(None))
-    return _library.Polygons(_library.array_of(corners), _library.array_of(offsets))
+        """The polygons as the library takes them."""
+        return _library.polygons_of(self.corners, self.offsets)
 
 
 def _joined(arrays, none=None):
