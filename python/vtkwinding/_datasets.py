@@ -120,8 +120,10 @@ def unstructured(data):
 
 def cell_types_of(grid):
     """The types of the cells of an unstructured grid."""
-    types = grid.GetCellTypes() if not hasattr(grid, "GetCellTypesArray") else (
-        grid.GetCellTypesArray())
+    try:
+        types = grid.GetCellTypes()
+    except TypeError:  # before VTK 9.6 that is another method
+        types = grid.GetCellTypesArray()
     return np.empty(0, np.uint8) if types is None else array_of(grid, types)
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from ._built import LIBRARY
 from ._errors import (
-    WindingError,
+    WindingError as WindingError,
     WindingInterrupted,
     WindingMemoryError,
     WindingWarning,
@@ -233,7 +233,7 @@ def polygons_of(corners, offsets=None):
     return Polygons(array_of(corners), array_of(offsets))
 
 
-def _note(text):
+def warn(text):
     warnings.warn(text, WindingWarning, stacklevel=levels_above_package())
 
 
@@ -302,7 +302,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
     refusal = Refusal()
     function = getattr(_library, name)
     with Interrupt() as interrupt:
-        made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note,
+        made = _Call(interrupt, threads, longest_expected_time, warn if note is None else note,
                      words, show)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
         with made.catching():

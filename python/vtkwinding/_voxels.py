@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkFiltersStatistics import vtkLengthDistribution
 
-from . import _grids, _options
+from . import _datasets, _grids, _options
 
 
 def outer_surface(mesh):
@@ -82,11 +81,23 @@ def _typical_length(surface, percentile, sample_size):
     if triangles.n_cells == 0:  # VTK would end the process
         raise ValueError("give dimensions, spacing or resolution: there are no triangles here, "
                          "whose edges would tell the size of voxels")
-    lengths = vtkLengthDistribution()
+    try:
+        lengths = _datasets.class_of(triangles, "vtkFiltersStatistics", "vtkLengthDistribution")()
+    except ImportError:  # VTK has it from 9.3 on
+        return _quantile_of_edges(triangles, percentile, count)
     lengths.SetInputData(triangles)
     lengths.SetSampleSize(count)
     lengths.Update()
     return lengths.GetLengthQuantile(percentile)
+
+
+def _quantile_of_edges(triangles, percentile, count):
+    """A quantile of the lengths of the edges of some of the triangles."""
+    ids = triangles.faces.reshape(-1, 4)[:, 1:]
+    ids = ids[np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int)]
+    corners = np.asarray(triangles.points, float)[ids]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    return float(np.quantile(sides, percentile))
 
 
 def mask_type(*values):

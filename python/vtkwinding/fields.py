@@ -52,7 +52,7 @@ def _parts(vertices, faces):
     return vertices, faces
 
 
-class _Sides:
+class Sides:
     """What is inside, and how it is evaluated."""
 
     def __init__(self, threshold, rule, n_threads, longest_expected_time):
@@ -191,7 +191,7 @@ class Field:
         self.__dict__.update(state, _handles={}, _lock=threading.RLock())
 
     def _sides(self, threshold=None, rule=None):
-        return _Sides(self._threshold if threshold is None else threshold,
+        return Sides(self._threshold if threshold is None else threshold,
                       self._rule if rule is None else rule, self._n_threads, self._longest)
 
     def _handle(self, scattered):
@@ -423,10 +423,9 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     fields = list(fields)
     if not fields or not all(isinstance(field, Field) for field in fields):
         raise TypeError("fields must be a list of Field")
-    rules = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
-    number = _options.choice("overlap", overlap, rules)
+    number = _options.choice("overlap", overlap, _options.OVERLAPS)
     covers = _options.choice("coverage", coverage, _options.COVERAGES)
-    sides = _Sides(threshold, rule, n_threads, 0)
+    sides = Sides(threshold, rule, n_threads, 0)
 
     def box():
         found = np.array([field.bounds for field in fields])
@@ -438,27 +437,54 @@ def labels(fields: list[Field], *, resolution: int | None = None,
 
     grid = grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions, spacing=spacing,
                                bounds=bounds, padding=padding), box)
+    return _on(grid, label(fields, grid, sides, number, covers))
+
+
+def label(fields, grid, sides, overlap, coverage, show=None):
+    """Labels of fields at the samples of a grid of the library, by numbers for the choices."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
     _library.call("winding_label", handles, None, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
-                  ctypes.byref(sides.rule), number, covers, ctypes.c_void_p(found.ctypes.data),
-                  None, _library.RUN, threads=sides.run["threads"])
-    return _on(grid, found)
+                  ctypes.byref(sides.rule), overlap, coverage, ctypes.c_void_p(found.ctypes.data),
+                  None, _library.RUN, threads=sides.run["threads"], show=show)
+    return found
 
 
-def report(vertices: Any, faces: ArrayLike | None = None) -> dict[str, Any]:
-    """The health of a surface: counts of its edges and parts, area and volume, and 'advice', a list
-    of lines, the most important first."""
+def report(vertices: Any, faces: ArrayLike | None = None, *,
+           normals: ArrayLike | None = None) -> dict[str, Any]:
+    """The health of a surface, or of a cloud where there are no faces: counts and measures, and
+    'advice' in words, the most important first. winding_report and winding_cloud_report of the
+    library say what the entries mean."""
     vertices, faces = _parts(vertices, faces)
     points = _numbers.vectors("vertices", vertices)
-    ids = _numbers.triangles("faces", faces, len(points))
-    found = _library.Report()
+    directions = None if normals is None else _numbers.vectors("normals", normals)
+    ids = None if faces is None else _numbers.triangles("faces", faces, len(points))
+    return report_of(points, None if ids is None else _library.polygons_of(ids), directions)
+
+
+def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
+    """The report on polygons, or on a cloud where there are none, with lines of advice and counts
+    that are known before."""
     advice: list[str] = []
-    _library.call("winding_examine", _library.array_of(points), ctypes.byref(_library.polygons_of(ids)),
-                  _library.RUN, ctypes.byref(found), note=advice.append)
-    counts = {name: getattr(found, name) for name, _ in found._fields_ if name != "size"}
-    counts["bbox"] = tuple(counts["bbox"])
-    return {**counts, "advice": advice}
+    places = _library.array_of(points)
+    if polygons is not None:
+        found = _library.Report()
+        _library.call("winding_examine", places, ctypes.byref(polygons), _library.RUN,
+                      ctypes.byref(found), note=advice.append, show=show)
+    else:
+        found, counts = _library.CloudReport(), ()
+        _library.call("winding_examine_points", places, _library.array_of(normals), _library.RUN,
+                      ctypes.byref(found), note=advice.append, show=show)
+    figures = {name: _plain(getattr(found, name)) for name, _ in found._fields_ if name != "size"}
+    return {"kind": "points" if polygons is None else "surface", **figures, **dict(counts),
+            "advice": "; ".join([*advice, *notes])}
+
+
+def _plain(value):
+    """A number, or a tuple of numbers; None for those that cannot be had."""
+    if isinstance(value, ctypes.Array):
+        return None if np.isnan(list(value)).any() else tuple(value)
+    return None if value != value else value
 
 
 def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
@@ -467,12 +493,18 @@ def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
     vertices, faces = _parts(vertices, faces)
     points = _numbers.vectors("vertices", vertices)
     ids = _numbers.triangles("faces", faces, len(points))
-    turned, left_out = (np.empty(len(ids), np.uint8) for _ in range(2))
-    _library.call("winding_orient", _library.array_of(points), ctypes.byref(_library.polygons_of(ids)),
-                  _library.RUN, ctypes.c_void_p(turned.ctypes.data),
-                  ctypes.c_void_p(left_out.ctypes.data))
+    turned, left_out = orientation_of(points, _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]
+
+
+def orientation_of(points, polygons, count, show=None):
+    """Of each polygon, 1 where it is to be turned, and 1 where it is to be left out."""
+    turned, left_out = (np.empty(count, np.uint8) for _ in range(2))
+    _library.call("winding_orient", _library.array_of(points), ctypes.byref(polygons),
+                  _library.RUN, ctypes.c_void_p(turned.ctypes.data),
+                  ctypes.c_void_p(left_out.ctypes.data), show=show)
+    return turned, left_out
 
 
 def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",

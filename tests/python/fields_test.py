@@ -192,7 +192,13 @@ class FunctionsTest(unittest.TestCase):
         faces[3] = faces[3, ::-1]
         found = vtkwinding.report(CORNERS, faces)
         self.assertEqual(found["inconsistent_edges"], 3)
-        self.assertIn("orient_faces=True", found["advice"][0])
+        self.assertIn("orient_faces=True", found["advice"])
+        self.assertEqual((found["kind"], found["closed"], found["bbox"]),
+                         ("surface", 0, (0, 0, 0, 1, 1, 1)))
+        cloud = vtkwinding.report(SPHERE, normals=SPHERE)
+        self.assertEqual((cloud["kind"], cloud["normals"], cloud["points"]), ("points", 1, 2000))
+        self.assertGreater(cloud["outward_share"], 0.9)
+        self.assertIsNone(vtkwinding.report(SPHERE)["w_behind"])
         fixed = vtkwinding.fix_orientation(CORNERS, np.concatenate([faces, faces[:2]]))
         self.assertEqual(fixed.shape, (12, 3))
         self.assertAlmostEqual(vtkwinding.report(CORNERS, fixed)["volume"], 1)
