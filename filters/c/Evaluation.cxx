@@ -64,7 +64,7 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
   {
     call.warn(*facing.warning);
   }
-  if (field.info().hasNoSides)
+  if (field.info().hasNoSides || result.withoutAdvice)
   {
     return;
   }
@@ -252,6 +252,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       if (isWhole)
       {
         result.isEmpty = insideCount == 0;
+        result.withoutAdvice = wished.without_advice != 0;
         result.takesTouchedVoxels = voxels.coverage == winding::Coverage::any;
         result.mayTouchVoxels = voxels.coverage == winding::Coverage::center;
         result.isInside = [&](int i, int j, int k)

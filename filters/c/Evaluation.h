@@ -29,6 +29,7 @@ struct ResultOnGrid
   bool takesTouchedVoxels = false; ///< whether voxels that the source touches are inside
   bool mayTouchVoxels = false;     ///< whether they could be
   bool mayCloseBorder = false;     ///< whether the result ends at the border, open
+  bool withoutAdvice = false;      ///< whether nothing is said about the grid
   IsSampleInside isInside;
 };
 

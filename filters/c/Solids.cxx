@@ -91,6 +91,12 @@ void warnOfSolids(const winding::LabelFacts& facts, std::size_t count, Call& cal
       {winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, any}}}},
       facts.thin.outOf(count)));
   }
+  if (facts.hidden.count() > 0)
+  {
+    call.warn(winding::Message("others hide all voxels of some solids",
+      {{"", {{winding::Parameter::overlapRule, WINDING_OVERLAP_RULE_SMALLEST}}}},
+      facts.hidden.outOf(count)));
+  }
 }
 
 } // namespace
@@ -152,11 +158,20 @@ winding_status winding_label_part(const winding_field* const* fields, const uint
         insideRule == winding::InsideRule::absoluteThreshold, call.executor);
       winding::SolidEvaluation evaluation(evaluationOptions(inside, wished));
       winding::LabelFacts facts;
+      std::vector<char> hasVoxels(count, 0);
+      const auto labelOf = [&](std::size_t i)
+      {
+        return static_cast<unsigned short>(numbers ? numbers[i] : i + 1);
+      };
+      const auto nameOf = [&](std::size_t i)
+      {
+        return given.names ? std::string(given.names[i]) : std::to_string(labelOf(i));
+      };
       const auto addSolid = [&](std::size_t i)
       {
         const winding_field& handle = required(fields ? fields[i] : nullptr, "a field");
         const Field& field = *handle.field;
-        const auto number = static_cast<unsigned short>(numbers ? numbers[i] : i + 1);
+        const unsigned short number = labelOf(i);
         if (number == 0)
         {
           throw Misuse("a number of numbers is 0");
@@ -178,10 +193,13 @@ winding_status winding_label_part(const winding_field* const* fields, const uint
         {
           const winding::Facing facing = winding::facingOf(
             field, sides.counts(voxels), insideRule, inside.winding_threshold, call.executor);
-          const std::string name = std::to_string(number);
           const bool isMissed = winding::missesSource(samples, field.info().bounds);
-          (facing.looksInward ? facts.insideOut : isMissed ? facts.missed : facts.thin).add(name);
+          (facing.looksInward ? facts.insideOut
+            : isMissed        ? facts.missed
+                              : facts.thin)
+            .add(nameOf(i));
         }
+        hasVoxels[i] = merge.hasInside();
       };
       if (count > 0)
       {
@@ -194,6 +212,19 @@ winding_status winding_label_part(const winding_field* const* fields, const uint
               addSolid(i);
             }
           });
+      }
+      if (isWhole)
+      {
+        std::vector<char> isShown(most + 1, 0);
+        std::for_each(arrays.labels, arrays.labels + voxels,
+          [&isShown](unsigned short label) { isShown[label] = 1; });
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          if (hasVoxels[i] && !isShown[labelOf(i)])
+          {
+            facts.hidden.add(nameOf(i));
+          }
+        }
       }
       warnOfSolids(facts, count, call);
     });
@@ -239,6 +270,15 @@ winding_status winding_open_parts(winding_array points, const winding_polygons* 
 winding_status winding_orient(winding_array points, const winding_polygons* polygons,
   const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal)
 {
+  int64_t triangles = 0, components = 0;
+  return winding_orient_counted(
+    points, polygons, run, turned, left_out, &triangles, &components, refusal);
+}
+
+winding_status winding_orient_counted(winding_array points, const winding_polygons* polygons,
+  const winding_run* run, uint8_t* turned, uint8_t* left_out, int64_t* turned_triangles,
+  int64_t* turned_components, winding_refusal* refusal)
+{
   return guarded(run, refusal,
     [&]
     {
@@ -253,6 +293,8 @@ winding_status winding_orient(winding_array points, const winding_polygons* poly
       const winding::PolygonParts parts = winding::polygonPartsOf(triangles.views());
       const winding::Orientation found =
         winding::orient(surface, winding::edgesOf(surface, call.executor), parts, call.executor);
+      required(turned_triangles, "triangles") = static_cast<int64_t>(found.triangles);
+      required(turned_components, "components") = static_cast<int64_t>(found.components);
       std::fill(turned, turned + count, 0);
       std::fill(left_out, left_out + count, 0);
       triangles.forEachKept(

@@ -123,6 +123,8 @@ winding_status winding_describe(
         found.clear_share = known.orientation.outward;
         found.normal_estimation = static_cast<int32_t>(known.normalEstimation);
       }
+      found.has_no_sides = known.hasNoSides;
+      found.is_wide_open = known.openings.areWide();
       copyText(known.why, found.reason, sizeof found.reason);
       give(found, required(info, "info"));
     });

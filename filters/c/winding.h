@@ -250,6 +250,8 @@ extern "C"
     double clear_share;         /**< of points whose estimated normals have two sides; else 0 */
     int32_t normal_estimation;  /**< the winding_normal_estimation that was used; else ..._AUTO */
     char reason[260];           /**< why the method is used, in a line */
+    int32_t has_no_sides;       /**< whether faces cancel, or all normals are equal */
+    int32_t is_wide_open;       /**< whether a surface is open on a side, as terrain is */
   } winding_field_info;
 
   /**
@@ -378,6 +380,7 @@ extern "C"
     int32_t coverage;         /**< a winding_coverage, for grids. Default: ..._CENTER */
     int32_t coverage_samples; /**< along each axis, for fractions, 1 to 10. Default: 4 */
     int64_t inside_count;     /**< receives the number of samples inside */
+    int32_t without_advice;   /**< whether nothing is said about the grid. Default: 0 */
   } winding_values;
 
   /**
@@ -612,14 +615,15 @@ extern "C"
    */
   typedef struct winding_labels
   {
-    uint32_t size;           /**< bytes of the struct that its caller knows */
-    uint16_t* labels;        /**< 0 for none; may not be left out */
-    uint16_t* counts;        /**< the number of solids that each sample is in */
-    uint16_t* first_labels;  /**< the labels with the largest shares; all four, or none */
-    float* first_shares;     /**< these shares */
-    uint16_t* second_labels; /**< the labels with the next shares, 0 for none */
-    float* second_shares;    /**< these shares */
-    float* const* shares;    /**< an array for the shares of each solid */
+    uint32_t size;            /**< bytes of the struct that its caller knows */
+    uint16_t* labels;         /**< 0 for none; may not be left out */
+    uint16_t* counts;         /**< the number of solids that each sample is in */
+    uint16_t* first_labels;   /**< the labels with the largest shares; all four, or none */
+    float* first_shares;      /**< these shares */
+    uint16_t* second_labels;  /**< the labels with the next shares, 0 for none */
+    float* second_shares;     /**< these shares */
+    float* const* shares;     /**< an array for the shares of each solid */
+    const char* const* names; /**< of the solids, for warnings; their labels where there are none */
   } winding_labels;
 
   /**
@@ -825,6 +829,22 @@ extern "C"
   WINDING_API winding_status winding_estimate_normals(winding_array points,
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_refusal* refusal);
+
+  /**
+   * Does as winding_orient(), and counts.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners
+   * @param run null for the defaults
+   * @param turned receives 1 for each polygon to turn, and 0 for any other
+   * @param left_out receives 1 for each polygon to leave out, since it is there twice
+   * @param triangles receives the number of triangles to turn
+   * @param components receives the number of connected parts with triangles to turn
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_orient_counted(winding_array points,
+    const winding_polygons* polygons, const winding_run* run, uint8_t* turned, uint8_t* left_out,
+    int64_t* triangles, int64_t* components, winding_refusal* refusal);
 
   /** How normals were estimated, and what their own field says of them. */
   typedef struct winding_estimate

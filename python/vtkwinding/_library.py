@@ -85,7 +85,8 @@ class FieldInfo(Sized):
                 ("normals_estimated", _int32), ("primitives", _int64), ("dropped", _int64),
                 ("boundary_edges", _int64), ("net_boundary_edges", _int64),
                 ("bounds", _double * 6), ("mean_point_area", _double), ("clear_share", _double),
-                ("normal_estimation", _int32), ("reason", ctypes.c_char * 260)]
+                ("normal_estimation", _int32), ("reason", ctypes.c_char * 260),
+                ("has_no_sides", _int32), ("is_wide_open", _int32)]
 
 
 class GridRequest(Sized):
@@ -106,7 +107,7 @@ class Values(Sized):
                 ("inside", ctypes.c_void_p), ("distance", ctypes.c_void_p),
                 ("gradient", ctypes.c_void_p), ("fractions", ctypes.c_void_p),
                 ("distance_limit", _double), ("coverage", _int32), ("coverage_samples", _int32),
-                ("inside_count", _int64)]
+                ("inside_count", _int64), ("without_advice", _int32)]
 
 
 class MeshArrays(Sized):
@@ -143,7 +144,8 @@ class Labels(Sized):
     _fields_ = [("size", ctypes.c_uint32), ("labels", ctypes.c_void_p),
                 ("counts", ctypes.c_void_p), ("first_labels", ctypes.c_void_p),
                 ("first_shares", ctypes.c_void_p), ("second_labels", ctypes.c_void_p),
-                ("second_shares", ctypes.c_void_p), ("shares", ctypes.c_void_p)]
+                ("second_shares", ctypes.c_void_p), ("shares", ctypes.c_void_p),
+                ("names", ctypes.c_void_p)]
 
 
 class Estimate(Sized):

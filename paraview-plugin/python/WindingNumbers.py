@@ -1,0 +1,56 @@
+"""Winding numbers in ParaView, without a compiler: Tools > Manage Plugins > Load New, then this file.
+
+The folders beside this file belong to it: xml, vtkwinding and winding_paraview. On a server it is
+loaded there, too, from a folder that all ranks can read.
+"""
+
+import os
+import sys
+
+paraview_plugin_name = "WindingNumbers"
+paraview_plugin_version = "@VERSION@"
+
+_FOLDER = os.path.dirname(os.path.abspath(__file__))
+
+
+class _Proxies:
+    """A text of XML, as ParaView looks for it in a plugin."""
+
+    def __init__(self, text):
+        self._pvsm_proxy_xml = text
+
+
+def _start():
+    """The texts of XML. What is missing is said in one line, which ParaView might not pass on."""
+    needs = "Winding Numbers needs "
+    if sys.version_info < (3, 9):
+        return _fail(f"{needs}ParaView 5.11 or newer, with Python 3.9 or newer: this is Python "
+                     f"{sys.version.split()[0]}")
+    for name in ("vtkwinding", "winding_paraview", "xml"):
+        if not os.path.isdir(os.path.join(_FOLDER, name)):
+            return _fail(f"{needs}the folder {name} beside WindingNumbers.py: unpack the whole zip "
+                         f"into {_FOLDER}")
+    if _FOLDER not in sys.path:
+        sys.path.insert(0, _FOLDER)
+    try:
+        import numpy  # noqa: F401
+    except ImportError as error:
+        return _fail(f"{needs}NumPy, which this ParaView's Python has not ({error})")
+    try:
+        from winding_paraview import declarations, proxies  # noqa: F401
+    except ImportError as error:
+        return _fail(f"{needs}the files and the library of its own zip, for this system: {error}")
+    return declarations.read(os.path.join(_FOLDER, "xml"))
+
+
+def _fail(line):
+    from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+    vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In {__file__}, line 0\n{line}\n\n")
+    # Up to 5.13 ParaView puts another error in the place of an ImportError.
+    raise RuntimeError(line)
+
+
+# ParaView takes the XML of a module's members, in their order.
+for _number, _text in enumerate(_start()):
+    globals()[f"proxies_{_number:02}"] = _Proxies(_text)

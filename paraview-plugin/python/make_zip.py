@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Makes the zip of the ParaView plugin in Python for one platform.
+
+    make_zip.py <libwinding> <platform> <folder> [<library>…]
+
+<libwinding> is the library of the platform, such as libwinding.so.1 or winding.dll, and <platform>
+what the zip is named after, such as linux-x86_64. Other libraries go next to it.
+"""
+
+import pathlib
+import re
+import sys
+import zipfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+# Of the package for Python: what needs NumPy alone.
+MODULES = ("__init__", "_datasets", "_errors", "_grids", "_interrupt", "_library", "_numbers",
+           "_options", "_sources", "_vtk", "arrays", "fields")
+BUILT = '''"""The versions that this package was built as and for. Written by make_zip.py."""
+
+VERSION = "{version}"
+LIBRARY = "{library}"
+VTK_MINOR = "none"
+'''
+
+
+def version():
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    return re.search(r"project\(.*?VERSION\s+([\d.]+)", text, re.DOTALL)[1]
+
+
+def name_of(library):
+    """The name under which the library is in the zip: without numbers of versions."""
+    return re.sub(r"(\.so)(\.\d+)+$", r"\1", pathlib.Path(library).name)
+
+
+def contents(library, others):
+    """The files of the zip: names, and texts or bytes."""
+    plugin = (HERE / "WindingNumbers.py").read_text(encoding="utf-8")
+    yield "WindingNumbers.py", plugin.replace("@VERSION@", version())
+    yield "LICENSE", (ROOT / "LICENSE").read_text(encoding="utf-8")
+    for path in sorted((HERE / "winding_paraview").glob("*.py")):
+        yield f"winding_paraview/{path.name}", path.read_bytes()
+    for path in sorted((ROOT / "paraview-plugin").glob("*.xml")):
+        yield f"xml/{path.name}", path.read_bytes()
+    for module in MODULES:
+        yield f"vtkwinding/{module}.py", (ROOT / f"python/vtkwinding/{module}.py").read_bytes()
+    yield "vtkwinding/_built.py", BUILT.format(version=version(), library=name_of(library))
+    yield f"vtkwinding/{name_of(library)}", pathlib.Path(library).read_bytes()
+    for other in others:
+        yield f"vtkwinding/{pathlib.Path(other).name}", pathlib.Path(other).read_bytes()
+
+
+def make(library, platform, folder, others=()):
+    """Writes the zip into a folder, and returns its path."""
+    path = pathlib.Path(folder, f"WindingNumbers-{version()}-ParaView-{platform}.zip")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in contents(library, others):
+            # Without the hour, so that the same files make the same zip.
+            entry = zipfile.ZipInfo(f"WindingNumbers/{name}", (1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, content)
+    return path
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    print(make(*sys.argv[1:4], sys.argv[4:]))

@@ -1,0 +1,1 @@
+"""The filters and readers of the ParaView plugin in Python."""

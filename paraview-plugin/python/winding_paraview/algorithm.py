@@ -1,0 +1,250 @@
+"""What all filters of the plugin have in common: properties by the XML, errors in one line,
+warnings, progress and abort."""
+
+import contextlib
+import ctypes
+import math
+import pathlib
+import re
+import time
+import traceback
+
+import numpy as np
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from vtkwinding import _library
+from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
+
+from . import declarations
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent
+DECLARED = declarations.properties_of(FOLDER / "xml")
+DONE, REFUSED, OUT_OF_MEMORY, ABORTED = range(4)
+METHODS = ("automatic", "rows", "hierarchical", "direct", "parity")
+ESTIMATIONS = ("automatic", "spanning tree", "winding consistent")
+RUN = _library.RUN
+
+
+def declared(kind):
+    """Gives a class the properties that the XML declares for it, each by Set…() and Get…()."""
+    kind.properties = DECLARED[kind.__name__]
+    for name in kind.properties:
+        _add_property(kind, name)
+    return kind
+
+
+def _add_property(kind, name):
+    def setter(self, *values):
+        value = values[0] if len(values) == 1 else values
+        value = "" if value is None else value
+        if self.values[name] != value:
+            self.values[name] = value
+            self.Modified()
+
+    setattr(kind, f"Set{name}", setter)
+    setattr(kind, f"Get{name}", lambda self: self.values[name])
+
+
+def text_of(value):
+    """A number as C++ prints it."""
+    return f"{value:.10g}"
+
+
+def _free_bytes():
+    """The memory that is free, where the system says so."""
+    try:
+        with open("/proc/meminfo", encoding="ascii") as file:
+            found = re.search(r"MemAvailable: *(\d+) kB", file.read())
+        return 1024 * int(found[1]) if found else math.inf
+    except OSError:
+        return math.inf
+
+
+def words_of_memory(count):
+    """Bytes in words."""
+    mebi = count / 2**20
+    return f"{mebi / 1024:.3g} GiB" if mebi >= 1000 else f"{mebi:.3g} MiB"
+
+
+def refuse_beyond_memory(count, what):
+    """Refuses what takes more bytes than are free."""
+    free = _free_bytes()
+    if count > free:
+        raise WindingMemoryError(
+            f"not enough memory: choose larger voxels (Resolution, Voxel Size); {what} needs "
+            f"{words_of_memory(count)}, and {words_of_memory(free)} is free")
+
+
+def new_array(name, dtype, count, components=1):
+    """An array of VTK, and NumPy's view of it."""
+    size = count * components * np.dtype(dtype).itemsize
+    refuse_beyond_memory(size, f"the result of {count} samples")
+    try:
+        np.empty(size, np.uint8)  # VTK would end the process
+    except (MemoryError, ValueError) as error:
+        raise WindingMemoryError(
+            "not enough memory: choose larger voxels (Resolution, Voxel Size)") from error
+    array = create_vtk_array(get_vtk_array_type(np.dtype(dtype)))
+    array.SetName(name)
+    array.SetNumberOfComponents(components)
+    array.SetNumberOfTuples(count)
+    if count == 0:
+        return array, np.empty((0, components) if components > 1 else 0, dtype)
+    return array, vtk_to_numpy(array)
+
+
+def add_text(data, name, text):
+    array = vtkStringArray()
+    array.SetName(name)
+    array.InsertNextValue(text)
+    data.GetFieldData().AddArray(array)
+
+
+def add_number(data, name, value, dtype=np.float64):
+    """Adds a number to field data; none for NaN where there is no number."""
+    values = np.atleast_1d(np.asarray(value, dtype))
+    are_there = not np.isnan(values.astype(float)).any()
+    array, view = new_array(name, dtype, int(are_there), len(values))
+    if are_there:
+        view[...] = values
+    data.GetFieldData().AddArray(array)
+
+
+def copied(name, values, components=1):
+    """An array of VTK with the numbers of an array of NumPy."""
+    array, view = new_array(name, values.dtype, len(values), components)
+    view[...] = values
+    return array
+
+
+def pointer(array):
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+class Algorithm(VTKPythonAlgorithmBase):
+    """A filter whose properties are those of its proxy in the XML."""
+
+    properties = {}
+
+    def __init__(self, **ports):
+        super().__init__(**ports)
+        self.values = {name: found.default for name, found in self.properties.items()}
+        self.status = DONE
+        self._told = None
+        self._share = (0.0, 1.0)
+
+    def GetStatus(self):
+        return self.status
+
+    def value(self, name):
+        """The value of a property, which must be one that it may have."""
+        found, declared_as = self.values[name], self.properties[name]
+        values = found if isinstance(found, (tuple, list)) else [found]
+        choices = [number for _, number in declared_as.choices]
+        if choices and found not in choices:
+            words = [f"{entry} ({number})" for entry, number in declared_as.choices]
+            raise WindingError(f"{declared_as.label} is {found}; it must be "
+                               f"{', '.join(words[:-1])} or {words[-1]}")
+        for value in values:
+            is_number = isinstance(value, (int, float))
+            if is_number and not (math.isfinite(value) and value >= declared_as.lowest):
+                raise WindingError(
+                    f"{declared_as.label} is {text_of(value)}; it must be " + (
+                        "" if math.isfinite(value) else "a finite number, ") +
+                    f"{text_of(declared_as.lowest)} or more")
+        return found
+
+    def check(self):
+        """Refuses values that properties may not have."""
+        for name in self.values:
+            self.value(name)
+
+    @contextlib.contextmanager
+    def reporting(self, output=None):
+        """Reports what is raised as one line, and keeps how the work ended as the status. Where it
+        fails, an output becomes empty."""
+        self.status = DONE
+        try:
+            yield
+            self._told = None
+        except WindingInterrupted:
+            self.status = ABORTED
+        except WindingMemoryError as error:
+            self.status = OUT_OF_MEMORY
+            self._refuse(str(error))
+        except MemoryError:
+            self.status = OUT_OF_MEMORY
+            self._refuse("not enough memory for this source and result")
+        except WindingError as error:
+            self.status = REFUSED
+            self._refuse(str(error))
+        except Exception as error:
+            self.status = REFUSED
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            self._refuse(f"unexpected, please report it: {error!r} at line {place.lineno} of "
+                         f"{pathlib.Path(place.filename).name}")
+        if self.status != DONE and output is not None:
+            output.Initialize()
+
+    def _refuse(self, text):
+        """Reports an error, once for each change of the pipeline."""
+        pipeline = self.GetExecutive()
+        now = (text, pipeline.GetPipelineMTime() if pipeline else self.GetMTime())
+        if now != self._told:
+            self._told = now
+            self._tell("ErrorEvent", "ERROR", text)
+
+    def warn(self, text):
+        self._tell("WarningEvent", "Warning", text)
+
+    def _tell(self, event, kind, text):
+        """Tells observers of the filter, or else ParaView's window of messages, as C++ does."""
+        line = f"{type(self).__name__} ({self.GetAddressAsString('')[5:]}): {text}"
+        full = f"{kind}: In winding_paraview, line 0\n{line}\n\n"
+        if self.HasObserver(event):
+            self.InvokeEvent(event, full)
+        elif kind == "ERROR":
+            vtkOutputWindow.GetInstance().DisplayErrorText(full)
+        else:
+            vtkOutputWindow.GetInstance().DisplayWarningText(full)
+
+    def between(self, first, last):
+        """Shows the progress of the next calls as this share of the filter's."""
+        self._share = (first, last)
+
+    def is_aborted(self):
+        is_asked = hasattr(self, "CheckAbort") and self.CheckAbort()
+        return bool(is_asked or self.GetAbortExecute())
+
+    def call(self, name, *arguments, note=None):
+        """Calls the library in the words of ParaView, with progress, and ends where the filter is to
+        abort."""
+        start = time.perf_counter()
+
+        def show(share):
+            first, last = self._share
+            self.UpdateProgress(first + (last - first) * share)
+            elapsed = time.perf_counter() - start
+            self.note_progress(elapsed, share)
+            return self.is_aborted()
+
+        longest = self.value("LongestExpectedTime") if "LongestExpectedTime" in self.values else 0
+        threads = self.value("NumberOfThreads") if "NumberOfThreads" in self.values else 0
+        _library.call(name, *arguments, threads=threads, longest_expected_time=longest,
+                      words=_library.PARAVIEW_WORDS, show=show, note=note or self.warn)
+
+    def note_progress(self, elapsed, share):
+        """Is told how long a call has taken for a share of its work."""
+
+    def FillOutputPortInformation(self, port, info):
+        info.Set(vtkDataObject.DATA_TYPE_NAME(), self.OutputType)
+        return 1
+
+    def RequestInformation(self, request, inputs, outputs):
+        return 1
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        return 1

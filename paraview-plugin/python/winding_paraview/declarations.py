@@ -1,0 +1,81 @@
+"""The XML files of the plugin in C++, as a plugin in Python needs them.
+
+They are read as they are. Classes are replaced by those of this package, and what Python cannot have
+is left out: hyper trees, and icons, which are resources of Qt.
+"""
+
+import math
+import pathlib
+import re
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+_BASES = ("WindingNumberAlgorithm", "WindingNumberGridAlgorithm", "WindingNumberProbeAlgorithm")
+_LEFT_OUT = ("WindingNumberHyperTree",)
+_LAST = ("Menu",)
+_MODULE = "winding_paraview.proxies"
+
+
+class Property(NamedTuple):
+    """A property that can be set: its label in the panel, its default, and what it may be."""
+
+    label: str
+    default: object
+    choices: tuple
+    lowest: float
+
+
+def _order(path):
+    name = path.stem
+    return (_BASES.index(name) if name in _BASES else len(_BASES) + (name in _LAST), name)
+
+
+def read(folder):
+    """The texts of the XML files of a folder, bases first and the menu last."""
+    paths = sorted(pathlib.Path(folder).glob("*.xml"), key=_order)
+    if not paths:
+        raise FileNotFoundError(f"there are no XML files in {folder}")
+    return [_of_python(path.read_text(encoding="utf-8")) for path in paths
+            if path.stem not in _LEFT_OUT]
+
+
+def _of_python(text):
+    """The XML with classes of this package instead of those in C++."""
+    text = re.sub(
+        r'(<SourceProxy\b[^>]*?\s)class="vtk(\w+)"',
+        rf'\1class="{_MODULE}.\2" si_class="vtkSIPythonSourceProxy"', text)
+    for name in _LEFT_OUT:
+        text = re.sub(rf'\n *<Proxy [^>]*name="{name}"[^>]*/>', "", text)
+    return re.sub(r' icon=":/[^"]*"', "", text)
+
+
+def properties_of(folder):
+    """The properties that can be set of each class of this package, by their names."""
+    proxies, of_class = {}, {}
+    for text in read(folder):
+        for proxy in ElementTree.fromstring(text).iter("SourceProxy"):
+            base = proxies.get(proxy.get("base_proxyname"), {})
+            own = {name: found for name, found in map(_property_of, proxy) if found is not None}
+            proxies[proxy.get("name")] = {**base, **own}
+            name = proxy.get("class").rpartition(".")[2]
+            of_class.setdefault(name, {}).update(proxies[proxy.get("name")])
+    return of_class
+
+
+def _property_of(element):
+    """The name of an element's property, and the property itself, or None where none can be set."""
+    command, name = element.get("command", ""), element.get("name")
+    is_value = element.tag in ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
+    if not is_value or command != f"Set{name}" or element.get("information_only"):
+        return name, None
+    convert = {"I": int, "D": float, "S": str}[element.tag[0]]
+    text = element.get("default_values", "")
+    values = (text,) if convert is str else tuple(map(convert, text.split()))
+    entries = element.findall("EnumerationDomain/Entry")
+    choices = tuple((entry.get("text"), int(entry.get("value"))) for entry in entries)
+    domain = element.find("IntRangeDomain")
+    domain = element.find("DoubleRangeDomain") if domain is None else domain
+    lowest = -math.inf if domain is None or name == "WindingThreshold" else float(
+        domain.get("min", "-inf").split()[0])
+    label = element.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
+    return name, Property(label, values if len(values) > 1 else values[0], choices, lowest)

@@ -1,0 +1,349 @@
+"""Filters on regular grids: how a grid is laid out, images of it in any extents, and Winding Number
+Field."""
+
+import ctypes
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkInformation, vtkInformationVector
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+
+from vtkwinding import _library
+from vtkwinding._errors import WindingError
+
+from .algorithm import DONE, RUN, declared, new_array
+from .ranks import Ranks
+from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of
+
+CENTER, ANY, FRACTION = range(3)
+PARITY = 4
+VTK_UNSIGNED_CHAR, VTK_DOUBLE = 3, 11
+_FIRST = "look at the filter or reader before this one first: it failed"
+
+
+def sample_count(extent):
+    return int(np.prod([max(0, extent[2 * axis + 1] - extent[2 * axis] + 1) for axis in range(3)]))
+
+
+def whole_extent(grid):
+    return [end for count in grid.dimensions for end in (0, count - 1)]
+
+
+class GridAlgorithm(SourceAlgorithm):
+    """A filter that lays a grid over its source."""
+
+    def __init__(self, output_type):
+        super().__init__(nInputPorts=1, nOutputPorts=1, outputType=output_type)
+        self.grid = None
+        self.request = None
+        self.verification = None
+        self._bounds = (None, None)
+        self._bounds_of_times = (None, None)
+
+    def GetMaxError(self):
+        return self.verification.max_error if self.verification else 0.0
+
+    def GetRMSError(self):
+        return self.verification.rms_error if self.verification else 0.0
+
+    def GetNearMaxError(self):
+        return self.verification.near_max_error if self.verification else 0.0
+
+    def FillInputPortInformation(self, port, info):
+        self.fill_source_port(info)
+        return 1
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        ask_for_part(inputs[0].GetInformationObject(0), Ranks(), self.values["SourceDistribution"])
+        return 1
+
+    def update_source(self, out_info):
+        """Has the source made before anybody asks for this filter's data."""
+        connection = self.GetInputConnection(0, 0)
+        producer, port = connection.GetProducer(), connection.GetIndex()
+        producer.UpdateInformation()
+        produced = producer.GetOutputInformation(port)
+        request = vtkInformation()
+        if produced.Has(Pipeline.WHOLE_EXTENT()):
+            request.Set(Pipeline.WHOLE_EXTENT(), produced.Get(Pipeline.WHOLE_EXTENT()), 6)
+        ask_for_part(request, Ranks(), self.values["SourceDistribution"])
+        request.Remove(Pipeline.WHOLE_EXTENT())
+        if out_info.Has(Pipeline.UPDATE_TIME_STEP()):
+            request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP()))
+        requests = vtkInformationVector()
+        requests.SetNumberOfInformationObjects(port + 1)
+        requests.SetInformationObject(port, request)
+        if not producer.Update(port, requests):
+            raise WindingError(_FIRST)
+
+    def bounds_of_source(self, data, ranks):
+        """The box of the source on all ranks, or None."""
+        key = self.key_of(data)
+        if not ranks.same(int(key == self._bounds[0])) or key != self._bounds[0]:
+            own = ranks.agree(lambda: parts_of(self, data, **self.source_options()).bounds())
+            every = np.stack(ranks.gather(np.array([np.nan] * 6 if own is None else own)))
+            every = every[~np.isnan(every).any(axis=1)]
+            found = None
+            if len(every):
+                found = every[0].tolist()
+                found[::2] = every[:, ::2].min(axis=0).tolist()
+                found[1::2] = every[:, 1::2].max(axis=0).tolist()
+            self._bounds = (key, found)
+        return self._bounds[1]
+
+    def find_bounds_over_all_times(self, out_info, ranks):
+        """Has the source made at each of its times, if the grid is to lie over all of them."""
+        connection = self.GetInputConnection(0, 0)
+        producer = connection.GetProducer()
+        producer.UpdateInformation()
+        produced = producer.GetOutputInformation(connection.GetIndex())
+        times = produced.Get(Pipeline.TIME_STEPS()) or ()
+        if not (self.values["UseInputBounds"] and self.values["BoundsOverAllTimes"] and times):
+            self._bounds_of_times = (None, None)
+            return
+        _, options = self.key_of(None)
+        key = (producer.GetAddressAsString(""), producer.GetExecutive().GetPipelineMTime(), options)
+        if self._bounds_of_times[0] == key:
+            return
+        before = produced.Get(Pipeline.UPDATE_TIME_STEP()) if produced.Has(
+            Pipeline.UPDATE_TIME_STEP()) else times[0]
+        boxes, request = [], vtkInformation()
+        for step in times:
+            request.Set(Pipeline.UPDATE_TIME_STEP(), step)
+            self.update_source(request)
+            box = self.bounds_of_source(self.GetInputDataObject(0, 0), ranks)
+            boxes += [] if box is None else [box]
+        found = None
+        if boxes:
+            every = np.array(boxes)
+            found = every[0].tolist()
+            found[::2], found[1::2] = every[:, ::2].min(axis=0), every[:, 1::2].max(axis=0)
+        self._bounds_of_times = (key, found)
+        # Who asks for no time gets the source as it is.
+        request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP())
+                    if out_info.Has(Pipeline.UPDATE_TIME_STEP()) else before)
+        self.update_source(request)
+
+    def _bounds_of_grid(self, data, ranks):
+        """The box that the grid lies over: that of the source, or None."""
+        if not self.values["UseInputBounds"]:
+            return None
+        return self._bounds_of_times[1] or self.bounds_of_source(data, ranks)
+
+    def lay_out_grid(self, data, ranks):
+        request = _library.GridRequest()
+        bounds = self._bounds_of_grid(data, ranks)
+        request.padding = 0
+        if bounds is not None:
+            request.padding = self.value("Padding")
+        else:
+            bounds = self.value("SamplingBounds")
+            sizes = np.subtract(bounds[1::2], bounds[::2])
+            is_box = np.isfinite(sizes).all() and (sizes >= 0).all() and sizes.max() > 0
+            if self.values["UseInputBounds"] and not is_box:
+                raise WindingError("the input is empty, and has no bounds: give an input with "
+                                   "points, or give bounds (Sampling Bounds)")
+        request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
+        request.sampling_dimensions = (ctypes.c_int32 * 3)(*self.values["SamplingDimensions"])
+        request.voxel_size = self.value("VoxelSize")
+        request.resolution = self.value("Resolution")
+        self.request, self.grid = request, self._laid(request)
+
+    def _laid(self, request):
+        grid = _library.Grid()
+        self.call("winding_lay_out_grid", ctypes.byref(request), RUN, ctypes.byref(grid))
+        return grid
+
+    def moved_grid(self, data, ranks):
+        """The grid over the source as it is now, which may be that of another time."""
+        bounds = self._bounds_of_grid(data, ranks)
+        if bounds is None or list(self.request.sampling_bounds) == list(bounds):
+            return self.grid
+        request = _library.GridRequest()
+        request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
+        request.padding = self.value("Padding")
+        request.cubic = not any(self.request.sampling_dimensions)
+        request.sampling_dimensions = self.grid.dimensions
+        return self._laid(request)
+
+    def check_verification(self, has_values):
+        if self.value("VerifySamples") > 0 and self.value("Method") == PARITY:
+            raise WindingError("parity is no winding number to be verified: use Method: Automatic, "
+                               "or verify no samples (Verify Samples)")
+        if self.value("VerifySamples") > 0 and not has_values:
+            raise WindingError(
+                "only winding numbers can be verified: use Generate Winding Number")
+
+    def verify(self, field, grid, extent, values):
+        """The differences of values from the sum over all primitives, if these are wanted."""
+        if self.value("VerifySamples") == 0:
+            return None
+        found = _library.Verification()
+        self.call("winding_verify", field.pointer, ctypes.byref(grid),
+                  (ctypes.c_int32 * 6)(*extent), _library.array_of(values),
+                  ctypes.c_int64(self.values["VerifySamples"]), RUN, ctypes.byref(found))
+        return found
+
+
+class ImageAlgorithm(GridAlgorithm):
+    """A filter whose output is an image, of any extent that is asked for."""
+
+    def __init__(self):
+        super().__init__("vtkImageData")
+        self.information_status = DONE
+
+    def active_scalar_type(self):
+        raise NotImplementedError
+
+    def make_image(self, data, ranks, grid, extent, image, attributes):
+        """Fills an image with the samples of an extent."""
+        raise NotImplementedError
+
+    def RequestInformation(self, request, inputs, outputs):
+        out_info = outputs.GetInformationObject(0)
+        # The pipeline hands on the grid of an image that the source was made of.
+        out_info.Remove(vtkDataObject.ORIGIN())
+        out_info.Remove(vtkDataObject.SPACING())
+        out_info.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
+        with self.reporting():
+            self.source_kind = kind_of(vtkDataObject.GetData(inputs[0]))
+            self.check()
+            ranks = Ranks()
+            self.find_bounds_over_all_times(out_info, ranks)
+            if self.values["UseInputBounds"]:
+                self.update_source(out_info)
+            data = vtkDataObject.GetData(inputs[0])
+            self.source_kind = kind_of(data)
+            self.lay_out_grid(data, ranks)
+            as_cells = self.values["OutputAssociation"] == 1
+            counts = [count if as_cells else count - 1 for count in self.grid.dimensions]
+            out_info.Set(
+                Pipeline.WHOLE_EXTENT(), [end for count in counts for end in (0, count)], 6)
+            self._tell_grid(out_info, self.grid)
+            out_info.Set(self.CAN_PRODUCE_SUB_EXTENT(), 1)
+            if not as_cells:
+                vtkDataObject.SetPointDataActiveScalarInfo(out_info, self.active_scalar_type(), 1)
+        self.information_status = self.status
+        return 1
+
+    def _tell_grid(self, out_info, grid):
+        origin = list(grid.origin)
+        if self.values["OutputAssociation"] == 1:
+            origin = [start - 0.5 * step for start, step in zip(origin, grid.spacing)]
+        out_info.Set(vtkDataObject.ORIGIN(), origin, 3)
+        out_info.Set(vtkDataObject.SPACING(), list(grid.spacing), 3)
+
+    def RequestData(self, request, inputs, outputs):
+        out_info = outputs.GetInformationObject(0)
+        output = vtkImageData.GetData(out_info)
+        # The pipeline keeps an image's old arrays to be used again, which these are not.
+        output.Initialize()
+        if self.information_status != DONE:
+            self.status = self.information_status
+            return 1
+        with self.reporting(output):
+            self.check()
+            ranks = Ranks()
+            data = vtkDataObject.GetData(inputs[0])
+            self.source_kind = kind_of(data)
+            grid = self.moved_grid(data, ranks)
+            self._tell_grid(out_info, grid)
+            extent = list(out_info.Get(Pipeline.UPDATE_EXTENT()))
+            samples = list(extent)
+            attributes = output.GetPointData()
+            if self.values["OutputAssociation"] == 1:
+                attributes = output.GetCellData()
+                samples[1::2] = [last - 1 for last in samples[1::2]]
+            output.SetExtent(*extent)
+            output.SetOrigin(out_info.Get(vtkDataObject.ORIGIN()))
+            output.SetSpacing(out_info.Get(vtkDataObject.SPACING()))
+            self.make_image(data, ranks, grid, samples, output, attributes)
+        if self.status != DONE:
+            # The pipeline would add an extent that failed to the next one that is asked for.
+            out_info.Remove(Pipeline.COMBINED_UPDATE_EXTENT())
+        return 1
+
+
+class ResultArrays:
+    """The arrays of a result, a number for each sample, by what properties ask for."""
+
+    def __init__(self, filter, count, *, has_inside, has_coverage=False):
+        get = filter.value
+        self.filter = filter
+        has_values = bool(get("GenerateWindingNumber"))
+        has_distances = bool(get("GenerateSignedDistance"))
+        name = filter.values["ResultArrayName"] or "WindingNumber"
+        self.inside_name = filter.values.get("InsideArrayName") or "Inside"
+        if not (has_values or has_inside or has_distances):
+            raise WindingError("nothing is to be generated: use Generate Winding Number, or use "
+                               "Generate Inside, or use Generate Signed Distance")
+        kind = np.float64 if get("OutputScalarType") == VTK_DOUBLE else np.float32
+        wanted = [("fractions", "Coverage", np.float32, has_coverage),
+                  ("distance", "SignedDistance", kind, has_distances),
+                  ("inside", self.inside_name, np.uint8, has_inside),
+                  ("winding", name, kind, has_values)]
+        names = [array for _, array, _, is_wanted in wanted if is_wanted]
+        for array in names:
+            if names.count(array) > 1:
+                raise WindingError(f"two arrays of the result are named '{array}': rename one "
+                                   "(Result Array Name)")
+        self.arrays, self.views = {}, {}
+        for member, array, dtype, is_wanted in wanted:
+            if is_wanted:
+                self.arrays[member], self.views[member] = new_array(array, dtype, count)
+        self.bytes = sum(view.nbytes for view in self.views.values())
+        self.kind = kind
+
+    def values(self, **members):
+        """The struct of the library that fills the arrays."""
+        found = _library.Values(type=_library.TYPES[np.dtype(self.kind)], **members)
+        for member, view in self.views.items():
+            setattr(found, member, view.ctypes.data)
+        return found
+
+    def add_to(self, attributes):
+        for array in self.arrays.values():
+            attributes.AddArray(array)
+            attributes.SetActiveScalars(array.GetName())
+
+
+@declared
+class WindingNumberField(ImageAlgorithm):
+    """Winding numbers on a grid, as an image."""
+
+    def __init__(self):
+        super().__init__()
+        self.inside_count = 0
+
+    def GetNumberOfInsideSamples(self):
+        return self.inside_count
+
+    def active_scalar_type(self):
+        if self.values["GenerateInside"] and not self.values["GenerateWindingNumber"]:
+            return VTK_UNSIGNED_CHAR
+        return self.values["OutputScalarType"]
+
+    def make_image(self, data, ranks, grid, extent, image, attributes):
+        self.check_verification(bool(self.value("GenerateWindingNumber")))
+        coverage = self.value("Coverage")
+        count = sample_count(extent)
+        results = ResultArrays(
+            self, count, has_inside=bool(self.value("GenerateInside")) or coverage != CENTER,
+            has_coverage=coverage == FRACTION)
+        self.prepare(data, ranks)
+        self.expect(count, "distance" in results.views, results.bytes)
+        band = self.value("DistanceBand")
+        values = results.values(coverage=coverage, coverage_samples=self.value("CoverageSamples"),
+                                distance_limit=band * max(grid.spacing))
+        self.inside_count = 0
+        self.verification = None
+        if count:
+            self.evaluate("winding_evaluate_grid", self.field.pointer, ctypes.byref(grid),
+                          (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
+                          ctypes.byref(values), RUN)
+            self.inside_count = values.inside_count
+            if "winding" in results.views:
+                self.verification = self.verify(
+                    self.field, grid, extent, results.views["winding"])
+        results.add_to(attributes)
+        self.describe(image)

@@ -1,0 +1,179 @@
+"""Point Areas: the areas that points stand for, and their normals."""
+
+import ctypes
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPointSet
+
+from vtkwinding import _datasets, _library
+from vtkwinding._errors import WindingError
+
+from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer
+from .ranks import Ranks
+from .sources import CONSTANT_AREA, cloud_of, gathered, source_in_words
+
+
+@declared
+class PointAreas(Algorithm):
+    """Adds areas, and normals where there are none, to points."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkDataObject")
+        self.total_area = self.clear_share = 0.0
+        self.estimation = ""
+
+    def GetTotalArea(self):
+        return self.total_area
+
+    def GetClearShare(self):
+        return self.clear_share
+
+    def GetNormalEstimationUsed(self):
+        return self.estimation
+
+    def FillInputPortInformation(self, port, info):
+        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet")
+        info.Append(self.INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet")
+        return 1
+
+    def RequestDataObject(self, request, inputs, outputs):
+        data, output = vtkDataObject.GetData(inputs[0]), vtkDataObject.GetData(outputs)
+        if data is not None and (
+                output is None or output.GetClassName() != data.GetClassName()):
+            outputs.GetInformationObject(0).Set(vtkDataObject.DATA_OBJECT(), data.NewInstance())
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        output = vtkDataObject.GetData(outputs)
+        self.total_area = self.clear_share = 0.0
+        self.estimation = ""
+        with self.reporting(output):
+            self.check()
+            if self.values["PointAreaMethod"] > CONSTANT_AREA:
+                raise WindingError("Point Area Method is 3; it must be Voronoi, Mesh or Constant")
+            _copy(vtkDataObject.GetData(inputs[0]), output)
+            self._add(output)
+        return 1
+
+    def _add(self, data):
+        ranks = Ranks()
+        sets = [leaf for _, leaf in _datasets.leaves_of(data) if isinstance(leaf, vtkPointSet)]
+        method = self.value("PointAreaMethod")
+        leaves = ranks.agree(lambda: _leaves_of(data, self.values["NormalsArray"]))
+        own = ranks.agree(lambda: cloud_of(self, leaves, method))
+        all_parts = gathered(own, ranks, self.value("SourceDistribution"))
+        first = 0
+        if all_parts is not own and len(all_parts.points) != len(own.points):
+            counts = ranks.gather(np.array([len(own.points)]))
+            first = int(sum(count[0] for count in counts[:ranks.rank]))
+        normals, areas = self._normals_and_areas(all_parts)
+        are_estimated = normals is not None
+        if not are_estimated and all_parts.normals is not None:
+            normals = _unit(all_parts.normals)
+        mine = slice(first, first + len(own.points))
+        self._give(sets, leaves, None if normals is None else normals[mine], areas[mine],
+                   are_estimated)
+        self.total_area = float(np.cumsum(np.concatenate(
+            [[0.0], np.nan_to_num(areas[mine])]))[-1])
+        self._tell_unusable(all_parts, areas)
+
+    def _tell_unusable(self, parts, areas):
+        are_unusable = np.isnan(areas)
+        if are_unusable.any():
+            are_finite = np.isfinite(parts.points).all(axis=1)
+            if parts.normals is not None:
+                are_finite &= np.isfinite(parts.normals).all(axis=1)
+            count = int((~are_finite).sum())
+            zero = int((are_unusable & are_finite).sum())
+            self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 ({count} "
+                      f"with NaN or infinite values, {zero} with normals of length 0)")
+        if self.total_area == 0 and len(areas):
+            self.warn("the points have no areas: theirs are 0")
+
+    def _normals_and_areas(self, parts):
+        """Estimated normals, or None where there are some, and areas with NaN for no area."""
+        method = self.value("PointAreaMethod")
+        count = len(parts.points)
+        normals, areas = None, np.full(count, np.nan)
+        options = _library.Options(
+            number_of_neighbors=self.value("NumberOfNeighbors"),
+            normal_estimation=self.value("NormalEstimation"),
+            point_area=self.value("PointArea") if method == CONSTANT_AREA else 0,
+            mean_point_area=method == CONSTANT_AREA)
+        points = np.ascontiguousarray(parts.points)
+        if count and parts.normals is None:
+            if not self.value("EstimateNormals"):
+                raise WindingError("the points have no normals: use Estimate Normals")
+            normals, estimate = np.empty((count, 3), np.float32), _library.Estimate()
+            self.call("winding_estimate_points", _library.array_of(points), ctypes.byref(options),
+                      RUN, pointer(normals), pointer(areas), ctypes.byref(estimate))
+            self.estimation = ESTIMATIONS[estimate.normal_estimation]
+            self.clear_share = estimate.clear_share
+        elif count and parts.areas is None:
+            directions = np.ascontiguousarray(parts.normals)
+            self.call("winding_point_areas", _library.array_of(points),
+                      _library.array_of(directions), ctypes.byref(options), RUN, pointer(areas))
+        elif count:
+            areas = parts.areas.astype(float)
+        return normals, areas
+
+    def _give(self, sets, leaves, normals, areas, are_estimated):
+        """Gives each data set its share, in the order of its points."""
+        by_data = {}
+        first = 0
+        for leaf in leaves:
+            part = slice(first, first + len(leaf.points))
+            by_data[leaf.data.GetAddressAsString("")] = part
+            first += len(leaf.points)
+        name = self.values["ResultArrayName"] or "Area"
+        for data in sets:
+            count = data.GetNumberOfPoints()
+            part = by_data.get(data.GetAddressAsString(""), slice(0, 0))
+            own = np.zeros(count)
+            if part.stop - part.start == count:
+                own = np.nan_to_num(areas[part])
+            elif part.stop > part.start or count:
+                raise WindingError(
+                    "the input is a mesh with volume, whose surface has other points: extract its "
+                    "surface first (Extract Surface)")
+            data.GetPointData().AddArray(copied(name, own))
+            lacks = self.value("EstimateNormals") and not _has_normals(
+                data, self.values["NormalsArray"])
+            if normals is not None and (are_estimated or lacks):
+                data.GetPointData().SetNormals(copied("Normals", normals[part], 3))
+
+
+def _leaves_of(data, normals_array):
+    return source_in_words(data, normals_array=normals_array, as_points=True)[0].leaves
+
+
+def _has_normals(data, name):
+    arrays = data.GetPointData()
+    return arrays.GetNormals() is not None or bool(name and arrays.HasArray(name))
+
+
+def _unit(normals):
+    """Normals of unit length, and 0 for those without a direction."""
+    found = np.zeros((len(normals), 3))
+    largest = np.abs(normals).max(axis=1, initial=0)
+    are_usable = np.isfinite(largest) & (largest > 0)
+    scaled = normals[are_usable].astype(float) / largest[are_usable, None]
+    found[are_usable] = scaled / np.sqrt((scaled * scaled).sum(axis=1))[:, None]
+    return found.astype(np.float32)
+
+
+def _copy(data, output):
+    """Shares all arrays, but no data set, so that arrays can be added."""
+    if not isinstance(data, vtkCompositeDataSet):
+        output.ShallowCopy(data)
+        return
+    output.CopyStructure(data)
+    output.GetFieldData().PassData(data.GetFieldData())
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        leaf = iterator.GetCurrentDataObject()
+        fresh = leaf.NewInstance()
+        fresh.ShallowCopy(leaf)
+        output.SetDataSet(iterator, fresh)
+        iterator.GoToNextItem()

@@ -1,0 +1,30 @@
+"""The classes that proxies of ParaView name, each as in C++ without vtk before it."""
+
+from .grids import GridAlgorithm, WindingNumberField
+from .points import PointAreas
+from .probes import ProbeAlgorithm, WindingNumberClip, WindingNumberProbe
+from .readers import SourceReader
+from .reports import SurfaceReport
+from .solids import WindingNumberLabels
+from .sources import SourceAlgorithm
+from .surfaces import WindingNumberSurface, WindingNumberVoxels
+
+# Bases that no proxy is made of.
+WindingNumberAlgorithm = SourceAlgorithm
+WindingNumberGridAlgorithm = GridAlgorithm
+WindingNumberProbeAlgorithm = ProbeAlgorithm
+
+__all__ = [
+    "PointAreas",
+    "SourceReader",
+    "SurfaceReport",
+    "WindingNumberAlgorithm",
+    "WindingNumberClip",
+    "WindingNumberField",
+    "WindingNumberGridAlgorithm",
+    "WindingNumberLabels",
+    "WindingNumberProbe",
+    "WindingNumberProbeAlgorithm",
+    "WindingNumberSurface",
+    "WindingNumberVoxels",
+]

@@ -1,0 +1,74 @@
+"""The readers of surfaces and points."""
+
+import ctypes
+import os
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from vtkwinding import _datasets, _library
+from vtkwinding._errors import WindingError
+
+from .algorithm import RUN, Algorithm, copied, declared
+from .surfaces import polydata_of
+
+_TABLES = (".csv", ".tsv")
+_MESHES = (".obj", ".ply", ".stl")
+
+
+@declared
+class SourceReader(Algorithm):
+    """Reads points and polygons, or a table of points, by the name of the file."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+    def RequestData(self, request, inputs, outputs):
+        output = vtkPolyData.GetData(outputs)
+        with self.reporting(output):
+            name = self.values["FileName"]
+            if not name:
+                raise WindingError("no file name is set")
+            handle = _library.Handle("winding_mesh_free")
+            is_table = os.path.splitext(name)[1].lower() in _TABLES
+            rest = (RUN, ctypes.byref(handle.pointer))
+            path = ctypes.c_char_p(os.fsencode(name))
+
+            def note(text):
+                self.warn(f"{name}: {text}")
+
+            if is_table:
+                self.call("winding_read_table", path, int(bool(self.value("ReadNormalsAndAreas"))),
+                          *rest, note=note)
+            else:
+                self.call("winding_read", path, *rest, note=note)
+            self._fill(handle, is_table, output)
+        return int(self.status == 0)
+
+    def _fill(self, handle, is_table, output):
+        arrays = _library.arrays_of(handle)
+        count = 0 if arrays["points"] is None else len(arrays["points"])
+        is_cloud = arrays["offsets"] is None or len(arrays["offsets"]) < 2
+        polydata_of(arrays, output=output)
+        # Files of meshes have vertices of their own, or none.
+        if is_cloud and count and not self.values["FileName"].lower().endswith(_MESHES):
+            output.SetVerts(_datasets.cell_array_of(output, np.arange(count), np.array([0, count])))
+        if is_table and self.value("ReadAllColumns"):
+            for name, values in _library.columns_of(handle, arrays["column_count"]):
+                output.GetPointData().AddArray(_column(name, values))
+        if arrays["point_normals"] is not None:
+            output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
+        if arrays["point_areas"] is not None:
+            output.GetPointData().AddArray(copied("Area", arrays["point_areas"]))
+
+
+def _column(name, values):
+    if isinstance(values, np.ndarray):
+        return copied(name, values)
+    array = vtkStringArray()
+    array.SetName(name)
+    array.SetNumberOfValues(len(values))
+    for row, text in enumerate(values):
+        array.SetValue(row, text)
+    return array

@@ -1,0 +1,473 @@
+"""Winding Number Labels: the solids of an input, and the voxels that are in them."""
+
+import ctypes
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPointSet,
+    vtkPolyData,
+)
+
+from vtkwinding import _datasets, _library
+from vtkwinding._errors import WindingError
+from vtkwinding._sources import Leaf, kept_polygons, polygons_of
+
+from .algorithm import RUN, copied, declared, new_array, pointer
+from .grids import FRACTION, ImageAlgorithm, sample_count
+from .sources import (
+    AREAS_OF_ARRAY,
+    Parts,
+    cloud_of,
+    gathered,
+    kind_of,
+    parts_of,
+    source_in_words,
+)
+
+_MOST = 65535
+_LARGEST = 2  # winding number, an overlap rule
+_EACH_LABEL = 1
+VTK_UNSIGNED_SHORT = 5
+
+
+class Solid(NamedTuple):
+    label: int
+    name: str
+    parts: Parts
+    is_open_part: bool = False
+
+
+def _label(number, what, remedy):
+    if not 1 <= number <= _MOST:
+        raise WindingError(f"labels are 1 to 65535: {remedy}; {what} would get {number}")
+    return int(number)
+
+
+def blocks_of(composite):
+    """The blocks of composite data that are solids: names and data objects, or None for no data."""
+    found = []
+
+    def name_of(about, number):
+        key = vtkCompositeDataSet.NAME()
+        name = about.Get(key) if about is not None and about.Has(key) else ""
+        return name or f"Block {number}"
+
+    def add(block, about):
+        if isinstance(block, vtkMultiBlockDataSet):
+            add_blocks(block)
+        else:
+            found.append((name_of(about, len(found) + 1), block))
+
+    def add_blocks(blocks):
+        for i in range(blocks.GetNumberOfBlocks()):
+            add(blocks.GetBlock(i), blocks.GetMetaData(i) if blocks.HasMetaData(i) else None)
+
+    if isinstance(composite, vtkMultiBlockDataSet):
+        add_blocks(composite)
+    elif isinstance(composite, vtkPartitionedDataSetCollection):
+        for i in range(composite.GetNumberOfPartitionedDataSets()):
+            add(composite.GetPartitionedDataSet(i),
+                composite.GetMetaData(i) if composite.HasMetaData(i) else None)
+    else:
+        for _, leaf in _datasets.leaves_of(composite):
+            add(leaf, None)
+    return found
+
+
+def _part_of(leaf, are_kept):
+    """Some of the polygons of a leaf, with the points that they use."""
+    corners, offsets = kept_polygons(leaf.corners, leaf.offsets, are_kept)
+    used, places = np.unique(corners, return_inverse=True)
+    normals, areas = (None if array is None else array[used] for array in (leaf.normals, leaf.areas))
+    return Leaf(leaf.data, leaf.points[used], places.reshape(-1).astype(np.int64),
+                np.asarray(offsets, np.int64), normals, areas)
+
+
+class Solids:
+    """The solids of an input, each with its label, its name and what it is made of."""
+
+    def __init__(self, filter, data, ranks):
+        self._filter, self._ranks = filter, ranks
+        self._options = filter.source_options()
+        self.notes = []
+        if isinstance(data, vtkCompositeDataSet):
+            found = self._of_blocks(data)
+        else:
+            found = self._of_data_set(data)
+        self.solids, self.repeated_names = _with_own_names(found)
+
+    def _gathered(self, own):
+        return gathered(own, self._ranks, self._filter.value("SourceDistribution"))
+
+    def _of_blocks(self, composite):
+        blocks = blocks_of(composite)
+        if not self._ranks.same(len(blocks)):
+            raise WindingError("give all ranks the same blocks, of which each may have a part: they "
+                               "have different numbers of them")
+        self._ranks.agree(lambda: self._check(blocks))
+        found = []
+        for number, (name, block) in enumerate(blocks, 1):
+            label = _label(number, f"block '{name}'", "extract fewer blocks")
+            own = self._ranks.agree(lambda block=block: Parts(np.empty((0, 3))) if block is None else
+                                    parts_of(self._filter, block, **self._options))
+            found.append(Solid(label, name, self._gathered(own)))
+        return found
+
+    def _check(self, blocks):
+        bare, is_any_surface = "", False
+        for name, block in blocks:
+            for leaf in [] if block is None else [one for _, one in _datasets.leaves_of(block)]:
+                if not isinstance(leaf, vtkPointSet):
+                    raise WindingError(f"block '{name}' is a {leaf.GetClassName()}, no surface or "
+                                       "points: extract a surface first, as by Contour")
+            kind = kind_of(block)
+            is_any_surface |= kind == 1
+            bare = bare or (name if kind == 2 else "")
+        if is_any_surface and bare and not self._options["as_points"]:
+            raise WindingError(
+                f"leave block '{bare}' out, for instance by Extract Block: it has points or lines "
+                "and no surface, as others have")
+
+    def _of_data_set(self, data):
+        name = self._filter.values["RegionArray"]
+        is_none = name == "None" and not data.GetCellData().HasArray("None")
+        if name and not is_none:
+            return self._of_regions(data, name)
+        return self._of_connectivity(data)
+
+    def _leaf_of(self, data):
+        """The only leaf of a data set with its polygons, or None without any data."""
+        source, notes = source_in_words(
+            data, normals_array=self._options["normals_array"],
+            areas_array=self._options["areas_array"] if (
+                self._options["areas"] == AREAS_OF_ARRAY) else None,
+            surface_cells=self._options["surface_cells"], as_points=self._options["as_points"])
+        self.notes += notes
+        return source.leaves[0] if source.leaves else None
+
+    def _parts(self, leaf):
+        if self._options["as_points"]:
+            return cloud_of(self._filter, [leaf], self._options["areas"])
+        return Parts(leaf.points, leaf.corners, leaf.offsets)
+
+    def _of_regions(self, data, name):
+        cells = self._ranks.agree(lambda: _regions_of(data, name))
+        own = np.unique(cells[_are_faces(data)]) if len(cells) else np.empty(0, int)
+        every = np.unique(np.concatenate(self._ranks.gather(own.astype(np.int64))))
+        found = []
+        for region in every.tolist():
+            label = _label(region + self._filter.value("LabelOffset"),
+                           f"region {region} of '{name}'", "choose another offset (Label Offset)")
+            parts = self._ranks.agree(
+                lambda region=region: self._of_region(data, cells == region))
+            found.append(Solid(label, f"{name} {region}", self._gathered(parts)))
+        return found
+
+    def _of_region(self, data, are_kept):
+        if not len(are_kept) or not are_kept.any():
+            return Parts(np.empty((0, 3)))
+        ghosts = data.GetCellData().GetArray("vtkGhostType")
+        if isinstance(data, vtkPolyData) and data.GetNumberOfStrips() == 0 and ghosts is None:
+            if getattr(self, "_whole", None) is None:
+                self._whole = self._leaf_of(data)
+            first = data.GetNumberOfVerts() + data.GetNumberOfLines()
+            return self._parts(_part_of(self._whole, are_kept[first:]))
+        ids = _datasets.class_of(data, "vtkCommonCore", "vtkIdList")()
+        for cell in np.flatnonzero(are_kept).tolist():
+            ids.InsertNextId(cell)
+        extract = _datasets.class_of(
+            data, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
+        extract.SetInputData(data)
+        extract.SetCellList(ids)
+        extract.Update()
+        leaf = self._leaf_of(extract.GetOutput())
+        return Parts(np.empty((0, 3))) if leaf is None or leaf.corners is None else (
+            self._parts(leaf))
+
+    def _of_connectivity(self, data):
+        leaf = self._ranks.agree(lambda: self._leaf_of(data))
+        has_points = np.concatenate(self._ranks.gather(np.array([leaf is not None])))
+        if leaf is not None and leaf.corners is None:
+            raise WindingError("give blocks, one for each solid: the input is points, and nothing "
+                               "tells which belong together")
+        if has_points.sum() > 1 and not self._ranks.same(
+                hash(leaf.points.tobytes()) % 2**40 if leaf is not None else 0):
+            raise WindingError(
+                "several ranks cannot find solids that are in parts: name an array of regions "
+                "(Region Array), or give blocks, or give one rank the whole surface")
+        own = [] if leaf is None else self._ranks_parts(leaf)
+        count = int(max(np.concatenate(self._ranks.gather(np.array([len(own)])))))
+        if count > _MOST:
+            raise WindingError(
+                "the surface has too many parts for labels: name an array of regions (Region Array), "
+                f"or close the gaps between triangles; it has {count} by connectivity, and labels "
+                "are 1 to 65535")
+        nothing = (Parts(np.empty((0, 3))), False)
+        own += [nothing] * (count - len(own))
+        return [Solid(number, f"Part {number}", self._gathered(parts), is_open)
+                for number, (parts, is_open) in enumerate(own, 1)]
+
+    def _ranks_parts(self, leaf):
+        """The parts by connectivity, and whether each is open within others."""
+        polygons = polygons_of(leaf.corners, leaf.offsets)
+        points = np.ascontiguousarray(leaf.points)
+        numbers = np.empty(leaf.polygon_count, np.int32)
+        are_open = np.zeros(leaf.polygon_count, np.uint8)
+        count = ctypes.c_int64()
+        given = (_library.array_of(points), ctypes.byref(polygons), RUN)
+        self._filter.call("winding_solids", *given, pointer(numbers), ctypes.byref(count))
+        self._filter.call("winding_open_parts", *given, pointer(are_open))
+        ignores = bool(self._filter.value("IgnoreOpenParts"))
+        found = []
+        for number in range(count.value):
+            are_own = numbers == number
+            is_open = bool(are_open[are_own].all())
+            are_kept = are_own & (are_open == 0) if ignores else are_own
+            if are_kept.any():
+                if not found:
+                    are_kept = are_kept | (numbers < 0)  # to be counted as left out, once
+                found.append((self._parts(_part_of(leaf, are_kept)), is_open))
+        return found
+
+
+def _are_faces(data):
+    """Which cells of polydata are polygons or strips; all of any other data set."""
+    count = data.GetNumberOfCells()
+    found = np.ones(count, bool)
+    if isinstance(data, vtkPolyData):
+        found[:data.GetNumberOfVerts() + data.GetNumberOfLines()] = False
+    return found
+
+
+def _regions_of(data, name):
+    """The region of each cell."""
+    if data.GetNumberOfCells() == 0:
+        return np.empty(0)
+    choose = "choose another array of regions (Region Array)"
+    array = data.GetCellData().GetArray(name)
+    if array is None and data.GetCellData().HasArray(name):
+        raise WindingError(f"'{name}' holds text, and regions are integers: number its values in "
+                           "another array (Region Array)")
+    if array is None:
+        is_of_points = data.GetPointData().HasArray(name)
+        what = "an array of the points, not of the cells" if is_of_points else (
+            "no array of the cells")
+        raise WindingError(f"'{name}' is {what}: {choose}")
+    if array.GetNumberOfComponents() != 1 or array.GetNumberOfTuples() < data.GetNumberOfCells():
+        raise WindingError(f"'{name}' has not one value for each cell: {choose}")
+    values = _datasets.array_of(data, array).astype(float)
+    with np.errstate(invalid="ignore"):
+        are_wrong = _are_faces(data) & ~((np.abs(values) < 1e9) & (values == np.floor(values)))
+    if are_wrong.any():
+        cell = int(np.flatnonzero(are_wrong)[0])
+        raise WindingError(f"'{name}' has the value {values[cell]:f} at cell {cell}, and regions "
+                           f"are integers: {choose}")
+    return values
+
+
+def _with_own_names(solids):
+    """The solids, those of equal names with a number behind it, and how many these are."""
+    every = {solid.name for solid in solids}
+    taken, found, repeated = set(), [], 0
+    for solid in solids:
+        name, number = solid.name, 2
+        while name in taken:
+            following = f"{solid.name} ({number})"
+            name = name if following in every else following
+            number += 1
+        taken.add(name)
+        repeated += name != solid.name
+        found.append(solid._replace(name=name))
+    return found, repeated
+
+
+def _out_of(names, count):
+    shown = ", ".join(f"'{name}'" for name in names[:3]) + (", ..." if len(names) > 3 else "")
+    return f"{len(names)} of {count} solid{'s' if count > 1 else ''} ({shown})"
+
+
+@declared
+class WindingNumberLabels(ImageAlgorithm):
+    """The label of the solid that each voxel of a grid is in."""
+
+    def __init__(self):
+        super().__init__()
+        self.infos = []
+        self.open_parts = []
+        self.inside_out_count = 0
+        self.legend = ""
+        self._kept = (None, None, None)
+
+    def GetNumberOfSolids(self):
+        return len(self.infos)
+
+    def GetNumberOfEmptySolids(self):
+        return sum(info.primitives == 0 for info in self.infos)
+
+    def GetNumberOfOpenSolids(self):
+        return sum(bool(info.is_surface and info.net_boundary_edges) for info in self.infos)
+
+    def GetNumberOfInsideOutSolids(self):
+        return self.inside_out_count
+
+    def GetLabelLegend(self):
+        return self.legend
+
+    def active_scalar_type(self):
+        return VTK_UNSIGNED_SHORT
+
+    def _prepare(self, data, ranks):
+        """The solids, and the field of each."""
+        key = (self.key_of(data), self.values["RegionArray"], self.values["LabelOffset"])
+        is_kept = self._kept[0] == key
+        if ranks.same(int(is_kept)) and is_kept:
+            return self._kept[1:]
+        solids = Solids(self, data, ranks)
+        fields, self.field_notes = [], list(solids.notes)
+        for number, solid in enumerate(solids.solids):
+            self.between(0.3 * number / len(solids.solids), 0.3 * (number + 1) / len(solids.solids))
+            notes = []
+            try:
+                fields.append(self.field_of(solid.parts, note=notes.append))
+            except WindingError as error:
+                error.args = (f"{error}{', ' if '; ' in str(error) else '; '}solid '{solid.name}'",)
+                raise
+            self.field_notes += [f"{note} (solid '{solid.name}')"
+                                 for note in [*solid.parts.notes, *notes]
+                                 if "is empty" not in note]
+        self._kept = (key, solids, fields)
+        return solids, fields
+
+    def make_image(self, data, ranks, grid, extent, image, attributes):
+        self.check_verification(True)
+        solids, fields = self._prepare(data, ranks)
+        self.infos = []
+        for field in fields:
+            info = _library.FieldInfo()
+            _library.call("winding_describe", field.pointer, ctypes.byref(info))
+            self.infos.append(info)
+        self.info = max(self.infos, key=lambda info: info.primitives, default=None)
+        self.inside_out_count = 0
+        self._label(solids.solids, fields, grid, extent, attributes)
+        self._tell_solids(solids)
+        self._describe_solids(solids.solids, image)
+        self.describe(image)
+        self.verification = self._verify_all(fields, grid, extent)
+
+    def _label(self, solids, fields, grid, extent, attributes):
+        count = sample_count(extent)
+        fractions = self.value("Coverage") == FRACTION
+        made = [new_array("Label", np.uint16, count)]
+        arrays = _library.Labels(labels=made[0][1].ctypes.data)
+
+        def add(member, name, dtype):
+            made.append(new_array(name, dtype, count))
+            setattr(arrays, member, made[-1][1].ctypes.data)
+
+        if self.value("GenerateSolidCount"):
+            add("counts", "SolidCount", np.uint16)
+        shares = None
+        if fractions and self.value("CoverageArrays") != _EACH_LABEL:
+            add("first_labels", "FirstLabel", np.uint16)
+            add("first_shares", "FirstShare", np.float32)
+            add("second_labels", "SecondLabel", np.uint16)
+            add("second_shares", "SecondShare", np.float32)
+        elif fractions:
+            own = [new_array(f"Coverage {solid.label}", np.float32, count) for solid in solids]
+            made += own
+            shares = (ctypes.c_void_p * max(1, len(own)))(*(view.ctypes.data for _, view in own))
+            arrays.shares = ctypes.addressof(shares)
+        handles = (ctypes.c_void_p * max(1, len(fields)))(*(one.pointer.value for one in fields))
+        numbers = (ctypes.c_uint16 * max(1, len(solids)))(*(solid.label for solid in solids))
+        names = (ctypes.c_char_p * max(1, len(solids)))(*(solid.name.encode() for solid in solids))
+        arrays.names = ctypes.addressof(names)
+        options = _library.LabelOptions(
+            overlap_rule=self.value("OverlapRule"), coverage=self.value("Coverage"),
+            coverage_samples=self.value("CoverageSamples"))
+        if count:
+            self.between(0.3, 1)
+            self.evaluate(
+                "winding_label_part", handles, numbers, ctypes.c_size_t(len(fields)),
+                ctypes.byref(grid), (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
+                ctypes.byref(options), ctypes.byref(arrays), RUN)
+        for array, _ in made:
+            attributes.AddArray(array)
+        attributes.SetActiveScalars("Label")
+
+    def evaluate(self, name, *arguments):
+        # Its warnings count solids that look inward.
+        start_of_count = "some solids look inward"
+        before = self.warn
+
+        def warn(text):
+            if text.startswith(start_of_count):
+                self.inside_out_count = int(text.rpartition("; ")[2].split(" ")[0])
+            before(text)
+
+        self.warn = warn
+        try:
+            super().evaluate(name, *arguments)
+        finally:
+            del self.warn
+
+    def _tell_solids(self, solids):
+        count = len(solids.solids)
+        pairs = list(zip(solids.solids, self.infos))
+        empty = [solid.name for solid, info in pairs if info.primitives == 0]
+        are_open = [(solid.name, solid.is_open_part) for solid, info in pairs
+                    if info.is_surface and info.net_boundary_edges]
+        if len(empty) == count:
+            self.warn(
+                "there is no solid, so all labels are 0: give a surface or points")
+        elif empty:
+            self.warn("no voxel has the labels of empty blocks: leave them out; "
+                      + _out_of(empty, count))
+        inside = [name for name, is_part in are_open if is_part]
+        if inside:
+            self.warn("open parts lie inside of closed ones: use Ignore Open Parts; they bound "
+                      "nothing; " + _out_of(inside, count))
+        other = [name for name, is_part in are_open if not is_part]
+        if other:
+            self.warn("some solids have holes: close them where labels are not right; "
+                      + _out_of(other, count))
+        if self.field_notes:
+            self.warn("; ".join(self.field_notes))
+        if solids.repeated_names:
+            self.warn(f"solids have equal names: give them different ones; {solids.repeated_names} "
+                      f"of {count} got a number, for their names occurred before")
+
+    def _describe_solids(self, solids, image):
+        names = vtkStringArray()
+        names.SetName("LabelNames")
+        for solid in solids:
+            names.InsertNextValue(solid.name)
+        image.GetFieldData().AddArray(copied(
+            "LabelValues", np.array([solid.label for solid in solids], np.uint16)))
+        image.GetFieldData().AddArray(names)
+        self.legend = "".join(f"{solid.label}\t{solid.name}\n" for solid in solids)
+
+    def _verify_all(self, fields, grid, extent):
+        """The differences of all solids together."""
+        if self.value("VerifySamples") == 0 or not sample_count(extent):
+            return None
+        total, squares = _library.Verification(), 0.0
+        for field, info in zip(fields, self.infos):
+            if info.primitives == 0:
+                continue
+            array, values = new_array("w", np.float32, sample_count(extent))
+            asked = _library.Values(winding=values.ctypes.data)
+            self.call("winding_evaluate_grid", field.pointer, ctypes.byref(grid),
+                      (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
+                      ctypes.byref(asked), RUN, note=lambda text: None)
+            found = self.verify(field, grid, extent, values)
+            total.max_error = max(total.max_error, found.max_error)
+            total.near_max_error = max(total.near_max_error, found.near_max_error)
+            total.samples += found.samples
+            squares += found.rms_error**2 * found.samples
+        total.rms_error = (squares / max(1, total.samples)) ** 0.5
+        return total

@@ -1,0 +1,349 @@
+"""Filters that are about the winding number of a source: how it becomes a field of the library, on
+one rank or on several."""
+
+import ctypes
+import hashlib
+import time
+
+import numpy as np
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
+
+from vtkwinding import _datasets, _library
+from vtkwinding._errors import WindingError
+from vtkwinding._sources import polygons_of, source_of
+
+from .algorithm import (
+    ESTIMATIONS,
+    METHODS,
+    RUN,
+    Algorithm,
+    add_number,
+    add_text,
+    pointer,
+    words_of_memory,
+)
+
+NO_SOURCE, MESH, CLOUD = range(3)
+DISTRIBUTED, REPLICATED = 1, 2
+AREAS_OF_MESH, CONSTANT_AREA, AREAS_OF_ARRAY = 1, 2, 3
+PROGRESS_OF_FIELD = 0.3
+_SURFACE_CELLS = "Use Surface Cells"
+
+
+def kind_of(data):
+    """Whether a source is a mesh, or a cloud, or nothing yet."""
+    kind = NO_SOURCE
+    if data is None:
+        return kind
+    for _, leaf in _datasets.leaves_of(data):
+        if leaf.IsA("vtkPointSet") and leaf.GetNumberOfPoints():
+            if _datasets.has_faces(leaf):
+                return MESH
+            kind = CLOUD
+    return kind
+
+
+def ask_for_part(info, ranks, distribution):
+    """Asks for the piece of a source that is this rank's, or for the whole one."""
+    piece, pieces = (0, 1) if distribution == REPLICATED else (ranks.rank, ranks.count)
+    info.Set(Pipeline.UPDATE_PIECE_NUMBER(), piece)
+    info.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), pieces)
+    info.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+    if info.Has(Pipeline.WHOLE_EXTENT()):  # as a curvilinear grid has
+        translator, extent = vtkExtentTranslator(), [0] * 6
+        translator.PieceToExtentThreadSafe(
+            piece, pieces, 0, info.Get(Pipeline.WHOLE_EXTENT()), extent,
+            vtkExtentTranslator.BLOCK_MODE, 0)
+        info.Set(Pipeline.UPDATE_EXTENT(), extent, 6)
+
+
+class Parts:
+    """What a field is made of, of all ranks: arrays of points, and of polygons for a surface."""
+
+    NAMES = ("points", "corners", "offsets", "normals", "areas")
+
+    def __init__(self, points, corners=None, offsets=None, normals=None, areas=None, notes=()):
+        self.points, self.corners, self.offsets = points, corners, offsets
+        self.normals, self.areas, self.notes = normals, areas, list(notes)
+
+    @property
+    def is_surface(self):
+        return self.corners is not None
+
+    def arrays(self):
+        return [getattr(self, name) for name in self.NAMES]
+
+    def bounds(self):
+        """The box of the points that count; None for none."""
+        points = self.points
+        if self.is_surface:
+            are_used = np.zeros(len(points), bool)
+            ids = self.corners[(self.corners >= 0) & (self.corners < len(points))]
+            are_used[ids] = True
+            points = points[are_used]
+        points = points[np.isfinite(points).all(axis=1)]
+        if not len(points):
+            return None
+        low, high = points.min(axis=0), points.max(axis=0)
+        return np.stack([low, high], 1).ravel().astype(float).tolist()
+
+
+def source_in_words(data, **options):
+    """A source, and notes on it. What is said has the words of ParaView."""
+    try:
+        source = source_of(data, **options)
+    except WindingError as error:
+        text = str(error).replace(", as by Contour", " (Contour)")
+        raise type(error)(text.replace("{surface_cells}", _SURFACE_CELLS)) from error
+    return source, [note.replace("{surface_cells}", _SURFACE_CELLS) for note in source.notes]
+
+
+def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
+             normals_array=None, areas_array=None):
+    """The parts of a source that this rank has. `areas` is a value of Point Area Method."""
+    source, notes = source_in_words(
+        data, normals_array=normals_array, surface_cells=surface_cells, as_points=as_points,
+        areas_array=areas_array if areas == AREAS_OF_ARRAY else None)
+    if source.is_surface and not as_points:
+        return Parts(source.points, source.corners, source.offsets, notes=notes)
+    return cloud_of(filter, source.leaves, areas, notes)
+
+
+def cloud_of(filter, leaves, areas, notes=()):
+    """The points of leaves as one cloud. Points without normals have those of their polygons."""
+    # All points are to be oriented together.
+    lacks_normals = any(leaf.corners is None and leaf.normals is None for leaf in leaves)
+    normals, found_areas = [], []
+    for leaf in leaves:
+        by_mesh = None
+        if leaf.corners is not None and (leaf.normals is None or areas == AREAS_OF_MESH):
+            by_mesh = vertices_of(filter, leaf)
+        if areas == AREAS_OF_MESH and by_mesh is None:
+            raise WindingError("areas from the mesh need triangles, not points alone: use Point "
+                               "Area Method: Voronoi")
+        normals.append(by_mesh[0] if leaf.normals is None and by_mesh else leaf.normals)
+        found_areas.append(by_mesh[1] if areas == AREAS_OF_MESH else leaf.areas)
+    has_areas = bool(leaves) and all(one is not None for one in found_areas)
+    return Parts(
+        np.concatenate([leaf.points for leaf in leaves]) if leaves else np.empty((0, 3)),
+        normals=np.concatenate(normals) if leaves and not lacks_normals else None,
+        areas=np.concatenate(found_areas) if has_areas else None, notes=notes)
+
+
+def vertices_of(filter, leaf):
+    """The normals and areas that the polygons of a leaf give its points."""
+    normals, areas = np.empty((len(leaf.points), 3)), np.empty(len(leaf.points))
+    points = np.ascontiguousarray(leaf.points)
+    filter.call("winding_vertices", _library.array_of(points),
+                ctypes.byref(polygons_of(leaf.corners, leaf.offsets)), RUN, pointer(normals),
+                pointer(areas))
+    return normals, areas
+
+
+def gathered(parts, ranks, distribution):
+    """The parts of all ranks as one, in their order; or this rank's own, where all have copies."""
+    if ranks.are_alone:
+        return parts
+    kinds = np.concatenate(ranks.gather(np.array(
+        [1 if parts.is_surface else 2 if len(parts.points) else 0])))
+    if (kinds == 1).any() and (kinds == 2).any():
+        raise WindingError("extract the parts of one kind: the source is a surface on some ranks "
+                           "and a point cloud on others")
+    is_copy = ranks.same(_hash_of(parts)) and distribution != DISTRIBUTED
+    if distribution == REPLICATED and not is_copy:
+        raise WindingError("the source is not replicated: the ranks have different data: use Source "
+                           "Distribution: Automatic")
+    if is_copy:
+        return parts
+    is_surface, is_cloud = (kinds == 1).any(), (kinds == 2).any()
+    points = ranks.gather(parts.points.astype(float))
+    joined = Parts(np.concatenate(points), notes=parts.notes)
+    are_single = ranks.gather(np.array([parts.points.dtype == np.float32 or not len(parts.points)]))
+    if all(one.all() for one in are_single):
+        joined.points = joined.points.astype(np.float32)
+    if is_surface:
+        corners = ranks.gather(np.empty(0, np.int64) if parts.corners is None else (
+            parts.corners.astype(np.int64)))
+        sizes = ranks.gather(np.empty(0, np.int64) if parts.offsets is None else (
+            np.diff(parts.offsets).astype(np.int64)))
+        starts = np.cumsum([0, *(len(one) for one in points)])
+        joined.corners = np.concatenate([ids + start for ids, start in zip(corners, starts)])
+        joined.offsets = np.concatenate([[0], np.cumsum(np.concatenate(sizes))]).astype(np.int64)
+    if is_cloud:
+        for name, width in (("normals", 3), ("areas", 1)):
+            own = getattr(parts, name)
+            lacks = ranks.gather(np.array([own is None and len(parts.points) > 0]))
+            if any(one.any() for one in lacks):
+                continue
+            own = np.empty((0, 3) if width == 3 else 0) if own is None else own.astype(float)
+            setattr(joined, name, np.concatenate(ranks.gather(own)))
+    return joined
+
+
+def _hash_of(parts):
+    found = hashlib.blake2b(digest_size=6)  # which a double holds
+    for array in parts.arrays():
+        found.update(b"-" if array is None else np.ascontiguousarray(array).tobytes())
+    return int.from_bytes(found.digest(), "big")
+
+
+class SourceAlgorithm(Algorithm):
+    """A filter of the field of a source."""
+
+    is_scattered = False
+    works_on_first_rank = False
+
+    def __init__(self, **ports):
+        super().__init__(**ports)
+        self.source_kind = NO_SOURCE
+        self.info = None
+        self.field = None  # a handle of the library
+        self.field_key = None
+        self.field_notes = []
+        self.prepare_seconds = self.evaluate_seconds = self.expected_seconds = 0.0
+        self.expected_memory = 0
+
+    def GetSourceKind(self):
+        return self.source_kind
+
+    def GetMethodUsed(self):
+        return "" if self.info is None else METHODS[self.info.method]
+
+    def GetMethodReason(self):
+        return "" if self.info is None else self.info.reason.decode(errors="replace")
+
+    def GetMeanPointArea(self):
+        return 0.0 if self.info is None else self.info.mean_point_area
+
+    def GetClearShare(self):
+        return 0.0 if self.info is None else self.info.clear_share
+
+    def GetExpectedSeconds(self):
+        return self.expected_seconds
+
+    def GetExpectedMemoryInWords(self):
+        return words_of_memory(self.expected_memory)
+
+    def GetPrepareSeconds(self):
+        return self.prepare_seconds
+
+    def GetEvaluateSeconds(self):
+        return self.evaluate_seconds
+
+    def fill_source_port(self, info):
+        key = self.INPUT_REQUIRED_DATA_TYPE()
+        info.Set(key, "vtkDataSet")  # some of them are refused, in words that say what to do
+        info.Append(key, "vtkCompositeDataSet")
+
+    def rule(self):
+        return _library.Rule(inside_rule=self.value("InsideRule"),
+                             winding_threshold=self.values["WindingThreshold"])
+
+    def levels(self, values):
+        """How far winding numbers are inside, as the core has it."""
+        rule, threshold = self.value("InsideRule"), self.values["WindingThreshold"]
+        if rule == 2:
+            return 0.5 - np.abs(np.fmod(np.abs(values), 2.0) - 1)
+        return (np.abs(values) if rule == 1 else values) - threshold
+
+    def note_progress(self, elapsed, share):
+        if elapsed > 1 and share > 0:
+            self.expected_seconds = self.prepare_seconds + elapsed / share
+
+    def source_options(self):
+        """What parts_of() needs to know."""
+        return {"as_points": bool(self.value("SourceAsPoints")),
+                "areas": self.value("PointAreaMethod"), "areas_array": self.values["AreaArray"],
+                "surface_cells": bool(self.value("UseSurfaceCells")),
+                "normals_array": self.values["NormalsArray"]}
+
+    def parts(self, data, ranks):
+        """The parts of a source, of all ranks."""
+        own = ranks.agree(lambda: parts_of(self, data, **self.source_options()))
+        return gathered(own, ranks, self.value("SourceDistribution"))
+
+    def key_of(self, data):
+        """What a field depends on, of this rank."""
+        names = ("Method", "Tolerance", "SourceAsPoints", "UseSurfaceCells", "OrientFaces",
+                 "IgnoreOpenParts", "PointAreaMethod", "PointArea", "NumberOfNeighbors",
+                 "EstimateNormals", "NormalEstimation", "Regularization", "AreaArray",
+                 "NormalsArray", "SourceDistribution")
+        leaves = [] if data is None else [
+            (leaf.GetAddressAsString(""), leaf.GetMTime()) for _, leaf in _datasets.leaves_of(data)]
+        return leaves, [self.values[name] for name in names]
+
+    def prepare(self, data, ranks):
+        """Makes the field of a source, unless it is there already. Returns whether it is this rank's
+        to work on."""
+        key = self.key_of(data)
+        has = key == self.field_key
+        self.prepare_seconds = 0.0
+        if not (ranks.same(int(has)) and has):
+            self.field = self.field_key = None
+            start = time.perf_counter()
+            self.field_notes = []
+            parts = self.parts(data, ranks)
+            if not (self.works_on_first_rank and ranks.rank > 0):
+                self.field_notes.extend(parts.notes)
+                self.between(0, PROGRESS_OF_FIELD)
+                self.field = self.field_of(parts, note=self.field_notes.append)
+            self.field_key = key
+            self.prepare_seconds = time.perf_counter() - start
+        if self.field is None:
+            return False
+        self.between(PROGRESS_OF_FIELD, 1)
+        self.info = _library.FieldInfo()
+        _library.call("winding_describe", self.field.pointer, ctypes.byref(self.info))
+        if self.field_notes:
+            self.warn("; ".join(self.field_notes))
+        return True
+
+    def field_of(self, parts, *, note):
+        """The field of the library for parts: a handle."""
+        method = self.value("PointAreaMethod")
+        is_constant = method == CONSTANT_AREA
+        options = _library.Options(
+            method=self.value("Method"), tolerance=self.value("Tolerance"),
+            regularization=self.value("Regularization"),
+            point_area=self.value("PointArea") if is_constant else 0,
+            mean_point_area=is_constant, number_of_neighbors=self.value("NumberOfNeighbors"),
+            estimate_normals=bool(self.value("EstimateNormals")) and parts.normals is None,
+            normal_estimation=self.value("NormalEstimation"),
+            orient_faces=bool(self.value("OrientFaces")),
+            ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
+        handle = _library.Handle("winding_field_free")
+        points = _library.array_of(parts.points)
+        rest = (ctypes.byref(options), RUN, ctypes.byref(handle.pointer))
+        if parts.is_surface:
+            polygons = polygons_of(parts.corners, parts.offsets)
+            self.call("winding_faces", points, ctypes.byref(polygons), *rest, note=note)
+        else:
+            self.call("winding_points", points, _library.array_of(parts.normals),
+                      _library.array_of(parts.areas), *rest, note=note)
+        return handle
+
+    def expect(self, samples, with_distances, bytes_of_result):
+        """Notes the memory that an evaluation is expected to take."""
+        found = ctypes.c_int64()
+        _library.call("winding_expect_memory", self.field.pointer, ctypes.c_int64(samples),
+                      int(with_distances), ctypes.byref(found))
+        self.expected_memory = found.value + bytes_of_result
+
+    def evaluate(self, name, *arguments):
+        """Calls a function that evaluates the field, and takes its time."""
+        start = time.perf_counter()
+        self.expected_seconds = 0.0
+        self.call(name, *arguments)
+        self.evaluate_seconds = time.perf_counter() - start
+        if self.expected_seconds == 0:
+            self.expected_seconds = self.prepare_seconds + self.evaluate_seconds
+
+    def describe(self, output):
+        """Says in field data how winding numbers were computed."""
+        add_text(output, "WindingNumberMethod", self.GetMethodUsed())
+        add_text(output, "WindingNumberMethodReason", self.GetMethodReason())
+        if self.info is not None and self.info.normals_estimated:
+            add_text(output, "WindingNumberNormalEstimation",
+                     ESTIMATIONS[self.info.normal_estimation])
+            add_number(output, "WindingNumberClearShare", self.info.clear_share)

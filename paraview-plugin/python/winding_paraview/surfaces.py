@@ -1,0 +1,302 @@
+"""Filters that give surfaces: Winding Number Surface and Winding Number Voxels."""
+
+import ctypes
+import math
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+
+from vtkwinding import _datasets, _library
+from vtkwinding._errors import WindingError
+
+from .algorithm import RUN, Algorithm, copied, declared, new_array
+from .grids import GridAlgorithm, sample_count, whole_extent
+from .ranks import Ranks
+from .sources import kind_of
+
+_SHARP = 1
+_FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
+             ("MeanDistanceFromInput", "mean_from_source"),
+             ("LargestDistanceToInput", "largest_to_source"),
+             ("MeanDistanceToInput", "mean_to_source"), ("InputVolume", "source_volume"),
+             ("Volume", "volume"), ("InputComponents", "components"),
+             ("LostComponents", "lost_components"), ("SelfIntersections", "self_intersections"))
+
+
+def polydata_of(arrays, lines=False, output=None):
+    """The points and polygons, or lines, of a mesh of the library, in an output if there is one."""
+    output = vtkPolyData() if output is None else output
+    if arrays["points"] is None:
+        return output
+    points = vtkPoints()
+    points.SetData(copied("Points", arrays["points"], 3))
+    output.SetPoints(points)
+    if arrays["offsets"] is not None and arrays["corners"] is not None:
+        cells = _datasets.cell_array_of(output, arrays["corners"].copy(), arrays["offsets"].copy())
+        (output.SetLines if lines else output.SetPolys)(cells)
+    return output
+
+
+@declared
+class WindingNumberSurface(GridAlgorithm):
+    """The surface between inside and outside."""
+
+    works_on_first_rank = True
+
+    def __init__(self):
+        super().__init__("vtkPolyData")
+        self.fidelity_in_words = ""
+
+    def GetFidelityInWords(self):
+        return self.fidelity_in_words
+
+    def RequestInformation(self, request, inputs, outputs):
+        with self.reporting():
+            self.source_kind = kind_of(vtkDataObject.GetData(inputs[0]))
+            self.find_bounds_over_all_times(outputs.GetInformationObject(0), Ranks())
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        out_info = outputs.GetInformationObject(0)
+        output = vtkPolyData.GetData(out_info)
+        ranks = Ranks()
+        if out_info.Get(Pipeline.UPDATE_PIECE_NUMBER()) and ranks.are_alone:
+            return 1
+        self.fidelity_in_words = ""
+        with self.reporting(output):
+            self.check()
+            self.check_verification(True)
+            data = vtkDataObject.GetData(inputs[0])
+            self.source_kind = kind_of(data)
+            self.lay_out_grid(data, ranks)
+            if self.prepare(data, ranks):
+                self._make(output)
+        return 1
+
+    def _make(self, output):
+        samples = sample_count(whole_extent(self.grid))
+        self.expect(samples, bool(self.value("GenerateDistanceToInput")), 0)
+        precision = self.value("OutputPointsPrecision")  # single, double, automatic
+        options = _library.SurfaceOptions(
+            features=self.value("Features"),
+            generate_triangles=bool(self.value("GenerateTriangles")),
+            close_border=bool(self.value("CloseBorder")),
+            generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision])
+        mesh = _library.Handle("winding_mesh_free")
+        self.evaluate("winding_level_surface", self.field.pointer, ctypes.byref(self.grid),
+                      ctypes.byref(self.rule()), ctypes.byref(options), RUN,
+                      ctypes.byref(mesh.pointer))
+        arrays = _library.arrays_of(mesh)
+        polydata_of(arrays, output=output)
+        if arrays["point_normals"] is not None:
+            output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
+        if arrays["polygon_normals"] is not None:
+            output.GetCellData().SetNormals(copied("Normals", arrays["polygon_normals"], 3))
+        self.describe(output)
+        self.between(1, 1)
+        if self.value("GenerateDistanceToInput"):
+            self._add_distances(arrays["points"], output)
+        if self.value("FidelitySamples") > 0:
+            self._compare(mesh, output)
+        self._verify(samples)
+
+    def _add_distances(self, points, output):
+        points = np.empty((0, 3), np.float32) if points is None else points
+        distances = np.empty(len(points))
+        values = _library.Values(
+            type=_library.TYPES[np.dtype(np.float64)], distance=distances.ctypes.data)
+        if len(points):
+            self.call("winding_evaluate_points", self.field.pointer, _library.array_of(points),
+                      None, ctypes.byref(values), RUN, note=lambda text: None)
+        array = copied("DistanceToInput", np.abs(distances).astype(points.dtype))
+        output.GetPointData().SetScalars(array)
+
+    def _compare(self, mesh, output):
+        found = _library.Fidelity()
+        self.call("winding_compare", self.field.pointer, mesh.pointer,
+                  ctypes.c_double(max(self.grid.spacing)),
+                  ctypes.c_int64(self.value("FidelitySamples")), RUN, ctypes.byref(found))
+        for name, member in _FIDELITY:
+            array, view = new_array(name, np.float64, 1)
+            view[0] = getattr(found, member)
+            output.GetFieldData().AddArray(array)
+        volume = "unknown" if math.isnan(found.source_volume) else f"{found.source_volume:.3g}"
+        self.fidelity_in_words = (
+            f"distance from the input max {found.largest_from_source:.3g}, mean "
+            f"{found.mean_from_source:.3g}; to the input max {found.largest_to_source:.3g}, mean "
+            f"{found.mean_to_source:.3g}\nvolume {found.volume:.3g}, of the input {volume}; "
+            f"{found.lost_components} of {found.components} parts lost; "
+            f"{found.self_intersections} self-intersections")
+
+    def _verify(self, samples):
+        """Nothing else needs all values on the grid."""
+        self.verification = None
+        if self.value("VerifySamples") == 0:
+            return
+        array, values = new_array("WindingNumber", np.float32, samples)
+        asked = _library.Values(winding=values.ctypes.data)
+        self.call("winding_evaluate_grid", self.field.pointer, ctypes.byref(self.grid), None,
+                  ctypes.byref(self.rule()), ctypes.byref(asked), RUN, note=lambda text: None)
+        self.verification = self.verify(self.field, self.grid, whole_extent(self.grid), values)
+
+
+@declared
+class WindingNumberVoxels(Algorithm):
+    """The faces between voxels inside and outside, or between labels."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkPolyData")
+        # By points, then by cells; what is active.
+        self.SetInputArrayToProcess(
+            0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS_THEN_CELLS, 0)
+
+    def FillInputPortInformation(self, port, info):
+        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkImageData")
+        return 1
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        info = inputs[0].GetInformationObject(0)
+        info.Set(Pipeline.UPDATE_PIECE_NUMBER(), 0)
+        info.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), 1)
+        info.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+        if info.Has(Pipeline.WHOLE_EXTENT()):
+            info.Set(Pipeline.UPDATE_EXTENT(), info.Get(Pipeline.WHOLE_EXTENT()), 6)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        out_info = outputs.GetInformationObject(0)
+        output = vtkPolyData.GetData(out_info)
+        if out_info.Get(Pipeline.UPDATE_PIECE_NUMBER()):
+            return 1
+        with self.reporting(output):
+            self.check()
+            image = vtkImageData.GetData(inputs[0])
+            if image.GetNumberOfPoints():
+                self._make(image, output)
+        return 1
+
+    def _find_values(self, image):
+        """The array that tells inside from outside, and whether it is of cells."""
+        info = self.GetInputArrayInformation(0)
+        name = info.Get(vtkDataObject.FIELD_NAME()) if info.Has(vtkDataObject.FIELD_NAME()) else ""
+        association = info.Get(vtkDataObject.FIELD_ASSOCIATION())
+        points, cells = image.GetPointData(), image.GetCellData()
+        array, of_cells = None, False
+        if name and association != vtkDataObject.FIELD_ASSOCIATION_CELLS:
+            array = points.GetArray(name)
+        if array is None and name and association != vtkDataObject.FIELD_ASSOCIATION_POINTS:
+            array, of_cells = cells.GetArray(name), True
+        if array is None:
+            array, of_cells = points.GetScalars(), False
+        if array is None:
+            array, of_cells = cells.GetScalars(), True
+        if array is None or array.GetNumberOfComponents() != 1:
+            raise WindingError("the image has no scalar array: choose an array (Scalars), or compute "
+                               "one (Winding Number Field); it tells inside from outside")
+        return array, of_cells
+
+    def _make(self, image, output):
+        array, of_cells = self._find_values(image)
+        counts = [max(1, count - 1) if of_cells else count for count in image.GetDimensions()]
+        values = np.ascontiguousarray(_datasets.array_of(image, array))
+        total = math.prod(counts)
+        if len(values) != total:
+            raise WindingError(f"'{array.GetName()}' is no array of points or cells: choose another "
+                               f"array (Scalars); it has {len(values)} values for {total} voxels")
+        by_label = self.value("ByLabel")
+        are_labels = by_label == 1 or (by_label == 2 and self._are_called_labels(array, values))
+        voxels = self._labels(array, values) if are_labels else self._sides(values)
+        grid = _library.Grid((ctypes.c_double * 3)(0, 0, 0), (ctypes.c_double * 3)(1, 1, 1),
+                             (ctypes.c_int32 * 3)(*counts))
+        mesh = _library.Handle("winding_mesh_free")
+        self.call("winding_voxel_surface", _library.array_of(voxels), ctypes.byref(grid), RUN,
+                  ctypes.byref(mesh.pointer))
+        arrays = _library.arrays_of(mesh)
+        if arrays["points"] is None:
+            return
+        # Points are half a voxel before samples, in numbers of voxels.
+        first = [image.GetExtent()[2 * axis] + (0.5 if of_cells else 0.0) for axis in range(3)]
+        places = arrays["points"] + first
+        matrix = image.GetIndexToPhysicalMatrix()
+        columns = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+        # In the order in which VTK adds up.
+        arrays["points"] = np.stack([
+            row[0] * places[:, 0] + row[1] * places[:, 1] + row[2] * places[:, 2] + row[3]
+            for row in columns[:3]], 1)
+        corners = arrays["corners"].reshape(-1, 4)
+        if np.linalg.det(columns[:3, :3]) < 0:
+            corners = corners[:, [0, 3, 2, 1]]
+        arrays["corners"] = corners.ravel()
+        polydata_of(arrays, output=output)
+        self._add_data(image, of_cells, arrays, are_labels, counts, places, corners, output)
+
+    def _sides(self, values):
+        """1 for each value that is inside, and 0 for any other."""
+        rule, threshold = self.value("InsideRule"), self.values["WindingThreshold"]
+        numbers = values.astype(float, copy=False)
+        with np.errstate(invalid="ignore"):
+            if rule == 2:
+                inside = np.fmod(np.floor(np.abs(numbers) + 0.5), 2) == 1
+            else:
+                inside = (np.abs(numbers) if rule == 1 else numbers) >= threshold
+            if rule == 0 and not inside.any():
+                negative = int((numbers < -threshold).sum())
+                if negative and threshold > 0:
+                    self.warn("the faces or normals look inward, so nothing is inside: turn them "
+                              "(Orient Faces), or use Inside Rule: Absolute; "
+                              f"{negative} of {len(numbers)} samples are below {-threshold:g}")
+        return inside.astype(np.uint8)
+
+    @staticmethod
+    def _are_called_labels(array, values):
+        is_integer = np.issubdtype(values.dtype, np.integer)
+        return (array.GetName() == "Label" and is_integer and len(values) > 0
+                and values.min() >= 0 and values.max() <= 65535)
+
+    @staticmethod
+    def _labels(array, values):
+        numbers = values.astype(float)
+        with np.errstate(invalid="ignore"):
+            are_right = (numbers >= 0) & (numbers <= 65535) & (numbers == np.floor(numbers))
+        if not are_right.all():
+            wrong = numbers[np.flatnonzero(~are_right)[0]]
+            raise WindingError(
+                f"'{array.GetName()}' is no array of labels: choose another array (Scalars), or use "
+                f"By Label: Off; labels are integers from 0 to 65535, and it has the value "
+                f"{wrong:f}")
+        return values.astype(np.uint16)
+
+    def _add_data(self, image, of_cells, arrays, are_labels, counts, places, corners, output):
+        labels = arrays["labels"]
+        if are_labels:
+            both = copied("BoundaryLabels", labels, 2)
+            both.SetComponentName(0, "From")
+            both.SetComponentName(1, "To")
+            output.GetCellData().AddArray(both)
+            output.GetCellData().SetScalars(copied("Label", labels[:, 0]))
+            return
+        attributes = image.GetCellData() if of_cells else image.GetPointData()
+        coverage = attributes.GetArray("Coverage")
+        if coverage is None or coverage.GetNumberOfTuples() != math.prod(counts):
+            return
+        shares = _datasets.array_of(image, coverage)
+        array = copied("Coverage", shares[_voxels_of(places, corners, counts, image, of_cells)],
+                       coverage.GetNumberOfComponents())
+        output.GetCellData().SetScalars(array)
+
+
+def _voxels_of(places, corners, counts, image, of_cells):
+    """The voxel behind each quad: half a voxel from its middle, against its normal."""
+    at = places[corners]
+    normals = np.cross(at[:, 1] - at[:, 0], at[:, 3] - at[:, 0])
+    matrix = image.GetIndexToPhysicalMatrix()
+    columns = np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
+    if np.linalg.det(columns) < 0:
+        normals = -normals
+    extent = image.GetExtent()
+    first = np.array([extent[0], extent[2], extent[4]]) + (0.5 if of_cells else 0.0)
+    middles = at.mean(axis=1) - 0.5 * normals - first
+    index = np.rint(middles).astype(int)
+    return np.ravel_multi_index(tuple(index.T), counts, order="F")

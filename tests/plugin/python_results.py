@@ -1,0 +1,177 @@
+"""What the filters of a plugin make of real meshes, for python_plugin_test.py to compare plugins.
+
+Arguments: a folder of meshes, and the file of JSON that receives digests of all arrays. The plugin
+is in WINDING_PLUGIN."""
+import hashlib
+import json
+import os
+import sys
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObject
+
+MESHES = ["bunny_10k.obj", "aneurysm_open.stl", "sphere_quads.obj", "self_intersectA.obj",
+          "conrod_flipped.stl", "truck_soup.obj", "bunny_res2_nonmanifold.ply", "teapot.obj",
+          "fractures_dfn2.vtp"]
+CLOUDS = ["kitten_points_normals.ply", "bunny_noised_points.ply"]
+# What an execution takes differs from run to run.
+TIMES = ("PrepareSeconds", "EvaluateSeconds", "ExpectedSeconds", "ExpectedMemory")
+facts = {}
+
+
+def digest(array):
+    if array is None:
+        return None
+    if array.IsA("vtkStringArray"):
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+    values = np.ascontiguousarray(vtk_to_numpy(array)) if array.GetNumberOfTuples() else (
+        np.empty(0))
+    values = values.astype(np.int64) if values.dtype.kind in "iu" and values.itemsize > 2 else values
+    if values.size <= 12:
+        return values.tolist()
+    return f"{values.dtype} {values.shape} {hashlib.sha256(values.tobytes()).hexdigest()[:16]}"
+
+
+def arrays_of(attributes):
+    count = attributes.GetNumberOfArrays()
+    found = [attributes.GetAbstractArray(i) for i in range(count)]
+    active = getattr(attributes, "GetScalars", lambda: None)()
+    return {**{array.GetName(): digest(array) for array in found},
+            "active": active.GetName() if active else None}
+
+
+def facts_of(data):
+    if data.IsA("vtkCompositeDataSet"):
+        found, iterator = {}, data.NewIterator()
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            found[str(iterator.GetCurrentFlatIndex())] = facts_of(iterator.GetCurrentDataObject())
+            iterator.GoToNextItem()
+        return found
+    found = {"class": data.GetClassName(), "field": arrays_of(data.GetFieldData()),
+             "points": arrays_of(data.GetPointData()), "cells": arrays_of(data.GetCellData())}
+    if data.IsA("vtkImageData"):
+        found["grid"] = [data.GetExtent(), data.GetOrigin(), data.GetSpacing()]
+        return found
+    points = data.GetPoints()
+    found["places"] = digest(points.GetData()) if points else None
+    names = ("GetVerts", "GetLines", "GetPolys") if data.IsA("vtkPolyData") else ("GetCells",)
+    for name in names:
+        cells = getattr(data, name)()
+        if cells.GetNumberOfCells():
+            found[name] = [digest(cells.GetConnectivityArray()), digest(cells.GetOffsetsArray())]
+    return found
+
+
+def note(name, proxy):
+    """Executes a filter, and keeps its output, its information and what it says."""
+    algorithm, told = proxy.GetClientSideObject(), []
+
+    def hear(_object, _event, text):
+        told.append(text.split("): ", 1)[-1].strip())
+
+    hear.CallDataType = "string0"
+    for event in ("ErrorEvent", "WarningEvent"):
+        algorithm.AddObserver(event, hear)
+    proxy.UpdatePipeline()
+    proxy.UpdatePropertyInformation()
+    information = {}
+    for key in proxy.ListProperties():
+        smproperty = proxy.SMProxy.GetProperty(proxy.GetProperty(key).SMProperty.GetXMLName())
+        if smproperty.GetInformationOnly() and smproperty.GetXMLName() not in TIMES:
+            value = proxy.GetPropertyValue(key)
+            information[smproperty.GetXMLName()] = list(value) if hasattr(
+                value, "__len__") and not isinstance(value, str) else value
+    outputs = [facts_of(algorithm.GetOutputDataObject(port))
+               for port in range(algorithm.GetNumberOfOutputPorts())]
+    facts[name] = {"outputs": outputs, "information": information, "told": told}
+    return proxy
+
+
+def opened(path):
+    if path.endswith((".obj", ".ply", ".stl")):
+        return simple.SurfaceMeshReader(FileName=path)
+    return simple.OpenDataFile(path)
+
+
+def of_source(name, mesh, is_cloud):
+    grid = {"Input": mesh, "Resolution": 24}
+    field = note(f"{name} field", simple.WindingNumberField(
+        **grid, GenerateInside=1, GenerateSignedDistance=1, VerifySamples=50))
+    note(f"{name} field in cells", simple.WindingNumberField(
+        **grid, OutputAssociation="Cells", Coverage="Half Inside", OutputScalarType="Double",
+        Tolerance=1e-5, Padding=0.1))
+    note(f"{name} touched", simple.WindingNumberField(
+        **grid, Coverage="Any Overlap", GenerateWindingNumber=0, InsideRule="Absolute"))
+    note(f"{name} voxels", simple.WindingNumberVoxels(Input=field))
+    note(f"{name} surface", simple.WindingNumberSurface(
+        **grid, FidelitySamples=100, GenerateDistanceToInput=1))
+    note(f"{name} sharp surface", simple.WindingNumberSurface(
+        **grid, Features="Sharp", CloseBorder=1, OrientFaces=1, WindingThreshold=0.4))
+    queries = simple.Sphere(Radius=0.7, ThetaResolution=20, PhiResolution=20)
+    image = simple.Wavelet(WholeExtent=[-6, 6, -5, 5, -4, 4])
+    note(f"{name} probe", simple.WindingNumberProbe(
+        Input=queries, Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
+    note(f"{name} probe of an image", simple.WindingNumberProbe(
+        Input=image, Source=mesh, ProbeAssociation="Cell Centers", ExtractInside=1, InsideOut=1))
+    note(f"{name} report", simple.SurfaceReport(Input=mesh))
+    if not is_cloud:
+        note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
+        note(f"{name} as points", simple.WindingNumberField(
+            **grid, InputAsPoints=1, PointAreaMethod="Mesh", Regularization=1))
+    note(f"{name} areas", simple.PointAreas(Input=mesh))
+    note(f"{name} equal areas", simple.PointAreas(Input=mesh, PointAreaMethod="Constant"))
+
+
+def of_solids(name, source, **properties):
+    for rule in ("First", "Last", "Largest Winding Number", "Smallest Volume"):
+        note(f"{name} {rule}", simple.WindingNumberLabels(
+            Input=source, Resolution=24, OverlapRule=rule, GenerateSolidCount=1, **properties))
+    shares = note(f"{name} shares", simple.WindingNumberLabels(
+        Input=source, Resolution=16, Coverage="Half Inside", CoverageSamples=3, **properties))
+    note(f"{name} each share", simple.WindingNumberLabels(
+        Input=source, Resolution=16, Coverage="Half Inside", CoverageArrays="Each Label",
+        OutputAssociation="Cells", **properties))
+    note(f"{name} voxels", simple.WindingNumberVoxels(Input=shares))
+
+
+def run(folder):
+    simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
+    vtkObject.GlobalWarningDisplayOn()
+    for name in MESHES + CLOUDS:
+        mesh = note(f"{name} read", opened(os.path.join(folder, name)))
+        of_source(name, mesh, name in CLOUDS)
+    balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
+             for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
+    group = simple.GroupDatasets(Input=balls)
+    of_source("a group", group, False)
+    of_solids("solids", group)
+    of_solids("parts", simple.MergeBlocks(Input=group, OutputDataSetType="Polygonal Mesh"))
+    regions = simple.Connectivity(Input=simple.MergeBlocks(
+        Input=group, OutputDataSetType="Polygonal Mesh"))
+    of_solids("regions", regions, RegionArray="RegionId", LabelOffset=1)
+    box = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+    cells = simple.Transform(Input=simple.Tetrahedralize(Input=box))
+    cells.Transform.Scale = [0.3, 0.3, 0.3]
+    note("clip", simple.WindingNumberClip(Input=cells, Source=balls[0]))
+    note("clip of an image", simple.WindingNumberClip(Input=box, Source=balls[1], InsideOut=1))
+    note("probe of blocks", simple.WindingNumberProbe(
+        Input=group, Source=balls[0], ExtractInside=1, GenerateInside=1))
+    note("cells as a source", simple.WindingNumberField(Input=cells, Resolution=20))
+    note("refused", simple.WindingNumberField(Input=balls[0], Padding=-1))
+    note("too large", simple.WindingNumberField(Input=balls[0], VoxelSize=1e-12))
+    note("nothing to do", simple.WindingNumberField(Input=balls[0], GenerateWindingNumber=0))
+    note("one name for two", simple.WindingNumberField(
+        Input=balls[0], GenerateInside=1, ResultArrayName="Inside"))
+    note("parity is not verified", simple.WindingNumberField(
+        Input=balls[0], Method="Ray Parity", VerifySamples=5))
+    note("no source", simple.WindingNumberProbe(Input=balls[0]))
+    note("an image as a source", simple.WindingNumberField(Input=box))
+
+
+if __name__ == "__main__":
+    run(sys.argv[1])
+    with open(sys.argv[2], "w", encoding="utf-8") as file:
+        json.dump(facts, file, indent=1, default=str)
