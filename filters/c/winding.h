@@ -711,7 +711,7 @@ extern "C"
     double volume;                 /**< signed; for closed surfaces */
     double area;                   /**< of all triangles except repeated ones */
     double fractional_share;       /**< samples where w is no integer; NaN without a grid */
-    double bbox[6];      /**< least x, y and z, then the largest; NaN without triangles */
+    double bbox[6];                /**< least x, y and z, then the largest; NaN without triangles */
     int64_t non_finite;  /**< triangles left out for coordinates that are NaN or infinite */
     int64_t invalid_ids; /**< triangles left out for ids of points that are not there */
   } winding_report;

@@ -136,7 +136,9 @@ const Call allCalls[] = {
     }},
   {"winding_orient_normals",
     [](Arguments& a)
-    { return winding_orient_normals(a.points, a.points, &a.run, a.bytes.data(), &a.refusal); }},
+    {
+      return winding_orient_normals(a.points, a.points, &a.run, a.bytes.data(), &a.refusal);
+    }},
   {"winding_estimate_normals",
     [](Arguments& a)
     {

@@ -50,13 +50,13 @@ TEST(NormalsToTurn, AreThoseThatPointInward)
   normals[6] = Point(0, 0, 0);
   ball.points[9][0] = std::nan("");
   expected[6] = expected[9] = 0;
-  ASSERT_EQ(winding_orient_normals(
-              arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
+  ASSERT_EQ(
+    winding_orient_normals(arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
     WINDING_OK);
   EXPECT_EQ(turned, expected);
   normals.pop_back();
-  EXPECT_EQ(winding_orient_normals(
-              arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
+  EXPECT_EQ(
+    winding_orient_normals(arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
     WINDING_MISUSED);
 }
 
@@ -69,8 +69,8 @@ TEST(ExaminationOfPoints, CountsAndAdvises)
   normals.push_back(normals[5]);
   auto report = with(winding_cloud_report_init);
   Warnings told;
-  ASSERT_EQ(winding_examine_points(
-              arrayOf(ball.points), arrayOf(normals), &told.run, &report, nullptr),
+  ASSERT_EQ(
+    winding_examine_points(arrayOf(ball.points), arrayOf(normals), &told.run, &report, nullptr),
     WINDING_OK);
   EXPECT_EQ(report.normals, 1);
   EXPECT_EQ(report.points, 2563);
@@ -78,8 +78,8 @@ TEST(ExaminationOfPoints, CountsAndAdvises)
   EXPECT_EQ(report.zero_normals, 1);
   EXPECT_GT(report.outward_share, 0.99);
   EXPECT_FALSE(told.texts.empty());
-  ASSERT_EQ(winding_examine_points(
-              arrayOf(ball.points), {nullptr, 0, 0, 0}, &told.run, &report, nullptr),
+  ASSERT_EQ(
+    winding_examine_points(arrayOf(ball.points), {nullptr, 0, 0, 0}, &told.run, &report, nullptr),
     WINDING_OK);
   EXPECT_EQ(report.normals, 0);
   EXPECT_TRUE(std::isnan(report.w_behind));

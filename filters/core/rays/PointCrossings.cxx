@@ -285,8 +285,8 @@ const TriangleColumns* PointCrossings::columnsForFew(
   std::call_once(areColumnsMade_,
     [&]
     {
-      columns_ = std::make_unique<TriangleColumns>(
-        counter, chain_.size(), bounds_, scale, executor);
+      columns_ =
+        std::make_unique<TriangleColumns>(counter, chain_.size(), bounds_, scale, executor);
     });
   return columns_->isUsable() ? columns_.get() : nullptr;
 }

@@ -278,7 +278,8 @@ TEST(PointCrossings, OfFewSamplesAskedAgainAndAgain)
     winding::SerialExecutor serial;
     const std::vector<double> expected = crossings(surface, samples, serial);
     const winding::PointCrossings kept(surface);
-    for (std::size_t first = 0, count = 1; first < samples.size(); first += count, count = count % 7 + 1)
+    for (std::size_t first = 0, count = 1; first < samples.size();
+         first += count, count = count % 7 + 1)
     {
       count = std::min(count, samples.size() - first);
       std::vector<double> values(count);

@@ -81,8 +81,7 @@ private:
 vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
   const CellCounts& cells, const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
-  const SurfaceExamination found =
-    examineSurface(source.triangles(), source.points(), executor);
+  const SurfaceExamination found = examineSurface(source.triangles(), source.points(), executor);
   const Surface& surface = *found.field->surface();
   const SurfaceReport& report = found.report;
   const EdgeCounts& edges = report.edges;
