@@ -48,14 +48,6 @@ void winding_estimate_init(winding_estimate* estimate, size_t size)
 }
 
 winding_status winding_estimate_normals(winding_array points, const winding_options* options,
-  const winding_run* run, float* normals, double* areas, winding_refusal* refusal)
-{
-  winding_estimate estimate;
-  winding_estimate_init(&estimate, sizeof estimate);
-  return winding_estimate_points(points, options, run, normals, areas, &estimate, refusal);
-}
-
-winding_status winding_estimate_points(winding_array points, const winding_options* options,
   const winding_run* run, float* normals, double* areas, winding_estimate* estimate,
   winding_refusal* refusal)
 {
@@ -64,7 +56,6 @@ winding_status winding_estimate_points(winding_array points, const winding_optio
     {
       const OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
       const winding::FieldOptions wished = optionsOf(options);
-      winding_estimate& how = required(estimate, "estimate");
       if (view.positions.empty())
       {
         return;
@@ -92,10 +83,13 @@ winding_status winding_estimate_points(winding_array points, const winding_optio
       {
         writeAreas(view, cloud.areas, areas);
       }
-      winding_estimate to = {};
-      to.normal_estimation = static_cast<int32_t>(found.estimation);
-      to.clear_share = found.orientation.outward;
-      give(to, how);
+      if (estimate)
+      {
+        winding_estimate to = {};
+        to.normal_estimation = static_cast<int32_t>(found.estimation);
+        to.clear_share = found.orientation.outward;
+        give(to, *estimate);
+      }
     });
 }
 

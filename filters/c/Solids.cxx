@@ -112,21 +112,6 @@ void winding_labels_init(winding_labels* labels, size_t size)
 }
 
 winding_status winding_label(const winding_field* const* fields, const uint16_t* numbers,
-  size_t count, const winding_grid* grid, const winding_rule* rule, int32_t overlap_rule,
-  int32_t coverage, uint16_t* labels, uint16_t* counts, const winding_run* run,
-  winding_refusal* refusal)
-{
-  winding_label_options options = defaultLabelOptions();
-  options.overlap_rule = overlap_rule;
-  options.coverage = coverage;
-  winding_labels arrays = noLabels();
-  arrays.labels = labels;
-  arrays.counts = counts;
-  return winding_label_part(
-    fields, numbers, count, grid, nullptr, rule, &options, &arrays, run, refusal);
-}
-
-winding_status winding_label_part(const winding_field* const* fields, const uint16_t* numbers,
   size_t count, const winding_grid* grid, const int32_t* extent, const winding_rule* rule,
   const winding_label_options* options, const winding_labels* labels, const winding_run* run,
   winding_refusal* refusal)
@@ -268,14 +253,6 @@ winding_status winding_open_parts(winding_array points, const winding_polygons* 
 }
 
 winding_status winding_orient(winding_array points, const winding_polygons* polygons,
-  const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal)
-{
-  int64_t triangles = 0, components = 0;
-  return winding_orient_counted(
-    points, polygons, run, turned, left_out, &triangles, &components, refusal);
-}
-
-winding_status winding_orient_counted(winding_array points, const winding_polygons* polygons,
   const winding_run* run, uint8_t* turned, uint8_t* left_out, int64_t* turned_triangles,
   int64_t* turned_components, winding_refusal* refusal)
 {
@@ -293,8 +270,14 @@ winding_status winding_orient_counted(winding_array points, const winding_polygo
       const winding::PolygonParts parts = winding::polygonPartsOf(triangles.views());
       const winding::Orientation found =
         winding::orient(surface, winding::edgesOf(surface, call.executor), parts, call.executor);
-      required(turned_triangles, "triangles") = static_cast<int64_t>(found.triangles);
-      required(turned_components, "components") = static_cast<int64_t>(found.components);
+      if (turned_triangles)
+      {
+        *turned_triangles = static_cast<int64_t>(found.triangles);
+      }
+      if (turned_components)
+      {
+        *turned_components = static_cast<int64_t>(found.components);
+      }
       std::fill(turned, turned + count, 0);
       std::fill(left_out, left_out + count, 0);
       triangles.forEachKept(

@@ -572,26 +572,6 @@ extern "C"
     WINDING_OVERLAP_RULE_SMALLEST = 3 /**< the one with the smallest volume */
   } winding_overlap_rule;
 
-  /**
-   * Labels the voxels of a grid by the solids that they are in.
-   *
-   * @param fields one for each solid
-   * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
-   * @param count of solids, at most 65535
-   * @param grid the samples
-   * @param rule the rule for what is inside; null for the defaults
-   * @param overlap_rule a winding_overlap_rule
-   * @param coverage a winding_coverage
-   * @param labels receives a label for each sample of the whole grid, 0 for none
-   * @param counts receives the number of solids that each sample is in, unless it is null
-   * @param run null for the defaults
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_label(const winding_field* const* fields,
-    const uint16_t* numbers, size_t count, const winding_grid* grid, const winding_rule* rule,
-    int32_t overlap_rule, int32_t coverage, uint16_t* labels, uint16_t* counts,
-    const winding_run* run, winding_refusal* refusal);
-
   /** The way in which solids become labels. */
   typedef struct winding_label_options
   {
@@ -635,7 +615,7 @@ extern "C"
   WINDING_API void winding_labels_init(winding_labels* labels, size_t size);
 
   /**
-   * Labels the voxels of a part of a grid, as winding_label() labels those of a whole one.
+   * Labels the voxels of a grid by the solids that they are in.
    *
    * @param fields one for each solid
    * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
@@ -650,7 +630,7 @@ extern "C"
    *
    * Warns, for the whole grid only, of solids without a label.
    */
-  WINDING_API winding_status winding_label_part(const winding_field* const* fields,
+  WINDING_API winding_status winding_label(const winding_field* const* fields,
     const uint16_t* numbers, size_t count, const winding_grid* grid, const int32_t* extent,
     const winding_rule* rule, const winding_label_options* options, const winding_labels* labels,
     const winding_run* run, winding_refusal* refusal);
@@ -811,40 +791,13 @@ extern "C"
    * @param run null for the defaults
    * @param turned receives 1 for each polygon to turn, and 0 for any other
    * @param left_out receives 1 for each polygon to leave out, since it is there twice
+   * @param triangles receives the number of triangles to turn, unless it is null
+   * @param components receives the number of connected parts with such, unless it is null
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_orient(winding_array points, const winding_polygons* polygons,
-    const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal);
-
-  /**
-   * Estimates outward normals of points, and the areas that they stand for.
-   *
-   * @param points three coordinates in each row
-   * @param options null for the defaults; number_of_neighbors and normal_estimation are looked at
-   * @param run null for the defaults
-   * @param normals receives three numbers for each point, of unit length; 0 for unusable points
-   * @param areas receives a number for each point, unless it is null
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_estimate_normals(winding_array points,
-    const winding_options* options, const winding_run* run, float* normals, double* areas,
-    winding_refusal* refusal);
-
-  /**
-   * Does as winding_orient(), and counts.
-   *
-   * @param points three coordinates in each row
-   * @param polygons triangles, or polygons, which are taken as fans from their first corners
-   * @param run null for the defaults
-   * @param turned receives 1 for each polygon to turn, and 0 for any other
-   * @param left_out receives 1 for each polygon to leave out, since it is there twice
-   * @param triangles receives the number of triangles to turn
-   * @param components receives the number of connected parts with triangles to turn
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_orient_counted(winding_array points,
-    const winding_polygons* polygons, const winding_run* run, uint8_t* turned, uint8_t* left_out,
-    int64_t* triangles, int64_t* components, winding_refusal* refusal);
+    const winding_run* run, uint8_t* turned, uint8_t* left_out, int64_t* triangles,
+    int64_t* components, winding_refusal* refusal);
 
   /** How normals were estimated, and what their own field says of them. */
   typedef struct winding_estimate
@@ -863,17 +816,17 @@ extern "C"
   WINDING_API void winding_estimate_init(winding_estimate* estimate, size_t size);
 
   /**
-   * Does as winding_estimate_normals(), and says how.
+   * Estimates outward normals of points, and the areas that they stand for.
    *
    * @param points three coordinates in each row
    * @param options null for the defaults; those of areas and normals are looked at
    * @param run null for the defaults
    * @param normals receives three numbers for each point, of unit length; 0 for unusable points
    * @param areas receives a number for each point, unless it is null; NaN for unusable points
-   * @param estimate receives how; its size is set
+   * @param estimate receives how, unless it is null; its size is set
    * @param refusal receives why the call was refused, unless it is null
    */
-  WINDING_API winding_status winding_estimate_points(winding_array points,
+  WINDING_API winding_status winding_estimate_normals(winding_array points,
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_estimate* estimate, winding_refusal* refusal);
 

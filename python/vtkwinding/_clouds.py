@@ -51,7 +51,7 @@ def areas_of(source, method, *, estimates, point_area, threads, show=None, **opt
         made = np.empty((count, 3), np.float32)
         _library.call("winding_estimate_normals", _library.array_of(source.points),
                       ctypes.byref(given), _library.RUN, ctypes.c_void_p(made.ctypes.data), to,
-                      **run)
+                      None, **run)
         return areas, made
     _library.call("winding_point_areas", _library.array_of(source.points),
                   _library.array_of(normals), ctypes.byref(given), _library.RUN, to, **run)

@@ -444,9 +444,11 @@ def label(fields, grid, sides, overlap, coverage, show=None):
     """Labels of fields at the samples of a grid of the library, by numbers for the choices."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
+    options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage)
+    arrays = _library.Labels(labels=found.ctypes.data)
     _library.call("winding_label", handles, None, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
-                  ctypes.byref(sides.rule), overlap, coverage, ctypes.c_void_p(found.ctypes.data),
-                  None, _library.RUN, threads=sides.run["threads"], show=show)
+                  None, ctypes.byref(sides.rule), ctypes.byref(options), ctypes.byref(arrays),
+                  _library.RUN, show=show, **sides.run)
     return found
 
 
@@ -503,7 +505,7 @@ def orientation_of(points, polygons, count, show=None):
     turned, left_out = (np.empty(count, np.uint8) for _ in range(2))
     _library.call("winding_orient", _library.array_of(points), ctypes.byref(polygons),
                   _library.RUN, ctypes.c_void_p(turned.ctypes.data),
-                  ctypes.c_void_p(left_out.ctypes.data), show=show)
+                  ctypes.c_void_p(left_out.ctypes.data), None, None, show=show)
     return turned, left_out
 
 
@@ -518,7 +520,7 @@ def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
     normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
     _library.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                   _library.RUN, ctypes.c_void_p(normals.ctypes.data),
-                  ctypes.c_void_p(areas.ctypes.data))
+                  ctypes.c_void_p(areas.ctypes.data), None)
     return normals, areas
 
 

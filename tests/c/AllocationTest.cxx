@@ -153,9 +153,15 @@ TEST(Allocations, ThatFailEndCallsWithoutALeak)
     [&]
     {
       const winding_field* fields[] = {field.get()};
+      auto arrays = with(winding_labels_init);
+      arrays.labels = labels.data();
       return winding_label(
-        fields, nullptr, 1, &grid, nullptr, 0, 0, labels.data(), nullptr, &run, nullptr);
+        fields, nullptr, 1, &grid, nullptr, nullptr, nullptr, &arrays, &run, nullptr);
     });
-  expectNoMemoryEverywhere([&]
-    { return winding_estimate_normals(points, nullptr, &run, floats.data(), nullptr, nullptr); });
+  expectNoMemoryEverywhere(
+    [&]
+    {
+      return winding_estimate_normals(
+        points, nullptr, &run, floats.data(), nullptr, nullptr, nullptr);
+    });
 }

@@ -19,8 +19,9 @@ TEST(EstimatedNormals, PointOutward)
   const std::size_t count = ball.points.size();
   std::vector<float> normals(3 * count, 9);
   std::vector<double> areas(count, 9);
-  ASSERT_EQ(winding_estimate_normals(
-              arrayOf(ball.points), nullptr, nullptr, normals.data(), areas.data(), nullptr),
+  auto estimate = with(winding_estimate_init);
+  ASSERT_EQ(winding_estimate_normals(arrayOf(ball.points), nullptr, nullptr, normals.data(),
+              areas.data(), &estimate, nullptr),
     WINDING_OK);
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -191,7 +191,7 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(source.points)
         turned, left_out = (np.zeros(len(source.offsets) - 1, np.uint8) for _ in range(2))
         flipped, components = ctypes.c_int64(), ctypes.c_int64()
-        self.call("winding_orient_counted", _library.array_of(points),
+        self.call("winding_orient", _library.array_of(points),
                   ctypes.byref(source.polygons()), RUN, pointer(turned), pointer(left_out),
                   ctypes.byref(flipped), ctypes.byref(components))
         leaves, first = [], 0
@@ -211,7 +211,7 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(source.points)
         turned = np.zeros(len(points), np.uint8)
         if len(points):
-            self.call("winding_turn_normals", _library.array_of(points),
+            self.call("winding_orient_normals", _library.array_of(points),
                       _library.array_of(np.ascontiguousarray(source.normals)), RUN, pointer(turned))
         leaves, first = [], 0
         for leaf in source.leaves:

@@ -392,7 +392,7 @@ class WindingNumberLabels(ImageAlgorithm):
         if count:
             self.between(0.3, 1)
             self.evaluate(
-                "winding_label_part", handles, numbers, ctypes.c_size_t(len(fields)),
+                "winding_label", handles, numbers, ctypes.c_size_t(len(fields)),
                 ctypes.byref(grid), (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
                 ctypes.byref(options), ctypes.byref(arrays), RUN)
         for array, _ in made:
