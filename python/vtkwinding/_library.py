@@ -189,7 +189,6 @@ class _Call:
         self.run = Run(number_of_threads=threads, words=1, progress=_Progress(progress),
                        warn=_Warn(warn), longest_expected_time=longest_expected_time)
 
-
     @contextlib.contextmanager
     def catching(self):
         """Keeps what is raised where no function can catch it, in the thread that has signals."""
@@ -199,7 +198,10 @@ class _Call:
         before = sys.unraisablehook
 
         def hook(unraisable):
-            if unraisable.object in self.functions:
+            # From Python 3.13 on the function is named in the message alone.
+            words = unraisable.err_msg or ""
+            if unraisable.object in self.functions or any(
+                    repr(function) in words for function in self.functions):
                 self.failure = self.failure or unraisable.exc_value
             else:
                 before(unraisable)

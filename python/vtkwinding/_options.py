@@ -1,5 +1,7 @@
 """The options that all functions share, and the properties of the filters that they stand for."""
 
+from __future__ import annotations
+
 import dataclasses
 import math
 import numbers
