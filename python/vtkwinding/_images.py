@@ -5,7 +5,7 @@ import pyvista as pv
 
 from . import _options
 from ._options import configured
-from .vtkFiltersWinding import vtkWindingNumberField, vtkWindingNumberProbe
+from vtkwinding_native.vtkFiltersWinding import vtkWindingNumberField, vtkWindingNumberProbe
 
 
 def filter_over(image, mesh, options, *, association="point", coverage="center",

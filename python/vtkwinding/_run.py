@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkObject
 
 from ._errors import WindingError, WindingWarning, levels_above_package
 from ._interrupt import Interrupt
-from .vtkFiltersWinding import vtkWindingNumberAlgorithm as Filter
+from vtkwinding_native.vtkFiltersWinding import vtkWindingNumberAlgorithm as Filter
 
 
 def run(algorithm, *, progress_bar=False, message=""):

@@ -19,13 +19,11 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike
 
-from . import _grids, _images, _options, _voxels, _vtk
-
-_vtk.load()
+from . import _grids, _images, _options, _voxels
 
 from ._options import configured  # noqa: E402
 from ._run import run  # noqa: E402
-from .vtkFiltersWinding import (  # noqa: E402
+from vtkwinding_native.vtkFiltersWinding import (  # noqa: E402
     vtkPointAreas,
     vtkSurfaceReport,
     vtkWindingNumberField,

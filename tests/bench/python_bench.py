@@ -1,6 +1,6 @@
 """Times of the Python package beside PyVista's own methods and the C++ filters, in one run.
 
-Usage: python_bench.py <closed mesh>. Needs PyVista and the installed package; prints a table.
+Usage: python_bench.py <closed mesh>. Needs PyVista and both installed packages; prints a table.
 """
 
 import subprocess
@@ -11,7 +11,7 @@ import numpy as np
 import pyvista as pv
 import vtkwinding
 from vtkwinding import _meshes
-from vtkwinding.vtkFiltersWinding import vtkWindingNumberProbe
+from vtkwinding_native.vtkFiltersWinding import vtkWindingNumberProbe
 
 SAMPLES = 128
 

@@ -1,14 +1,11 @@
-"""How functions run: errors, warnings, Ctrl-C, threads, and which VTK they need."""
+"""How functions run: errors, warnings, Ctrl-C and threads."""
 
 import contextlib
 import os
 import pathlib
-import re
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -22,7 +19,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import vtkwinding
 from arrays_test import CORNERS, CUBE, sphere
 from vtkwinding import _run
-from vtkwinding.vtkFiltersWinding import vtkSurfaceReport, vtkWindingNumberField
+from vtkwinding_native.vtkFiltersWinding import vtkSurfaceReport, vtkWindingNumberField
 
 # The direct sum of an open sphere at so many points takes half a minute and more.
 LONG = """
@@ -209,29 +206,6 @@ class ForkTest(unittest.TestCase):
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
         self.assertEqual(status, 0)
-
-
-class VersionTest(unittest.TestCase):
-    def test_another_vtk_is_refused_in_words(self):
-        package = pathlib.Path(vtkwinding.__file__).parent
-        with tempfile.TemporaryDirectory() as folder:
-            copy = pathlib.Path(folder, "vtkwinding")
-            copy.mkdir()
-            for file in package.glob("*.py"):
-                shutil.copy(file, copy)
-            built = (package / "_built.py").read_text()
-            library = (package / re.search('LIBRARY = "(.*)"', built)[1]).resolve()
-            (copy / "_built.py").write_text(
-                f"VERSION = '1'\nLIBRARY = {str(library)!r}\nVTK_MINOR = '12.3'\n")
-            works = "import vtkwinding; print(vtkwinding.contains([[0, 0, 0]], [[0, 0, 0]], []))"
-            alone = subprocess.run([sys.executable, "-W", "ignore", "-c", works], cwd=folder,
-                                   capture_output=True, text=True, env={"PYTHONPATH": folder})
-            self.assertEqual(alone.stdout, "[False]\n", alone.stderr)
-            run = subprocess.run([sys.executable, "-c", "from vtkwinding import _vtk; _vtk.load()"],
-                                 cwd=folder,
-                                 capture_output=True, text=True, env={"PYTHONPATH": folder})
-        self.assertRegex(run.stderr.splitlines()[-1],
-                         r"ImportError: this vtk-winding needs VTK 12\.3 .*the one here is 9\.")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import numpy as np
 
 import vtkwinding
 from vtkwinding import _run
-from vtkwinding.vtkFiltersWinding import (
+from vtkwinding_native.vtkFiltersWinding import (
     vtkSourceReader,
     vtkSurfaceReport,
     vtkWindingNumberField,
