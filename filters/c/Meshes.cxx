@@ -460,7 +460,7 @@ winding_status winding_mesh_column(
       const winding_mesh& from = required(mesh, "mesh");
       if (index < 0 || index >= static_cast<int64_t>(from.columns.size()))
       {
-        throw Misuse("the mesh has no such column");
+        throw Misuse("the mesh has no column of this number");
       }
       const winding_mesh::Column& found = from.columns[static_cast<std::size_t>(index)];
       winding_column to = {};

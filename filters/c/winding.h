@@ -272,7 +272,7 @@ extern "C"
   WINDING_API void winding_field_info_init(winding_field_info* info, size_t size);
 
   /**
-   * Estimates the memory of an evaluation, with that of the field.
+   * Estimates the memory of an evaluation, the field included.
    *
    * @param field the field
    * @param samples the number of samples
@@ -590,8 +590,8 @@ extern "C"
   WINDING_API void winding_label_options_init(winding_label_options* options, size_t size);
 
   /**
-   * The arrays of labels, a number for each sample. Null leaves one out. Shares are those of voxels
-   * that are inside, and for WINDING_COVERAGE_FRACTION only.
+   * The arrays of labels, a number for each sample. Null leaves one out. Shares, of voxels that are
+   * inside, are for WINDING_COVERAGE_FRACTION only.
    */
   typedef struct winding_labels
   {
@@ -655,7 +655,7 @@ extern "C"
    * @param points three coordinates in each row
    * @param polygons triangles, or polygons, which are taken as fans from their first corners
    * @param run null for the defaults
-   * @param are_open receives 1 for each polygon of such a part, and 0 for any other
+   * @param are_open receives 1 for each polygon of these parts, and 0 for any other
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_open_parts(winding_array points,
@@ -792,7 +792,7 @@ extern "C"
    * @param turned receives 1 for each polygon to turn, and 0 for any other
    * @param left_out receives 1 for each polygon to leave out, since it is there twice
    * @param triangles receives the number of triangles to turn, unless it is null
-   * @param components receives the number of connected parts with such, unless it is null
+   * @param components receives the number of connected parts to turn, unless it is null
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_orient(winding_array points, const winding_polygons* polygons,
@@ -819,7 +819,7 @@ extern "C"
    * Estimates outward normals of points, and the areas that they stand for.
    *
    * @param points three coordinates in each row
-   * @param options null for the defaults; those of areas and normals are looked at
+   * @param options null for the defaults; what is about areas and normals is looked at
    * @param run null for the defaults
    * @param normals receives three numbers for each point, of unit length; 0 for unusable points
    * @param areas receives a number for each point, unless it is null; NaN for unusable points

@@ -270,7 +270,6 @@ class _Call:
         if show is not None:
             self.run.interval = 0.002  # little work is to show progress, too
 
-
     @contextlib.contextmanager
     def catching(self):
         """Keeps what is raised where no function can catch it, in the thread that has signals."""
@@ -280,7 +279,10 @@ class _Call:
         before = sys.unraisablehook
 
         def hook(unraisable):
-            if unraisable.object in self.functions:
+            # From Python 3.13 on the function is named in the message alone.
+            words = unraisable.err_msg or ""
+            if unraisable.object in self.functions or any(
+                    repr(function) in words for function in self.functions):
                 self.failure = self.failure or unraisable.exc_value
             else:
                 before(unraisable)

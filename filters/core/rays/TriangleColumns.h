@@ -22,8 +22,7 @@ class TriangleColumns
 {
 public:
   /// Sorts the triangles in. `scale` is the counter's, and `bounds` hold all vertices. Makes
-  /// nothing, which is told by isUsable(), where triangles reach 16 columns on average. Throws
-  /// Interrupted.
+  /// nothing, see isUsable(), where triangles reach 16 columns on average. Throws Interrupted.
   TriangleColumns(const RayCounter& counter, std::size_t triangles, const Bounds& bounds,
     double scale, Executor& executor);
 

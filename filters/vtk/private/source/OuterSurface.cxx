@@ -40,8 +40,8 @@ bool isMixed(vtkPointSet* mesh)
   return hasFaces && hasVolumes;
 }
 
-/// Returns the cells of a mesh, as those of an unstructured grid where VTK's filter of surfaces gives
-/// them no numbers.
+/// Returns the cells of a mesh, in an unstructured grid where VTK's surfaces have no numbers of
+/// cells.
 vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* mesh)
 {
   if (!vtkExplicitStructuredGrid::SafeDownCast(mesh))
