@@ -9,7 +9,7 @@ using namespace winding::c;
 namespace
 {
 
-/// What stands for a figure that cannot be had.
+/// Stands for a figure that cannot be had.
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Writes the least coordinates of a box, and then the largest.

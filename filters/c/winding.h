@@ -716,7 +716,7 @@ extern "C"
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
 
-  /** What can be wrong with edges. */
+  /** The faults that edges may have. */
   typedef enum winding_fault
   {
     WINDING_FAULT_BOUNDARY = 0,     /**< edges that do not cancel, as loops */

@@ -17,7 +17,7 @@ enum class FileAnswer
   cannotOpen
 };
 
-/// A regular file that the system has opened for reading, by its calls: those of POSIX
+/// A regular file that the system has opened for reading, by the calls of POSIX
 /// (FileHandlePosix.cxx) or of Windows (FileHandleWindows.cxx).
 class FileHandle
 {

@@ -77,8 +77,7 @@ class WordsTest(unittest.TestCase):
         # Functions of arrays say themselves that points have no normals, and take no lines.
         found["points without normals"] = message_of(field_of, "bare.xyz")
         found["lines next to faces"] = message_of(field_of, "loose.off")
-        colours = message_of(vtkwinding.read, FOLDER / "colours.xyz")
-        found["columns of colours"] = colours.split(": ", 1)[1]
+        found["columns of colours"] = message_of(vtkwinding.read, FOLDER / "colours.xyz")
         found["the report on faces that look inward"] = vtkwinding.report(*inward)["advice"]
         self.assertEqual(found, messages_of("Python"))
 

@@ -271,8 +271,8 @@ void PointCrossings::evaluate(
   this->cast(samples, output, &clear, executor);
 }
 
-/// Returns the triangles in columns, or null where walking over all of them takes no longer. That is
-/// so for many rays, and for the first few, for which sorting would not pay.
+/// Returns the triangles in columns, or null where walking over all of them takes no longer, as for
+/// many rays. Null is also for the first few rays, which sorting would not pay for.
 const TriangleColumns* PointCrossings::columnsForFew(
   const RayCounter& counter, double scale, std::size_t rays, Executor& executor) const
 {
