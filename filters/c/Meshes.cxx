@@ -4,6 +4,7 @@
 #include "files/MeshFormats.h"
 #include "files/TableFile.h"
 #include "level/GridContour.h"
+#include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
 #include "level/SharpContour.h"
 #include "messages/PropertyChecks.h"
@@ -236,7 +237,7 @@ private:
   std::map<std::size_t, std::vector<std::string>> texts_;
 };
 
-/// Gives a mesh the points, normals and areas of a file.
+/// Gives a mesh all of a file but its polygons.
 void takePoints(const winding::MeshArrays& arrays, winding_mesh& mesh)
 {
   copy(arrays.points.floats, mesh.floatPoints);
@@ -244,6 +245,13 @@ void takePoints(const winding::MeshArrays& arrays, winding_mesh& mesh)
   copy(arrays.normals.floats, mesh.pointNormals);
   copy(arrays.normals.doubles, mesh.doublePointNormals);
   copy(arrays.areas, mesh.pointAreas);
+  copy(arrays.vertices.offsets, mesh.vertexOffsets);
+  copy(arrays.vertices.connectivity, mesh.vertexCorners);
+  copy(arrays.lines.offsets, mesh.lineOffsets);
+  copy(arrays.lines.connectivity, mesh.lineCorners);
+  copy(arrays.colors, mesh.colors);
+  mesh.colorComponents = arrays.colorComponents;
+  copy(arrays.textureCoordinates, mesh.textureCoordinates);
 }
 
 /// Gives a mesh the columns of a table.
@@ -318,6 +326,29 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
     });
 }
 
+winding_status winding_expect_surface(const winding_field* field, const winding_grid* grid,
+  const winding_rule* rule, const winding_run* run, double* bytes, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const Field& source = *required(field, "field").field;
+      const Grid samples = gridOf(grid);
+      const winding_rule inside = known(rule, defaultRule());
+      Call call(run);
+      double edges = winding::levelEdgesByArea(source, samples);
+      constexpr double many = 1e7; // a coarse grid takes no time then
+      if (edges > many)
+      {
+        edges = std::min(edges, winding::levelEdgesByCoarseGrid(source, samples, ruleOf(inside),
+                                  inside.winding_threshold, true, call.executor));
+      }
+      required(bytes, "bytes") = winding::LevelEdges::bytesOfRows(samples) +
+                                 winding::LevelEdges::bytesOfSlab(samples) +
+                                 static_cast<double>(winding::bytesOfLevelSurface(source, edges));
+    });
+}
+
 winding_status winding_voxel_surface(winding_array voxels, const winding_grid* grid,
   const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
 {
@@ -384,6 +415,17 @@ winding_status winding_mesh_show(
       to.point_areas = pointerTo(from.pointAreas);
       to.labels = pointerTo(from.labels);
       to.numbers = pointerTo(from.numbers);
+      to.line_count =
+        from.lineOffsets.empty() ? 0 : static_cast<int64_t>(from.lineOffsets.size() - 1);
+      to.line_offsets = pointerTo(from.lineOffsets);
+      to.line_corners = pointerTo(from.lineCorners);
+      to.vertex_count =
+        from.vertexOffsets.empty() ? 0 : static_cast<int64_t>(from.vertexOffsets.size() - 1);
+      to.vertex_offsets = pointerTo(from.vertexOffsets);
+      to.vertex_corners = pointerTo(from.vertexCorners);
+      to.colors = pointerTo(from.colors);
+      to.color_components = from.colorComponents;
+      to.texture_coordinates = pointerTo(from.textureCoordinates);
       to.column_count = static_cast<int64_t>(from.columns.size());
       give(to, required(arrays, "arrays"));
     });

@@ -464,21 +464,30 @@ extern "C"
   /** The arrays of a mesh, which belong to it. Those that it does not have are null. */
   typedef struct winding_mesh_arrays
   {
-    uint32_t size;                /**< bytes of the struct that its caller knows */
-    int32_t type;                 /**< of points: WINDING_FLOAT32 or _FLOAT64 */
-    int64_t point_count;          /**< rows of points */
-    int64_t polygon_count;        /**< 0 for points alone */
-    int64_t corner_count;         /**< of all polygons */
-    const void* points;           /**< three coordinates each */
-    const int64_t* offsets;       /**< polygon_count + 1 */
-    const int64_t* corners;       /**< ids of points */
-    const void* point_normals;    /**< three each */
-    int32_t normals_type;         /**< of point_normals */
-    const float* polygon_normals; /**< three each, of unit length or 0 */
-    const double* point_areas;    /**< one each */
-    const uint16_t* labels;       /**< two for each polygon: behind it, and before it */
-    const int64_t* numbers;       /**< one for each polygon, which winding_faults() explains */
-    int64_t column_count;         /**< of winding_read_table() */
+    uint32_t size;                    /**< bytes of the struct that its caller knows */
+    int32_t type;                     /**< of points: WINDING_FLOAT32 or _FLOAT64 */
+    int64_t point_count;              /**< rows of points */
+    int64_t polygon_count;            /**< 0 for points alone */
+    int64_t corner_count;             /**< of all polygons */
+    const void* points;               /**< three coordinates each */
+    const int64_t* offsets;           /**< polygon_count + 1 */
+    const int64_t* corners;           /**< ids of points */
+    const void* point_normals;        /**< three each */
+    int32_t normals_type;             /**< of point_normals */
+    const float* polygon_normals;     /**< three each, of unit length or 0 */
+    const double* point_areas;        /**< one each */
+    const uint16_t* labels;           /**< two for each polygon: behind it, and before it */
+    const int64_t* numbers;           /**< one for each polygon, which winding_faults() explains */
+    int64_t column_count;             /**< of winding_read_table() */
+    int64_t line_count;               /**< of a file */
+    const int64_t* line_offsets;      /**< line_count + 1 */
+    const int64_t* line_corners;      /**< ids of points */
+    int64_t vertex_count;             /**< cells of one point or more, of a file */
+    const int64_t* vertex_offsets;    /**< vertex_count + 1 */
+    const int64_t* vertex_corners;    /**< ids of points */
+    const uint8_t* colors;            /**< color_components for each point */
+    int32_t color_components;         /**< 3, or 4 with opacity */
+    const float* texture_coordinates; /**< two for each point */
   } winding_mesh_arrays;
 
   /**
@@ -498,6 +507,20 @@ extern "C"
    */
   WINDING_API winding_status winding_mesh_show(
     const winding_mesh* mesh, winding_mesh_arrays* arrays, winding_refusal* refusal);
+
+  /**
+   * Estimates the memory of a surface that winding_level_surface() makes, and of the work on it.
+   *
+   * @param field the field
+   * @param grid the samples
+   * @param rule the rule for what is inside; null for the defaults
+   * @param run null for the defaults
+   * @param bytes receives the memory
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_expect_surface(const winding_field* field,
+    const winding_grid* grid, const winding_rule* rule, const winding_run* run, double* bytes,
+    winding_refusal* refusal);
 
   /**
    * Gives a mesh back. Null is left alone.
@@ -879,8 +902,8 @@ extern "C"
    * @param mesh receives points, polygons where there are any, and normals and areas of points
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Lines, vertices, colours, texture coordinates and columns without a meaning are left out.
-   * Warns of content that cannot be read.
+   * Columns without a meaning are left out; winding_read_table() has them. Warns of content that
+   * cannot be read.
    */
   WINDING_API winding_status winding_read(
     const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);

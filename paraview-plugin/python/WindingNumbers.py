@@ -5,6 +5,7 @@ loaded there, too, from a folder that all ranks can read.
 """
 
 import os
+import pathlib
 import sys
 
 paraview_plugin_name = "WindingNumbers"
@@ -37,9 +38,10 @@ def _start():
     except ImportError as error:
         return _fail(f"{needs}NumPy, which this ParaView's Python has not ({error})")
     try:
-        from winding_paraview import declarations, proxies  # noqa: F401
+        from winding_paraview import declarations, following, proxies  # noqa: F401
     except ImportError as error:
         return _fail(f"{needs}the files and the library of its own zip, for this system: {error}")
+    following.start(pathlib.Path(_FOLDER))
     return declarations.read(os.path.join(_FOLDER, "xml"))
 
 

@@ -44,6 +44,7 @@ def contents(library, others):
         yield f"winding_paraview/{path.name}", path.read_bytes()
     for path in sorted((ROOT / "paraview-plugin").glob("*.xml")):
         yield f"xml/{path.name}", path.read_bytes()
+    yield "xml/ColorDefaults.inc", (ROOT / "paraview-plugin/ColorDefaults.inc").read_bytes()
     for module in MODULES:
         yield f"vtkwinding/{module}.py", (ROOT / f"python/vtkwinding/{module}.py").read_bytes()
     yield "vtkwinding/_built.py", BUILT.format(version=version(), library=name_of(library))

@@ -118,7 +118,11 @@ class MeshArrays(Sized):
                 ("point_normals", ctypes.c_void_p), ("normals_type", _int32),
                 ("polygon_normals", ctypes.c_void_p), ("point_areas", ctypes.c_void_p),
                 ("labels", ctypes.c_void_p), ("numbers", ctypes.c_void_p),
-                ("column_count", _int64)]
+                ("column_count", _int64), ("line_count", _int64),
+                ("line_offsets", ctypes.c_void_p), ("line_corners", ctypes.c_void_p),
+                ("vertex_count", _int64), ("vertex_offsets", ctypes.c_void_p),
+                ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
+                ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p)]
 
 
 class Column(Sized):
@@ -358,6 +362,11 @@ def arrays_of(mesh):
         memory.owner = mesh
         return np.frombuffer(memory, dtype).reshape(shape)
 
+    def cells(corners, offsets, count):
+        starts = view(offsets, np.int64, count + 1)
+        return None if starts is None or not corners else (
+            view(corners, np.int64, starts[-1]), starts)
+
     points, polygons = arrays.point_count, arrays.polygon_count
     return {
         "points": view(arrays.points, floats[arrays.type], points, 3),
@@ -369,6 +378,10 @@ def arrays_of(mesh):
         "labels": view(arrays.labels, np.uint16, polygons, 2),
         "numbers": view(arrays.numbers, np.int64, polygons),
         "column_count": arrays.column_count,
+        "lines": cells(arrays.line_corners, arrays.line_offsets, arrays.line_count),
+        "vertices": cells(arrays.vertex_corners, arrays.vertex_offsets, arrays.vertex_count),
+        "colors": view(arrays.colors, np.uint8, points, arrays.color_components),
+        "texture_coordinates": view(arrays.texture_coordinates, np.float32, points, 2),
     }
 
 

@@ -1,6 +1,9 @@
 #include "level/LevelEdges.h"
 
+#include "base/Refusal.h"
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace winding
@@ -403,6 +406,12 @@ void LevelEdges::addEdges(const std::vector<Layer>& layers, const Slab* slab, Ex
     starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, firstRow, layerOf(0)));
   const auto sumsEnd =
     starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, firstRow, layerOf(count)));
+  if (std::accumulate(sumsBegin, sumsEnd + 1, std::uint64_t{0}) >
+      std::numeric_limits<std::uint32_t>::max())
+  {
+    throw Refusal(Message("not enough memory", {largerVoxels()},
+      "the surface crosses more than 4294967295 edges of the grid"));
+  }
   std::partial_sum(sumsBegin, sumsEnd + 1, sumsBegin);
   edges_.resize(*sumsEnd);
   values_.resize(slab ? edges_.size() : 0);

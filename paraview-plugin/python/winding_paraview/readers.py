@@ -14,7 +14,6 @@ from .algorithm import RUN, Algorithm, copied, declared
 from .surfaces import polydata_of
 
 _TABLES = (".csv", ".tsv")
-_MESHES = (".obj", ".ply", ".stl")
 
 
 @declared
@@ -48,17 +47,21 @@ class SourceReader(Algorithm):
 
     def _fill(self, handle, is_table, output):
         arrays = _library.arrays_of(handle)
-        count = 0 if arrays["points"] is None else len(arrays["points"])
-        is_cloud = arrays["offsets"] is None or len(arrays["offsets"]) < 2
         polydata_of(arrays, output=output)
-        # Files of meshes have vertices of their own, or none.
-        if is_cloud and count and not self.values["FileName"].lower().endswith(_MESHES):
-            output.SetVerts(_datasets.cell_array_of(output, np.arange(count), np.array([0, count])))
+        for name, give in (("vertices", output.SetVerts), ("lines", output.SetLines)):
+            if arrays[name] is not None:
+                corners, offsets = arrays[name]
+                give(_datasets.cell_array_of(output, corners.copy(), offsets.copy()))
         if is_table and self.value("ReadAllColumns"):
             for name, values in _library.columns_of(handle, arrays["column_count"]):
                 output.GetPointData().AddArray(_column(name, values))
         if arrays["point_normals"] is not None:
             output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
+        if arrays["colors"] is not None:
+            width = arrays["colors"].shape[1]
+            output.GetPointData().SetScalars(copied("RGBA"[:width], arrays["colors"], width))
+        if arrays["texture_coordinates"] is not None:
+            output.GetPointData().SetTCoords(copied("TCoords", arrays["texture_coordinates"], 2))
         if arrays["point_areas"] is not None:
             output.GetPointData().AddArray(copied("Area", arrays["point_areas"]))
 

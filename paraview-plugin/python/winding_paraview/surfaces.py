@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 
-from .algorithm import RUN, Algorithm, copied, declared, new_array
+from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
 from .grids import GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
 from .sources import kind_of
@@ -77,7 +77,11 @@ class WindingNumberSurface(GridAlgorithm):
 
     def _make(self, output):
         samples = sample_count(whole_extent(self.grid))
-        self.expect(samples, bool(self.value("GenerateDistanceToInput")), 0)
+        needed = ctypes.c_double()
+        self.call("winding_expect_surface", self.field.pointer, ctypes.byref(self.grid),
+                  ctypes.byref(self.rule()), RUN, ctypes.byref(needed))
+        refuse_beyond_memory(needed.value, "the surface")
+        self.expect(samples, bool(self.value("GenerateDistanceToInput")), int(needed.value))
         precision = self.value("OutputPointsPrecision")  # single, double, automatic
         options = _library.SurfaceOptions(
             features=self.value("Features"),
