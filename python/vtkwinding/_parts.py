@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import _datasets
+from . import _datasets, _library
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
@@ -30,11 +30,38 @@ def points_of(data):
     return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())]).reshape(-1, 3)
 
 
+def directions_of(image):
+    """The axes of an image in space, as the columns of a matrix."""
+    matrix = image.GetDirectionMatrix()
+    return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
+
+
+def grid_of_image(image, at_cells, *, in_its_axes=False):
+    """The grid of the library that the points of an image are, or the centres of its cells. None for
+    images that are turned, unless the grid is asked for in the axes of the image; and for images
+    that are empty or have blank parts."""
+    is_turned = not (in_its_axes or np.array_equal(directions_of(image), np.eye(3)))
+    if (is_turned or image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints()
+            or image.HasAnyBlankCells()):
+        return None
+    steps, extent = np.array(image.GetSpacing(), float), np.array(image.GetExtent())
+    counts = extent[1::2] - extent[::2] + 1
+    first = np.array(image.GetOrigin()) + extent[::2] * steps
+    if at_cells:
+        first = np.where(counts > 1, first + 0.5 * steps, first)
+        counts = np.maximum(counts - 1, 1)
+    # A layer of samples has no spacing across, whatever an image says.
+    widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
+    steps = np.where(counts == 1, widest if widest > 0 else 1, steps)
+    if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
+        return None
+    return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts))
+
+
 def _points_of_image(image):
-    extent, direction = image.GetExtent(), image.GetDirectionMatrix()
+    extent, matrix = image.GetExtent(), directions_of(image)
     axes = [np.arange(extent[2 * axis], extent[2 * axis + 1] + 1) for axis in range(3)]
     steps = [axes[axis] * image.GetSpacing()[axis] for axis in range(3)]
-    matrix = np.array([[direction.GetElement(i, j) for j in range(3)] for i in range(3)])
     z, y, x = np.meshgrid(*steps[::-1], indexing="ij")
     places = np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
     turned = places if (matrix == np.eye(3)).all() else places @ matrix.T

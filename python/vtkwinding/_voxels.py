@@ -15,9 +15,15 @@ def outer_surface(mesh):
     if isinstance(mesh, pv.PointSet):
         mesh = mesh.cast_to_polydata(deep=False)
     if not isinstance(mesh, pv.PolyData):
-        mesh = mesh.extract_surface(algorithm="dataset_surface", pass_pointid=False,
-                                    pass_cellid=False)
+        mesh = _skin(mesh)
     return mesh
+
+
+def _skin(mesh):
+    surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
+    surface.SetInputData(mesh)
+    surface.Update()
+    return pv.wrap(surface.GetOutput())
 
 
 def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rounding_func,
@@ -41,7 +47,8 @@ def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rou
             if first in given and other in given:
                 raise TypeError(f"{first} and {other} cannot both be set. Set one or the other.")
     surface = outer_surface(mesh)
-    size = np.array(surface.bounds_size)
+    ends = np.array(surface.bounds)
+    size = ends[1::2] - ends[::2]
     if dimensions is None:
         if resolution is not None:
             spacing = max(size) / _options.integer("resolution", resolution, 1, 2**31 - 1)

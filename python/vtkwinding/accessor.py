@@ -256,6 +256,8 @@ class WindingAccessor:
             cell_length_percentile=cell_length_percentile,
             cell_length_sample_size=cell_length_sample_size, coverage=coverage,
             progress_bar=progress_bar, **options)
+        if not hasattr(mask, "points_to_cells"):
+            raise WindingError("voxelize() needs PyVista 0.45 or newer: take voxelize_binary_mask()")
         cells = mask.points_to_cells(dimensionality="3D", copy=False).threshold(0.5)
         del cells.cell_data["mask"]
         return cells
