@@ -201,9 +201,9 @@ TEST_P(Library, HasTheBitsOfVoxelsAndLabels)
   std::vector<std::uint16_t> found(static_cast<std::size_t>(image->GetNumberOfPoints()));
   const winding_field* const fields[] = {field};
   const winding_grid samples = grid();
-  winding_labels arrays = {};
-  winding_labels_init(&arrays, sizeof arrays);
-  arrays.labels = found.data();
+  winding_labels labelling = {};
+  winding_labels_init(&labelling, sizeof labelling);
+  labelling.labels = found.data();
   ASSERT_EQ(winding_label(
               fields, nullptr, 1, &samples, nullptr, nullptr, nullptr, &arrays, nullptr, &refusal),
     WINDING_OK)
