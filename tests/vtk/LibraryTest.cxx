@@ -204,8 +204,8 @@ TEST_P(Library, HasTheBitsOfVoxelsAndLabels)
   winding_labels labelling = {};
   winding_labels_init(&labelling, sizeof labelling);
   labelling.labels = found.data();
-  ASSERT_EQ(winding_label(
-              fields, nullptr, 1, &samples, nullptr, nullptr, nullptr, &arrays, nullptr, &refusal),
+  ASSERT_EQ(winding_label(fields, nullptr, 1, &samples, nullptr, nullptr, nullptr, &labelling,
+              nullptr, &refusal),
     WINDING_OK)
     << refusal.text;
   expectSame(image->GetPointData()->GetArray("Label"), found.data(), "labels");
