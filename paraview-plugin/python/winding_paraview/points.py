@@ -3,7 +3,12 @@
 import ctypes
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPointSet
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkDataObject,
+    vtkPointSet,
+    vtkUnstructuredGrid,
+)
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
@@ -11,6 +16,8 @@ from vtkwinding._errors import WindingError
 from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer
 from .ranks import Ranks
 from .sources import CONSTANT_AREA, cloud_of, gathered, source_in_words
+
+_NUMBERS = "winding_paraview.Numbers"
 
 
 @declared
@@ -59,11 +66,12 @@ class PointAreas(Algorithm):
         ranks = Ranks()
         sets = [leaf for _, leaf in _datasets.leaves_of(data) if isinstance(leaf, vtkPointSet)]
         method = self.value("PointAreaMethod")
-        leaves = ranks.agree(lambda: _leaves_of(data, self.values["NormalsArray"]))
-        own = ranks.agree(lambda: cloud_of(self, leaves, method))
+        found = ranks.agree(lambda: [_leaf_of(one, self.values["NormalsArray"]) for one in sets])
+        own = ranks.agree(
+            lambda: cloud_of(self, [leaf for leaf, _ in found if leaf is not None], method))
         all_parts = gathered(own, ranks, self.value("SourceDistribution"))
         first = 0
-        if all_parts is not own and len(all_parts.points) != len(own.points):
+        if all_parts is not own:
             counts = ranks.gather(np.array([len(own.points)]))
             first = int(sum(count[0] for count in counts[:ranks.rank]))
         normals, areas = self._normals_and_areas(all_parts)
@@ -71,7 +79,7 @@ class PointAreas(Algorithm):
         if not are_estimated and all_parts.normals is not None:
             normals = _unit(all_parts.normals)
         mine = slice(first, first + len(own.points))
-        self._give(sets, leaves, None if normals is None else normals[mine], areas[mine],
+        self._give(sets, found, None if normals is None else normals[mine], areas[mine],
                    are_estimated)
         self.total_area = float(np.cumsum(np.concatenate(
             [[0.0], np.nan_to_num(areas[mine])]))[-1])
@@ -117,34 +125,40 @@ class PointAreas(Algorithm):
             areas = parts.areas.astype(float)
         return normals, areas
 
-    def _give(self, sets, leaves, normals, areas, are_estimated):
+    def _give(self, sets, found, normals, areas, are_estimated):
         """Gives each data set its share, in the order of its points."""
-        by_data = {}
-        first = 0
-        for leaf in leaves:
-            part = slice(first, first + len(leaf.points))
-            by_data[leaf.data.GetAddressAsString("")] = part
-            first += len(leaf.points)
         name = self.values["ResultArrayName"] or "Area"
-        for data in sets:
-            count = data.GetNumberOfPoints()
-            part = by_data.get(data.GetAddressAsString(""), slice(0, 0))
-            own = np.zeros(count)
-            if part.stop - part.start == count:
-                own = np.nan_to_num(areas[part])
-            elif part.stop > part.start or count:
-                raise WindingError(
-                    "the input is a mesh with volume, whose surface has other points: extract its "
-                    "surface first (Extract Surface)")
+        first = 0
+        for data, (leaf, numbers) in zip(sets, found):
+            part = slice(first, first + (0 if leaf is None else len(leaf.points)))
+            first = part.stop
+            own = np.zeros(data.GetNumberOfPoints())
+            own[numbers] = np.nan_to_num(areas[part])
             data.GetPointData().AddArray(copied(name, own))
             lacks = self.value("EstimateNormals") and not _has_normals(
                 data, self.values["NormalsArray"])
             if normals is not None and (are_estimated or lacks):
-                data.GetPointData().SetNormals(copied("Normals", normals[part], 3))
+                directions = np.zeros((len(own), 3), np.float32)
+                directions[numbers] = normals[part]
+                data.GetPointData().SetNormals(copied("Normals", directions, 3))
 
 
-def _leaves_of(data, normals_array):
-    return source_in_words(data, normals_array=normals_array, as_points=True)[0].leaves
+def _leaf_of(data, normals_array):
+    """The points of a data set that count, or None, and their numbers in the data set."""
+    numbered = data.NewInstance()
+    numbered.ShallowCopy(data)
+    numbered.GetPointData().AddArray(copied(_NUMBERS, np.arange(data.GetNumberOfPoints())))
+    if isinstance(data, vtkUnstructuredGrid) and _datasets.has_curved(
+            _datasets.cell_types_of(data)):
+        raise WindingError("the outer surface of curved cells has points that the input does not "
+                           "have: tessellate the cells first (Tessellate)")
+    leaves = source_in_words(numbered, normals_array=normals_array, as_points=True)[0].leaves
+    if not leaves:
+        return None, np.empty(0, np.int64)
+    numbers = _datasets.array_of(data, leaves[0].data.GetPointData().GetArray(_NUMBERS))
+    ghosts = None if leaves[0].corners is not None else _datasets.ghosts_of(
+        data.GetPointData(), _datasets.GHOST_POINTS, len(numbers))
+    return leaves[0], numbers if ghosts is None else numbers[~ghosts]
 
 
 def _has_normals(data, name):

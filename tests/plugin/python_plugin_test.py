@@ -1,0 +1,180 @@
+"""The plugin in Python makes what the plugin in C++ makes, to the bit, and each opens states of the
+other. The zip is unpacked into a folder of its own, as users do it, and ParaView's own interpreter
+runs it."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+here = pathlib.Path(__file__).resolve().parent
+data = os.environ["WINDING_SHARED_DATA"]
+# ParaView up to 5.11 wants what Python has no more since 3.11, and cannot load any plugin without.
+SHIM = """import inspect
+if not hasattr(inspect, "getargspec"):
+    inspect.getargspec = inspect.getfullargspec
+"""
+# Tests of the plugin in C++ that the plugin in Python has to pass as they are.
+SAME = ["areas", "clip", "field", "labels", "probe", "readers", "report", "surface", "voxels", "words"]
+limit = 250  # seconds
+
+
+class PythonPlugin(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        with zipfile.ZipFile(os.environ["WINDING_ZIP"]) as archive:
+            archive.extractall(cls.folder)
+        (cls.folder / "shim").mkdir()
+        (cls.folder / "shim" / "sitecustomize.py").write_text(SHIM)
+        cls.python = str(cls.folder / "WindingNumbers" / "WindingNumbers.py")
+        cls.cxx = os.environ["WINDING_PLUGIN"]
+
+    def run_script(self, plugin, script, *arguments, before=(), fails=False):
+        environment = dict(os.environ, WINDING_PLUGIN=plugin, OMPI_ALLOW_RUN_AS_ROOT="1",
+                           OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        environment["PYTHONPATH"] = os.pathsep.join(
+            [str(self.folder / "shim"), environment.get("PYTHONPATH", "")])
+        program = os.environ["WINDING_PVBATCH" if before else "WINDING_PVPYTHON"]
+        done = subprocess.run(
+            [*before, program, str(script), *map(str, arguments)], env=environment, text=True,
+            check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
+        if not fails:
+            self.assertEqual(done.returncode, 0, done.stdout[-4000:])
+        return done.stdout
+
+    def run_text(self, plugin, text, *arguments, **options):
+        script = self.folder / "script.py"
+        script.write_text(f"""import os, sys
+sys.path.insert(0, {str(here)!r})
+from paraview import servermanager, simple
+simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
+{text}
+""")
+        return self.run_script(plugin, script, *arguments, **options)
+
+    def test_same_bits_figures_and_messages(self):
+        found = {}
+        for name, plugin in (("c++", self.cxx), ("python", self.python)):
+            path = self.folder / f"{name}.json"
+            self.run_script(plugin, here / "python_results.py", data, path)
+            found[name] = json.loads(path.read_text())
+        self.assertEqual(set(found["python"]), set(found["c++"]))
+        for execution, expected in found["c++"].items():
+            with self.subTest(execution):
+                # As text: a number that is none equals itself then.
+                self.assertEqual(*(json.dumps(facts, indent=1, sort_keys=True)
+                                   for facts in (found["python"][execution], expected)))
+
+    def test_passes_the_tests_of_the_plugin_in_cxx(self):
+        for subject in SAME:
+            with self.subTest(subject):
+                self.run_script(self.python, here / f"{subject}_test.py")
+
+    def test_same_proxies_and_properties(self):
+        script = """
+import json
+declared = {}
+for group in ("filters", "sources"):
+    for name in dir(getattr(servermanager, group)):
+        pass
+manager = servermanager.vtkSMProxyManager.GetProxyManager()
+for group, name in (("filters", n) for n in (
+        "SurfaceReport", "WindingNumberField", "WindingNumberSurface", "WindingNumberVoxels",
+        "WindingNumberLabels", "WindingNumberProbe", "WindingNumberClip", "PointAreas")):
+    declared[name] = (group, name)
+for name in ("GeomviewOFFReader", "OrientedPointsReader", "PointTableReader", "SurfaceMeshReader"):
+    declared[name] = ("sources", name)
+from support import elements_text
+found = {}
+for group, name in declared.values():
+    proxy = manager.NewProxy(group, name)
+    iterator = proxy.NewPropertyIterator()
+    properties = {}
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        one = iterator.GetProperty()
+        properties[iterator.GetKey()] = [
+            one.GetClassName(), one.GetXMLLabel(), one.GetPanelVisibility(),
+            elements_text(one) if one.IsA("vtkSMVectorProperty") else "", one.GetInformationOnly()]
+        iterator.Next()
+    found[name] = [proxy.GetXMLGroup(), proxy.GetXMLLabel(), properties]
+with open(sys.argv[1], "w") as file:
+    json.dump(found, file)
+"""
+        found = []
+        for number, plugin in enumerate((self.cxx, self.python)):
+            path = self.folder / f"properties{number}.json"
+            self.run_text(plugin, script, path)
+            found.append(json.loads(path.read_text()))
+        self.assertEqual(len(found[0]), 12)
+        self.assertEqual(found[1], found[0])
+
+    def test_states_of_either_are_opened_by_the_other(self):
+        make = f"""
+mesh = simple.SurfaceMeshReader(registrationName="mesh", FileName={data!r} + "/bunny_10k.obj")
+field = simple.WindingNumberField(registrationName="field", Input=mesh, Resolution=17, Padding=0.2)
+simple.WindingNumberVoxels(registrationName="voxels", Input=field, WindingThreshold=0.4)
+simple.WindingNumberSurface(registrationName="surface", Input=mesh, Features="Sharp", Resolution=20)
+simple.WindingNumberProbe(registrationName="probe", Input=simple.Sphere(), Source=mesh)
+simple.SaveState(sys.argv[1])
+"""
+        look = """
+for name in ("field", "voxels", "surface", "probe"):
+    source = simple.FindSource(name)
+    source.UpdatePipeline()
+    information = source.GetDataInformation()
+    print("fact", name, information.GetNumberOfPoints(), information.GetNumberOfCells())
+"""
+        facts = []
+        for maker, other in ((self.cxx, self.python), (self.python, self.cxx)):
+            state = self.folder / "state.pvsm"
+            for plugin, text in ((maker, make + look),
+                                 (other, "simple.LoadState(sys.argv[1])\n" + look)):
+                out = self.run_text(plugin, text, state)
+                facts.append([line for line in out.splitlines() if line.startswith("fact")])
+        self.assertEqual(len(facts[0]), 4)
+        self.assertEqual(facts, [facts[0]] * 4)
+
+    def test_two_ranks_share_a_source(self):
+        mpirun = os.environ.get("WINDING_MPIRUN")
+        if not mpirun:
+            self.skipTest("there is no mpirun")
+        before = [mpirun, "--oversubscribe", "-np", "2"]
+        out = self.run_text(self.python, f"""
+mesh = simple.SurfaceMeshReader(FileName={data!r} + "/bunny_10k.obj")
+field = simple.WindingNumberField(Input=mesh, Resolution=24)
+surface = simple.WindingNumberSurface(Input=mesh, Resolution=24)
+areas = simple.PointAreas(Input=simple.RedistributeDataSet(Input=mesh))
+for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
+    proxy.UpdatePipeline()
+    information = proxy.GetDataInformation()
+    print("fact", name, information.GetExtent(), information.GetNumberOfCells())
+    ranges = information.GetPointDataInformation().GetArrayInformation("WindingNumber")
+    print("fact", [ranges.GetComponentRange(0)[i] for i in (0, 1)] if ranges else None)
+""", before=before)
+        facts = [line for line in out.splitlines() if line.startswith("fact")]
+        self.assertEqual(facts[:3], [
+            "fact field (0, 23, 0, 23, 0, 19) 10051", "fact [0.0, 1.0]",
+            facts[2]], out)
+        self.assertRegex(facts[2], r"fact surface .* [1-9]\d{3}$")
+
+    def test_what_is_missing_is_said(self):
+        broken = self.folder / "broken"
+        broken.mkdir()
+        plugin = broken / "WindingNumbers.py"
+        plugin.write_text(pathlib.Path(self.python).read_text())
+        out = self.run_text(str(plugin), "", fails=True)
+        self.assertIn("Winding Numbers needs the folder vtkwinding beside WindingNumbers.py: unpack "
+                      "the whole zip", out)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv, verbosity=2)
