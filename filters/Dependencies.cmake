@@ -34,7 +34,7 @@ if(NOT TARGET hwy::hwy)
   add_library(hwy::hwy ALIAS hwy)
 endif()
 if(CMAKE_CROSSCOMPILING AND EXISTS /usr/include/nanoflann.hpp)
-  # The system's one lies among headers of the system, which are for another target.
+  # The system's one lies among headers of the system, which are not the target's.
   set(winding_headers "${CMAKE_BINARY_DIR}/headers")
   file(MAKE_DIRECTORY "${winding_headers}")
   file(CREATE_LINK /usr/include/nanoflann.hpp "${winding_headers}/nanoflann.hpp" SYMBOLIC)

@@ -17,8 +17,8 @@ enum class FileAnswer
   cannotOpen
 };
 
-/// A regular file that the system has opened for reading, by the calls of POSIX
-/// (FileHandlePosix.cxx) or of Windows (FileHandleWindows.cxx).
+/// A regular file that the system has opened for reading, by calls of POSIX (FileHandlePosix.cxx)
+/// or of Windows (FileHandleWindows.cxx).
 class FileHandle
 {
 public:

@@ -82,7 +82,7 @@ FileHandle::~FileHandle()
 
 std::size_t FileHandle::read(std::size_t offset, char* bytes, std::size_t count) const
 {
-  // The place belongs to the call, whatever other threads read.
+  // Each call has a place of its own, whatever other threads read.
   OVERLAPPED place = {};
   place.Offset = static_cast<DWORD>(offset & 0xFFFFFFFFu);
   place.OffsetHigh = static_cast<DWORD>(static_cast<unsigned long long>(offset) >> 32);
