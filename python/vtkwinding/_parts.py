@@ -69,11 +69,17 @@ def _points_of_image(image):
 
 
 def centres_of(data):
-    """The centres (N, 3) of the cells of a data set."""
-    centres = _datasets.class_of(data, ("vtkFiltersCore", "vtkFiltersGeneral"), "vtkCellCenters")()
-    centres.SetInputData(data)
-    centres.Update()
-    return points_of(centres.GetOutput())
+    """The centres (N, 3) of the cells of a data set; NaN for cells without points."""
+    array = _datasets.class_of(data, "vtkCommonCore", "vtkDoubleArray")()
+    array.SetNumberOfComponents(3)
+    array.SetNumberOfTuples(data.GetNumberOfCells())
+    centres = _datasets.class_of(data, ("vtkFiltersCore", "vtkFiltersGeneral"), "vtkCellCenters")
+    if data.GetNumberOfCells():
+        centres.ComputeCellCenters(data, array)
+    found = _datasets.array_of(data, array)
+    if data.IsA("vtkUnstructuredGrid") and len(found):
+        found[np.diff(_datasets.cells_of(data, data.GetCells())[1]) == 0] = np.nan
+    return found
 
 
 def _corners_of_cells(data):
