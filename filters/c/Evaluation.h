@@ -13,7 +13,7 @@
 namespace winding::c
 {
 
-/// Returns an extent of a grid, null for all of it. Throws Misuse where it is not in the grid.
+/// Returns an extent of a grid, null for all of it. Throws Misuse where it lies elsewhere.
 Extent extentOf(const Grid& grid, const int32_t* extent);
 
 /// Does `work`, which evaluates samples of a field. Throws Refusal in the first seconds of work

@@ -115,7 +115,7 @@ void addBoundary(const Surface& surface, bool asCaps, winding::Executor& executo
   }
 }
 
-/// Adds edges that are no manifold, or those about which two triangles disagree.
+/// Adds edges of more than two triangles, or edges about which two triangles disagree.
 void addEdges(const SurfaceEdges& edges, bool areCrowds, FaultMesh& mesh)
 {
   using Edge = std::array<std::int32_t, 2>;

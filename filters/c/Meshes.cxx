@@ -502,7 +502,7 @@ winding_status winding_mesh_column(
       const winding_mesh& from = required(mesh, "mesh");
       if (index < 0 || index >= static_cast<int64_t>(from.columns.size()))
       {
-        throw Misuse("the mesh has no column of this number");
+        throw Misuse("index is not less than column_count");
       }
       const winding_mesh::Column& found = from.columns[static_cast<std::size_t>(index)];
       winding_column to = {};

@@ -613,8 +613,8 @@ extern "C"
   WINDING_API void winding_label_options_init(winding_label_options* options, size_t size);
 
   /**
-   * The arrays of labels, a number for each sample. Null leaves one out. Shares, of voxels that are
-   * inside, are for WINDING_COVERAGE_FRACTION only.
+   * The arrays of labels, a number for each sample. Null leaves one out. Shares say how much of
+   * a voxel is inside, and are for WINDING_COVERAGE_FRACTION only.
    */
   typedef struct winding_labels
   {
@@ -739,7 +739,7 @@ extern "C"
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
 
-  /** The faults that edges may have. */
+  /** The faults of edges. */
   typedef enum winding_fault
   {
     WINDING_FAULT_BOUNDARY = 0,     /**< edges that do not cancel, as loops */
@@ -842,7 +842,7 @@ extern "C"
    * Estimates outward normals of points, and the areas that they stand for.
    *
    * @param points three coordinates in each row
-   * @param options null for the defaults; what is about areas and normals is looked at
+   * @param options null for the defaults; the choices about areas and normals count
    * @param run null for the defaults
    * @param normals receives three numbers for each point, of unit length; 0 for unusable points
    * @param areas receives a number for each point, unless it is null; NaN for unusable points

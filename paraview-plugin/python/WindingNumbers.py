@@ -1,6 +1,6 @@
 """Winding numbers in ParaView, without a compiler: Tools > Manage Plugins > Load New, then this file.
 
-The folders beside this file belong to it: xml, vtkwinding and winding_paraview. On a server it is
+The folders beside this file belong to it: icons, xml, vtkwinding, winding_paraview. On a server it is
 loaded there, too, from a folder that all ranks can read.
 """
 

@@ -42,6 +42,8 @@ def contents(library, others):
         yield f"winding_paraview/{path.name}", path.read_bytes()
     for path in sorted((ROOT / "paraview-plugin").glob("*.xml")):
         yield f"xml/{path.name}", path.read_bytes()
+    for path in sorted((ROOT / "paraview-plugin/icons").glob("*.svg")):
+        yield f"icons/{path.name}", path.read_bytes()
     yield "xml/ColorDefaults.inc", (ROOT / "paraview-plugin/ColorDefaults.inc").read_bytes()
     for path in sorted((ROOT / "python/vtkwinding").glob("*.py")):
         if path.stem not in LEFT_OUT:

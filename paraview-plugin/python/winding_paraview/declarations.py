@@ -1,7 +1,7 @@
 """The XML files of the plugin in C++, as a plugin in Python needs them.
 
-They are read as they are. Classes are replaced by those of this package, and what Python cannot have
-is left out: hyper trees, and icons, which are resources of Qt.
+They are read as they are. Classes are replaced by those of this package, icons by files, and hyper
+trees, which Python does not have, are left out.
 """
 
 import math
@@ -9,6 +9,7 @@ import pathlib
 import re
 from typing import NamedTuple
 from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
 
 _BASES = ("WindingNumberAlgorithm", "WindingNumberGridAlgorithm", "WindingNumberProbeAlgorithm")
 _LEFT_OUT = ("WindingNumberHyperTree",)
@@ -35,18 +36,19 @@ def read(folder):
     paths = sorted(pathlib.Path(folder).glob("*.xml"), key=_order)
     if not paths:
         raise FileNotFoundError(f"there are no XML files in {folder}")
-    return [_of_python(path.read_text(encoding="utf-8")) for path in paths
+    icons = (pathlib.Path(folder).parent / "icons").as_posix()
+    return [_of_python(path.read_text(encoding="utf-8"), icons) for path in paths
             if path.stem not in _LEFT_OUT]
 
 
-def _of_python(text):
-    """The XML with classes of this package instead of those in C++."""
+def _of_python(text, icons):
+    """The XML with classes of this package instead of those in C++, and icons of a folder."""
     text = re.sub(
         r'(<SourceProxy\b[^>]*?\s)class="vtk(\w+)"',
         rf'\1class="{_MODULE}.\2" si_class="vtkSIPythonSourceProxy"', text)
     for name in _LEFT_OUT:
         text = re.sub(rf'\n *<Proxy [^>]*name="{name}"[^>]*/>', "", text)
-    return re.sub(r' icon=":/[^"]*"', "", text)
+    return text.replace('icon=":/WindingNumbers', f'icon={quoteattr(icons)[:-1]}')
 
 
 def properties_of(folder):
