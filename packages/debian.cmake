@@ -64,7 +64,8 @@ else()
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
 clouds of points with normals: fields, closed surfaces, voxels, queries, reports. The program\n\
-winding, the VTK module for C++ and CMake, and its Python package vtkwinding.")
+winding, the VTK module for C++ and CMake, and the Python packages vtkwinding and\n\
+vtkwinding_native.")
   set(CPACK_COMPONENTS_ALL runtime development python Unspecified)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")

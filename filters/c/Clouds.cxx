@@ -2,8 +2,6 @@
 #include "cloud/ConsistentNormals.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
-#include "report/Advice.h"
-#include "report/CloudReport.h"
 #include "source/MeshVertices.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
@@ -50,14 +48,6 @@ void winding_estimate_init(winding_estimate* estimate, size_t size)
 }
 
 winding_status winding_estimate_normals(winding_array points, const winding_options* options,
-  const winding_run* run, float* normals, double* areas, winding_refusal* refusal)
-{
-  winding_estimate estimate;
-  winding_estimate_init(&estimate, sizeof estimate);
-  return winding_estimate_points(points, options, run, normals, areas, &estimate, refusal);
-}
-
-winding_status winding_estimate_points(winding_array points, const winding_options* options,
   const winding_run* run, float* normals, double* areas, winding_estimate* estimate,
   winding_refusal* refusal)
 {
@@ -66,7 +56,6 @@ winding_status winding_estimate_points(winding_array points, const winding_optio
     {
       const OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
       const winding::FieldOptions wished = optionsOf(options);
-      winding_estimate& how = required(estimate, "estimate");
       if (view.positions.empty())
       {
         return;
@@ -94,10 +83,43 @@ winding_status winding_estimate_points(winding_array points, const winding_optio
       {
         writeAreas(view, cloud.areas, areas);
       }
-      winding_estimate to = {};
-      to.normal_estimation = static_cast<int32_t>(found.estimation);
-      to.clear_share = found.orientation.outward;
-      give(to, how);
+      if (estimate)
+      {
+        winding_estimate to = {};
+        to.normal_estimation = static_cast<int32_t>(found.estimation);
+        to.clear_share = found.orientation.outward;
+        give(to, *estimate);
+      }
+    });
+}
+
+winding_status winding_orient_normals(winding_array points, winding_array normals,
+  const winding_run* run, uint8_t* turned, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding::VectorsView places = vectorsOf(points, "points"),
+                                 directions = vectorsOf(normals, "normals");
+      if (places.size() != directions.size())
+      {
+        throw Misuse("normals has other rows than points");
+      }
+      if (places.empty())
+      {
+        return;
+      }
+      uint8_t* const result = &required(turned, "turned");
+      Call call(run);
+      std::vector<Eigen::Vector3d> positions, vectors;
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        positions.push_back(places[i]);
+        vectors.push_back(directions[i]);
+      }
+      const std::vector<unsigned char> turns =
+        winding::normalsToTurn(positions, vectors, call.executor);
+      std::copy(turns.begin(), turns.end(), result);
     });
 }
 
@@ -146,82 +168,6 @@ winding_status winding_vertices(winding_array points, const winding_polygons* po
         const Eigen::Vector3d normal = vertices.normals()[point];
         std::copy_n(normal.data(), 3, normals + 3 * point);
         areas[point] = vertices.areas()[point];
-      }
-    });
-}
-
-void winding_cloud_report_init(winding_cloud_report* report, size_t size)
-{
-  fill(report, size, winding_cloud_report());
-}
-
-winding_status winding_examine_points(winding_array points, winding_array normals,
-  const winding_run* run, winding_cloud_report* report, winding_refusal* refusal)
-{
-  return guarded(run, refusal,
-    [&]
-    {
-      winding_cloud_report& result = required(report, "report");
-      const std::vector<OrientedPointsView> views = {
-        {vectorsOf(points, "points"), vectorsOf(normals, "normals"), {}}};
-      Call call(run);
-      const winding::CloudReport found = winding::reportOn(views, call.executor);
-      call.warn(winding::adviceOn(found));
-      constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      const winding::CloudOrientation sides =
-        found.orientation.value_or(winding::CloudOrientation{none, none, none, none});
-      winding_cloud_report to = {};
-      to.points = static_cast<int64_t>(found.points);
-      to.non_finite = static_cast<int64_t>(found.nonFinite);
-      to.duplicates = static_cast<int64_t>(found.duplicates);
-      to.has_normals = found.hasNormals;
-      to.zero_normals = static_cast<int64_t>(found.zeroNormals);
-      to.non_unit_normals = static_cast<int64_t>(found.nonUnitNormals);
-      to.spacing_min = found.spacing.smallest;
-      to.spacing_median = found.spacing.median;
-      to.spacing_mean = found.spacing.mean;
-      to.spacing_max = found.spacing.largest;
-      to.opposite_neighbors = found.oppositeNeighbors;
-      to.w_behind = sides.behind;
-      to.w_before = sides.before;
-      to.outward_share = sides.outward;
-      to.inward_share = sides.inward;
-      giveBounds(found.bounds, to.bounds);
-      give(to, result);
-    });
-}
-
-winding_status winding_turn_normals(winding_array points, winding_array normals,
-  const winding_run* run, uint8_t* turned, winding_refusal* refusal)
-{
-  return guarded(run, refusal,
-    [&]
-    {
-      const winding::VectorsView places = vectorsOf(points, "points");
-      const winding::VectorsView directions = vectorsOf(normals, "normals");
-      if (directions.size() != places.size() || (places.size() > 0 && !turned))
-      {
-        throw Misuse("normals have not a row for each point, or turned is null");
-      }
-      Call call(run);
-      std::vector<Eigen::Vector3d> positions, usable;
-      std::vector<std::size_t> origins;
-      for (std::size_t point = 0; point < places.size(); ++point)
-      {
-        const Eigen::Vector3d normal = directions[point].stableNormalized();
-        turned[point] = 0;
-        if (places[point].allFinite() && normal.allFinite() && normal.squaredNorm() > 0)
-        {
-          positions.push_back(places[point]);
-          usable.push_back(normal);
-          origins.push_back(point);
-        }
-      }
-      const std::vector<unsigned char> turns =
-        winding::normalsToTurn(positions, usable, call.executor);
-      for (std::size_t n = 0; n < turns.size(); ++n)
-      {
-        turned[origins[n]] = turns[n];
       }
     });
 }

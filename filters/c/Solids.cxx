@@ -2,20 +2,15 @@
 #include "Handles.h"
 #include "field/FieldVolume.h"
 #include "messages/PropertyChecks.h"
-#include "report/Advice.h"
-#include "report/FractionalShare.h"
 #include "report/GridAdvice.h"
 #include "report/LabelFacts.h"
 #include "report/SourceAdvice.h"
-#include "report/SurfaceReport.h"
 #include "source/Sanitize.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/SolidParts.h"
 #include "voxels/LabelMerge.h"
 #include "voxels/SolidEvaluation.h"
-
-#include <limits>
 
 using namespace winding::c;
 using winding::Field;
@@ -117,21 +112,6 @@ void winding_labels_init(winding_labels* labels, size_t size)
 }
 
 winding_status winding_label(const winding_field* const* fields, const uint16_t* numbers,
-  size_t count, const winding_grid* grid, const winding_rule* rule, int32_t overlap_rule,
-  int32_t coverage, uint16_t* labels, uint16_t* counts, const winding_run* run,
-  winding_refusal* refusal)
-{
-  winding_label_options options = defaultLabelOptions();
-  options.overlap_rule = overlap_rule;
-  options.coverage = coverage;
-  winding_labels arrays = noLabels();
-  arrays.labels = labels;
-  arrays.counts = counts;
-  return winding_label_part(
-    fields, numbers, count, grid, nullptr, rule, &options, &arrays, run, refusal);
-}
-
-winding_status winding_label_part(const winding_field* const* fields, const uint16_t* numbers,
   size_t count, const winding_grid* grid, const int32_t* extent, const winding_rule* rule,
   const winding_label_options* options, const winding_labels* labels, const winding_run* run,
   winding_refusal* refusal)
@@ -272,74 +252,7 @@ winding_status winding_open_parts(winding_array points, const winding_polygons* 
     });
 }
 
-void winding_report_init(winding_report* report, size_t size)
-{
-  fill(report, size, winding_report());
-}
-
-winding_status winding_examine(winding_array points, const winding_polygons* polygons,
-  const winding_run* run, winding_report* report, winding_refusal* refusal)
-{
-  return guarded(run, refusal,
-    [&]
-    {
-      winding_report& result = required(report, "report");
-      const Triangles triangles(points, polygons);
-      Call call(run);
-      const auto field = Field::build(triangles.views(), {}, call.executor);
-      const winding::Surface& surface = *field->surface();
-      winding::SurfaceReport found =
-        winding::reportOn(surface, winding::edgesOf(surface, call.executor), call.executor,
-          winding::polygonPartsOf(triangles.views()));
-      found.openings = field->info().openings;
-      call.warn(winding::adviceOn(surface, found));
-      winding_report to = {};
-      to.points = static_cast<int64_t>(surface.vertices.size());
-      to.triangles = static_cast<int64_t>(surface.triangles.size());
-      to.dropped = static_cast<int64_t>(surface.dropped());
-      to.edges = static_cast<int64_t>(found.edges.edges);
-      to.boundary_edges = static_cast<int64_t>(found.edges.boundary);
-      to.net_boundary_edges = static_cast<int64_t>(found.edges.netBoundary);
-      to.non_manifold_edges = static_cast<int64_t>(found.edges.nonManifold);
-      to.inconsistent_edges = static_cast<int64_t>(found.edges.inconsistent);
-      to.components = static_cast<int64_t>(found.edges.components);
-      to.inverted_components = static_cast<int64_t>(found.orientation.inverted);
-      to.nested_solids = static_cast<int64_t>(found.orientation.nestedSolids);
-      to.duplicate_triangles = static_cast<int64_t>(found.duplicateTriangles);
-      to.open_parts_inside = static_cast<int64_t>(found.openPartsInside);
-      to.area = found.area;
-      to.volume = found.volume;
-      const winding::VertexCounts vertices =
-        winding::countVertices({triangles.view().points}, surface, call.executor);
-      to.given_points = static_cast<int64_t>(vertices.points);
-      to.different_points = static_cast<int64_t>(vertices.different);
-      to.unreferenced_points = static_cast<int64_t>(vertices.unreferenced);
-      to.given_triangles = static_cast<int64_t>(surface.inputTriangles);
-      to.collapsed_triangles = static_cast<int64_t>(surface.collapsedTriangles);
-      to.non_finite = static_cast<int64_t>(surface.nonFiniteTriangles);
-      to.invalid_ids = static_cast<int64_t>(surface.invalidIdTriangles);
-      to.zero_area = static_cast<int64_t>(found.zeroAreaTriangles);
-      to.boundary_loops = static_cast<int64_t>(found.edges.boundaryLoops);
-      to.vertex_components = static_cast<int64_t>(found.vertexComponents);
-      to.closed_components = static_cast<int64_t>(found.orientation.closed);
-      to.one_sided = static_cast<int64_t>(found.orientation.oneSided);
-      to.euler = static_cast<int64_t>(found.eulerCharacteristic);
-      to.fractional_share = winding::fractionalShare(*field, call.executor)
-                              .value_or(std::numeric_limits<double>::quiet_NaN());
-      giveBounds(surface.bounds, to.bounds);
-      give(to, result);
-    });
-}
-
 winding_status winding_orient(winding_array points, const winding_polygons* polygons,
-  const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal)
-{
-  int64_t triangles = 0, components = 0;
-  return winding_orient_counted(
-    points, polygons, run, turned, left_out, &triangles, &components, refusal);
-}
-
-winding_status winding_orient_counted(winding_array points, const winding_polygons* polygons,
   const winding_run* run, uint8_t* turned, uint8_t* left_out, int64_t* turned_triangles,
   int64_t* turned_components, winding_refusal* refusal)
 {
@@ -357,8 +270,14 @@ winding_status winding_orient_counted(winding_array points, const winding_polygo
       const winding::PolygonParts parts = winding::polygonPartsOf(triangles.views());
       const winding::Orientation found =
         winding::orient(surface, winding::edgesOf(surface, call.executor), parts, call.executor);
-      required(turned_triangles, "triangles") = static_cast<int64_t>(found.triangles);
-      required(turned_components, "components") = static_cast<int64_t>(found.components);
+      if (turned_triangles)
+      {
+        *turned_triangles = static_cast<int64_t>(found.triangles);
+      }
+      if (turned_components)
+      {
+        *turned_components = static_cast<int64_t>(found.components);
+      }
       std::fill(turned, turned + count, 0);
       std::fill(left_out, left_out + count, 0);
       triangles.forEachKept(

@@ -595,26 +595,6 @@ extern "C"
     WINDING_OVERLAP_RULE_SMALLEST = 3 /**< the one with the smallest volume */
   } winding_overlap_rule;
 
-  /**
-   * Labels the voxels of a grid by the solids that they are in.
-   *
-   * @param fields one for each solid
-   * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
-   * @param count of solids, at most 65535
-   * @param grid the samples
-   * @param rule the rule for what is inside; null for the defaults
-   * @param overlap_rule a winding_overlap_rule
-   * @param coverage a winding_coverage
-   * @param labels receives a label for each sample of the whole grid, 0 for none
-   * @param counts receives the number of solids that each sample is in, unless it is null
-   * @param run null for the defaults
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_label(const winding_field* const* fields,
-    const uint16_t* numbers, size_t count, const winding_grid* grid, const winding_rule* rule,
-    int32_t overlap_rule, int32_t coverage, uint16_t* labels, uint16_t* counts,
-    const winding_run* run, winding_refusal* refusal);
-
   /** The way in which solids become labels. */
   typedef struct winding_label_options
   {
@@ -658,7 +638,7 @@ extern "C"
   WINDING_API void winding_labels_init(winding_labels* labels, size_t size);
 
   /**
-   * Labels the voxels of a part of a grid by the rules of winding_label().
+   * Labels the voxels of a grid by the solids that they are in.
    *
    * @param fields one for each solid
    * @param numbers the label of each, 1 to 65535; null for 1, 2, ...
@@ -673,7 +653,7 @@ extern "C"
    *
    * Warns, for the whole grid only, of solids without a label.
    */
-  WINDING_API winding_status winding_label_part(const winding_field* const* fields,
+  WINDING_API winding_status winding_label(const winding_field* const* fields,
     const uint16_t* numbers, size_t count, const winding_grid* grid, const int32_t* extent,
     const winding_rule* rule, const winding_label_options* options, const winding_labels* labels,
     const winding_run* run, winding_refusal* refusal);
@@ -708,37 +688,35 @@ extern "C"
   /** The health of a surface. */
   typedef struct winding_report
   {
-    uint32_t size;               /**< bytes of the struct that its caller knows */
-    int64_t points;              /**< different positions that polygons use */
-    int64_t triangles;           /**< that can be used */
-    int64_t dropped;             /**< with NaN or infinite coordinates, or ids of no points */
-    int64_t edges;               /**< between different positions */
-    int64_t boundary_edges;      /**< of one triangle */
-    int64_t net_boundary_edges;  /**< that do not cancel */
-    int64_t non_manifold_edges;  /**< of more than two triangles */
-    int64_t inconsistent_edges;  /**< that two triangles run along in the same sense */
-    int64_t components;          /**< connected through edges */
-    int64_t inverted_components; /**< that look inward, and are no cavities */
-    int64_t nested_solids;       /**< that look outward inside of others */
-    int64_t duplicate_triangles; /**< of faces that are there before */
-    int64_t open_parts_inside;   /**< open sheets inside of closed parts */
-    double area;                 /**< of all triangles except repeated ones */
-    double volume;               /**< signed; for closed surfaces */
-    int64_t given_points;        /**< that came in */
-    int64_t different_points;    /**< finite positions of these */
-    int64_t unreferenced_points; /**< different positions that no triangle uses */
-    int64_t given_triangles;     /**< that came in */
-    int64_t collapsed_triangles; /**< with equal corners, which are left out */
-    int64_t non_finite;          /**< triangles with NaN or infinite coordinates */
-    int64_t invalid_ids;         /**< triangles with ids of no points */
-    int64_t zero_area;           /**< triangles of different corners on a line */
-    int64_t boundary_loops;      /**< connected pieces of the boundary edges */
-    int64_t vertex_components;   /**< connected through points */
-    int64_t closed_components;   /**< whose edges cancel */
-    int64_t one_sided;           /**< parts that no turning makes agree */
-    int64_t euler;               /**< points less edges and more triangles */
-    double fractional_share;     /**< of space with w far from integers; NaN for no grid */
-    double bounds[6];            /**< least and largest x, y and z; NaN without triangles */
+    uint32_t size;                 /**< bytes of the struct that its caller knows */
+    int32_t closed;                /**< whether all edges cancel, and there are triangles */
+    int64_t triangles;             /**< that polygons are cut into */
+    int64_t vertices;              /**< rows of points */
+    int64_t vertices_merged;       /**< finite positions, equal ones counted once */
+    int64_t edges;                 /**< between different positions */
+    int64_t boundary_edges;        /**< of one triangle */
+    int64_t boundary_loops;        /**< connected pieces of the boundary edges */
+    int64_t nonmanifold_edges;     /**< of more than two triangles */
+    int64_t inconsistent_edges;    /**< that two triangles run along in the same sense */
+    int64_t net_boundary_edges;    /**< that do not cancel */
+    int64_t components_vertex;     /**< pieces connected through vertices */
+    int64_t components_edge;       /**< pieces connected through edges */
+    int64_t closed_components;     /**< pieces whose edges cancel */
+    int64_t inverted_components;   /**< that look inward, and are no cavities */
+    int64_t nested_solids;         /**< that look outward inside of others */
+    int64_t one_sided_components;  /**< that no turning could make agree */
+    int64_t open_parts_inside;     /**< open sheets inside of closed parts */
+    int64_t duplicate_faces;       /**< triangles of faces that are there before */
+    int64_t degenerate;            /**< triangles with less than three different vertices */
+    int64_t zero_area;             /**< triangles with three different vertices on a line */
+    int64_t unreferenced_vertices; /**< different positions that no triangle uses */
+    int64_t euler;                 /**< vertices less edges plus triangles: 2 for a sphere */
+    double volume;                 /**< signed; for closed surfaces */
+    double area;                   /**< of all triangles except repeated ones */
+    double fractional_share;       /**< samples where w is no integer; NaN without a grid */
+    double bbox[6];                /**< least x, y and z, then the largest; NaN without triangles */
+    int64_t non_finite;  /**< triangles left out for coordinates that are NaN or infinite */
+    int64_t invalid_ids; /**< triangles left out for ids of points that are not there */
   } winding_report;
 
   /**
@@ -786,26 +764,26 @@ extern "C"
   WINDING_API winding_status winding_faults(winding_array points, const winding_polygons* polygons,
     int32_t fault, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
-  /** The health of a cloud of points. */
+  /** The health of a point cloud. Figures that cannot be had are NaN. */
   typedef struct winding_cloud_report
   {
     uint32_t size;             /**< bytes of the struct that its caller knows */
-    int64_t points;            /**< that came in */
-    int64_t non_finite;        /**< with NaN or infinite numbers, which the rest leaves out */
-    int64_t duplicates;        /**< beyond the first ones at their places */
-    int32_t has_normals;       /**< whether there are any */
-    int64_t zero_normals;      /**< of length 0 */
-    int64_t non_unit_normals;  /**< of lengths that are neither 0 nor about 1 */
-    double spacing_min;        /**< least distance to the nearest other place */
+    int32_t normals;           /**< whether there are normals */
+    int64_t points;            /**< rows of points */
+    int64_t duplicates;        /**< points beyond the first at their place */
+    int64_t zero_normals;      /**< normals of length 0 */
+    int64_t non_unit_normals;  /**< normals whose length is neither 0 nor 1 */
+    int64_t non_finite;        /**< points with NaN or infinite numbers; the rest leaves them out */
+    double spacing_min;        /**< least distance of a place to the nearest other one */
     double spacing_median;     /**< of these distances */
     double spacing_mean;       /**< of these distances */
     double spacing_max;        /**< of these distances */
     double opposite_neighbors; /**< share of neighbours with opposite normals */
-    double w_behind;           /**< median of w behind the points; NaN without normals */
-    double w_before;           /**< median of w before the points; NaN without normals */
-    double outward_share;      /**< of points with 1 behind and 0 before; NaN without normals */
-    double inward_share;       /**< of points with 0 behind and -1 before; NaN without normals */
-    double bounds[6];          /**< least and largest x, y and z; NaN without points */
+    double w_behind;           /**< median of w behind the points */
+    double w_before;           /**< median of w before the points */
+    double outward_share;      /**< of points with w about 1 behind and 0 before them */
+    double inward_share;       /**< of points with w about 0 behind and -1 before them */
+    double bbox[6];            /**< least x, y and z, then the largest */
   } winding_cloud_report;
 
   /**
@@ -817,28 +795,16 @@ extern "C"
   WINDING_API void winding_cloud_report_init(winding_cloud_report* report, size_t size);
 
   /**
-   * Examines a cloud. Advice comes as warnings, the most important first.
+   * Examines a point cloud. Advice comes as warnings, the most important first.
    *
    * @param points three coordinates in each row
-   * @param normals as many, of any length; not there for none
+   * @param normals as many, of any length; not there for points alone
    * @param run null for the defaults
-   * @param report receives the counts; its size is set
+   * @param report receives the figures; its size is set
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_examine_points(winding_array points, winding_array normals,
     const winding_run* run, winding_cloud_report* report, winding_refusal* refusal);
-
-  /**
-   * Finds the normals to turn round, so that they agree with the field that they make.
-   *
-   * @param points three coordinates in each row
-   * @param normals as many, of any length
-   * @param run null for the defaults
-   * @param turned receives 1 for each normal to turn, and 0 for any other
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_turn_normals(winding_array points, winding_array normals,
-    const winding_run* run, uint8_t* turned, winding_refusal* refusal);
 
   /**
    * Finds the polygons to turn round, and to leave out, so that a surface has an outside.
@@ -848,40 +814,13 @@ extern "C"
    * @param run null for the defaults
    * @param turned receives 1 for each polygon to turn, and 0 for any other
    * @param left_out receives 1 for each polygon to leave out, since it is there twice
+   * @param triangles receives the number of triangles to turn, unless it is null
+   * @param components receives the number of connected parts to turn, unless it is null
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_orient(winding_array points, const winding_polygons* polygons,
-    const winding_run* run, uint8_t* turned, uint8_t* left_out, winding_refusal* refusal);
-
-  /**
-   * Estimates outward normals of points, and the areas that they stand for.
-   *
-   * @param points three coordinates in each row
-   * @param options null for the defaults; number_of_neighbors and normal_estimation are looked at
-   * @param run null for the defaults
-   * @param normals receives three numbers for each point, of unit length; 0 for unusable points
-   * @param areas receives a number for each point, unless it is null
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_estimate_normals(winding_array points,
-    const winding_options* options, const winding_run* run, float* normals, double* areas,
-    winding_refusal* refusal);
-
-  /**
-   * Does as winding_orient(), and counts.
-   *
-   * @param points three coordinates in each row
-   * @param polygons triangles, or polygons, which are taken as fans from their first corners
-   * @param run null for the defaults
-   * @param turned receives 1 for each polygon to turn, and 0 for any other
-   * @param left_out receives 1 for each polygon to leave out, since it is there twice
-   * @param triangles receives the number of triangles to turn
-   * @param components receives the number of connected parts with triangles to turn
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_orient_counted(winding_array points,
-    const winding_polygons* polygons, const winding_run* run, uint8_t* turned, uint8_t* left_out,
-    int64_t* triangles, int64_t* components, winding_refusal* refusal);
+    const winding_run* run, uint8_t* turned, uint8_t* left_out, int64_t* triangles,
+    int64_t* components, winding_refusal* refusal);
 
   /** How normals were estimated, and what their own field says of them. */
   typedef struct winding_estimate
@@ -900,17 +839,17 @@ extern "C"
   WINDING_API void winding_estimate_init(winding_estimate* estimate, size_t size);
 
   /**
-   * Does as winding_estimate_normals(), and says how.
+   * Estimates outward normals of points, and the areas that they stand for.
    *
    * @param points three coordinates in each row
    * @param options null for the defaults; the choices about areas and normals count
    * @param run null for the defaults
    * @param normals receives three numbers for each point, of unit length; 0 for unusable points
    * @param areas receives a number for each point, unless it is null; NaN for unusable points
-   * @param estimate receives how; its size is set
+   * @param estimate receives how, unless it is null; its size is set
    * @param refusal receives why the call was refused, unless it is null
    */
-  WINDING_API winding_status winding_estimate_points(winding_array points,
+  WINDING_API winding_status winding_estimate_normals(winding_array points,
     const winding_options* options, const winding_run* run, float* normals, double* areas,
     winding_estimate* estimate, winding_refusal* refusal);
 
@@ -928,6 +867,18 @@ extern "C"
   WINDING_API winding_status winding_vertices(winding_array points,
     const winding_polygons* polygons, const winding_run* run, double* normals, double* areas,
     winding_refusal* refusal);
+
+  /**
+   * Finds the normals to turn round, so that they point outward. Their directions stay.
+   *
+   * @param points three coordinates in each row
+   * @param normals three numbers for each point, of any length
+   * @param run null for the defaults
+   * @param turned receives 1 for each normal to turn, and 0 for any other and for unusable points
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_orient_normals(winding_array points, winding_array normals,
+    const winding_run* run, uint8_t* turned, winding_refusal* refusal);
 
   /**
    * Finds the areas that points with normals stand for: their Voronoi cells.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Refusal.h"
+#include "files/FileHandle.h"
 
 #include <cstddef>
 #include <string>
@@ -46,14 +47,11 @@ public:
   /// Opens a regular file. Throws FileRefusal when there is no name (null or empty) and where the
   /// file is missing, a folder, a pipe, unreadable or empty; it never waits for a pipe.
   explicit InputFile(const char* name);
-  ~InputFile();
-  InputFile(const InputFile&) = delete;
-  void operator=(const InputFile&) = delete;
 
   const std::string& name() const { return name_; }
 
   /// The number of bytes when the file was opened.
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return handle_.size(); }
 
   /// The place where text begins: behind a byte order mark of UTF-8, if there is one.
   std::size_t textStart() const;
@@ -76,8 +74,7 @@ public:
 
 private:
   std::string name_;
-  std::size_t size_ = 0;
-  int descriptor_ = -1;
+  FileHandle handle_;
 };
 
 } // namespace winding

@@ -14,14 +14,12 @@ import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-# Of the package for Python: what needs NumPy alone.
-MODULES = ("__init__", "_datasets", "_errors", "_grids", "_interrupt", "_library", "_numbers",
-           "_options", "_sources", "_vtk", "arrays", "fields")
+# Of the package for Python: what is for PyVista alone.
+LEFT_OUT = ("_images", "_progress", "_voxels", "accessor")
 BUILT = '''"""The versions that this package was built as and for. Written by make_zip.py."""
 
 VERSION = "{version}"
 LIBRARY = "{library}"
-VTK_MINOR = "none"
 '''
 
 
@@ -47,8 +45,9 @@ def contents(library, others):
     for path in sorted((ROOT / "paraview-plugin/icons").glob("*.svg")):
         yield f"icons/{path.name}", path.read_bytes()
     yield "xml/ColorDefaults.inc", (ROOT / "paraview-plugin/ColorDefaults.inc").read_bytes()
-    for module in MODULES:
-        yield f"vtkwinding/{module}.py", (ROOT / f"python/vtkwinding/{module}.py").read_bytes()
+    for path in sorted((ROOT / "python/vtkwinding").glob("*.py")):
+        if path.stem not in LEFT_OUT:
+            yield f"vtkwinding/{path.name}", path.read_bytes()
     yield "vtkwinding/_built.py", BUILT.format(version=version(), library=name_of(library))
     yield f"vtkwinding/{name_of(library)}", pathlib.Path(library).read_bytes()
     for other in others:

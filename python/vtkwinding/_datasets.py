@@ -60,9 +60,9 @@ def array_of(data, array):
 
 
 def vtk_array_of(data, name, values):
-    """An array of VTK with a name, which keeps the memory of an array of NumPy alive."""
+    """An array of VTK with a name and its own memory."""
     numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
-    array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values))
+    array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values), 1)
     array.SetName(name)
     return array
 
@@ -108,10 +108,22 @@ def leaves_of(data):
     return leaves
 
 
+def unstructured(data):
+    """The cells of a data set as an unstructured grid."""
+    if data.IsA("vtkUnstructuredGrid"):
+        return data
+    append = class_of(data, "vtkFiltersCore", "vtkAppendFilter")()
+    append.SetInputData(data)
+    append.Update()
+    return append.GetOutput()
+
+
 def cell_types_of(grid):
     """The types of the cells of an unstructured grid."""
-    types = grid.GetCellTypes() if not hasattr(grid, "GetCellTypesArray") else (
-        grid.GetCellTypesArray())
+    try:
+        types = grid.GetCellTypes()
+    except TypeError:  # before VTK 9.6 that is another method
+        types = grid.GetCellTypesArray()
     return np.empty(0, np.uint8) if types is None else array_of(grid, types)
 
 

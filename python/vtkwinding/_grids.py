@@ -1,4 +1,4 @@
-"""Grids for the filters that sample one: by resolution, dimensions, spacing or bounds."""
+"""Grids by resolution, dimensions, spacing or bounds."""
 
 import math
 
@@ -76,21 +76,6 @@ class Plan:
             else:
                 box_of_source = self.bounds or _padded(source_bounds(), self.padding)
                 self.bounds, self.dimensions = _bricks(box_of_source, steps)
-
-
-def lay(algorithm, source_bounds, **grid):
-    """Gives a filter the grid that a Plan is."""
-    plan = Plan(source_bounds, **grid)
-    algorithm.SetPadding(plan.padding)
-    if plan.bounds is not None:
-        algorithm.UseInputBoundsOff()
-        algorithm.SetSamplingBounds(*plan.bounds)
-    if plan.resolution is not None:
-        algorithm.SetResolution(plan.resolution)
-    if plan.dimensions is not None:
-        algorithm.SetSamplingDimensions(*plan.dimensions)
-    if plan.voxel_size is not None:
-        algorithm.SetVoxelSize(plan.voxel_size)
 
 
 def _padded(bounds, padding):

@@ -1,74 +1,46 @@
-"""Winding numbers over an image of PyVista, which may be turned, and results in its place."""
+"""Winding numbers over images, which may be turned, and images of results."""
 
 import numpy as np
 import pyvista as pv
 
-from . import _options
-from ._options import configured
-from .vtkFiltersWinding import vtkWindingNumberField, vtkWindingNumberProbe
-
-
-def filter_over(image, mesh, options, *, association="point", coverage="center",
-                distance_band=None):
-    """The filter that evaluates the field of a mesh at the points of an image, or its cells.
-
-    The probe takes the very places of the image. Coverage and distances within a band are known to
-    the filter alone that lays a grid of its own, which agrees with the image up to rounding.
-    """
-    place = _options.choice("association", association, _options.ASSOCIATIONS)
-    rule = _options.choice("coverage", coverage, _options.COVERAGES)
-    if rule == 0 and distance_band is None:
-        algorithm = configured(vtkWindingNumberProbe(), options)
-        algorithm.SetProbeAssociation(place)
-        algorithm.SetInputData(like(image))
-        algorithm.SetSourceData(mesh)
-        return algorithm
-    algorithm = configured(vtkWindingNumberField(), options)
-    algorithm.SetOutputAssociation(place)
-    algorithm.SetCoverage(rule)
-    if distance_band is not None:
-        algorithm.SetDistanceBand(_options.number("distance_band", distance_band, 0))
-    _lay_over(algorithm, image, association)
-    algorithm.SetInputData(_in_axes_of(image, mesh))
-    return algorithm
-
-
-def _lay_over(algorithm, image, association):
-    """Tells a filter to take the points of an image, or the centres of its cells, in its axes."""
-    counts, steps, first = (np.asarray(values, float) for values in (
-        image.dimensions, image.spacing, image.origin))
-    first = first + steps * np.asarray(image.offset)
-    if association == "cell":
-        if min(image.dimensions) < 2:
-            raise ValueError("reference_volume must have cells, for association='cell'")
-        counts = counts - 1
-        first = first + steps / 2
-    ends = np.stack([first - steps / 2, first + steps * (counts - 0.5)], axis=1)
-    algorithm.UseInputBoundsOff()
-    algorithm.SetSamplingBounds(*ends.ravel())
-    algorithm.SetSamplingDimensions(*(int(count) for count in counts))
-
-
-def _in_axes_of(image, mesh):
-    """The mesh, turned so that the axes of the image are those of space."""
-    if np.array_equal(image.direction_matrix, np.eye(3)):
-        return mesh
-    return mesh.rotate(image.direction_matrix.T, point=image.origin, inplace=False)
-
-
-def in_place_of(image, result):
-    """The arrays of a result as an image with the geometry of another."""
-    found = like(image)
-    found.point_data.update(result.point_data)
-    found.cell_data.update(result.cell_data)
-    return found
+from . import _parts
 
 
 def like(image):
     """An image with the geometry of another, without arrays."""
     found = pv.ImageData()
-    found.extent = image.extent
-    found.spacing = image.spacing
-    found.origin = image.origin
-    found.direction_matrix = image.direction_matrix
+    found.CopyStructure(image)
     return found
+
+
+def over(grid, at_cells):
+    """An image whose points, or cells, are the samples of a grid of the library."""
+    steps, first = np.array(grid.spacing), np.array(grid.origin)
+    counts = np.array(grid.dimensions)
+    if at_cells:
+        return pv.ImageData(dimensions=counts + 1, spacing=steps, origin=first - steps / 2)
+    return pv.ImageData(dimensions=counts, spacing=steps, origin=first)
+
+
+def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
+    """Values of a field on a grid, x running fastest: flat arrays by their names in the library.
+    `band` is the number of voxels beyond which distances need not be exact."""
+    if coverage == 2:
+        kinds = {**kinds, "fractions": np.dtype("f4")}
+    values = field.on_grid(grid, kinds, sides, show=show, coverage=coverage,
+                           distance_limit=band * max(grid.spacing))
+    return {name: array.ravel(order="F") for name, array in values.items()}
+
+
+def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None):
+    """Values of a field at the points of a data set, or at the centres of its cells: flat arrays by
+    their names in the library. Coverage and bands are for images."""
+    grid = _parts.grid_of_image(data, at_cells) if isinstance(data, pv.ImageData) else None
+    if grid is not None:
+        return on_grid(field, grid, kinds, sides, coverage, band, show)
+    if coverage == 0 and band == 0:
+        places = _parts.centres_of(data) if at_cells else _parts.points_of(data)
+        return field.at(places, kinds, sides, show=show)
+    straight = field.turned(_parts.directions_of(data).T, np.array(data.origin))
+    return on_grid(straight, _parts.grid_of_image(data, at_cells, in_its_axes=True), kinds, sides,
+                   coverage, band, show)

@@ -16,7 +16,7 @@ import numpy as np
 
 from ._built import LIBRARY
 from ._errors import (
-    WindingError,
+    WindingError as WindingError,
     WindingInterrupted,
     WindingMemoryError,
     WindingWarning,
@@ -175,29 +175,28 @@ class SurfaceOptions(Sized):
 
 class Report(Sized):
     _init_ = "winding_report_init"
-    _fields_ = [("size", ctypes.c_uint32), ("points", _int64), ("triangles", _int64),
-                ("dropped", _int64), ("edges", _int64), ("boundary_edges", _int64),
-                ("net_boundary_edges", _int64), ("non_manifold_edges", _int64),
-                ("inconsistent_edges", _int64), ("components", _int64),
+    _fields_ = [("size", ctypes.c_uint32), ("closed", _int32), ("triangles", _int64),
+                ("vertices", _int64), ("vertices_merged", _int64), ("edges", _int64),
+                ("boundary_edges", _int64), ("boundary_loops", _int64),
+                ("nonmanifold_edges", _int64), ("inconsistent_edges", _int64),
+                ("net_boundary_edges", _int64), ("components_vertex", _int64),
+                ("components_edge", _int64), ("closed_components", _int64),
                 ("inverted_components", _int64), ("nested_solids", _int64),
-                ("duplicate_triangles", _int64), ("open_parts_inside", _int64),
-                ("area", _double), ("volume", _double), ("given_points", _int64),
-                ("different_points", _int64), ("unreferenced_points", _int64),
-                ("given_triangles", _int64), ("collapsed_triangles", _int64),
-                ("non_finite", _int64), ("invalid_ids", _int64), ("zero_area", _int64),
-                ("boundary_loops", _int64), ("vertex_components", _int64),
-                ("closed_components", _int64), ("one_sided", _int64), ("euler", _int64),
-                ("fractional_share", _double), ("bounds", _double * 6)]
+                ("one_sided_components", _int64), ("open_parts_inside", _int64),
+                ("duplicate_faces", _int64), ("degenerate", _int64), ("zero_area", _int64),
+                ("unreferenced_vertices", _int64), ("euler", _int64), ("volume", _double),
+                ("area", _double), ("fractional_share", _double), ("bbox", _double * 6),
+                ("non_finite", _int64), ("invalid_ids", _int64)]
 
 
 class CloudReport(Sized):
     _init_ = "winding_cloud_report_init"
-    _fields_ = [("size", ctypes.c_uint32), ("points", _int64), ("non_finite", _int64),
-                ("duplicates", _int64), ("has_normals", _int32), ("zero_normals", _int64),
-                ("non_unit_normals", _int64), ("spacing_min", _double),
-                ("spacing_median", _double), ("spacing_mean", _double), ("spacing_max", _double),
+    _fields_ = [("size", ctypes.c_uint32), ("normals", _int32), ("points", _int64),
+                ("duplicates", _int64), ("zero_normals", _int64), ("non_unit_normals", _int64),
+                ("non_finite", _int64), ("spacing_min", _double), ("spacing_median", _double),
+                ("spacing_mean", _double), ("spacing_max", _double),
                 ("opposite_neighbors", _double), ("w_behind", _double), ("w_before", _double),
-                ("outward_share", _double), ("inward_share", _double), ("bounds", _double * 6)]
+                ("outward_share", _double), ("inward_share", _double), ("bbox", _double * 6)]
 
 
 def _load():
@@ -230,7 +229,17 @@ def array_of(array):
     return Array(array.ctypes.data, len(array), stride, TYPES[array.dtype])
 
 
-def _note(text):
+def polygons_of(corners, offsets=None):
+    """Polygons as the library takes them: the ids of all corners, and where each polygon begins and
+    ends; without offsets, triangles (F, 3). The arrays must outlive the call."""
+    if offsets is None:
+        return Polygons(array_of(corners), array_of(None))
+    if len(offsets) > 1 and offsets[0] == 0 and (np.diff(offsets) == 3).all():
+        return Polygons(array_of(corners[:offsets[-1]].reshape(-1, 3)), array_of(None))
+    return Polygons(array_of(corners), array_of(offsets))
+
+
+def warn(text):
     warnings.warn(text, WindingWarning, stacklevel=levels_above_package())
 
 
@@ -265,7 +274,6 @@ class _Call:
         if show is not None:
             self.run.interval = 0.002  # little work is to show progress, too
 
-
     @contextlib.contextmanager
     def catching(self):
         """Keeps what is raised where no function can catch it, in the thread that has signals."""
@@ -275,7 +283,10 @@ class _Call:
         before = sys.unraisablehook
 
         def hook(unraisable):
-            if unraisable.object in self.functions:
+            # From Python 3.13 on the function is named in the message alone.
+            words = unraisable.err_msg or ""
+            if unraisable.object in self.functions or any(
+                    repr(function) in words for function in self.functions):
                 self.failure = self.failure or unraisable.exc_value
             else:
                 before(unraisable)
@@ -299,7 +310,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
     refusal = Refusal()
     function = getattr(_library, name)
     with Interrupt() as interrupt:
-        made = _Call(interrupt, threads, longest_expected_time, _note if note is None else note,
+        made = _Call(interrupt, threads, longest_expected_time, warn if note is None else note,
                      words, show)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
         with made.catching():
@@ -322,7 +333,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
 
 RUN = object()
 _ON_GRIDS = (
-    "winding_evaluate_grid", "winding_level_surface", "winding_label", "winding_label_part")
+    "winding_evaluate_grid", "winding_level_surface", "winding_label")
 
 
 class Handle:

@@ -1,8 +1,7 @@
-"""The options that all functions share, and the properties of the filters that they stand for."""
+"""The values that options may have, as the library counts them."""
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import numbers
 
@@ -14,6 +13,7 @@ COVERAGES = {"center": 0, "any": 1, "fraction": 2}
 FEATURES = {"smooth": 0, "sharp": 1}
 ASSOCIATIONS = {"point": 0, "cell": 1}
 NORMAL_ESTIMATIONS = {"auto": 0, "tree": 1, "consistent": 2}
+OVERLAPS = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
 AREA_METHODS = {"voronoi": 0, "mesh": 1, "constant": 2}
 
 
@@ -75,60 +75,3 @@ def text(name, value):
 def threads(n_threads):
     """The property NumberOfThreads: 0 for all that there are."""
     return 0 if n_threads is None else integer("n_threads", n_threads, 1, 2**31 - 1)
-
-
-@dataclasses.dataclass(frozen=True)
-class Options:
-    """What every winding number needs to know. Defaults are those of vtkWindingNumberAlgorithm."""
-
-    method: str = "auto"
-    tolerance: float = 1e-3
-    threshold: float = 0.5
-    rule: str = "signed"
-    n_threads: int | None = None
-    longest_expected_time: float = 600
-    as_points: bool = False
-    surface_cells: bool = False
-    orient_faces: bool = False
-    ignore_open_parts: bool = False
-    estimate_normals: bool = False
-    normal_estimation: str = "auto"
-    n_neighbors: int = 20
-    regularization: float = 0
-    normals_array: str | None = None
-    areas_array: str | None = None
-
-    def apply(self, algorithm):
-        algorithm.SetMethod(choice("method", self.method, METHODS))
-        algorithm.SetTolerance(number("tolerance", self.tolerance, 0))
-        algorithm.SetWindingThreshold(number("threshold", self.threshold))
-        algorithm.SetInsideRule(choice("rule", self.rule, RULES))
-        algorithm.SetNumberOfThreads(threads(self.n_threads))
-        algorithm.SetLongestExpectedTime(
-            number("longest_expected_time", self.longest_expected_time, 0))
-        algorithm.SetSourceAsPoints(flag("as_points", self.as_points))
-        algorithm.SetUseSurfaceCells(flag("surface_cells", self.surface_cells))
-        algorithm.SetOrientFaces(flag("orient_faces", self.orient_faces))
-        algorithm.SetIgnoreOpenParts(flag("ignore_open_parts", self.ignore_open_parts))
-        algorithm.SetEstimateNormals(flag("estimate_normals", self.estimate_normals))
-        algorithm.SetNormalEstimation(
-            choice("normal_estimation", self.normal_estimation, NORMAL_ESTIMATIONS))
-        algorithm.SetNumberOfNeighbors(integer("n_neighbors", self.n_neighbors, 3, 1000))
-        algorithm.SetRegularization(number("regularization", self.regularization, 0, 4))
-        if self.normals_array is not None:
-            algorithm.SetNormalsArray(text("normals_array", self.normals_array))
-        if self.areas_array is not None:
-            algorithm.SetPointAreaMethod(algorithm.ARRAY)
-            algorithm.SetAreaArray(text("areas_array", self.areas_array))
-        return algorithm
-
-
-NAMES = tuple(field.name for field in dataclasses.fields(Options))
-
-
-def configured(algorithm, options):
-    """The filter with options, of which all but the given ones have their defaults."""
-    for name in options:
-        if name not in NAMES:
-            raise TypeError(f"there is no option {name}; the options are {', '.join(NAMES)}")
-    return Options(**options).apply(algorithm)

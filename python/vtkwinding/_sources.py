@@ -6,13 +6,20 @@ surface. All blocks of composite data are one source.
 
 from __future__ import annotations
 
+import copy
+import inspect
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from . import _datasets, _library
+from . import _datasets, _library, _options, _parts
 from ._errors import WindingError
+from .fields import Field
+
+# Options of fields that are no arrays, as Field has them.
+DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
+            if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 
 _KINDS = "extract the blocks of one kind: the source mixes surfaces and point clouds"
 _MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
@@ -21,23 +28,36 @@ _LOOSE = ("lines and single points bound nothing: make faces of them, if they ar
 _MEND = "mend the data set: the source"
 _ACTIVE = ("Active Normals", "None")  # what lists of arrays in ParaView have for the active ones
 _OWNERS = "Winding.Cells"
+_ABSOLUTE, _ODD = _options.RULES["absolute"], _options.RULES["odd"]
 
 
 class Leaf(NamedTuple):
     """A data set of a source: its points with what belongs to them, and its polygons if it has some.
 
-    `data` has the points and polygons: the data set itself, or its outer surface."""
+    `data` has the points and polygons: the data set itself, or its outer surface. `rows` are the
+    points of it that are taken, and `cells` the cell of it that each polygon is."""
 
     data: object
     points: np.ndarray
+    rows: np.ndarray | slice
     corners: np.ndarray | None
     offsets: np.ndarray | None
+    cells: np.ndarray | None
     normals: np.ndarray | None
     areas: np.ndarray | None
 
     @property
     def polygon_count(self):
         return 0 if self.offsets is None else len(self.offsets) - 1
+
+    def cell_array(self, name):
+        """A cell array, a row for each polygon."""
+        array = self.data.GetCellData().GetAbstractArray(name)
+        if array is None:
+            raise WindingError(f"choose another array: there is no cell array '{name}'")
+        if array.IsNumeric():
+            return _datasets.array_of(self.data, array)[self.cells]
+        return np.array([array.GetValue(cell) for cell in self.cells.tolist()])
 
 
 class Source:
@@ -47,12 +67,13 @@ class Source:
     corners, offsets: ids of points, and where each polygon begins and ends; None for a cloud.
     normals, areas: of the points, or None.
     notes: lines on what is left out, with {surface_cells} for the name of that option.
-    left_out_cells, turned_cells: of meshes with volume.
+    turned_cells: cells with volume at the outer surface, ordered the other way round.
+    left_out_cells: cells of two dimensions where there are three, or the latter.
     """
 
-    def __init__(self, leaves, notes, left_out_cells=0, turned_cells=0):
+    def __init__(self, leaves, notes, turned_cells=0, left_out_cells=0):
         self.leaves, self.notes = leaves, notes
-        self.left_out_cells, self.turned_cells = left_out_cells, turned_cells
+        self.turned_cells, self.left_out_cells = turned_cells, left_out_cells
         self.points = _joined([leaf.points for leaf in leaves], np.empty((0, 3)))
         self.corners = self.offsets = None
         faced = [leaf for leaf in leaves if leaf.corners is not None]
@@ -69,6 +90,14 @@ class Source:
             if leaves and all(getattr(leaf, name) is not None for leaf in leaves) else None
             for name in ("normals", "areas"))
 
+    def copied(self):
+        """The same with copies of all arrays."""
+        made = copy.copy(self)
+        for name in ("points", "corners", "offsets", "normals", "areas"):
+            array = getattr(self, name)
+            setattr(made, name, None if array is None else array.copy())
+        return made
+
     @property
     def is_surface(self):
         return self.corners is not None
@@ -82,16 +111,8 @@ class Source:
         return np.stack([points.min(axis=0), points.max(axis=0)], 1).ravel().astype(float).tolist()
 
     def polygons(self):
-        """The polygons as the library takes them: triangles alone have no offsets."""
-        return polygons_of(self.corners, self.offsets)
-
-
-def polygons_of(corners, offsets):
-    """Polygons as the library takes them. The arrays must outlive the call."""
-    if len(offsets) > 1 and (np.diff(offsets) == 3).all() and offsets[0] == 0:
-        ids = corners[:offsets[-1]].reshape(-1, 3)
-        return _library.Polygons(_library.array_of(ids), _library.array_of(None))
-    return _library.Polygons(_library.array_of(corners), _library.array_of(offsets))
+        """The polygons as the library takes them."""
+        return _library.polygons_of(self.corners, self.offsets)
 
 
 def _joined(arrays, none=None):
@@ -146,15 +167,15 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         notes.append(f"{_MIXED}; {left_out} cells of the other kind are left out")
     if loose:
         notes.append(_LOOSE.format(count=loose))
-    return Source(leaves, notes, left_out, turned)
+    return Source(leaves, notes, turned, left_out)
 
 
 def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
     """Of polydata, or any data set that is a cloud."""
     points = _datasets.floats_of(data, data.GetPoints().GetData())
-    corners = offsets = normals = areas = None
+    corners = offsets = cells = normals = areas = None
     if has_faces:
-        corners, offsets = _own_polygons(data)
+        corners, offsets, cells = _own_polygons(data)
     if is_cloud:
         normals = _point_array(data, normals_array, 3)
         if has_faces and normals is not None and not _have_directions(normals):
@@ -163,10 +184,10 @@ def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
             areas = _point_array(data, areas_array, 1)
     ghosts = None if has_faces else _datasets.ghosts_of(
         data.GetPointData(), _datasets.GHOST_POINTS, len(points))
-    if ghosts is not None:
-        points, normals, areas = (
-            None if array is None else array[~ghosts] for array in (points, normals, areas))
-    return Leaf(data, points, corners, offsets, normals, areas)
+    rows = slice(None) if ghosts is None else np.flatnonzero(~ghosts)
+    points, normals, areas = (
+        None if array is None else array[rows] for array in (points, normals, areas))
+    return Leaf(data, points, rows, corners, offsets, cells, normals, areas)
 
 
 def _have_directions(normals):
@@ -195,24 +216,28 @@ def _point_array(data, name, width):
 
 
 def _own_polygons(data):
-    """The polygons of polydata that are no ghosts, with strips as triangles."""
+    """The polygons of polydata that are no ghosts, with strips as triangles: corners, offsets, and
+    the cells that they are."""
     corners, offsets = _datasets.cells_of(data, data.GetPolys())
     before = data.GetNumberOfVerts() + data.GetNumberOfLines()
-    strips = data.GetNumberOfStrips()
+    cells = np.arange(before, before + len(offsets) - 1)
     ghosts = _datasets.ghosts_of(
         data.GetCellData(), _datasets.GHOST_CELLS, data.GetNumberOfCells())
     if ghosts is not None:
-        corners, offsets = kept_polygons(
-            corners, offsets, ~ghosts[before:before + len(offsets) - 1])
-    if strips:
+        corners, offsets = kept_polygons(corners, offsets, ~ghosts[cells])
+        cells = cells[~ghosts[cells]]
+    if data.GetNumberOfStrips():
         ids, starts = _datasets.cells_of(data, data.GetStrips())
+        strips = np.arange(data.GetNumberOfCells() - len(starts) + 1, data.GetNumberOfCells())
         if ghosts is not None:
-            ids, starts = kept_polygons(ids, starts, ~ghosts[-strips:])
+            ids, starts = kept_polygons(ids, starts, ~ghosts[strips])
+            strips = strips[~ghosts[strips]]
         triangles = _datasets.triangles_of_strips(ids, starts)
+        cells = np.concatenate([cells, np.repeat(strips, np.maximum(np.diff(starts) - 2, 0))])
         corners = np.concatenate([corners[:offsets[-1]], triangles.ravel()])
         offsets = np.concatenate(
             [offsets, offsets[-1] + 3 * np.arange(1, len(triangles) + 1)]).astype(np.int64)
-    return corners, offsets
+    return corners, offsets, cells
 
 
 def kept_polygons(corners, offsets, are_kept):
@@ -234,10 +259,12 @@ def turned_polygons(corners, offsets, are_turned):
 
 
 def _outer_surface(mesh, surface_cells):
-    """The polydata that bounds a mesh with faces, and how many loose cells, and cells of the other
-    kind, it leaves out, and how many polygons it has turned."""
+    """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
+    it leaves out; and how many cells it turns."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
+    if mesh.IsA("vtkExplicitStructuredGrid"):
+        mesh = _datasets.unstructured(mesh)  # VTK gives surfaces of the other no numbers of cells
     types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
     loose = left_out = 0
     cells = mesh
@@ -347,21 +374,22 @@ def _areas_of(surface):
 
 
 def _looking_outward(mesh, surface):
-    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell, and
-    how many were turned."""
+    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell,
+    and the number of cells for which that is needed."""
     polygons = surface.GetNumberOfPolys()
     if polygons == 0:
         return surface, 0
     before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
     owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
-    centres, have_volume = _cell_centres(mesh, owners[before:before + polygons])
+    owners = owners[before:before + polygons].copy()
+    centres, have_volume = _cell_centres(mesh, owners)
     areas, middles = _areas_of(surface)
     are_inward = have_volume & (((middles - centres) * areas).sum(axis=1) < 0)
     if are_inward.any():
         corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
         surface.SetPolys(_datasets.cell_array_of(
             mesh, turned_polygons(corners, offsets, are_inward), offsets))
-    return surface, int(are_inward.sum())
+    return surface, len(np.unique(owners[are_inward]))
 
 
 def _cell_centres(mesh, cells):
@@ -386,3 +414,48 @@ def _cell_centres(mesh, cells):
             [at + step for at, step in zip(place, corner)], counts, order="F")
         centres += points[ids]
     return centres / np.prod(steps + 1), np.full(len(cells), steps.sum() == 3)
+
+
+class SourceField(Field):
+    """The field of a source. Takes the options of Field that are no arrays."""
+
+    at, on_grid, level_surface = Field._at, Field._on_grid, Field._level_surface
+
+    def __init__(self, source, **options):
+        self.source, self.options = source, {**DEFAULTS, **options}
+        self._vertices, self._normals, self._areas = source.points, source.normals, source.areas
+        self._corners, self._offsets = source.corners, source.offsets
+        self._choose(**self.options)
+
+    def with_own_arrays(self):
+        """The field of copies of the arrays, so that it stays what it is when they are changed."""
+        return SourceField(self.source.copied(), **self.options)
+
+    def turned(self, matrix, middle):
+        """The field of the source, turned around a point."""
+        def moved(vectors, around):
+            return None if vectors is None else (vectors - around) @ matrix.T + around
+
+        source = self.source.copied()
+        source.points, source.normals = moved(source.points, middle), moved(source.normals, 0)
+        return SourceField(source, **self.options)
+
+    def level_of(self, values, sides):
+        """The level of winding numbers, which is 0 where the inside ends."""
+        threshold = sides.rule.winding_threshold
+        if sides.rule.inside_rule == _ODD:
+            return 0.5 - np.abs(np.fmod(np.abs(values), 2) - 1)
+        return (np.abs(values) if sides.rule.inside_rule == _ABSOLUTE else values) - threshold
+
+    def cut_distances(self, places, kept, are_cut, sides, show=None):
+        """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of
+        data: `places` are those of cells that are cut."""
+        kinds = {"winding": np.dtype("f8"), "distance": np.dtype("f8")}
+        if not self.is_closed:
+            kinds["gradient"] = np.dtype("f8")
+        values = self.at(np.ascontiguousarray(places, float), kinds, sides, show=show)
+        slopes = np.zeros(len(places))
+        if "gradient" in values:
+            slopes = np.linalg.norm(values["gradient"], axis=1)
+        return _parts.cut_distances(kept, are_cut, values["winding"], values["distance"], slopes,
+                                    lambda w: self.level_of(w, sides))

@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkFiltersStatistics import vtkLengthDistribution
 
-from . import _grids, _options
+from . import _datasets, _grids, _options
 
 
 def outer_surface(mesh):
@@ -16,9 +15,15 @@ def outer_surface(mesh):
     if isinstance(mesh, pv.PointSet):
         mesh = mesh.cast_to_polydata(deep=False)
     if not isinstance(mesh, pv.PolyData):
-        mesh = mesh.extract_surface(algorithm="dataset_surface", pass_pointid=False,
-                                    pass_cellid=False)
+        mesh = _skin(mesh)
     return mesh
+
+
+def _skin(mesh):
+    surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
+    surface.SetInputData(mesh)
+    surface.Update()
+    return pv.wrap(surface.GetOutput())
 
 
 def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rounding_func,
@@ -42,7 +47,8 @@ def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rou
             if first in given and other in given:
                 raise TypeError(f"{first} and {other} cannot both be set. Set one or the other.")
     surface = outer_surface(mesh)
-    size = np.array(surface.bounds_size)
+    ends = np.array(surface.bounds)
+    size = ends[1::2] - ends[::2]
     if dimensions is None:
         if resolution is not None:
             spacing = max(size) / _options.integer("resolution", resolution, 1, 2**31 - 1)
@@ -82,11 +88,23 @@ def _typical_length(surface, percentile, sample_size):
     if triangles.n_cells == 0:  # VTK would end the process
         raise ValueError("give dimensions, spacing or resolution: there are no triangles here, "
                          "whose edges would tell the size of voxels")
-    lengths = vtkLengthDistribution()
+    try:
+        lengths = _datasets.class_of(triangles, "vtkFiltersStatistics", "vtkLengthDistribution")()
+    except ImportError:  # VTK has it from 9.3 on
+        return _quantile_of_edges(triangles, percentile, count)
     lengths.SetInputData(triangles)
     lengths.SetSampleSize(count)
     lengths.Update()
     return lengths.GetLengthQuantile(percentile)
+
+
+def _quantile_of_edges(triangles, percentile, count):
+    """A quantile of the lengths of the edges of some of the triangles."""
+    ids = triangles.faces.reshape(-1, 4)[:, 1:]
+    ids = ids[np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int)]
+    corners = np.asarray(triangles.points, float)[ids]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    return float(np.quantile(sides, percentile))
 
 
 def mask_type(*values):

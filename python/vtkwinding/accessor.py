@@ -12,40 +12,56 @@ PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike
 
-from . import _grids, _images, _options, _voxels, _vtk
+from . import _clouds, _datasets, _grids, _images, _library, _options, _parts, _voxels, fields
+from ._errors import WindingError
+from ._progress import bar
+from ._signatures import SourceOptions, spelled_out
+from ._sources import DEFAULTS, SourceField, kept_polygons, source_of, turned_polygons
 
-_vtk.load()
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
-from ._options import configured  # noqa: E402
-from ._run import run  # noqa: E402
-from .vtkFiltersWinding import (  # noqa: E402
-    vtkPointAreas,
-    vtkSurfaceReport,
-    vtkWindingNumberField,
-    vtkWindingNumberProbe,
-    vtkWindingNumberSurface,
-)
-
-if getattr(pv, "vtk_backend", lambda: "vtk")() != "vtk":
-    raise ImportError(
-        "vtk-winding works with the package vtk only: set PYVISTA_VTK_BACKEND=vtk, or uninstall "
-        f"{pv.vtk_backend()}")
+_SOURCE_DEFAULTS = {"surface_cells": False, "normals_array": None, "areas_array": None}
+_ALL_DEFAULTS = {**DEFAULTS, **_SOURCE_DEFAULTS}
+_OF_SIDES = ("threshold", "rule", "n_threads", "longest_expected_time")
+_with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
 
 
 def _check_source(name, mesh):
     """A mesh that may be the source of a field."""
     if not isinstance(mesh, (pv.PointSet, pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid,
-                             pv.MultiBlock)):
+                             pv.ExplicitStructuredGrid, pv.MultiBlock)):
         kind = type(mesh).__name__
         raise TypeError(f"{name} must be a surface, a cloud or a mesh of cells, not {kind}")
     return mesh
+
+
+def _source(mesh, name="the mesh", *, as_points=False, notes=None, **arrays):
+    """The source that a mesh is. What it leaves out is warned of, or added to notes."""
+    for option, value in arrays.items():
+        if value is not None and option != "surface_cells":
+            _options.text(option, value)
+    arrays["surface_cells"] = _options.flag("surface_cells", arrays.get("surface_cells", False))
+    source = source_of(_check_source(name, mesh), as_points=as_points, **arrays)
+    for note in source.notes:
+        text = note.format(surface_cells="surface_cells=True")
+        _library.warn(text) if notes is None else notes.append(text)
+    return source
+
+
+def _leaves(mesh):
+    """The data sets of a mesh: itself, or all blocks."""
+    if not isinstance(mesh, pv.MultiBlock):
+        return [mesh]
+    return [leaf for block in mesh if block is not None for leaf in _leaves(block)]
 
 
 def _copied(mesh):
@@ -59,63 +75,87 @@ def _copied(mesh):
     return copy
 
 
-def _fill(copy, output, names, association="point"):
-    """Gives a copy of the input the arrays that a filter made for it, by their new names."""
-    if isinstance(copy, pv.MultiBlock):
-        for index, block in enumerate(copy):
-            if block is not None:
-                _fill(block, output[index], names, association)
-        return copy
-    if not isinstance(copy, pv.DataSet):
-        return copy
-    for name, (made, kind) in names.items():
-        found = output.cell_data if association == "cell" else output.point_data
-        target = copy.cell_data if association == "cell" else copy.point_data
-        if made in found:
-            array = np.asarray(found[made])
-            target[name] = array.view(kind) if kind is np.bool_ else array
-            copy.set_active_scalars(name, association)
+def _fill(copy, values, names, association="point"):
+    """Gives a copy of the input the values at its points or cells, those of all blocks in a row,
+    as arrays of new names, of which the last becomes active."""
+    first = 0
+    for leaf in _leaves(copy):
+        if not isinstance(leaf, pv.DataSet):
+            continue
+        count = leaf.n_cells if association == "cell" else leaf.n_points
+        target = leaf.cell_data if association == "cell" else leaf.point_data
+        for name, kind in names.items():
+            target[name] = values[kind][first:first + count]
+            leaf.set_active_scalars(name, association)
+        first += count
     return copy
 
 
-def _set_normals(copy, output):
-    """Gives a copy of the input the active normals that a filter made for it."""
-    if isinstance(copy, pv.MultiBlock):
-        for index, block in enumerate(copy):
-            if block is not None:
-                _set_normals(block, output[index])
-    elif isinstance(copy, pv.DataSet) and "Normals" in output.point_data:
-        copy.point_data["Normals"] = np.asarray(output.point_data["Normals"])
-        copy.point_data.active_normals_name = "Normals"
-    return copy
+def _same(one, other):
+    """Whether two arrays, or None, have the same bits."""
+    if one is None or other is None:
+        return one is other
+    if one.dtype != other.dtype or one.shape != other.shape:
+        return False
+    bits = np.int32 if one.dtype.itemsize == 4 else np.int64
+    return np.array_equal(one.view(bits), other.view(bits))
 
 
-def _without_notes(mesh):
-    """The mesh without the field data that says how it came about."""
-    for name in ("WindingNumberMethod", "WindingNumberMethodReason",
-                 "WindingNumberNormalEstimation", "WindingNumberClearShare"):
-        if name in mesh.field_data:
-            del mesh.field_data[name]
-    if isinstance(mesh, pv.MultiBlock):
-        for block in mesh:
-            if block is not None:
-                _without_notes(block)
-    return mesh
+def _polydata(points, corners, offsets):
+    made = pv.PolyData()
+    if points is None or not len(points):
+        return made
+    made.points = points
+    made.SetPolys(_datasets.cell_array_of(made, corners, offsets))
+    return made
 
 
-@pv.register_dataset_accessor("winding", pv.DataObject)
 class WindingAccessor:
     """Winding numbers of this mesh, or at its points."""
 
     def __init__(self, mesh: pv.DataObject) -> None:
         self._mesh = mesh
+        self._kept: SourceField | None = None
 
+    def _field(self, options, name="the mesh"):
+        """The field of this mesh, kept from one call to the next, and what is inside of it."""
+        for option in options:
+            if option not in _ALL_DEFAULTS:
+                raise TypeError(
+                    f"there is no option {option}; the options are {', '.join(_ALL_DEFAULTS)}")
+        given = {**_ALL_DEFAULTS, **options}
+        arrays = {option: given.pop(option) for option in _SOURCE_DEFAULTS}
+        as_points = _options.flag("as_points", given["as_points"])
+        source = _source(self._mesh, name, as_points=as_points, **arrays)
+        sides = fields.Sides(*(given.pop(option) for option in _OF_SIDES))
+        made = SourceField(source, **given)
+        kept = self._kept
+        if kept is not None and kept.options == made.options and all(
+                _same(getattr(kept.source, array), getattr(source, array))
+                for array in ("points", "corners", "offsets", "normals", "areas")):
+            return kept, sides
+        self._kept = made.with_own_arrays()
+        return self._kept, sides
+
+    def _grid(self, **wishes):
+        """The grid of the library over this mesh."""
+        mesh = self._mesh
+
+        def bounds():
+            if mesh.IsA("vtkDataSet") and mesh.n_points == 0 or not len(_leaves(mesh)):
+                raise WindingError(
+                    "the input is empty, and has no bounds: give bounds (bounds=)")
+            return [float(end) for end in mesh.bounds]
+
+        return fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
+
+    @_with_options
     def field(self, *, reference_volume: pv.ImageData | None = None,
               dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
               resolution: int | None = None, bounds: ArrayLike | None = None, padding: float = 0.05,
               inside: bool = False, signed_distance: bool = False, coverage: str = "center",
               distance_band: float | None = None, association: str = "point",
-              progress_bar: bool = False, **options: Any) -> pv.ImageData:
+              progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
         """The winding number on a grid: ImageData with the array 'WindingNumber'.
 
         The grid is that of reference_volume, or has dimensions, voxels of a spacing (one number or
@@ -128,29 +168,41 @@ class WindingAccessor:
             'Inside', and 'fraction' the array 'Coverage'.
         distance_band: voxels beyond which distances need not be exact.
         """
-        mesh = _check_source("the mesh", self._mesh)
+        _check_source("the mesh", self._mesh)
+        at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
+        cover = _options.choice("coverage", coverage, _options.COVERAGES)
+        band = 0 if distance_band is None else _options.number("distance_band", distance_band, 0)
+        kinds = {"winding": np.dtype("f4")}
+        if _options.flag("signed_distance", signed_distance):
+            kinds["distance"] = np.dtype("f4")
+        if _options.flag("inside", inside) or cover:
+            kinds["inside"] = np.dtype("u1")
         if reference_volume is not None:
             if not (dimensions is spacing is resolution is bounds is None):
                 raise TypeError("Cannot specify a reference volume with other geometry parameters.")
-            algorithm = _images.filter_over(
-                _voxels.check_reference(reference_volume), mesh, options, association=association,
-                coverage=coverage, distance_band=distance_band)
+            image = _images.like(_voxels.check_reference(reference_volume))
+            if at_cells and min(image.dimensions) < 2:
+                raise ValueError("reference_volume must have cells, for association='cell'")
         else:
-            algorithm = configured(vtkWindingNumberField(), options)
-            algorithm.SetCoverage(_options.choice("coverage", coverage, _options.COVERAGES))
-            if distance_band is not None:
-                algorithm.SetDistanceBand(_options.number("distance_band", distance_band, 0))
-            algorithm.SetOutputAssociation(
-                _options.choice("association", association, _options.ASSOCIATIONS))
-            _grids.lay(algorithm, lambda: list(mesh.bounds), dimensions=dimensions,
-                       spacing=spacing, resolution=resolution, bounds=bounds, padding=padding)
-            algorithm.SetInputData(mesh)
-        algorithm.SetGenerateInside(_options.flag("inside", inside))
-        algorithm.SetGenerateSignedDistance(_options.flag("signed_distance", signed_distance))
-        run(algorithm, progress_bar=progress_bar, message="Computing winding numbers")
-        image = _without_notes(pv.wrap(algorithm.GetOutput()))
-        return image if reference_volume is None else _images.in_place_of(reference_volume, image)
+            grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
+                              bounds=bounds, padding=padding)
+            image = _images.over(grid, at_cells)
+        field, sides = self._field(options)
+        with bar(progress_bar, "Computing winding numbers") as show:
+            if reference_volume is not None:
+                values = _images.evaluate(field, image, kinds, sides, at_cells=at_cells,
+                                          coverage=cover, band=band, show=show)
+            else:
+                values = _images.on_grid(field, grid, kinds, sides, cover, band, show)
+        target = image.cell_data if at_cells else image.point_data
+        for kind, name in (("winding", "WindingNumber"), ("distance", "SignedDistance"),
+                           ("inside", "Inside"), ("fractions", "Coverage")):
+            if kind in values:
+                target[name] = values[kind]
+        image.set_active_scalars("WindingNumber", association)
+        return image
 
+    @_with_options
     def voxelize_binary_mask(self, *, background_value: float = 0, foreground_value: float = 1,
                              reference_volume: pv.ImageData | None = None,
                              dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
@@ -158,7 +210,7 @@ class WindingAccessor:
                              rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                              cell_length_percentile: float | None = None,
                              cell_length_sample_size: int | None = None, coverage: str = "center",
-                             progress_bar: bool = False, **options: Any) -> pv.ImageData:
+                             progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
         """ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask makes it.
 
         The mesh need not be closed. coverage: 'center', 'any' or 'fraction' (half) of a voxel has
@@ -166,29 +218,30 @@ class WindingAccessor:
         """
         mesh = _check_source("the mesh", self._mesh)
         kind = _voxels.mask_type(background_value, foreground_value)
+        cover = _options.choice("coverage", coverage, _options.COVERAGES)
         reference = _voxels.reference_of(
             mesh, reference_volume=reference_volume, dimensions=dimensions, spacing=spacing,
             resolution=resolution, rounding_func=rounding_func,
             cell_length_percentile=cell_length_percentile,
             cell_length_sample_size=cell_length_sample_size)
-        algorithm = _images.filter_over(reference, mesh, options, coverage=coverage)
-        algorithm.GenerateWindingNumberOff()
-        algorithm.GenerateInsideOn()
-        run(algorithm, progress_bar=progress_bar, message="Voxelizing")
-        inside = np.asarray(pv.wrap(algorithm.GetOutput()).point_data["Inside"])
+        field, sides = self._field(options)
         result = _images.like(reference)
+        with bar(progress_bar, "Voxelizing") as show:
+            inside = _images.evaluate(field, result, {"inside": np.dtype("u1")}, sides,
+                                      coverage=cover, show=show)["inside"]
         if (background_value, foreground_value) != (0, 1) or kind is not np.uint8:
             inside = np.array([background_value, foreground_value], kind)[inside]
         result["mask"] = inside
         return result
 
+    @_with_options
     def voxelize(self, *, reference_volume: pv.ImageData | None = None,
                  dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                  resolution: int | None = None,
                  rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                  cell_length_percentile: float | None = None,
                  cell_length_sample_size: int | None = None, coverage: str = "center",
-                 progress_bar: bool = False, **options: Any) -> pv.UnstructuredGrid:
+                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
         """UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
         As there, dimensions are those of the points of the voxels, one more than there are voxels.
@@ -203,15 +256,18 @@ class WindingAccessor:
             cell_length_percentile=cell_length_percentile,
             cell_length_sample_size=cell_length_sample_size, coverage=coverage,
             progress_bar=progress_bar, **options)
+        if not hasattr(mask, "points_to_cells"):
+            raise WindingError("voxelize() needs PyVista 0.45 or newer: take voxelize_binary_mask()")
         cells = mask.points_to_cells(dimensionality="3D", copy=False).threshold(0.5)
         del cells.cell_data["mask"]
         return cells
 
+    @_with_options
     def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                 resolution: int | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
                 compute_normals: bool = True, distance_to_input: bool = False,
-                progress_bar: bool = False, **options: Any) -> pv.PolyData:
+                progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """The surface w = threshold, closed over holes: PolyData of triangles.
 
         The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners
@@ -219,94 +275,201 @@ class WindingAccessor:
         bounds cut it off. distance_to_input adds the point array 'DistanceToInput', as active
         scalars: distances from this mesh.
         """
-        mesh = _check_source("the mesh", self._mesh)
-        algorithm = configured(vtkWindingNumberSurface(), options)
-        _grids.lay(algorithm, lambda: list(mesh.bounds), dimensions=dimensions, spacing=spacing,
-                   resolution=resolution, bounds=bounds, padding=padding)
-        algorithm.SetFeatures(_options.choice("features", features, _options.FEATURES))
-        algorithm.GenerateTrianglesOn()
-        algorithm.SetCloseBorder(_options.flag("close_border", close_border))
-        algorithm.SetGenerateNormals(_options.flag("compute_normals", compute_normals))
-        algorithm.SetGenerateDistanceToInput(
-            _options.flag("distance_to_input", distance_to_input))
-        algorithm.SetInputData(mesh)
-        run(algorithm, progress_bar=progress_bar, message="Extracting the surface")
-        return _without_notes(pv.wrap(algorithm.GetOutput()))
+        _check_source("the mesh", self._mesh)
+        settings = {
+            "features": _options.choice("features", features, _options.FEATURES),
+            "close_border": _options.flag("close_border", close_border),
+            "generate_normals": _options.flag("compute_normals", compute_normals)}
+        adds_distances = _options.flag("distance_to_input", distance_to_input)
+        grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
+                          bounds=bounds, padding=padding)
+        field, sides = self._field(options)
+        with bar(progress_bar, "Extracting the surface") as show:
+            arrays = field.level_surface(grid, sides, show=show, **settings)
+        surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
+        if arrays["point_normals"] is not None:
+            surface.point_data["Normals"] = arrays["point_normals"]
+            surface.point_data.active_normals_name = "Normals"
+        if arrays["polygon_normals"] is not None:
+            surface.cell_data["Normals"] = arrays["polygon_normals"]
+            surface.cell_data.active_normals_name = "Normals"
+        if adds_distances and surface.n_points:
+            distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides)["distance"]
+            surface.point_data["DistanceToInput"] = np.abs(distances)
+            surface.set_active_scalars("DistanceToInput", "point")
+        return surface
 
-    def _probe(self, surface, progress_bar, message, options, association="point"):
-        """A probe of the points or cells of this mesh, not yet run."""
-        algorithm = configured(vtkWindingNumberProbe(), options)
+    def _probe(self, surface, kinds, progress_bar, message, options, association="point"):
+        """Values of the field of a surface at the points or cells of this mesh, those of all blocks
+        in a row."""
         if not isinstance(self._mesh, (pv.DataSet, pv.MultiBlock)):
             raise TypeError(f"the mesh must have points, not be a {type(self._mesh).__name__}")
-        algorithm.SetProbeAssociation(
-            _options.choice("association", association, _options.ASSOCIATIONS))
-        algorithm.SetInputData(self._mesh)
-        algorithm.SetSourceData(_check_source("surface", surface))
-        return algorithm, lambda: pv.wrap(run(
-            algorithm, progress_bar=progress_bar, message=message).GetOutputDataObject(0))
+        at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
+        _check_source("surface", surface)
+        field, sides = accessor_of(surface)._field(options, "surface")
+        with bar(progress_bar, message) as show:
+            leaves = [leaf for leaf in _leaves(self._mesh) if isinstance(leaf, pv.DataSet)]
+            if len(leaves) == 1:
+                return _images.evaluate(
+                    field, leaves[0], kinds, sides, at_cells=at_cells, show=show)
+            places = [_parts.centres_of(leaf) if at_cells else _parts.points_of(leaf)
+                      for leaf in leaves]
+            places = np.concatenate(places) if places else np.empty((0, 3))
+            return field.at(places, kinds, sides, show=show)
 
+    @_with_options
     def select_interior_points(self, surface: pv.DataObject, *, inside_out: bool = False,
                                check_surface: bool = False, progress_bar: bool = False,
-                               **options: Any) -> pv.DataObject:
+                               **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the bool point array 'selected_points': which points are inside a surface.
 
         The surface need not be closed; check_surface raises a RuntimeError where it is not, as
         DataSetFilters.select_interior_points does. inside_out selects the points outside.
         """
-        algorithm, update = self._probe(surface, progress_bar, "Selecting points", options)
-        if _options.flag("check_surface", check_surface) and not surface.winding.report()["closed"]:
+        _check_source("surface", surface)
+        is_inverse = _options.flag("inside_out", inside_out)
+        if _options.flag("check_surface", check_surface) and not (
+                accessor_of(surface).report()["closed"]):
             raise RuntimeError("Surface is not closed. Pass check_surface=False, or repair it.")
-        algorithm.GenerateWindingNumberOff()
-        algorithm.GenerateInsideOn()
-        algorithm.SetInsideOut(_options.flag("inside_out", inside_out))
-        return _fill(_copied(self._mesh), update(),
-                     {"selected_points": ("Inside", np.bool_)})
+        values = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar, "Selecting points",
+                             options)
+        values["inside"] = (values["inside"] == 1) != is_inverse
+        return _fill(_copied(self._mesh), values, {"selected_points": "inside"})
 
+    @_with_options
     def extract_interior(self, surface: pv.DataObject, *, association: str = "point",
                          inside_out: bool = False, progress_bar: bool = False,
-                         **options: Any) -> pv.DataObject:
+                         **options: Unpack[SourceOptions]) -> pv.DataObject:
         """The part of this mesh that is inside a surface: cells whose points all are, or with
         association='cell' those whose centre is; points, where there are no cells."""
-        algorithm, update = self._probe(
-            surface, progress_bar, "Extracting the inside", options, association)
-        algorithm.ExtractInsideOn()
-        algorithm.SetInsideOut(_options.flag("inside_out", inside_out))
-        # Arrays of the mesh stay, even one with the name of the filter's.
-        algorithm.GenerateInsideOff()
-        algorithm.GenerateWindingNumberOff()
-        return _without_notes(update())
+        is_inverse = _options.flag("inside_out", inside_out)
+        inside = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar,
+                             "Extracting the inside", options, association)["inside"]
+        at_cells = association == "cell"
+        return self._parts(
+            (inside == 1) != is_inverse, at_cells,
+            lambda leaf, kept: _parts.inside_part(leaf, kept, at_cells=at_cells))
 
+    def _parts(self, values, at_cells, part_of):
+        """The parts of all data sets, by values at their points or cells, in the place of these."""
+        numbers = iter(np.split(values, np.cumsum([
+            leaf.n_cells if at_cells else leaf.n_points
+            for leaf in _leaves(self._mesh) if isinstance(leaf, pv.DataSet)])))
+
+        def replaced(mesh):
+            if not isinstance(mesh, pv.MultiBlock):
+                return pv.wrap(part_of(mesh, next(numbers)))
+            copy = mesh.copy(deep=False)
+            for index, block in enumerate(mesh):
+                if isinstance(block, (pv.DataSet, pv.MultiBlock)):
+                    copy.replace(index, replaced(block))
+            return copy
+
+        return replaced(self._mesh)
+
+    @_with_options
+    def clip(self, surface: pv.DataObject, *, inside_out: bool = False,
+             progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
+        """The part of this mesh that is inside a surface: UnstructuredGrid with all arrays, its
+        cells cut where the inside ends, to first order. inside_out takes the part outside."""
+        is_inverse = _options.flag("inside_out", inside_out)
+        inside = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar, "Clipping", options)
+        kept = (inside["inside"] == 1) != is_inverse
+        leaves = [leaf for leaf in _leaves(self._mesh) if isinstance(leaf, pv.DataSet)]
+        ends = np.cumsum([0] + [leaf.n_points for leaf in leaves])
+        are_cut = np.zeros(len(kept), bool)
+        for leaf, first, last in zip(leaves, ends, ends[1:]):
+            are_cut[first:last] = _parts.points_of_cut_cells(leaf, kept[first:last])
+        places = [_parts.points_of(leaf)[are_cut[first:last]]
+                  for leaf, first, last in zip(leaves, ends, ends[1:])]
+        field, sides = accessor_of(surface)._field(options, "surface")
+        numbers = field.cut_distances(np.concatenate(places) if places else np.empty((0, 3)),
+                                      kept, are_cut, sides)
+        return self._parts(numbers, False, _parts.clipped_part)
+
+    @_with_options
     def signed_distance(self, surface: pv.DataObject, *, inplace: bool = False,
-                        progress_bar: bool = False, **options: Any) -> pv.DataObject:
+                        progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the point array 'implicit_distance': distances to a surface, negative inside.
 
         They are those of DataSetFilters.compute_implicit_distance, but their signs come from
         winding numbers, so the surface need not be closed. inplace adds the array to this mesh.
         """
-        algorithm, update = self._probe(surface, progress_bar, "Computing distances", options)
-        algorithm.SetOutputScalarTypeToDouble()
-        algorithm.GenerateWindingNumberOff()
-        algorithm.GenerateSignedDistanceOn()
+        values = self._probe(surface, {"distance": np.dtype("f8")}, progress_bar,
+                             "Computing distances", options)
         target = self._mesh if _options.flag("inplace", inplace) else self._mesh.copy()
-        return _fill(target, update(), {"implicit_distance": ("SignedDistance", None)})
+        return _fill(target, values, {"implicit_distance": "distance"})
 
+    @_with_options
     def sample(self, surface: pv.DataObject, *, association: str = "point",
-               progress_bar: bool = False, **options: Any) -> pv.DataObject:
+               progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the array 'WindingNumber' of a surface, at the points of this mesh or at the
         centres of its cells."""
-        _, update = self._probe(
-            surface, progress_bar, "Computing winding numbers", options, association)
-        return _fill(_copied(self._mesh), update(),
-                     {"WindingNumber": ("WindingNumber", None)}, association)
+        values = self._probe(surface, {"winding": np.dtype("f4")}, progress_bar,
+                             "Computing winding numbers", options, association)
+        return _fill(_copied(self._mesh), values, {"WindingNumber": "winding"}, association)
 
-    def _report(self, progress_bar, normals_array, fixes, surface_cells):
-        algorithm = vtkSurfaceReport()
-        algorithm.SetUseSurfaceCells(_options.flag("surface_cells", surface_cells))
-        algorithm.SetFixOrientation(fixes)
-        if normals_array is not None:
-            algorithm.SetNormalsArray(_options.text("normals_array", normals_array))
-        algorithm.SetInputData(_check_source("the mesh", self._mesh))
-        return run(algorithm, progress_bar=progress_bar, message="Looking at the mesh")
+    @_with_options
+    def labels(self, *, scalars: str | None = None, overlap: str = "first",
+               coverage: str = "center", dimensions: ArrayLike | None = None,
+               spacing: ArrayLike | None = None, resolution: int | None = None,
+               bounds: ArrayLike | None = None, padding: float = 0.05,
+               progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
+        """The solid that each voxel of a grid is in: ImageData with the array 'Label', 0 outside.
+
+        The solids are the blocks of a MultiBlock, else the values of the cell array `scalars`, or
+        the bodies that the mesh has. The field data has their 'LabelNames' and 'LabelValues'. The
+        grid is that of field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
+        (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
+        """
+        _check_source("the mesh", self._mesh)
+        rule = _options.choice("overlap", overlap, _options.OVERLAPS)
+        cover = _options.choice("coverage", coverage, _options.COVERAGES)
+        grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
+                          bounds=bounds, padding=padding)
+        _, sides = self._field({name: value for name, value in options.items()
+                                if name in ("threshold", "rule", "n_threads")})
+        solids = self._solids(scalars, options)
+        with bar(progress_bar, "Labelling") as show:
+            found = fields.label([accessor_of(part)._field(options)[0] for _, part in solids], grid,
+                                 sides, rule, cover, show)
+        image = _images.over(grid, False)
+        image.point_data["Label"] = found.ravel(order="F")
+        image.field_data["LabelNames"] = [name for name, _ in solids]
+        image.field_data["LabelValues"] = np.arange(1, len(solids) + 1)
+        image.set_active_scalars("Label", "point")
+        return image
+
+    def _solids(self, scalars, options):
+        """The parts of this mesh that are solids, with their names."""
+        mesh = self._mesh
+        if isinstance(mesh, pv.MultiBlock):
+            if scalars is not None:
+                raise TypeError("scalars must be None for a MultiBlock, whose blocks are solids")
+            return [(name or f"Block-{index:02}", mesh[index])
+                    for index, name in enumerate(mesh.keys())
+                    if mesh[index] is not None and (
+                        isinstance(mesh[index], pv.MultiBlock) or mesh[index].n_points)]
+        source = _source(mesh, surface_cells=options.get("surface_cells", False))
+        if not source.is_surface:
+            raise WindingError("give faces or blocks: points alone have no bodies")
+        if scalars is None:
+            numbers = np.empty(len(source.offsets) - 1, np.int32)
+            count = ctypes.c_int64()
+            _library.call("winding_solids", _library.array_of(source.points),
+                          ctypes.byref(source.polygons()), _library.RUN,
+                          ctypes.c_void_p(numbers.ctypes.data), ctypes.byref(count))
+            names = {number: f"Solid {number + 1}" for number in range(count.value)}
+        else:
+            array = source.leaves[0].cell_array(_options.text("scalars", scalars))
+            values, numbers = np.unique(array, return_inverse=True)
+            names = {number: str(value) for number, value in enumerate(values)}
+        solids = []
+        for number, name in names.items():
+            corners, offsets = kept_polygons(source.corners, source.offsets, numbers == number)
+            used, ids = np.unique(corners, return_inverse=True)
+            solids.append((name, _polydata(source.points[used], ids, offsets)))
+        return solids
 
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
                progress_bar: bool = False) -> dict[str, Any]:
@@ -314,58 +477,118 @@ class WindingAccessor:
 
         surface_cells: whether the faces of a mesh that has cells with volume, too, are taken.
 
-        vtkSurfaceReport says what the entries mean; 'advice' sums them up in words.
+        winding_report and winding_cloud_report of libwinding say what the entries mean; 'advice'
+        sums them up in words.
         """
-        found = self._report(progress_bar, normals_array, False, surface_cells).GetReport()
-        return {found.GetArrayName(i): _value_of(found.GetAbstractArray(i))
-                for i in range(found.GetNumberOfArrays())}
+        notes: list[str] = []
+        source = _source(self._mesh, normals_array=normals_array, surface_cells=surface_cells,
+                         notes=notes)
+        with bar(progress_bar, "Looking at the mesh") as show:
+            return fields.report_of(source.points, source.polygons() if source.is_surface else None,
+                                    source.normals, show=show, notes=notes, counts={
+                                        "turned_cells": source.turned_cells,
+                                        "left_out_cells": source.left_out_cells})
 
     def fix_orientation(self, *, surface_cells: bool = False,
                         progress_bar: bool = False) -> pv.PolyData:
-        """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward."""
-        algorithm = self._report(progress_bar, None, True, surface_cells)
-        result = pv.wrap(algorithm.GetOutput())
-        report = algorithm.GetReport()
-        for index in range(report.GetNumberOfArrays()):
-            if report.GetArrayName(index) in result.field_data:
-                del result.field_data[report.GetArrayName(index)]
-        return result
+        """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward.
+        Faces that are there twice are taken once."""
+        source = _source(self._mesh, surface_cells=surface_cells)
+        with bar(progress_bar, "Looking at the mesh") as show:
+            if source.is_surface:
+                turned, left_out = fields.orientation_of(source.points, source.polygons(),
+                                                         len(source.offsets) - 1, show)
+                return self._with_faces(source, turned == 1, left_out == 1)
+            return self._with_normals(source, _clouds.normals_to_turn(source, show) == 1)
+
+    def _with_faces(self, source, turned, left_out):
+        made, first = [], 0
+        for leaf in source.leaves:
+            part = slice(first, first + leaf.polygon_count)
+            first += leaf.polygon_count
+            corners = turned_polygons(leaf.corners, leaf.offsets, turned[part])
+            offsets = leaf.offsets - leaf.offsets[0]
+            corners, offsets = kept_polygons(corners, offsets, ~left_out[part])
+            mesh = pv.wrap(leaf.data).copy(deep=False)
+            cells = leaf.cells[~left_out[part]]
+            data = {name: np.asarray(array) for name, array in mesh.cell_data.items()}
+            before = mesh.n_verts + mesh.n_lines
+            mesh.cell_data.clear()
+            mesh.SetPolys(_datasets.cell_array_of(mesh, corners, offsets))
+            mesh.SetStrips(None)
+            for name, array in data.items():
+                mesh.cell_data[name] = np.concatenate([array[:before], array[cells]])
+            made.append(mesh)
+        return made[0] if len(made) == 1 else pv.merge(made, merge_points=False)
+
+    def _with_normals(self, source, turned):
+        made, first = [], 0
+        for leaf in source.leaves:
+            mesh = pv.PolyData(leaf.points)
+            for name, array in pv.wrap(leaf.data).point_data.items():
+                mesh.point_data[name] = np.asarray(array)[leaf.rows]
+            name = leaf.data.GetPointData().GetNormals().GetName()
+            part = turned[first:first + len(leaf.points)]
+            mesh.point_data[name] = np.where(part[:, None], -leaf.normals, leaf.normals)
+            mesh.point_data.active_normals_name = name
+            first += len(leaf.points)
+            made.append(mesh)
+        return made[0] if len(made) == 1 else pv.merge(made, merge_points=False)
 
     def estimate_areas(self, *, method: str = "voronoi", point_area: float = 0,
                        n_neighbors: int = 20, estimate_normals: bool = False,
-                       normal_estimation: str = "auto", normals_array: str | None = None, n_threads: int | None = None,
-                       progress_bar: bool = False) -> pv.DataObject:
+                       normal_estimation: str = "auto", normals_array: str | None = None,
+                       n_threads: int | None = None, progress_bar: bool = False) -> pv.DataObject:
         """A copy with the point array 'Area': the area that each point of a cloud stands for.
 
         method: 'voronoi', 'mesh' (a third of every triangle around a point) or 'constant'
         (point_area; 0 for the mean of 'voronoi'). With estimate_normals, points that have no
         normals get outward ones, as the active normals 'Normals'.
         """
-        mesh = _check_source("the mesh", self._mesh)
-        algorithm = vtkPointAreas()
-        algorithm.SetPointAreaMethod(_options.choice("method", method, _options.AREA_METHODS))
-        algorithm.SetPointArea(_options.number("point_area", point_area, 0))
-        algorithm.SetNumberOfNeighbors(_options.integer("n_neighbors", n_neighbors, 3, 1000))
-        algorithm.SetEstimateNormals(_options.flag("estimate_normals", estimate_normals))
-        algorithm.SetNormalEstimation(_options.choice(
-            "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS))
-        algorithm.SetNumberOfThreads(_options.threads(n_threads))
-        if normals_array is not None:
-            algorithm.SetNormalsArray(_options.text("normals_array", normals_array))
-        algorithm.SetInputData(mesh)
-        run(algorithm, progress_bar=progress_bar, message="Estimating areas")
-        output = pv.wrap(algorithm.GetOutputDataObject(0))
-        copy = _fill(_copied(mesh), output, {"Area": ("Area", None)})
-        return _set_normals(copy, output) if algorithm.GetNormalEstimationUsed() else copy
+        number = _options.choice("method", method, _options.AREA_METHODS)
+        source = _source(self._mesh, as_points=True, normals_array=normals_array)
+        for leaf in source.leaves:
+            if leaf.data.GetNumberOfPoints() != len(leaf.points) or (
+                    not leaf.data.IsA("vtkPolyData") and leaf.corners is not None):
+                raise WindingError("extract the surface first: the points of its outer surface are "
+                                   "not those of the mesh")
+        with bar(progress_bar, "Estimating areas") as show:
+            areas, normals = _clouds.areas_of(
+                source, number, estimates=_options.flag("estimate_normals", estimate_normals),
+                point_area=_options.number("point_area", point_area, 0),
+                number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
+                normal_estimation=_options.choice(
+                    "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
+                threads=_options.threads(n_threads), show=show)
+        copy = _fill(_copied(self._mesh), {"areas": areas}, {"Area": "areas"})
+        if normals is not None:
+            first = 0
+            for leaf in _leaves(copy):
+                leaf.point_data["Normals"] = normals[first:first + leaf.n_points]
+                leaf.point_data.active_normals_name = "Normals"
+                first += leaf.n_points
+        return copy
 
 
-def _value_of(array):
-    """A string, a number, or a tuple of numbers; None where there is none."""
-    if array.GetNumberOfTuples() == 0:
-        return None
-    if not array.IsNumeric():
-        return array.GetValue(0)
-    values = array.GetTuple(0)
-    if array.GetDataType() not in (10, 11):
-        values = tuple(int(value) for value in values)
-    return values[0] if len(values) == 1 else values
+def read(path: str, **_: Any) -> pv.PolyData:
+    """Reads a file for pyvista.read(): a surface, or a cloud with its normals."""
+    mesh = fields.read(path)
+    if mesh.faces is None:
+        made = pv.PolyData(mesh.vertices)
+        if mesh.normals is not None:
+            made.point_data["Normals"] = mesh.normals
+            made.point_data.active_normals_name = "Normals"
+        if mesh.areas is not None:
+            made.point_data["Area"] = mesh.areas
+        return made
+    return _polydata(mesh.vertices, mesh.faces.ravel(), 3 * np.arange(len(mesh.faces) + 1))
+
+
+def accessor_of(mesh):
+    """mesh.winding, which PyVista keeps where it knows accessors."""
+    found = getattr(mesh, "winding", None)
+    return found if isinstance(found, WindingAccessor) else WindingAccessor(mesh)
+
+
+if hasattr(pv, "register_dataset_accessor"):
+    pv.register_dataset_accessor("winding", pv.DataObject)(WindingAccessor)

@@ -22,15 +22,20 @@ Refused input is a WindingError, wrong arguments are a TypeError or a ValueError
 from __future__ import annotations
 
 import inspect
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
+from ._signatures import FieldOptions, spelled_out
 from .fields import BoolArray, Field, FloatArray, Grid, IdArray
 
-_OPTIONS = [name for name, parameter in inspect.signature(Field).parameters.items()
-            if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")]
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+_OPTIONS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
+            if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
+_with_options = spelled_out(FieldOptions, _OPTIONS)
 
 
 class _OneQuestion(Field):
@@ -50,33 +55,37 @@ def _field(vertices, faces, normals, areas, options):
     return _OneQuestion(vertices, faces, normals=normals, areas=areas, **options)
 
 
+@_with_options
 def winding_number(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
                    normals: ArrayLike | None = None, areas: ArrayLike | None = None,
-                   dtype: DTypeLike = np.float32, **options: Any) -> FloatArray:
+                   dtype: DTypeLike = np.float32, **options: Unpack[FieldOptions]) -> FloatArray:
     """The winding number of a surface or a cloud at points (N, 3): (N,) floats."""
     return _field(vertices, faces, normals, areas, options).winding_number(points, dtype=dtype)
 
 
+@_with_options
 def contains(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
              normals: ArrayLike | None = None, areas: ArrayLike | None = None,
-             **options: Any) -> BoolArray:
+             **options: Unpack[FieldOptions]) -> BoolArray:
     """Whether points (N, 3) are inside of a surface or a cloud: (N,) bools."""
     return _field(vertices, faces, normals, areas, options).contains(points)
 
 
+@_with_options
 def signed_distance(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
                     normals: ArrayLike | None = None, areas: ArrayLike | None = None,
-                    dtype: DTypeLike = np.float32, **options: Any) -> FloatArray:
+                    dtype: DTypeLike = np.float32, **options: Unpack[FieldOptions]) -> FloatArray:
     """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative inside:
     (N,) floats."""
     return _field(vertices, faces, normals, areas, options).signed_distance(points, dtype=dtype)
 
 
+@_with_options
 def field(vertices: ArrayLike, faces: ArrayLike | None = None, *, normals: ArrayLike | None = None,
           areas: ArrayLike | None = None, resolution: int | None = None,
           dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
           bounds: ArrayLike | None = None, padding: float = 0.05, dtype: DTypeLike = np.float32,
-          **options: Any) -> Grid:
+          **options: Unpack[FieldOptions]) -> Grid:
     """The winding number on a grid over a surface or a cloud: a Grid. Field.field() says what the
     grid is."""
     return _field(vertices, faces, normals, areas, options).field(
@@ -84,12 +93,13 @@ def field(vertices: ArrayLike, faces: ArrayLike | None = None, *, normals: Array
         padding=padding, dtype=dtype)
 
 
+@_with_options
 def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
             normals: ArrayLike | None = None, areas: ArrayLike | None = None,
             resolution: int | None = None, dimensions: ArrayLike | None = None,
             spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
             padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-            dtype: DTypeLike | None = None, **options: Any) -> tuple[FloatArray, IdArray]:
+            dtype: DTypeLike | None = None, **options: Unpack[FieldOptions]) -> tuple[FloatArray, IdArray]:
     """The surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
     Field.surface() says what the arguments are."""
     return _field(vertices, faces, normals, areas, options).surface(

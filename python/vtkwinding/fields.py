@@ -52,11 +52,7 @@ def _parts(vertices, faces):
     return vertices, faces
 
 
-def _polygons(faces):
-    return _library.Polygons(_library.array_of(faces), _library.array_of(None))
-
-
-class _Sides:
+class Sides:
     """What is inside, and how it is evaluated."""
 
     def __init__(self, threshold, rule, n_threads, longest_expected_time):
@@ -134,7 +130,8 @@ class Field:
         self._vertices = self._kept(_numbers.vectors("vertices", vertices))
         count = len(self._vertices)
         as_points = _options.flag("as_points", as_points)
-        self._faces = None if faces is None else self._kept(
+        self._offsets = None
+        self._corners = None if faces is None else self._kept(
             _numbers.triangles("faces", faces, count))
         if faces is None and normals is None and not estimate_normals and count:
             raise ValueError(
@@ -152,6 +149,17 @@ class Field:
                 f"normals must have the shape ({count}, 3), not {self._normals.shape}")
         self._areas = None if areas is None else self._kept(
             _numbers.scalars("areas", areas, count))
+        self._choose(
+            method=method, tolerance=tolerance, threshold=threshold, rule=rule,
+            n_threads=n_threads, longest_expected_time=longest_expected_time,
+            as_points=as_points, orient_faces=orient_faces, ignore_open_parts=ignore_open_parts,
+            estimate_normals=estimate_normals, normal_estimation=normal_estimation,
+            n_neighbors=n_neighbors, point_area=point_area, regularization=regularization)
+
+    def _choose(self, *, method, tolerance, threshold, rule, n_threads, longest_expected_time,
+                as_points, orient_faces, ignore_open_parts, estimate_normals, normal_estimation,
+                n_neighbors, point_area, regularization):
+        """Checks and sets all that is no array."""
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
             "tolerance": _options.number("tolerance", tolerance, 0),
@@ -163,7 +171,7 @@ class Field:
                 "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
             "orient_faces": _options.flag("orient_faces", orient_faces),
             "ignore_open_parts": _options.flag("ignore_open_parts", ignore_open_parts),
-            "source_as_points": as_points}
+            "source_as_points": _options.flag("as_points", as_points)}
         self._threshold, self._rule = threshold, rule
         self._n_threads, self._longest = n_threads, longest_expected_time
         self._sides()  # checks them
@@ -183,7 +191,7 @@ class Field:
         self.__dict__.update(state, _handles={}, _lock=threading.RLock())
 
     def _sides(self, threshold=None, rule=None):
-        return _Sides(self._threshold if threshold is None else threshold,
+        return Sides(self._threshold if threshold is None else threshold,
                       self._rule if rule is None else rule, self._n_threads, self._longest)
 
     def _handle(self, scattered):
@@ -197,9 +205,9 @@ class Field:
                 run = {"threads": self._sides().run["threads"]}
                 if self._handles:
                     run["note"] = lambda text: None  # the first one has said it
-                if self._faces is not None and self._normals is None and self._areas is None:
-                    _library.call("winding_faces", points, ctypes.byref(_polygons(self._faces)),
-                                  *rest, **run)
+                if self._corners is not None and self._normals is None and self._areas is None:
+                    polygons = _library.polygons_of(self._corners, self._offsets)
+                    _library.call("winding_faces", points, ctypes.byref(polygons), *rest, **run)
                 else:
                     _library.call("winding_points", points, _library.array_of(self._normals),
                                   _library.array_of(self._areas), *rest, **run)
@@ -238,42 +246,38 @@ class Field:
         info = self._info()
         return bool(info.is_surface) and info.net_boundary_edges == 0 and info.primitives > 0
 
-    def _at(self, points, sides, **arrays):
-        places = _numbers.vectors("points", points)
-        values = _library.Values()
-        for name, make in arrays.items():
-            array = make(len(places))
-            if name in ("winding", "distance"):
-                values.type = _library.TYPES[array.dtype]
-            setattr(values, name, array.ctypes.data)
+    def _at(self, places, kinds, sides, show=None):
+        """The values of some kinds at points: arrays by their names in the library."""
+        values, arrays = _values_of((len(places),), kinds)
         if len(places):
             _library.call("winding_evaluate_points", self._handle(True), _library.array_of(places),
-                          ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, **sides.run)
-        return array
+                          ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, show=show,
+                          **sides.run)
+        return arrays
+
+    def _one_at(self, points, name, dtype, sides):
+        return self._at(_numbers.vectors("points", points), {name: dtype}, sides)[name]
 
     def winding_number(self, points: ArrayLike, *, dtype: DTypeLike = np.float32) -> FloatArray:
         """The winding number at points (N, 3): (N,) floats."""
-        kind = float_type(dtype)
-        return self._at(points, self._sides(), winding=lambda n: np.empty(n, kind))
+        return self._one_at(points, "winding", float_type(dtype), self._sides())
 
     def contains(self, points: ArrayLike, *, threshold: float | None = None,
                  rule: str | None = None) -> BoolArray:
         """Whether points (N, 3) are inside: (N,) bools. A threshold or rule given here counts
         instead of the field's, and nothing is built anew."""
-        inside = self._at(points, self._sides(threshold, rule), inside=lambda n: np.empty(n, "u1"))
+        inside = self._one_at(points, "inside", np.dtype("u1"), self._sides(threshold, rule))
         return inside.view(np.bool_)
 
     def signed_distance(self, points: ArrayLike, *, dtype: DTypeLike = np.float32,
                         threshold: float | None = None, rule: str | None = None) -> FloatArray:
         """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative
         inside: (N,) floats."""
-        kind = float_type(dtype)
-        return self._at(
-            points, self._sides(threshold, rule), distance=lambda n: np.empty(n, kind))
+        return self._one_at(points, "distance", float_type(dtype), self._sides(threshold, rule))
 
     def gradient(self, points: ArrayLike) -> FloatArray:
         """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""
-        return self._at(points, self._sides(), gradient=lambda n: np.empty((n, 3)))
+        return self._one_at(points, "gradient", np.dtype("f8"), self._sides())
 
     def _grid(self, **wishes):
         def bounds():
@@ -282,19 +286,13 @@ class Field:
 
         return grid_of(_grids.Plan(bounds, **wishes), bounds)
 
-    def _on_grid(self, grid, sides, **arrays):
-        shape = tuple(grid.dimensions)
-        values = _library.Values()
-        for name, array in arrays.items():
-            if isinstance(array, np.dtype):
-                array = _empty(shape, array)
-                values.type = _library.TYPES[array.dtype] if name == "winding" else values.type
-                found = array
-                array = array.ctypes.data
-            setattr(values, name, array)
+    def _on_grid(self, grid, kinds, sides, show=None, **settings):
+        """The values of some kinds on a grid: arrays by their names in the library."""
+        values, arrays = _values_of(tuple(grid.dimensions), kinds, **settings)
         _library.call("winding_evaluate_grid", self._handle(False), ctypes.byref(grid), None,
-                      ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, **sides.run)
-        return Grid(found, np.array(grid.origin), np.array(grid.spacing))
+                      ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, show=show,
+                      **sides.run)
+        return arrays
 
     def field(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
               spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
@@ -310,7 +308,7 @@ class Field:
         kind = float_type(dtype)
         grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
                           bounds=bounds, padding=padding)
-        return self._on_grid(grid, self._sides(), winding=kind)
+        return _on(grid, self._on_grid(grid, {"winding": kind}, self._sides())["winding"])
 
     def mask(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
              spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
@@ -324,8 +322,8 @@ class Field:
         number = _options.choice("coverage", coverage, {"center": 0, "any": 1})
         grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
                           bounds=bounds, padding=padding)
-        found = self._on_grid(grid, sides, coverage=number, inside=np.dtype("u1"))
-        return found._replace(values=found.values.view(np.bool_))
+        found = self._on_grid(grid, {"inside": np.dtype("u1")}, sides, coverage=number)
+        return _on(grid, found["inside"].view(np.bool_))
 
     def surface(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
                 spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
@@ -339,22 +337,43 @@ class Field:
         float32 could not tell places apart.
         """
         sides = self._sides(threshold, rule)
-        options = _library.SurfaceOptions(
-            features=_options.choice("features", features, _options.FEATURES),
-            generate_triangles=1, generate_normals=0,
-            close_border=_options.flag("close_border", close_border),
-            type=0 if dtype is None else _library.TYPES[float_type(dtype)])
+        features = _options.choice("features", features, _options.FEATURES)
+        close_border = _options.flag("close_border", close_border)
+        kind = 0 if dtype is None else _library.TYPES[float_type(dtype)]
         grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
                           bounds=bounds, padding=padding)
-        mesh = _library.Handle("winding_mesh_free")
-        _library.call("winding_level_surface", self._handle(False), ctypes.byref(grid),
-                      ctypes.byref(sides.rule), ctypes.byref(options), _library.RUN,
-                      ctypes.byref(mesh.pointer), **sides.run)
-        arrays = _library.arrays_of(mesh)
+        arrays = self._level_surface(
+            grid, sides, features=features, close_border=close_border, type=kind)
         if arrays["points"] is None:
             return (np.empty((0, 3), np.float32 if dtype is None else dtype),
                     np.empty((0, 3), np.int64))
         return arrays["points"], arrays["corners"].reshape(-1, 3)
+
+    def _level_surface(self, grid, sides, *, show=None, generate_normals=0, **settings):
+        """The arrays of the surface as triangles."""
+        options = _library.SurfaceOptions(
+            generate_triangles=1, generate_normals=generate_normals, **settings)
+        mesh = _library.Handle("winding_mesh_free")
+        _library.call("winding_level_surface", self._handle(False), ctypes.byref(grid),
+                      ctypes.byref(sides.rule), ctypes.byref(options), _library.RUN,
+                      ctypes.byref(mesh.pointer), show=show, **sides.run)
+        return _library.arrays_of(mesh)
+
+
+def _values_of(shape, kinds, **settings):
+    """The struct of the library for values of some kinds, and the arrays that it fills: for the
+    samples of a grid, x runs fastest."""
+    values, arrays = _library.Values(**settings), {}
+    for name, dtype in kinds.items():
+        arrays[name] = np.empty((*shape, 3)) if name == "gradient" else _empty(shape, dtype)
+        setattr(values, name, arrays[name].ctypes.data)
+        if name in ("winding", "distance"):
+            values.type = _library.TYPES[arrays[name].dtype]
+    return values, arrays
+
+
+def _on(grid, values):
+    return Grid(values, np.array(grid.origin), np.array(grid.spacing))
 
 
 def _empty(shape, dtype):
@@ -404,10 +423,9 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     fields = list(fields)
     if not fields or not all(isinstance(field, Field) for field in fields):
         raise TypeError("fields must be a list of Field")
-    rules = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
-    number = _options.choice("overlap", overlap, rules)
+    number = _options.choice("overlap", overlap, _options.OVERLAPS)
     covers = _options.choice("coverage", coverage, _options.COVERAGES)
-    sides = _Sides(threshold, rule, n_threads, 0)
+    sides = Sides(threshold, rule, n_threads, 0)
 
     def box():
         found = np.array([field.bounds for field in fields])
@@ -419,27 +437,56 @@ def labels(fields: list[Field], *, resolution: int | None = None,
 
     grid = grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions, spacing=spacing,
                                bounds=bounds, padding=padding), box)
+    return _on(grid, label(fields, grid, sides, number, covers))
+
+
+def label(fields, grid, sides, overlap, coverage, show=None):
+    """Labels of fields at the samples of a grid of the library, by numbers for the choices."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
+    options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage)
+    arrays = _library.Labels(labels=found.ctypes.data)
     _library.call("winding_label", handles, None, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
-                  ctypes.byref(sides.rule), number, covers, ctypes.c_void_p(found.ctypes.data),
-                  None, _library.RUN, threads=sides.run["threads"])
-    return Grid(found, np.array(grid.origin), np.array(grid.spacing))
+                  None, ctypes.byref(sides.rule), ctypes.byref(options), ctypes.byref(arrays),
+                  _library.RUN, show=show, **sides.run)
+    return found
 
 
-def report(vertices: Any, faces: ArrayLike | None = None) -> dict[str, Any]:
-    """The health of a surface: counts of its edges and parts, area and volume, and 'advice', a list
-    of lines, the most important first."""
+def report(vertices: Any, faces: ArrayLike | None = None, *,
+           normals: ArrayLike | None = None) -> dict[str, Any]:
+    """The health of a surface, or of a cloud where there are no faces: counts and measures, and
+    'advice' in words, the most important first. winding_report and winding_cloud_report of the
+    library say what the entries mean."""
     vertices, faces = _parts(vertices, faces)
     points = _numbers.vectors("vertices", vertices)
-    ids = _numbers.triangles("faces", faces, len(points))
-    found = _library.Report()
+    directions = None if normals is None else _numbers.vectors("normals", normals)
+    ids = None if faces is None else _numbers.triangles("faces", faces, len(points))
+    return report_of(points, None if ids is None else _library.polygons_of(ids), directions)
+
+
+def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
+    """The report on polygons, or on a cloud where there are none, with lines of advice and counts
+    that are known before."""
     advice: list[str] = []
-    _library.call("winding_examine", _library.array_of(points), ctypes.byref(_polygons(ids)),
-                  _library.RUN, ctypes.byref(found), note=advice.append)
-    counts = {name: getattr(found, name) for name, _ in found._fields_ if name != "size"}
-    counts["bounds"] = list(counts["bounds"])
-    return {**counts, "advice": advice}
+    places = _library.array_of(points)
+    if polygons is not None:
+        found = _library.Report()
+        _library.call("winding_examine", places, ctypes.byref(polygons), _library.RUN,
+                      ctypes.byref(found), note=advice.append, show=show)
+    else:
+        found, counts = _library.CloudReport(), ()
+        _library.call("winding_examine_points", places, _library.array_of(normals), _library.RUN,
+                      ctypes.byref(found), note=advice.append, show=show)
+    figures = {name: _plain(getattr(found, name)) for name, _ in found._fields_ if name != "size"}
+    return {"kind": "points" if polygons is None else "surface", **figures, **dict(counts),
+            "advice": "; ".join([*advice, *notes])}
+
+
+def _plain(value):
+    """A number, or a tuple of numbers; None for those that cannot be had."""
+    if isinstance(value, ctypes.Array):
+        return None if np.isnan(list(value)).any() else tuple(value)
+    return None if value != value else value
 
 
 def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
@@ -448,12 +495,18 @@ def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
     vertices, faces = _parts(vertices, faces)
     points = _numbers.vectors("vertices", vertices)
     ids = _numbers.triangles("faces", faces, len(points))
-    turned, left_out = (np.empty(len(ids), np.uint8) for _ in range(2))
-    _library.call("winding_orient", _library.array_of(points), ctypes.byref(_polygons(ids)),
-                  _library.RUN, ctypes.c_void_p(turned.ctypes.data),
-                  ctypes.c_void_p(left_out.ctypes.data))
+    turned, left_out = orientation_of(points, _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]
+
+
+def orientation_of(points, polygons, count, show=None):
+    """Of each polygon, 1 where it is to be turned, and 1 where it is to be left out."""
+    turned, left_out = (np.empty(count, np.uint8) for _ in range(2))
+    _library.call("winding_orient", _library.array_of(points), ctypes.byref(polygons),
+                  _library.RUN, ctypes.c_void_p(turned.ctypes.data),
+                  ctypes.c_void_p(left_out.ctypes.data), None, None, show=show)
+    return turned, left_out
 
 
 def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
@@ -467,7 +520,7 @@ def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
     normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
     _library.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                   _library.RUN, ctypes.c_void_p(normals.ctypes.data),
-                  ctypes.c_void_p(areas.ctypes.data))
+                  ctypes.c_void_p(areas.ctypes.data), None)
     return normals, areas
 
 

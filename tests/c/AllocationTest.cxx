@@ -6,7 +6,8 @@
 
 /**
  * @file
- * Every allocation of the library fails once. The program's operator new is the library's, too.
+ * Every allocation of the library fails once. The program's operator new is the library's, too,
+ * unless the library of C++ is linked into it.
  */
 namespace
 {
@@ -97,6 +98,12 @@ template <class Work> void expectNoMemoryEverywhere(const Work& work)
   allocationsLeft = 1L << 40;
   ASSERT_EQ(work(), WINDING_OK);
   count = (1L << 40) - allocationsLeft;
+#ifndef __GLIBCXX__
+  if (count == 0)
+  {
+    GTEST_SKIP() << "the library is linked with an operator new of its own";
+  }
+#endif
   ASSERT_GT(count, 0);
   EXPECT_EQ(blocks, before);
   for (long i = 0; i < count; i += count / 300 + 1)
@@ -153,9 +160,15 @@ TEST(Allocations, ThatFailEndCallsWithoutALeak)
     [&]
     {
       const winding_field* fields[] = {field.get()};
+      auto arrays = with(winding_labels_init);
+      arrays.labels = labels.data();
       return winding_label(
-        fields, nullptr, 1, &grid, nullptr, 0, 0, labels.data(), nullptr, &run, nullptr);
+        fields, nullptr, 1, &grid, nullptr, nullptr, nullptr, &arrays, &run, nullptr);
     });
-  expectNoMemoryEverywhere([&]
-    { return winding_estimate_normals(points, nullptr, &run, floats.data(), nullptr, nullptr); });
+  expectNoMemoryEverywhere(
+    [&]
+    {
+      return winding_estimate_normals(
+        points, nullptr, &run, floats.data(), nullptr, nullptr, nullptr);
+    });
 }

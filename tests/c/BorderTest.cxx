@@ -27,6 +27,7 @@ struct Arguments
     , points(arrayOf(mesh.points))
     , floats(sizeOf(grid))
     , doubles(3 * sizeOf(grid))
+    , areas(mesh.points.size())
     , bytes(sizeOf(grid))
     , labels(sizeOf(grid))
     , solids(mesh.triangles.size())
@@ -46,7 +47,7 @@ struct Arguments
   winding_grid grid;
   winding_array points;
   std::vector<float> floats;
-  std::vector<double> doubles;
+  std::vector<double> doubles, areas;
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint16_t> labels;
   std::vector<std::int32_t> solids;
@@ -107,14 +108,41 @@ const Call allCalls[] = {
     [](Arguments& a)
     {
       const winding_field* fields[] = {a.field.get()};
+      auto arrays = with(winding_labels_init);
+      arrays.labels = a.labels.data();
       return winding_label(
-        fields, nullptr, 1, &a.grid, &a.rule, 0, 0, a.labels.data(), nullptr, &a.run, &a.refusal);
+        fields, nullptr, 1, &a.grid, nullptr, &a.rule, nullptr, &arrays, &a.run, &a.refusal);
     }},
   {"winding_solids",
     [](Arguments& a)
     {
       std::int64_t count;
       return winding_solids(a.points, &a.polygons, &a.run, a.solids.data(), &count, &a.refusal);
+    }},
+  {"winding_open_parts",
+    [](Arguments& a)
+    {
+      return winding_open_parts(a.points, &a.polygons, &a.run, a.bytes.data(), &a.refusal);
+    }},
+  {"winding_faults",
+    [](Arguments& a)
+    {
+      return winding_faults(
+        a.points, &a.polygons, WINDING_FAULT_CAPS, &a.run, &a.madeMesh, &a.refusal);
+    }},
+  {"winding_vertices",
+    [](Arguments& a)
+    {
+      return winding_vertices(
+        a.points, &a.polygons, &a.run, a.doubles.data(), a.areas.data(), &a.refusal);
+    }},
+  {"winding_verify",
+    [](Arguments& a)
+    {
+      auto found = with(winding_verification_init);
+      const auto samples = static_cast<std::int64_t>(a.floats.size());
+      return winding_verify(a.field.get(), &a.grid, nullptr,
+        {a.floats.data(), samples, 0, WINDING_FLOAT32}, 10, &a.run, &found, &a.refusal);
     }},
   {"winding_examine",
     [](Arguments& a)
@@ -126,13 +154,24 @@ const Call allCalls[] = {
     [](Arguments& a)
     {
       return winding_orient(a.points, &a.polygons, &a.run, a.bytes.data(),
-        a.bytes.data() + a.bytes.size() / 2, &a.refusal);
+        a.bytes.data() + a.bytes.size() / 2, nullptr, nullptr, &a.refusal);
+    }},
+  {"winding_examine_points",
+    [](Arguments& a)
+    {
+      auto report = with(winding_cloud_report_init);
+      return winding_examine_points(a.points, a.points, &a.run, &report, &a.refusal);
+    }},
+  {"winding_orient_normals",
+    [](Arguments& a)
+    {
+      return winding_orient_normals(a.points, a.points, &a.run, a.bytes.data(), &a.refusal);
     }},
   {"winding_estimate_normals",
     [](Arguments& a)
     {
       return winding_estimate_normals(
-        a.points, &a.options, &a.run, a.floats.data(), nullptr, &a.refusal);
+        a.points, &a.options, &a.run, a.floats.data(), nullptr, nullptr, &a.refusal);
     }},
   {"winding_point_areas",
     [](Arguments& a)
@@ -184,7 +223,9 @@ TEST(Border, LetsEveryRightCallPass)
 TEST(Border, RefusesWhatIsNoArray)
 {
   const std::string points = "winding_faces winding_points winding_evaluate_points winding_solids "
-                             "winding_examine winding_orient winding_estimate_normals "
+                             "winding_open_parts winding_faults winding_vertices winding_examine "
+                             "winding_orient winding_examine_points "
+                             "winding_orient_normals winding_estimate_normals "
                              "winding_point_areas";
   expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
   expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);
@@ -194,7 +235,8 @@ TEST(Border, RefusesWhatIsNoArray)
   expectMisuse([](Arguments& a) { a.points.stride = -3; }, points);
   expectMisuse(
     [](Arguments& a) { a.points.stride = std::numeric_limits<std::int64_t>::max() / 2; }, points);
-  const std::string polygons = "winding_faces winding_solids winding_examine winding_orient";
+  const std::string polygons = "winding_faces winding_solids winding_open_parts winding_faults "
+                               "winding_vertices winding_examine winding_orient";
   expectMisuse([](Arguments& a) { a.polygons.corners.data = nullptr; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.type = WINDING_FLOAT64; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.stride = 1; }, polygons);
@@ -225,8 +267,10 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   EXPECT_EQ(winding_lay_out_grid(nullptr, nullptr, &a.grid, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_mesh_show(nullptr, nullptr, nullptr), WINDING_MISUSED);
   EXPECT_EQ(winding_read(nullptr, nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
-  EXPECT_EQ(winding_label(nullptr, nullptr, 1, &a.grid, nullptr, 0, 0, a.labels.data(), nullptr,
-              nullptr, nullptr),
+  auto labels = with(winding_labels_init);
+  labels.labels = a.labels.data();
+  EXPECT_EQ(winding_label(
+              nullptr, nullptr, 1, &a.grid, nullptr, nullptr, nullptr, &labels, nullptr, nullptr),
     WINDING_MISUSED);
   winding_grid_request request = {};
   winding_run noSize = {};

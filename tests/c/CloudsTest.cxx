@@ -19,8 +19,9 @@ TEST(EstimatedNormals, PointOutward)
   const std::size_t count = ball.points.size();
   std::vector<float> normals(3 * count, 9);
   std::vector<double> areas(count, 9);
-  ASSERT_EQ(winding_estimate_normals(
-              arrayOf(ball.points), nullptr, nullptr, normals.data(), areas.data(), nullptr),
+  auto estimate = with(winding_estimate_init);
+  ASSERT_EQ(winding_estimate_normals(arrayOf(ball.points), nullptr, nullptr, normals.data(),
+              areas.data(), &estimate, nullptr),
     WINDING_OK);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -35,6 +36,54 @@ TEST(EstimatedNormals, PointOutward)
       EXPECT_GT(normal.dot(ball.points[i]), 0.99);
     }
   }
+}
+
+TEST(NormalsToTurn, AreThoseThatPointInward)
+{
+  Mesh ball = shapes::icosphere(4);
+  std::vector<Point> normals = ball.points;
+  std::vector<std::uint8_t> turned(normals.size(), 9), expected(normals.size());
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+  {
+    normals[i] *= -2;
+    expected[i] = 1;
+  }
+  normals[6] = Point(0, 0, 0);
+  ball.points[9][0] = std::nan("");
+  expected[6] = expected[9] = 0;
+  ASSERT_EQ(
+    winding_orient_normals(arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
+    WINDING_OK);
+  EXPECT_EQ(turned, expected);
+  normals.pop_back();
+  EXPECT_EQ(
+    winding_orient_normals(arrayOf(ball.points), arrayOf(normals), nullptr, turned.data(), nullptr),
+    WINDING_MISUSED);
+}
+
+TEST(ExaminationOfPoints, CountsAndAdvises)
+{
+  Mesh ball = shapes::icosphere(4);
+  std::vector<Point> normals = ball.points;
+  normals[3] = Point(0, 0, 0);
+  ball.points.push_back(ball.points[5]);
+  normals.push_back(normals[5]);
+  auto report = with(winding_cloud_report_init);
+  Warnings told;
+  ASSERT_EQ(
+    winding_examine_points(arrayOf(ball.points), arrayOf(normals), &told.run, &report, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(report.normals, 1);
+  EXPECT_EQ(report.points, 2563);
+  EXPECT_EQ(report.duplicates, 1);
+  EXPECT_EQ(report.zero_normals, 1);
+  EXPECT_GT(report.outward_share, 0.99);
+  EXPECT_FALSE(told.texts.empty());
+  ASSERT_EQ(
+    winding_examine_points(arrayOf(ball.points), {nullptr, 0, 0, 0}, &told.run, &report, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(report.normals, 0);
+  EXPECT_TRUE(std::isnan(report.w_behind));
 }
 
 TEST(PointAreas, AddUpToTheSurface)

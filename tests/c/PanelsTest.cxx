@@ -12,14 +12,6 @@ using namespace calls;
 using shapes::Mesh;
 using shapes::Point;
 
-/// A cube without the two triangles of one side.
-Mesh openCube()
-{
-  Mesh mesh = shapes::cube({0, 0, 0}, {1, 1, 1});
-  mesh.triangles.resize(mesh.triangles.size() - 2);
-  return mesh;
-}
-
 } // namespace
 
 TEST(Panels, AreNamedInRefusals)
@@ -94,7 +86,7 @@ TEST(Labels, OfPartsAreThoseOfTheWhole)
   arrays.shares = shares;
   const auto label = [&](const std::int32_t* extent)
   {
-    EXPECT_EQ(winding_label_part(
+    EXPECT_EQ(winding_label(
                 fields, nullptr, 2, &grid, extent, nullptr, &options, &arrays, nullptr, nullptr),
       WINDING_OK);
   };
@@ -109,39 +101,9 @@ TEST(Labels, OfPartsAreThoseOfTheWhole)
   EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + 1));
   options.coverage = WINDING_COVERAGE_CENTER;
   arrays.shares = shares;
-  EXPECT_EQ(winding_label_part(
-              fields, nullptr, 2, &grid, nullptr, nullptr, &options, &arrays, nullptr, nullptr),
+  EXPECT_EQ(
+    winding_label(fields, nullptr, 2, &grid, nullptr, nullptr, &options, &arrays, nullptr, nullptr),
     WINDING_MISUSED);
-}
-
-TEST(Faults, AreLoopsAndTheirCaps)
-{
-  const Mesh mesh = openCube();
-  const winding_polygons polygons = polygonsOf(mesh);
-  const auto faults = [&](int fault)
-  {
-    winding_mesh* found = nullptr;
-    EXPECT_EQ(
-      winding_faults(arrayOf(mesh.points), &polygons, fault, nullptr, &found, nullptr), WINDING_OK);
-    auto arrays = with(winding_mesh_arrays_init);
-    EXPECT_EQ(winding_mesh_show(found, &arrays, nullptr), WINDING_OK);
-    const std::vector<std::int64_t> counts = {
-      arrays.point_count, arrays.polygon_count, arrays.corner_count};
-    winding_mesh_free(found);
-    return counts;
-  };
-  using Counts = std::vector<std::int64_t>;
-  EXPECT_EQ(faults(WINDING_FAULT_BOUNDARY), (Counts{4, 1, 5}));
-  EXPECT_EQ(faults(WINDING_FAULT_CAPS), (Counts{4, 2, 6}));
-  EXPECT_EQ(faults(WINDING_FAULT_NON_MANIFOLD), (Counts{0, 0, 0}));
-  EXPECT_EQ(faults(WINDING_FAULT_INCONSISTENT), (Counts{0, 0, 0}));
-  auto report = with(winding_report_init);
-  ASSERT_EQ(
-    winding_examine(arrayOf(mesh.points), &polygons, nullptr, &report, nullptr), WINDING_OK);
-  EXPECT_EQ(report.boundary_loops, 1);
-  EXPECT_EQ(report.given_triangles, 10);
-  EXPECT_GT(report.fractional_share, 0.1);
-  EXPECT_EQ(report.bounds[1], 1);
 }
 
 TEST(Vertices, ShareTheAreaOfTheirMesh)
@@ -167,7 +129,7 @@ TEST(Clouds, HaveReportsAndNormalsToTurn)
   std::vector<std::uint8_t> turned(normals.size());
   const auto turn = [&](const std::vector<Point>& directions)
   {
-    EXPECT_EQ(winding_turn_normals(
+    EXPECT_EQ(winding_orient_normals(
                 arrayOf(ball.points), arrayOf(directions), nullptr, turned.data(), nullptr),
       WINDING_OK);
     return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
@@ -179,7 +141,7 @@ TEST(Clouds, HaveReportsAndNormalsToTurn)
     winding_examine_points(arrayOf(ball.points), arrayOf(normals), nullptr, &report, nullptr),
     WINDING_OK);
   EXPECT_EQ(report.points, static_cast<std::int64_t>(normals.size()));
-  EXPECT_EQ(report.has_normals, 1);
+  EXPECT_EQ(report.normals, 1);
   EXPECT_GT(report.outward_share, 0.9);
 }
 

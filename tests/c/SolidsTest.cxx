@@ -17,10 +17,15 @@ TEST(Labels, AreOfTheSolidsThatVoxelsAreIn)
   const winding_field* const fields[] = {left.get(), right.get()};
   const std::uint16_t numbers[] = {7, 300};
   std::vector<std::uint16_t> labels(5), counts(5);
+  auto options = with(winding_label_options_init);
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels.data();
+  arrays.counts = counts.data();
   const auto label = [&](int overlap, const std::uint16_t* as)
   {
-    EXPECT_EQ(winding_label(fields, as, 2, &grid, nullptr, overlap, WINDING_COVERAGE_CENTER,
-                labels.data(), counts.data(), nullptr, nullptr),
+    options.overlap_rule = overlap;
+    EXPECT_EQ(
+      winding_label(fields, as, 2, &grid, nullptr, nullptr, &options, &arrays, nullptr, nullptr),
       WINDING_OK);
     return labels;
   };
@@ -32,10 +37,35 @@ TEST(Labels, AreOfTheSolidsThatVoxelsAreIn)
   EXPECT_EQ(label(WINDING_OVERLAP_RULE_LARGEST, numbers), (Row{7, 7, 300, 300, 0}));
 
   winding_refusal refusal;
-  EXPECT_EQ(winding_label(fields, numbers, 2, &grid, nullptr, 4, WINDING_COVERAGE_CENTER,
-              labels.data(), nullptr, nullptr, &refusal),
+  options.overlap_rule = 4;
+  EXPECT_EQ(winding_label(
+              fields, numbers, 2, &grid, nullptr, nullptr, &options, &arrays, nullptr, &refusal),
     WINDING_REFUSED);
   EXPECT_STREQ(refusal.parameter, "overlap_rule");
+
+  // A part of the grid, with the shares of each solid.
+  const std::int32_t extent[] = {1, 3, 0, 0, 0, 0};
+  options = with(winding_label_options_init);
+  options.coverage = WINDING_COVERAGE_FRACTION;
+  std::vector<float> first(3), second(3), leftShares(3), rightShares(3);
+  std::vector<std::uint16_t> firstLabels(3), secondLabels(3);
+  float* const shares[] = {leftShares.data(), rightShares.data()};
+  arrays.first_labels = firstLabels.data();
+  arrays.first_shares = first.data();
+  arrays.second_labels = secondLabels.data();
+  EXPECT_EQ(
+    winding_label(fields, numbers, 2, &grid, extent, nullptr, &options, &arrays, nullptr, &refusal),
+    WINDING_MISUSED)
+    << "arrays of shares go together";
+  arrays.second_shares = second.data();
+  arrays.shares = shares;
+  ASSERT_EQ(
+    winding_label(fields, numbers, 2, &grid, extent, nullptr, &options, &arrays, nullptr, &refusal),
+    WINDING_OK);
+  EXPECT_EQ(firstLabels, (Row{7, 300, 300}));
+  EXPECT_EQ(secondLabels, (Row{300, 0, 0}));
+  EXPECT_EQ(leftShares, (std::vector<float>{1, 0, 0}));
+  EXPECT_EQ(rightShares, (std::vector<float>{1, 1, 1}));
 }
 
 TEST(Labels, ThatAreMissingAreTold)
@@ -48,10 +78,22 @@ TEST(Labels, ThatAreMissingAreTold)
   const winding_field* const fields[] = {inward.get(), far.get(), thin.get()};
   std::vector<std::uint16_t> labels(sizeOf(grid));
   Warnings told;
-  ASSERT_EQ(winding_label(
-              fields, nullptr, 3, &grid, nullptr, 0, 0, labels.data(), nullptr, &told.run, nullptr),
-    WINDING_OK);
-  ASSERT_EQ(told.texts.size(), 3u);
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels.data();
+  const auto label = [&]
+  {
+    told.texts.clear();
+    ASSERT_EQ(winding_label(
+                fields, nullptr, 3, &grid, nullptr, nullptr, nullptr, &arrays, &told.run, nullptr),
+      WINDING_OK);
+    ASSERT_EQ(told.texts.size(), 3u);
+  };
+  const char* const names[] = {"hull", "moon", "foil"};
+  arrays.names = names;
+  label();
+  EXPECT_NE(told.texts[1].find("('moon')"), std::string::npos) << told.texts[1];
+  arrays.names = nullptr;
+  label();
   EXPECT_NE(told.texts[0].find("1 of 3 solids ('1')"), std::string::npos) << told.texts[0];
   EXPECT_NE(told.texts[1].find("1 of 3 solids ('2')"), std::string::npos) << told.texts[1];
   EXPECT_NE(told.texts[2].find("1 of 3 solids ('3')"), std::string::npos) << told.texts[2];
@@ -77,6 +119,46 @@ TEST(SolidsOfASurface, AreNumberedByTheirTriangles)
   EXPECT_EQ(solids.back(), -1);
 }
 
+TEST(OpenParts, AreSheetsInsideOfClosedOnes)
+{
+  Mesh mesh = shapes::cube();
+  const auto first = static_cast<std::int32_t>(mesh.points.size());
+  mesh.points.insert(
+    mesh.points.end(), {Point(0.2, 0.2, 0.5), Point(0.8, 0.2, 0.5), Point(0.2, 0.8, 0.5)});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  const winding_polygons polygons = polygonsOf(mesh);
+  std::vector<std::uint8_t> open(13, 9), expected(13);
+  expected[12] = 1;
+  ASSERT_EQ(
+    winding_open_parts(arrayOf(mesh.points), &polygons, nullptr, open.data(), nullptr), WINDING_OK);
+  EXPECT_EQ(open, expected);
+}
+
+TEST(Faults, AreLoopsCapsAndEdges)
+{
+  Mesh mesh = shapes::cube();
+  mesh.triangles.pop_back();
+  std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
+  const winding_polygons polygons = polygonsOf(mesh);
+  const auto count = [&](int fault)
+  {
+    winding_mesh* made = nullptr;
+    EXPECT_EQ(
+      winding_faults(arrayOf(mesh.points), &polygons, fault, nullptr, &made, nullptr), WINDING_OK);
+    auto arrays = with(winding_mesh_arrays_init);
+    EXPECT_EQ(winding_mesh_show(made, &arrays, nullptr), WINDING_OK);
+    winding_mesh_free(made);
+    return arrays.polygon_count;
+  };
+  EXPECT_EQ(count(WINDING_FAULT_INCONSISTENT), 2);
+  EXPECT_EQ(count(WINDING_FAULT_NON_MANIFOLD), 0);
+  EXPECT_GE(count(WINDING_FAULT_BOUNDARY), 1);
+  EXPECT_GE(count(WINDING_FAULT_CAPS), 2);
+  winding_mesh* made = nullptr;
+  EXPECT_EQ(
+    winding_faults(arrayOf(mesh.points), &polygons, 4, nullptr, &made, nullptr), WINDING_MISUSED);
+}
+
 TEST(Examination, CountsAndAdvises)
 {
   Mesh mesh = shapes::icosphere(2);
@@ -86,9 +168,14 @@ TEST(Examination, CountsAndAdvises)
   Warnings told;
   ASSERT_EQ(
     winding_examine(arrayOf(mesh.points), &polygons, &told.run, &report, nullptr), WINDING_OK);
-  EXPECT_EQ(report.points, 162);
+  EXPECT_EQ(report.closed, 0);
+  EXPECT_EQ(report.vertices, 162);
+  EXPECT_EQ(report.vertices_merged, 162);
   EXPECT_EQ(report.triangles, 320);
   EXPECT_EQ(report.edges, 480);
+  EXPECT_EQ(report.euler, 2);
+  EXPECT_EQ(report.bbox[3], 1);
+  EXPECT_GT(report.fractional_share, 0);
   EXPECT_EQ(report.boundary_edges, 0);
   EXPECT_EQ(report.inconsistent_edges, 3);
   ASSERT_FALSE(told.texts.empty());
@@ -102,9 +189,12 @@ TEST(Orientation, TurnsAndLeavesOutPolygons)
   std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
   const winding_polygons polygons = polygonsOf(mesh);
   std::vector<std::uint8_t> turned(13), leftOut(13);
-  ASSERT_EQ(winding_orient(
-              arrayOf(mesh.points), &polygons, nullptr, turned.data(), leftOut.data(), nullptr),
+  std::int64_t triangles = 0, components = 0;
+  ASSERT_EQ(winding_orient(arrayOf(mesh.points), &polygons, nullptr, turned.data(), leftOut.data(),
+              &triangles, &components, nullptr),
     WINDING_OK);
+  EXPECT_EQ(triangles, 1);
+  EXPECT_EQ(components, 1);
   std::vector<std::uint8_t> expected(13);
   expected[7] = 1;
   EXPECT_EQ(turned, expected);

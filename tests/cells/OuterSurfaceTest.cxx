@@ -6,6 +6,7 @@
 #include "vtkCellTypeSource.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExplicitStructuredGrid.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -128,6 +129,33 @@ TEST(OuterSurface, TurnsCellsOfTheOtherOrderAndCountsThem)
     EXPECT_TRUE(report->GetClosed());
     EXPECT_NEAR(report->GetVolume(), 8, 1e-12);
     EXPECT_GT(report->GetReport()->GetArray("turned_cells")->GetComponent(0, 0), 0);
+  }
+}
+
+TEST(OuterSurface, TakesExplicitStructuredGrids)
+{
+  for (const Map& map : {Map(stay), Map(mirror)})
+  {
+    vtkNew<vtkExplicitStructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    points->SetDataTypeToDouble();
+    grid->SetDimensions(3, 3, 3);
+    grid->SetPoints(points);
+    for (int cell = 0; cell < 8; ++cell)
+    {
+      vtkIdType corners[8];
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const int x = ((corner + 1) / 2) % 2, y = (corner / 2) % 2, z = corner / 4;
+        double point[3] = {1.0 * (cell % 2 + x), 1.0 * (cell / 2 % 2 + y), 1.0 * (cell / 4 + z)};
+        map(point);
+        corners[corner] = points->InsertNextPoint(point);
+      }
+      cells->InsertNextCell(8, corners);
+    }
+    grid->SetCells(cells);
+    expectTheCube(grid);
   }
 }
 

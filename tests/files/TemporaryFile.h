@@ -2,18 +2,17 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
-
-#include <unistd.h>
 
 /// A file with some contents, removed with the object.
 class TemporaryFile
 {
 public:
   explicit TemporaryFile(const std::string& contents)
-    : name_(
-        (std::filesystem::temp_directory_path() / ("winding-core-test-" + std::to_string(getpid())))
-          .string())
+    : name_((std::filesystem::temp_directory_path() /
+             ("winding-core-test-" + std::to_string(std::random_device()())))
+              .string())
   {
     this->write(contents);
   }

@@ -22,7 +22,7 @@ LIBRARIES = "usr/lib/x86_64-linux-gnu"
 LOAD_IN_PYTHON = """
 import vtkwinding
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkwinding.vtkFiltersWinding import vtkWindingNumberField
+from vtkwinding_native.vtkFiltersWinding import vtkWindingNumberField
 field = vtkWindingNumberField()
 source = vtkSphereSource()
 field.SetInputConnection(source.GetOutputPort())

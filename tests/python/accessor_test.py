@@ -1,8 +1,10 @@
 """mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
 
 import inspect
+import pathlib
 import subprocess
 import sys
+import tempfile
 import typing
 import unittest
 import warnings
@@ -55,12 +57,6 @@ class AccessorTest(Warned):
             method = getattr(kind, name)
             names = set(inspect.signature(method).parameters) - {"self"} | {"return"}
             self.assertEqual(set(typing.get_type_hints(method)), names, name)
-
-    def test_other_back_ends_are_refused(self):
-        code = ("import pyvista; pyvista.vtk_backend = lambda: 'cvista'\n"
-                "try:\n    import vtkwinding.accessor\nexcept ImportError as e:\n    print(e)")
-        found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-        self.assertRegex(found.stdout, "PYVISTA_VTK_BACKEND=vtk", found.stderr)
 
     def test_field(self):
         image = ball().winding.field(resolution=16, inside=True, signed_distance=True)
@@ -268,6 +264,75 @@ class AccessorTest(Warned):
                               pv.UnstructuredGrid)
         self.assertIn("implicit_distance",
                       blocks.winding.signed_distance(ball())["more"]["ball"].array_names)
+
+    def test_clips_end_at_the_surface(self):
+        for mesh in (grid(), grid().cast_to_unstructured_grid(), turned_grid(),
+                     pv.MultiBlock([grid(), None])):
+            for surface, share in ((ball(), 0.994), (scan(), 0.980)):
+                inner = mesh.winding.clip(surface)
+                outer = mesh.winding.clip(surface, inside_out=True)
+                if isinstance(mesh, pv.MultiBlock):
+                    inner, outer, mesh = inner[0], outer[0], mesh[0]
+                self.assertIsInstance(inner, pv.UnstructuredGrid)
+                self.assertEqual(inner.array_names, mesh.array_names)
+                # as measured: a cell is cut straight, and the scan is closed at its hole
+                if mesh.bounds == grid().bounds:
+                    self.assertAlmostEqual(inner.volume / ball().volume, share, delta=0.003)
+                self.assertAlmostEqual((inner.volume + outer.volume) / mesh.volume, 1, 3)
+
+    def test_labels_are_those_of_bodies(self):
+        pair = ball() + ball().translate((2, 0, 0))
+        blocks = pv.MultiBlock({"first": ball(), "second": ball().translate((2, 0, 0))})
+        pair.cell_data["body"] = np.repeat([40, -7], ball().n_cells)
+        for mesh, options, names in (
+                (pair, {}, ["Solid 1", "Solid 2"]), (blocks, {}, ["first", "second"]),
+                (pair, {"scalars": "body"}, ["-7", "40"])):
+            image = mesh.winding.labels(spacing=0.1, **options)
+            self.assertEqual(list(image.field_data["LabelNames"]), names)
+            self.assertEqual(image["Label"].dtype, np.uint16)
+            first, second = ((image["Label"] == label).sum() for label in (1, 2))
+            self.assertEqual(image.n_points - first - second, (image["Label"] == 0).sum())
+            self.assertAlmostEqual(first * 0.1**3 / ball().volume, 1, delta=0.1)  # 0.94
+            self.assertAlmostEqual(second / first, 1, delta=0.1)
+        image = blocks.winding.labels(resolution=16)
+        self.assertEqual(np.sign(image.points[image["Label"] == 2][:, 0] - 1).min(), 1)
+        with self.assertRaisesRegex(vtkwinding.WindingError, "points alone have no bodies"):
+            pv.PolyData(ball().points).winding.labels()
+
+    def test_the_field_of_a_mesh_is_kept(self):
+        mesh, points = ball(), grid()
+        before = points.winding.select_interior_points(mesh)
+        field = mesh.winding._kept
+        self.assertIsNotNone(field)
+        points.winding.select_interior_points(mesh, threshold=0.7)
+        self.assertIs(mesh.winding._kept, field)
+        mesh.points[:] *= 0.5  # nobody says that the mesh has changed
+        after = points.winding.select_interior_points(mesh)
+        self.assertLess(after["selected_points"].sum(), 0.2 * before["selected_points"].sum())
+        kept = mesh.winding._kept
+        mesh.winding.field(resolution=8, ignore_open_parts=True)
+        self.assertIsNot(mesh.winding._kept, kept)
+
+    def test_what_is_left_out_is_told(self):
+        mesh = ball() + pv.Line()
+        self.assertRaisesRegex(vtkwinding.WindingWarning, "1 are left out", mesh.winding.field,
+                               resolution=8)
+        cells = grid(5).cast_to_unstructured_grid() + ball().cast_to_unstructured_grid()
+        self.assertRaisesRegex(vtkwinding.WindingWarning, "surface_cells=True",
+                               cells.winding.field, resolution=8)
+        found = cells.winding.report()
+        self.assertEqual(found["left_out_cells"], ball().n_cells)
+        self.assertAlmostEqual(found["volume"], 1.2**3)
+        self.assertAlmostEqual(cells.winding.report(surface_cells=True)["volume"], ball().volume)
+
+    def test_files_that_pyvista_does_not_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "a.off")
+            path.write_text("OFF 4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n")
+            self.assertEqual(pv.read(path).n_cells, 2)
+            path = pathlib.Path(folder, "a.xyz")
+            path.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
+            self.assertEqual(pv.read(path).point_data.active_normals_name, "Normals")
 
     def test_bool_arrays_stay_bool(self):
         mesh = ball()

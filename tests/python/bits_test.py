@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 import vtkwinding
-from vtkwinding.vtkFiltersWinding import (
+from vtkwinding_native.vtkFiltersWinding import (
     vtkSourceReader,
     vtkWindingNumberField,
     vtkWindingNumberProbe,

@@ -192,7 +192,13 @@ class FunctionsTest(unittest.TestCase):
         faces[3] = faces[3, ::-1]
         found = vtkwinding.report(CORNERS, faces)
         self.assertEqual(found["inconsistent_edges"], 3)
-        self.assertIn("orient_faces=True", found["advice"][0])
+        self.assertIn("orient_faces=True", found["advice"])
+        self.assertEqual((found["kind"], found["closed"], found["bbox"]),
+                         ("surface", 0, (0, 0, 0, 1, 1, 1)))
+        cloud = vtkwinding.report(SPHERE, normals=SPHERE)
+        self.assertEqual((cloud["kind"], cloud["normals"], cloud["points"]), ("points", 1, 2000))
+        self.assertGreater(cloud["outward_share"], 0.9)
+        self.assertIsNone(vtkwinding.report(SPHERE)["w_behind"])
         fixed = vtkwinding.fix_orientation(CORNERS, np.concatenate([faces, faces[:2]]))
         self.assertEqual(fixed.shape, (12, 3))
         self.assertAlmostEqual(vtkwinding.report(CORNERS, fixed)["volume"], 1)
@@ -229,6 +235,7 @@ class FunctionsTest(unittest.TestCase):
 
 
 class ModuleTest(unittest.TestCase):
+    @unittest.skipIf(sys.version_info < (3, 10), "needs Python 3.10 to read the types")
     def test_all_arguments_have_types(self):
         for function in (Field.winding_number, Field.contains, Field.signed_distance,
                          Field.gradient, Field.field, Field.mask, Field.surface, fields.labels,

@@ -12,8 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-import vtkwinding  # noqa: F401 (loads what the next line needs)
-from vtkwinding.vtkFiltersWinding import (
+from vtkwinding_native.vtkFiltersWinding import (
     vtkWindingNumberField,
     vtkWindingNumberLabels,
     vtkWindingNumberVoxels,

@@ -7,13 +7,10 @@ import warnings
 
 import numpy as np
 
+from vtkwinding_native.vtkFiltersWinding import vtkSourceReader
+
 import vtkwinding
-from vtkwinding import _run
-from vtkwinding.vtkFiltersWinding import (
-    vtkSourceReader,
-    vtkSurfaceReport,
-    vtkWindingNumberField,
-)
+from vtkwinding import _sources
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from messages import FOLDER, messages_of  # noqa: E402
@@ -27,10 +24,15 @@ def mesh(name):
     return points, np.concatenate([faces[:, :3], faces[:, [0, 2, 3]]])
 
 
-def reading(name):
+def field_of(name):
+    """Evaluates the field of the data object that is in a file."""
     reader = vtkSourceReader()
     reader.SetFileName(str(FOLDER / name))
-    return reader
+    reader.Update()
+    source = _sources.source_of(reader.GetOutput())
+    for note in source.notes:
+        warnings.warn(note, vtkwinding.WindingWarning, stacklevel=2)
+    _sources.SourceField(source).field(resolution=4)
 
 
 def message_of(call, *arguments, **options):
@@ -72,38 +74,12 @@ class WordsTest(unittest.TestCase):
         zeros = np.loadtxt(FOLDER / "zeros.xyz")
         found["normals of length 0"] = message_of(
             field, zeros[:, :3], normals=zeros[:, 3:], resolution=4)
-        report = vtkSurfaceReport()
-        inward_reader = reading("inward.off")  # a connection does not keep its reader
-        report.SetInputConnection(inward_reader.GetOutputPort())
         # Functions of arrays say themselves that points have no normals, and take no lines.
-        for name, subject in [("bare.xyz", "points without normals"),
-                              ("loose.off", "lines next to faces")]:
-            source = reading(name)
-            field = vtkWindingNumberField()
-            field.SetResolution(4)
-            field.SetInputConnection(source.GetOutputPort())
-            found[subject] = message_of(_run.run, field)
-        colours = message_of(_run.run, reading("colours.xyz"))
-        found["columns of colours"] = colours.split(": ", 1)[1]
-        found["the report on faces that look inward"] = _run.run(report).GetAdvice()
+        found["points without normals"] = message_of(field_of, "bare.xyz")
+        found["lines next to faces"] = message_of(field_of, "loose.off")
+        found["columns of colours"] = message_of(vtkwinding.read, FOLDER / "colours.xyz")
+        found["the report on faces that look inward"] = vtkwinding.report(*inward)["advice"]
         self.assertEqual(found, messages_of("Python"))
-
-    def test_are_setters_outside_of_this_package(self):
-        reader = reading("bare.xyz")
-        field = vtkWindingNumberField()
-        field.SetInputConnection(reader.GetOutputPort())
-        self.assertIn("estimate_normals=True", message_of(_run.run, field))
-        texts = []
-
-        def note(_reporter, _event, text):
-            texts.append(text)
-
-        note.CallDataType = "string0"
-        field.AddObserver("ErrorEvent", note)
-        field.Modified()
-        field.Update()
-        self.assertEqual(len(texts), 1)
-        self.assertIn(messages_of("C++")["points without normals"], texts[0])
 
 
 if __name__ == "__main__":

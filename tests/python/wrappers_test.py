@@ -7,6 +7,9 @@ its library lies (WINDING_LIBRARIES).
 import os
 import pathlib
 import re
+import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -15,8 +18,8 @@ from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
-import vtkwinding
-from vtkwinding import vtkFiltersWinding
+import vtkwinding_native
+from vtkwinding_native import vtkFiltersWinding
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLASSES = re.findall(r"^  (vtk\w+)", re.search(
@@ -55,7 +58,7 @@ def words_beside_signatures(text):
 
 class PackageTest(unittest.TestCase):
     def test_comes_from_the_tree_under_test(self):
-        package = pathlib.Path(vtkwinding.__file__).resolve().parent
+        package = pathlib.Path(vtkwinding_native.__file__).resolve().parent
         expected = pathlib.Path(os.environ.get("WINDING_PACKAGE", package)).resolve()
         self.assertEqual(package, expected)
         maps = pathlib.Path("/proc/self/maps").read_text()
@@ -65,12 +68,26 @@ class PackageTest(unittest.TestCase):
     def test_has_the_version_of_the_project(self):
         lists = (ROOT / "CMakeLists.txt").read_text()
         version = re.search(r"project\(\w+ VERSION ([\d.]+)", lists)
-        self.assertEqual(vtkwinding.__version__, version[1])
+        self.assertEqual(vtkwinding_native.__version__, version[1])
 
     def test_loads_the_modules_that_the_library_depends_on(self):
         named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk" / "vtk.module").read_text())
         self.assertEqual(["vtk" + name for name in named if name != "vtksys"],
-                         list(vtkwinding._vtk.DEPENDENCIES))
+                         list(vtkwinding_native._vtk.DEPENDENCIES))
+
+
+    def test_another_vtk_is_refused_in_words(self):
+        package = pathlib.Path(vtkwinding_native.__file__).parent
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder, "vtkwinding_native")
+            copy.mkdir()
+            for file in package.glob("*.py"):
+                shutil.copy(file, copy)
+            (copy / "_built.py").write_text("VERSION = '1'\nVTK_MINOR = '12.3'\n")
+            run = subprocess.run([sys.executable, "-c", "import vtkwinding_native"], cwd=folder,
+                                 capture_output=True, text=True, env={"PYTHONPATH": folder})
+        self.assertRegex(run.stderr.splitlines()[-1],
+                         r"ImportError: this vtk-winding-native needs VTK 12\.3 .*the one here is 9\.")
 
 
 class ClassesTest(unittest.TestCase):

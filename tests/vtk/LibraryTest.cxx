@@ -201,8 +201,11 @@ TEST_P(Library, HasTheBitsOfVoxelsAndLabels)
   std::vector<std::uint16_t> found(static_cast<std::size_t>(image->GetNumberOfPoints()));
   const winding_field* const fields[] = {field};
   const winding_grid samples = grid();
-  ASSERT_EQ(winding_label(fields, nullptr, 1, &samples, nullptr, WINDING_OVERLAP_RULE_FIRST,
-              WINDING_COVERAGE_CENTER, found.data(), nullptr, nullptr, &refusal),
+  winding_labels labelling = {};
+  winding_labels_init(&labelling, sizeof labelling);
+  labelling.labels = found.data();
+  ASSERT_EQ(winding_label(fields, nullptr, 1, &samples, nullptr, nullptr, nullptr, &labelling,
+              nullptr, &refusal),
     WINDING_OK)
     << refusal.text;
   expectSame(image->GetPointData()->GetArray("Label"), found.data(), "labels");

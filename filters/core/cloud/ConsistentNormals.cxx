@@ -58,19 +58,31 @@ ConsistentNormals consistentNormals(const DistinctPoints& places, int neighbors,
 std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,
   const std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
+  std::vector<Eigen::Vector3d> usable, directions;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    const Eigen::Vector3d direction = normals[i].stableNormalized();
+    if (positions[i].allFinite() && direction.allFinite() && direction.squaredNorm() > 0)
+    {
+      usable.push_back(positions[i]);
+      directions.push_back(direction);
+      numbers.push_back(i);
+    }
+  }
   ShownExecutor shown(executor);
   Progress progress(shown);
   progress.set(0, 0.05);
-  const DistinctPoints places(positions, unitScaleOf(positions), shown);
+  const DistinctPoints places(usable, unitScaleOf(usable), shown);
   progress.set(0.05, 1);
   const OrientedPlaces oriented =
-    orientByPatches(places, normalsByPlace(places, normals), true, shown);
+    orientByPatches(places, normalsByPlace(places, directions), true, shown);
   std::vector<unsigned char> turns(positions.size());
   for (std::size_t place = 0; place < places.size(); ++place)
   {
     for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
     {
-      turns[*point] = normals[*point].dot(oriented.normals[place]) < 0;
+      turns[numbers[*point]] = directions[*point].dot(oriented.normals[place]) < 0;
     }
   }
   return turns;

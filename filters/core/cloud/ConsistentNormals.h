@@ -50,7 +50,8 @@ ConsistentNormals consistentNormals(const DistinctPoints& places, int neighbors,
 
 /// Finds which normals of a cloud are to be turned round, where their directions are right but
 /// their senses may not be: 1 for those. It is found by the same patches, and none is turned where
-/// w is about 1/2 already. positions and unit normals: as many. Throws Interrupted.
+/// w is about 1/2 already. `positions` and `normals`, of any length: as many. Points that are not
+/// finite, or have no direction, are left alone. Throws Interrupted.
 std::vector<unsigned char> normalsToTurn(const std::vector<Eigen::Vector3d>& positions,
   const std::vector<Eigen::Vector3d>& normals, Executor& executor);
 

@@ -7,6 +7,7 @@
 #include "rays/ClearCells.h"
 #include "rays/RayCounter.h"
 #include "rays/ReachOfTriangles.h"
+#include "rays/TriangleColumns.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
@@ -213,6 +214,8 @@ PointCrossings::PointCrossings(const std::vector<Eigen::Vector3d>& vertices,
 {
 }
 
+PointCrossings::~PointCrossings() = default;
+
 double PointCrossings::weight(std::size_t samples) const
 {
   std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(chain_, bounds_); });
@@ -266,6 +269,26 @@ void PointCrossings::evaluate(
   }
   progress.set(0.2, 1);
   this->cast(samples, output, &clear, executor);
+}
+
+/// Returns the triangles in columns, or null where walking over all of them takes no longer, as for
+/// many rays. Null is also for the first few rays, which sorting would not pay for.
+const TriangleColumns* PointCrossings::columnsForFew(
+  const RayCounter& counter, double scale, std::size_t rays, Executor& executor) const
+{
+  constexpr std::size_t fewTriangles = 4096, trianglesPerRay = 256;
+  if (chain_.size() < fewTriangles || rays > chain_.size() / trianglesPerRay ||
+      !wereFewAsked_.exchange(true))
+  {
+    return nullptr;
+  }
+  std::call_once(areColumnsMade_,
+    [&]
+    {
+      columns_ =
+        std::make_unique<TriangleColumns>(counter, chain_.size(), bounds_, scale, executor);
+    });
+  return columns_->isUsable() ? columns_.get() : nullptr;
 }
 
 /// Writes the values of samples: those that `clear` has, unless it is null, and of all others by
@@ -353,7 +376,15 @@ void PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   inColumns.starts.back() = rays.end(columns.count() - 1);
 
   const RayCounter counter(chain_, scale);
-  ColumnTasks(counter, output, executor).run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
+  ColumnTasks tasks(counter, output, executor);
+  const auto count = static_cast<std::size_t>(inColumns.starts.back() - inColumns.starts.front());
+  if (const TriangleColumns* kept = this->columnsForFew(counter, scale, count, executor))
+  {
+    const TriangleIds near = kept->near(inColumns.starts.front(), inColumns.starts.back());
+    tasks.run(inColumns, CandidateTriangles(near), {0, 1});
+    return;
+  }
+  tasks.run(inColumns, CandidateTriangles(chain_.size()), {0, 1});
 }
 
 } // namespace winding

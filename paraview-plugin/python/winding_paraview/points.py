@@ -113,7 +113,7 @@ class PointAreas(Algorithm):
             if not self.value("EstimateNormals"):
                 raise WindingError("the points have no normals: use Estimate Normals")
             normals, estimate = np.empty((count, 3), np.float32), _library.Estimate()
-            self.call("winding_estimate_points", _library.array_of(points), ctypes.byref(options),
+            self.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                       RUN, pointer(normals), pointer(areas), ctypes.byref(estimate))
             self.estimation = ESTIMATIONS[estimate.normal_estimation]
             self.clear_share = estimate.clear_share

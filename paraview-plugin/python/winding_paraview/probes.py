@@ -1,175 +1,36 @@
 """Filters at the points or cells of any data set: Winding Number Probe and Winding Number Clip."""
 
 import ctypes
-import math
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkDataSet,
     vtkImageData,
-    vtkPointSet,
     vtkPolyData,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCellCenters, vtkThreshold
-from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
+from vtkwinding._parts import (
+    centres_of,
+    clipped_part,
+    cut_distances,
+    grid_of_image,
+    inside_part,
+    points_of,
+    points_of_cut_cells,
+)
 
-from .algorithm import RUN, copied, declared, new_array
+from .algorithm import RUN, copied, declared
 from .grids import ResultArrays
 from .ranks import Ranks
 from .sources import SourceAlgorithm, ask_for_part, kind_of
 
-_MASK = "winding_paraview.Kept"
-_NUMBERS = "winding_paraview.Numbers"
-_POLY_VERTEX = 2
 _MANY = 100  # samples
-_SINGLE, _DOUBLE = 0, 1  # precisions
-
-
-def grid_of_image(image, at_cells):
-    """The grid of the points of an image, or of the centres of its cells; None where there is none."""
-    matrix = image.GetDirectionMatrix()
-    is_turned = any(matrix.GetElement(i, j) != (i == j) for i in range(3) for j in range(3))
-    counts = list(image.GetDimensions())
-    if is_turned or min(counts) < 1 or image.HasAnyBlankPoints() or image.HasAnyBlankCells():
-        return None
-    origin, steps, extent = image.GetOrigin(), list(image.GetSpacing()), image.GetExtent()
-    first = [origin[axis] + extent[2 * axis] * steps[axis] for axis in range(3)]
-    for axis in range(3):
-        if at_cells and counts[axis] > 1:
-            first[axis] += 0.5 * steps[axis]
-            counts[axis] -= 1
-    # A layer of samples has no spacing across, whatever an image says.
-    widest = max([step for step, count in zip(steps, counts) if count > 1], default=0)
-    steps = [step if count > 1 else widest if widest > 0 else 1.0
-             for step, count in zip(steps, counts)]
-    if min(steps) <= 0 or not all(map(math.isfinite, [*steps, *first])):
-        return None
-    return _library.Grid((ctypes.c_double * 3)(*first), (ctypes.c_double * 3)(*steps),
-                         (ctypes.c_int32 * 3)(*counts))
-
-
-def points_of(data):
-    """The points of any data set, (N, 3)."""
-    if isinstance(data, vtkPointSet):
-        points = data.GetPoints()
-        return np.empty((0, 3)) if points is None else np.ascontiguousarray(
-            _datasets.floats_of(data, points.GetData()))
-    if data.GetNumberOfPoints() == 0:
-        return np.empty((0, 3))
-    # Images and the like compute their points.
-    append = vtkAppendFilter()
-    append.SetOutputPointsPrecision(_DOUBLE)
-    bare = data.NewInstance()
-    bare.CopyStructure(data)
-    append.AddInputData(bare)
-    append.Update()
-    return _datasets.floats_of(data, append.GetOutput().GetPoints().GetData())
-
-
-def centres_of(data):
-    """The centres of the cells of any data set, (N, 3); NaN for cells without points."""
-    array, view = new_array("centres", np.float64, data.GetNumberOfCells(), 3)
-    if len(view):
-        vtkCellCenters.ComputeCellCenters(data, array)
-        if isinstance(data, vtkUnstructuredGrid):
-            view[np.diff(_datasets.cells_of(data, data.GetCells())[1]) == 0] = np.nan
-    return view
-
-
-def corners_of(data):
-    """The ids of the points of all cells of any data set, and where each cell begins and ends."""
-    if isinstance(data, vtkUnstructuredGrid):
-        return _datasets.cells_of(data, data.GetCells())
-    bare = data.NewInstance()
-    bare.CopyStructure(data)
-    append = vtkAppendFilter()
-    append.AddInputData(bare)
-    append.Update()
-    return _datasets.cells_of(data, append.GetOutput().GetCells())
-
-
-def _reduced(function, are, corners, offsets, empty):
-    """A function of a flag of the points of each cell."""
-    sizes = np.diff(offsets)
-    found = np.full(len(sizes), empty)
-    filled = sizes > 0
-    if filled.any():
-        found[filled] = function.reduceat(are[corners], offsets[:-1][filled])
-    return found
-
-
-def inside_part(data, inside, at_cells):
-    """The cells of a data set that are inside, or all of whose points are."""
-    whole = data
-    if not at_cells and isinstance(data, vtkPointSet) and data.GetNumberOfPoints():
-        types = [data.GetCellType(i) for i in range(min(data.GetNumberOfCells(), 2))]
-        if all(kind == _POLY_VERTEX for kind in types) and len(types) < 2:
-            whole = _vertices_of(data)
-    are_kept = inside
-    if not at_cells:
-        corners, offsets = corners_of(whole)
-        are_kept = _reduced(np.logical_and, inside, corners, offsets, False)
-    part = _cells_of(whole, are_kept)
-    part.GetFieldData().PassData(data.GetFieldData())
-    return part
-
-
-def _vertices_of(data):
-    """The points of a data set, with a vertex each."""
-    count = data.GetNumberOfPoints()
-    cells = _datasets.cell_array_of(data, np.arange(count), np.arange(count + 1))
-    if isinstance(data, vtkPolyData):
-        vertices = vtkPolyData()
-        vertices.SetVerts(cells)
-    else:
-        vertices = vtkUnstructuredGrid()
-        vertices.SetCells(1, cells)
-    vertices.SetPoints(data.GetPoints())
-    vertices.GetPointData().ShallowCopy(data.GetPointData())
-    return vertices
-
-
-def _cells_of(data, are_kept):
-    if isinstance(data, vtkPolyData):
-        ids = vtkIdList()
-        kept = np.flatnonzero(are_kept)
-        ids.SetNumberOfIds(len(kept))
-        for place, cell in enumerate(kept.tolist()):
-            ids.SetId(place, cell)
-        part, points = vtkPolyData(), vtkPoints()
-        if data.GetPoints() is not None:
-            points.SetDataType(data.GetPoints().GetDataType())
-        part.SetPoints(points)
-        part.AllocateProportional(data, 1.0)
-        for from_, to in ((data.GetPointData(), part.GetPointData()),
-                          (data.GetCellData(), part.GetCellData())):
-            to.CopyAllOn()
-            to.CopyAllocate(from_)
-        part.CopyCells(data, ids)
-        part.Squeeze()
-        return part
-    marked = data.NewInstance()
-    marked.ShallowCopy(data)
-    marked.GetCellData().AddArray(copied(_MASK, are_kept.astype(np.uint8)))
-    threshold = vtkThreshold()
-    threshold.SetInputData(marked)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, _MASK)
-    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
-    threshold.SetUpperThreshold(1)
-    if not isinstance(data, vtkPointSet):
-        threshold.SetOutputPointsPrecision(_DOUBLE)
-    threshold.Update()
-    part = threshold.GetOutput()
-    part.GetCellData().RemoveArray(_MASK)
-    return part
 
 
 class ProbeAlgorithm(SourceAlgorithm):
@@ -374,7 +235,7 @@ class WindingNumberProbe(ProbeAlgorithm):
                     attributes.AddArray(part)
                     attributes.SetActiveScalars(array.GetName())
             if extracts:
-                answer = inside_part(answer, inside[start:start + count] != 0, at_cells)
+                answer = inside_part(answer, inside[start:start + count] != 0, at_cells=at_cells)
             self.describe(answer)
             yield answer
 
@@ -395,81 +256,27 @@ class WindingNumberClip(ProbeAlgorithm):
         self.evaluate_samples(grid, samples, values)
         kept = self.turned(inside, samples) if self.value("InsideOut") else inside != 0
         self.tell_empty(kept, "point")
-        cells = [corners_of(leaf) for leaf in leaves]
-        is_cut = np.zeros(total, bool)
-        starts = np.cumsum([0, *counts])
-        for (corners, offsets), start, count in zip(cells, starts, counts):
-            here = kept[start:start + count]
-            mixed = (_reduced(np.logical_or, here, corners, offsets, False)
-                     & ~_reduced(np.logical_and, here, corners, offsets, True))
-            is_cut[start + corners[np.repeat(mixed, np.diff(offsets))]] = True
+        is_cut = np.concatenate([points_of_cut_cells(leaf, own) for leaf, own in zip(
+            leaves, _split(kept, counts))]) if leaves else np.zeros(0, bool)
         self.between(0.7, 0.9)
-        cut = np.flatnonzero(is_cut)
         places = samples if samples is not None else points_of(leaves[0])
-        distances = self._distances(np.ascontiguousarray(places[cut], float))
-        numbers = np.ones(total)
-        with np.errstate(invalid="ignore"):
-            numbers[cut] = np.where(
-                distances <= np.finfo(float).max, np.maximum(distances, np.finfo(float).tiny), 1)
-        numbers[~kept] *= -1
+        numbers = cut_distances(
+            kept, is_cut, *self._at_cuts(np.ascontiguousarray(places[is_cut], float)), self.levels)
         for leaf, own in zip(leaves, _split(numbers, counts)):
-            part = _clipped(leaf, own)
+            part = clipped_part(leaf, own)
             self.describe(part)
             yield part
 
-    def _distances(self, places):
-        """The distances of samples from the end of what is kept, 0 or more."""
+    def _at_cuts(self, places):
+        """Winding numbers, distances from the source, and slopes."""
         values, distances = np.empty(len(places)), np.empty(len(places))
-        gradients = np.empty((len(places), 3))
-        jumps_only = self.info.is_surface and self.info.net_boundary_edges == 0
+        gradients = np.zeros((len(places), 3))
         asked = _library.Values(
             type=_library.TYPES[np.dtype(np.float64)], winding=values.ctypes.data,
             distance=distances.ctypes.data)
-        if not jumps_only:
+        if not (self.info.is_surface and self.info.net_boundary_edges == 0):
             asked.gradient = gradients.ctypes.data
         if len(places):
             self.call("winding_evaluate_points", self.field.pointer, _library.array_of(places),
                       ctypes.byref(self.rule()), ctypes.byref(asked), RUN, note=lambda text: None)
-        distances = np.abs(distances)
-        if not jumps_only and len(places):
-            slopes = np.linalg.norm(gradients, axis=1)
-            with np.errstate(divide="ignore", invalid="ignore"):
-                by_slope = np.abs(self.levels(values)) / slopes
-            distances = np.where(slopes > 0, np.minimum(distances, by_slope), distances)
-        return distances
-
-
-def _clipped(data, numbers):
-    """The part of a data set whose numbers are more than 0."""
-    if isinstance(data, vtkPointSet) and data.GetNumberOfCells() == 0:
-        return inside_part(_points_alone(data), numbers > 0, False)
-    marked = data.NewInstance()
-    marked.ShallowCopy(data)
-    marked.GetPointData().AddArray(copied(_NUMBERS, numbers))
-    marked.GetPointData().SetActiveScalars(_NUMBERS)
-    are_somewhere = np.isfinite(points_of(data)).all(axis=1)
-    if not are_somewhere.all():
-        corners, offsets = corners_of(data)
-        marked = _cells_of(marked, _reduced(np.logical_and, are_somewhere, corners, offsets, False))
-        marked.GetPointData().SetActiveScalars(_NUMBERS)
-    clip = vtkTableBasedClipDataSet()
-    clip.SetInputData(marked)
-    clip.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, _NUMBERS)
-    points = data.GetPoints() if isinstance(data, vtkPointSet) else None
-    is_single = points is not None and points.GetDataType() == 10
-    clip.SetOutputPointsPrecision(_SINGLE if is_single else _DOUBLE)
-    clip.Update()
-    part = clip.GetOutput()
-    part.GetPointData().RemoveArray(_NUMBERS)
-    active = data.GetPointData().GetScalars()
-    if active is not None:
-        part.GetPointData().SetActiveScalars(active.GetName())
-    part.GetFieldData().PassData(data.GetFieldData())
-    return part
-
-
-def _points_alone(data):
-    grid = vtkUnstructuredGrid()
-    grid.SetPoints(data.GetPoints())
-    grid.GetPointData().ShallowCopy(data.GetPointData())
-    return grid
+        return values, distances, np.linalg.norm(gradients, axis=1)

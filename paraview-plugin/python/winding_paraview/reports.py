@@ -16,7 +16,8 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTubeFilter
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import kept_polygons, polygons_of, turned_polygons
+from vtkwinding._library import polygons_of
+from vtkwinding._sources import kept_polygons, turned_polygons
 
 from .algorithm import RUN, Algorithm, add_number, add_text, copied, declared, pointer
 from .ranks import Ranks
@@ -26,32 +27,25 @@ from .surfaces import polydata_of
 _DOUBLE = 11
 _MOST_TUBES = 20000
 _IN_LINE = 44  # letters of advice
-# Names in field data, and members of the library's reports, in the order of both.
+# Members of the library's reports that go into field data, in this order.
 _OF_SURFACE = (
-    ("triangles", "given_triangles"), ("vertices", "given_points"),
-    ("vertices_merged", "different_points"), ("closed", None),
-    ("boundary_edges", "boundary_edges"), ("boundary_loops", "boundary_loops"),
-    ("nonmanifold_edges", "non_manifold_edges"), ("inconsistent_edges", "inconsistent_edges"),
-    ("net_boundary_edges", "net_boundary_edges"), ("components_vertex", "vertex_components"),
-    ("components_edge", "components"), ("closed_components", "closed_components"),
-    ("inverted_components", "inverted_components"), ("nested_solids", "nested_solids"),
-    ("one_sided_components", "one_sided"), ("open_parts_inside", "open_parts_inside"),
-    ("duplicate_faces", "duplicate_triangles"), ("degenerate", "collapsed_triangles"),
-    ("zero_area", "zero_area"), ("unreferenced_vertices", "unreferenced_points"),
-    ("euler", "euler"))
+    "triangles", "vertices", "vertices_merged", "closed", "boundary_edges", "boundary_loops",
+    "nonmanifold_edges", "inconsistent_edges", "net_boundary_edges", "components_vertex",
+    "components_edge", "closed_components", "inverted_components", "nested_solids",
+    "one_sided_components", "open_parts_inside", "duplicate_faces", "degenerate", "zero_area",
+    "unreferenced_vertices", "euler")
 _OF_CLOUD = (
-    ("points", "points"), ("duplicates", "duplicates"), ("normals", None),
-    ("zero_normals", "zero_normals"), ("non_unit_normals", "non_unit_normals"),
-    ("non_finite", "non_finite"))
+    "points", "duplicates", "normals", "zero_normals", "non_unit_normals", "non_finite")
+_FLAGS = ("closed", "normals")
 _MEASURES_OF_CLOUD = (
     "spacing_min", "spacing_median", "spacing_mean", "spacing_max", "opposite_neighbors",
     "w_behind", "w_before", "outward_share", "inward_share")
 _FAULTS = (("Caps", 1), ("Boundary", 0), ("NonManifoldEdges", 2), ("InconsistentEdges", 3))
 
 
-def _box(data, bounds):
-    low, high = list(bounds)[::2], list(bounds)[1::2]
-    add_number(data, "bbox", [*low, *high])
+def _add_counts(data, report, names):
+    for name in names:
+        add_number(data, name, getattr(report, name), np.uint8 if name in _FLAGS else np.int64)
 
 
 @declared
@@ -141,12 +135,7 @@ class SurfaceReport(Algorithm):
         self.call("winding_examine", _library.array_of(points), ctypes.byref(polygons), RUN,
                   ctypes.byref(report), note=advice.append)
         add_text(output, "kind", "surface")
-        for name, member in _OF_SURFACE:
-            if member is None:
-                closed = report.net_boundary_edges == 0 and report.triangles > 0
-                add_number(output, name, closed, np.uint8)
-            else:
-                add_number(output, name, getattr(report, member), np.int64)
+        _add_counts(output, report, _OF_SURFACE)
         add_number(output, "volume", report.volume)
         add_number(output, "area", report.area)
         add_number(output, "fractional_share", report.fractional_share)
@@ -154,15 +143,15 @@ class SurfaceReport(Algorithm):
         add_number(output, "left_out_cells", source.left_out_cells, np.int64)
         for name, count in (fixed or {}).items():
             add_number(output, name, count, np.int64)
-        _box(output, report.bounds)
+        add_number(output, "bbox", list(report.bbox))
         add_number(output, "non_finite", report.non_finite, np.int64)
         add_number(output, "invalid_ids", report.invalid_ids, np.int64)
         self.fractional_share = float(np.nan_to_num(report.fractional_share))
         self.advice = "; ".join([*advice, *notes])
         add_text(output, "advice", self.advice)
-        if fixed is not None and report.one_sided:
-            parts_have = "part has" if report.one_sided == 1 else "parts have"
-            self.warn(f"{report.one_sided} {parts_have} one side only, and stay as they are")
+        if fixed is not None and report.one_sided_components:
+            parts_have = "part has" if report.one_sided_components == 1 else "parts have"
+            self.warn(f"{report.one_sided_components} {parts_have} one side only, and stay as they are")
 
     def _report_cloud(self, parts, data, fixed, output):
         report, advice = _library.CloudReport(), []
@@ -173,14 +162,10 @@ class SurfaceReport(Algorithm):
             advice = ["the input has only lines, which bound nothing: make a surface of them first "
                       "(Tube)"]
         add_text(output, "kind", "points")
-        for name, member in _OF_CLOUD:
-            if member is None:
-                add_number(output, name, report.has_normals, np.uint8)
-            else:
-                add_number(output, name, getattr(report, member), np.int64)
+        _add_counts(output, report, _OF_CLOUD)
         for name in _MEASURES_OF_CLOUD:
             add_number(output, name, getattr(report, name))
-        _box(output, report.bounds)
+        add_number(output, "bbox", list(report.bbox))
         self.advice = "; ".join(advice)
         add_text(output, "advice", self.advice)
         for name, count in (fixed or {}).items():
@@ -191,7 +176,7 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(source.points)
         turned, left_out = (np.zeros(len(source.offsets) - 1, np.uint8) for _ in range(2))
         flipped, components = ctypes.c_int64(), ctypes.c_int64()
-        self.call("winding_orient_counted", _library.array_of(points),
+        self.call("winding_orient", _library.array_of(points),
                   ctypes.byref(source.polygons()), RUN, pointer(turned), pointer(left_out),
                   ctypes.byref(flipped), ctypes.byref(components))
         leaves, first = [], 0
@@ -211,7 +196,7 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(source.points)
         turned = np.zeros(len(points), np.uint8)
         if len(points):
-            self.call("winding_turn_normals", _library.array_of(points),
+            self.call("winding_orient_normals", _library.array_of(points),
                       _library.array_of(np.ascontiguousarray(source.normals)), RUN, pointer(turned))
         leaves, first = [], 0
         for leaf in source.leaves:

@@ -15,7 +15,8 @@ from vtkmodules.vtkCommonDataModel import (
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import Leaf, kept_polygons, polygons_of
+from vtkwinding._library import polygons_of
+from vtkwinding._sources import kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
 from .grids import FRACTION, ImageAlgorithm, sample_count
@@ -84,8 +85,10 @@ def _part_of(leaf, are_kept):
     corners, offsets = kept_polygons(leaf.corners, leaf.offsets, are_kept)
     used, places = np.unique(corners, return_inverse=True)
     normals, areas = (None if array is None else array[used] for array in (leaf.normals, leaf.areas))
-    return Leaf(leaf.data, leaf.points[used], places.reshape(-1).astype(np.int64),
-                np.asarray(offsets, np.int64), normals, areas)
+    return leaf._replace(
+        points=leaf.points[used], rows=used, corners=places.reshape(-1).astype(np.int64),
+        offsets=np.asarray(offsets, np.int64), cells=leaf.cells[are_kept], normals=normals,
+        areas=areas)
 
 
 class Solids:
@@ -392,7 +395,7 @@ class WindingNumberLabels(ImageAlgorithm):
         if count:
             self.between(0.3, 1)
             self.evaluate(
-                "winding_label_part", handles, numbers, ctypes.c_size_t(len(fields)),
+                "winding_label", handles, numbers, ctypes.c_size_t(len(fields)),
                 ctypes.byref(grid), (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
                 ctypes.byref(options), ctypes.byref(arrays), RUN)
         for array, _ in made:

@@ -11,7 +11,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._sources import polygons_of, source_of
+from vtkwinding._library import polygons_of
+from vtkwinding._sources import source_of
 
 from .algorithm import (
     ESTIMATIONS,

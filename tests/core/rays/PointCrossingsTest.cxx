@@ -258,6 +258,44 @@ TEST(PointCrossings, DoNotDependOnUnitOriginOtherSamplesOrThreads)
   expectTheIntegers(scaled(mesh, 1, far), there);
 }
 
+TEST(PointCrossings, OfFewSamplesAskedAgainAndAgain)
+{
+  SCOPED_TRACE("seeds 269, 270");
+  const auto needle = [](const Point& p) -> Point
+  {
+    return {p[0], p[1], 1e-4 * p[2]};
+  };
+  const Mesh ball = icosphere(5);
+  for (const Mesh& mesh : {ball, ball.with(ball.reversed().mapped(needle)).with(cube()),
+         torus(96, 48).with(scaled(torus(96, 48), 1, Point(0.3, 0.2, 0.1)))})
+  {
+    const winding::Surface surface = clean(mesh);
+    std::vector<Point> samples = randomPointsAround(surface.bounds, 2000, -0.1, 1.1, 269);
+    const std::vector<Point> near = pointsNear(mesh, 500, 1e-9, 270);
+    samples.insert(samples.end(), near.begin(), near.end());
+    samples.insert(samples.end(), mesh.points.begin(), mesh.points.begin() + 500);
+    samples.emplace_back(std::nan(""), 0, 0);
+    winding::SerialExecutor serial;
+    const std::vector<double> expected = crossings(surface, samples, serial);
+    const winding::PointCrossings kept(surface);
+    for (std::size_t first = 0, count = 1; first < samples.size();
+         first += count, count = count % 7 + 1)
+    {
+      count = std::min(count, samples.size() - first);
+      std::vector<double> values(count);
+      winding::FieldOutput output;
+      output.doubleValues = values.data();
+      kept.evaluate(winding::VectorsView(samples[first].data(), count), output, serial);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const double wanted = expected[first + i];
+        ASSERT_TRUE(values[i] == wanted || (std::isnan(wanted) && std::isnan(values[i])))
+          << samples[first + i].transpose();
+      }
+    }
+  }
+}
+
 TEST(PointCrossings, OfSamplesThatAreNowhereOrFarAway)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

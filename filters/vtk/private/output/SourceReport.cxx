@@ -7,8 +7,7 @@
 #include "private/source/InputViews.h"
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"
-#include "report/FractionalShare.h"
-#include "source/Sanitize.h"
+#include "report/SurfaceExamination.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -82,18 +81,14 @@ private:
 vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
   const CellCounts& cells, const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
-  const std::vector<TrianglesView> triangles = source.triangles();
-  const std::shared_ptr<const Field> field = Field::build(triangles, FieldOptions(), executor);
-  const Surface& surface = *field->surface();
-  const SurfaceEdges edgeLists = edgesOf(surface, executor);
-  SurfaceReport report = reportOn(surface, edgeLists, executor, polygonPartsOf(triangles));
-  report.openings = field->info().openings;
-  const VertexCounts vertices = countVertices(source.points(), surface, executor);
+  const SurfaceExamination found = examineSurface(source.triangles(), source.points(), executor);
+  const Surface& surface = *found.field->surface();
+  const SurfaceReport& report = found.report;
   const EdgeCounts& edges = report.edges;
   writer.text("kind", "surface");
   writer.count("triangles", surface.inputTriangles);
-  writer.count("vertices", vertices.points);
-  writer.count("vertices_merged", vertices.different);
+  writer.count("vertices", found.vertices.points);
+  writer.count("vertices_merged", found.vertices.different);
   writer.flag("closed", edges.isClosed() && !surface.triangles.empty());
   writer.count("boundary_edges", edges.boundary);
   writer.count("boundary_loops", edges.boundaryLoops);
@@ -110,11 +105,11 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   writer.count("duplicate_faces", report.duplicateTriangles);
   writer.count("degenerate", surface.collapsedTriangles);
   writer.count("zero_area", report.zeroAreaTriangles);
-  writer.count("unreferenced_vertices", vertices.unreferenced);
+  writer.count("unreferenced_vertices", found.vertices.unreferenced);
   writer.count("euler", report.eulerCharacteristic);
   writer.measure("volume", report.volume);
   writer.measure("area", report.area);
-  writer.measure("fractional_share", fractionalShare(*field, executor));
+  writer.measure("fractional_share", found.fractionalShare);
   writer.count("turned_cells", cells.turned);
   writer.count("left_out_cells", cells.leftOut);
   if (fix)
@@ -130,7 +125,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const 
   const std::vector<Message> notes = notesOn(cells);
   advice.insert(advice.end(), notes.begin(), notes.end());
   writer.text("advice", lineOf(advice));
-  return faultBlocks(surface, edgeLists, shape, executor);
+  return faultBlocks(surface, found.edges, shape, executor);
 }
 
 void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)

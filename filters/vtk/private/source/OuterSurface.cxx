@@ -9,6 +9,8 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkExplicitStructuredGridToUnstructuredGrid.h"
 #include "vtkExtractCells.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -36,6 +38,20 @@ bool isMixed(vtkPointSet* mesh)
     hasVolumes |= dimension == 3;
   }
   return hasFaces && hasVolumes;
+}
+
+/// Returns the cells of a mesh, in an unstructured grid where VTK's surfaces have no numbers of
+/// cells.
+vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* mesh)
+{
+  if (!vtkExplicitStructuredGrid::SafeDownCast(mesh))
+  {
+    return mesh;
+  }
+  vtkNew<vtkExplicitStructuredGridToUnstructuredGrid> cells;
+  cells->SetInputData(mesh);
+  cells->Update();
+  return cells->GetOutput();
 }
 
 /// Returns the outer surface of cells without curves, as VTK finds it.
@@ -147,7 +163,7 @@ vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* mesh, bool keepsPoints,
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
   const bool isCurved = grid && hasCurvedCells(grid);
-  vtkSmartPointer<vtkPointSet> cells = mesh;
+  vtkSmartPointer<vtkPointSet> cells = withNumbers(mesh);
   if (isCurved)
   {
     cells = straightened(grid);

@@ -45,8 +45,8 @@ vtkDataArray* pointArray(vtkPointSet* points, const std::string& name, int compo
 vtkDataArray* normalsOf(vtkPointSet* points, const std::string& name)
 {
   // Lists of arrays in ParaView have this entry, and had the other one, which older states keep.
-  const bool isActive = (name == "Active Normals" || name == "None") &&
-                        !points->GetPointData()->HasArray(name.c_str());
+  const bool isActive =
+    (name == "Active Normals" || name == "None") && !points->GetPointData()->HasArray(name.c_str());
   return pointArray(points, isActive ? std::string() : name, 3);
 }
 

@@ -33,17 +33,17 @@ vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
   return normals;
 }
 
-/// The points of all leaves whose normals have a direction.
-struct Usable
+/// The points of all leaves.
+struct AllPoints
 {
   std::vector<Eigen::Vector3d> positions, normals;
   std::vector<std::pair<std::size_t, vtkIdType>> origins; ///< leaf and point
 };
 
-Usable usablePoints(
+AllPoints pointsOf(
   const std::vector<vtkSmartPointer<vtkPolyData>>& leaves, const std::string& normalsArray)
 {
-  Usable usable;
+  AllPoints all;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     const vtkIdType count = leaves[leaf]->GetNumberOfPoints();
@@ -53,16 +53,12 @@ Usable usablePoints(
       Eigen::Vector3d position, normal;
       leaves[leaf]->GetPoint(point, position.data());
       normals->GetTuple(point, normal.data());
-      normal = normal.stableNormalized();
-      if (position.allFinite() && normal.allFinite() && normal.squaredNorm() > 0)
-      {
-        usable.positions.push_back(position);
-        usable.normals.push_back(normal);
-        usable.origins.emplace_back(leaf, point);
-      }
+      all.positions.push_back(position);
+      all.normals.push_back(normal);
+      all.origins.emplace_back(leaf, point);
     }
   }
-  return usable;
+  return all;
 }
 
 /// A copy of a leaf whose normals are a copy, too.
@@ -90,9 +86,8 @@ vtkSmartPointer<vtkPolyData> withOwnNormals(vtkPolyData* leaf, const std::string
 OrientedPointSets orientNormals(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves,
   const std::string& normalsArray, Executor& executor)
 {
-  const Usable usable = usablePoints(leaves, normalsArray);
-  const std::vector<unsigned char> turns =
-    normalsToTurn(usable.positions, usable.normals, executor);
+  const AllPoints all = pointsOf(leaves, normalsArray);
+  const std::vector<unsigned char> turns = normalsToTurn(all.positions, all.normals, executor);
   OrientedPointSets result;
   result.leaves = leaves;
   for (std::size_t i = 0; i < turns.size(); ++i)
@@ -101,7 +96,7 @@ OrientedPointSets orientNormals(const std::vector<vtkSmartPointer<vtkPolyData>>&
     {
       continue;
     }
-    const auto [leaf, point] = usable.origins[i];
+    const auto [leaf, point] = all.origins[i];
     if (result.leaves[leaf] == leaves[leaf])
     {
       result.leaves[leaf] = withOwnNormals(leaves[leaf], normalsArray);

@@ -18,16 +18,7 @@ DEPENDENCIES = (
     "vtkParallelCore",
 )
 
-_REMEDY = f"this vtk-winding needs VTK {VTK_MINOR} (with pip: vtk=={VTK_MINOR}.*)"
-
-
-def load_if_it_fits():
-    """Imports what the filters need, so that they can be imported by themselves. Functions of arrays
-    do without."""
-    try:
-        load()
-    except ImportError:
-        pass
+_REMEDY = f"this vtk-winding-native needs VTK {VTK_MINOR} (with pip: vtk=={VTK_MINOR}.*)"
 
 
 def load():

@@ -1,0 +1,24 @@
+#include "report/SurfaceExamination.h"
+
+#include "field/Field.h"
+#include "report/FractionalShare.h"
+#include "source/Sanitize.h"
+
+namespace winding
+{
+
+SurfaceExamination examineSurface(const std::vector<TrianglesView>& triangles,
+  const std::vector<VectorsView>& points, Executor& executor)
+{
+  SurfaceExamination found;
+  found.field = Field::build(triangles, FieldOptions(), executor);
+  const Surface& surface = *found.field->surface();
+  found.edges = edgesOf(surface, executor);
+  found.report = reportOn(surface, found.edges, executor, polygonPartsOf(triangles));
+  found.report.openings = found.field->info().openings;
+  found.vertices = countVertices(points, surface, executor);
+  found.fractionalShare = fractionalShare(*found.field, executor);
+  return found;
+}
+
+} // namespace winding

@@ -1,0 +1,16 @@
+# Type stubs of the wrapped module, by VTK's generator. It imports the package from the build tree;
+# the libraries of the wheel vtk have to be there before the module finds those of the SDK.
+set(package "${CMAKE_CURRENT_BINARY_DIR}/vtkwinding_native")
+set(stub "${package}/vtkFiltersWinding.pyi")
+foreach(source IN ITEMS __init__.py _vtk.py)
+  configure_file(vtkwinding_native/${source} "${package}/${source}" COPYONLY)
+endforeach()
+configure_file(_built.py.in "${package}/_built.py" @ONLY)
+add_custom_command(OUTPUT "${stub}"
+  COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_CURRENT_BINARY_DIR}"
+    "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi -p vtkwinding_native -o "${package}"
+    vtkFiltersWinding
+  DEPENDS PyvtkFiltersWindingPython
+  COMMENT "Writing type stubs")
+add_custom_target(winding_type_stubs ALL DEPENDS "${stub}")
+install(FILES "${stub}" DESTINATION vtkwinding_native)

@@ -1,0 +1,12 @@
+"""The filters of Winding for pipelines of VTK, in vtkwinding_native.vtkFiltersWinding.
+
+They work with the minor version of VTK that they were built for. With any other, the import says
+which one is needed. The package vtkwinding needs none of them.
+"""
+
+from . import _vtk
+from ._built import VERSION as __version__
+
+_vtk.load()
+
+__all__ = ["__version__"]

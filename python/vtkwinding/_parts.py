@@ -1,0 +1,269 @@
+"""Parts of data sets of VTK that are inside: cells that are kept whole, and cells that are cut."""
+
+import numpy as np
+
+from . import _datasets, _library
+
+_MARK = "Winding.Kept"
+_POLY_VERTEX = 2
+_SINGLE, _DOUBLE = 0, 1  # of SetOutputPointsPrecision(); the default is 2
+
+
+def _is_structured(data):
+    """Whether the points of cells follow from the numbers of the cells."""
+    return any(data.IsA(kind) for kind in ("vtkImageData", "vtkRectilinearGrid",
+                                           "vtkStructuredGrid"))
+
+
+def points_of(data):
+    """The points (N, 3) of a data set of any kind, at which a field is asked."""
+    if data.IsA("vtkPointSet"):
+        points = data.GetPoints()
+        return np.empty((0, 3)) if points is None else _datasets.floats_of(data, points.GetData())
+    if data.IsA("vtkImageData"):
+        return _points_of_image(data)
+    if data.IsA("vtkRectilinearGrid"):
+        axes = [_datasets.floats_of(data, axis).astype(float) for axis in (
+            data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
+        z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
+        return np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
+    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())]).reshape(-1, 3)
+
+
+def directions_of(image):
+    """The axes of an image in space, as the columns of a matrix."""
+    matrix = image.GetDirectionMatrix()
+    return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
+
+
+def grid_of_image(image, at_cells, *, in_its_axes=False):
+    """The grid of the library that the points of an image are, or the centres of its cells. None for
+    images that are turned, unless the grid is asked for in the axes of the image; and for images
+    that are empty or have blank parts."""
+    is_turned = not (in_its_axes or np.array_equal(directions_of(image), np.eye(3)))
+    if (is_turned or image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints()
+            or image.HasAnyBlankCells()):
+        return None
+    steps, extent = np.array(image.GetSpacing(), float), np.array(image.GetExtent())
+    counts = extent[1::2] - extent[::2] + 1
+    first = np.array(image.GetOrigin()) + extent[::2] * steps
+    if at_cells:
+        first = np.where(counts > 1, first + 0.5 * steps, first)
+        counts = np.maximum(counts - 1, 1)
+    # A layer of samples has no spacing across, whatever an image says.
+    widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
+    steps = np.where(counts == 1, widest if widest > 0 else 1, steps)
+    if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
+        return None
+    return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts))
+
+
+def _points_of_image(image):
+    extent, matrix = image.GetExtent(), directions_of(image)
+    axes = [np.arange(extent[2 * axis], extent[2 * axis + 1] + 1) for axis in range(3)]
+    steps = [axes[axis] * image.GetSpacing()[axis] for axis in range(3)]
+    z, y, x = np.meshgrid(*steps[::-1], indexing="ij")
+    places = np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
+    turned = places if (matrix == np.eye(3)).all() else places @ matrix.T
+    return turned + np.array(image.GetOrigin())
+
+
+def centres_of(data):
+    """The centres (N, 3) of the cells of a data set; NaN for cells without points."""
+    array = _datasets.class_of(data, "vtkCommonCore", "vtkDoubleArray")()
+    array.SetNumberOfComponents(3)
+    array.SetNumberOfTuples(data.GetNumberOfCells())
+    centres = _datasets.class_of(data, ("vtkFiltersCore", "vtkFiltersGeneral"), "vtkCellCenters")
+    if data.GetNumberOfCells():
+        centres.ComputeCellCenters(data, array)
+    found = _datasets.array_of(data, array)
+    if data.IsA("vtkUnstructuredGrid") and len(found):
+        found[np.diff(_datasets.cells_of(data, data.GetCells())[1]) == 0] = np.nan
+    return found
+
+
+def _corners_of_cells(data):
+    """The ids of the points of cells that are not told one by one, (N, 2, 4 or 8)."""
+    extent = data.GetExtent()
+    dimensions = np.array([extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in range(3)])
+    steps = np.minimum(dimensions - 1, 1)
+    place = np.unravel_index(np.arange(data.GetNumberOfCells()), np.maximum(dimensions - 1, 1),
+                             order="F")
+    return np.stack([np.ravel_multi_index([at + step for at, step in zip(place, corner)],
+                                          dimensions, order="F")
+                     for corner in np.ndindex(*(steps + 1))], 1)
+
+
+def _cells_of(data):
+    """The corners of all cells, and where each begins and ends, in the order of the cells."""
+    if not data.IsA("vtkPolyData"):
+        grid = _datasets.unstructured(data)
+        return _datasets.cells_of(grid, grid.GetCells())
+    parts = [_datasets.cells_of(data, cells) for cells in (
+        data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips())]
+    corners = np.concatenate([ids for ids, _ in parts])
+    sizes = np.concatenate([np.diff(offsets) for _, offsets in parts])
+    return corners, np.concatenate([[0], np.cumsum(sizes)])
+
+
+def _any_and_all(data, flags):
+    """Of each cell, whether a flag is set at any of its points, and whether it is at all of them."""
+    flags = np.asarray(flags, bool)
+    if data.GetNumberOfCells() == 0:
+        return np.zeros((2, 0), bool)
+    if _is_structured(data):
+        found = flags[_corners_of_cells(data)]
+        return found.any(axis=1), found.all(axis=1)
+    corners, offsets = _cells_of(data)
+    counts = np.concatenate([[0], np.cumsum(flags[corners])])
+    found, sizes = counts[offsets[1:]] - counts[offsets[:-1]], np.diff(offsets)
+    return found > 0, (found == sizes) & (sizes > 0)
+
+
+def _empty_like(data, name=None):
+    return _datasets.class_of(data, "vtkCommonDataModel", name or data.GetClassName())()
+
+
+def _is_of_points(data):
+    """Whether a data set has points, and no cells or poly-vertices only."""
+    if not data.IsA("vtkPointSet") or data.GetNumberOfPoints() == 0:
+        return False
+    return all(data.GetCellType(i) == _POLY_VERTEX for i in range(data.GetNumberOfCells()))
+
+
+def _vertices_of(data):
+    """The points of a data set, with a vertex each."""
+    count = data.GetNumberOfPoints()
+    cells = _datasets.cell_array_of(data, np.arange(count), np.arange(count + 1))
+    if data.IsA("vtkPolyData"):
+        vertices = _empty_like(data)
+        vertices.SetVerts(cells)
+    else:
+        vertices = _empty_like(data, "vtkUnstructuredGrid")
+        vertices.SetCells(1, cells)
+    vertices.SetPoints(data.GetPoints())
+    vertices.GetPointData().ShallowCopy(data.GetPointData())
+    return vertices
+
+
+def _kept_cells(data, are_kept):
+    if data.IsA("vtkPolyData"):
+        return _kept_polydata(data, np.flatnonzero(are_kept))
+    marked = _empty_like(data)
+    marked.ShallowCopy(data)
+    marked.GetCellData().AddArray(_datasets.vtk_array_of(data, _MARK, are_kept.astype(np.uint8)))
+    threshold = _datasets.class_of(data, ("vtkFiltersCore", "vtkFiltersGeneral"), "vtkThreshold")()
+    threshold.SetInputData(marked)
+    threshold.SetInputArrayToProcess(0, 0, 0, 1, _MARK)
+    threshold.SetThresholdFunction(threshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(1)
+    if not data.IsA("vtkPointSet"):
+        threshold.SetOutputPointsPrecision(_DOUBLE)  # computed points would be rounded else
+    threshold.Update()
+    part = threshold.GetOutput()
+    part.GetCellData().RemoveArray(_MARK)
+    return part
+
+
+def _kept_polydata(data, cells):
+    part = _empty_like(data)
+    points = _datasets.class_of(data, "vtkCommonCore", "vtkPoints")()
+    points.SetDataType(data.GetPoints().GetDataType())
+    part.SetPoints(points)
+    part.AllocateProportional(data, 1.0)
+    for made, given in ((part.GetPointData(), data.GetPointData()),
+                        (part.GetCellData(), data.GetCellData())):
+        made.CopyAllOn()
+        made.CopyAllocate(given)
+    ids = _datasets.class_of(data, "vtkCommonCore", "vtkIdList")()
+    for cell in cells.tolist():
+        ids.InsertNextId(cell)
+    part.CopyCells(data, ids)
+    part.Squeeze()
+    return part
+
+
+def inside_part(data, inside, *, at_cells=False):
+    """The cells of a data set of which all points are inside, or with at_cells the cells that are:
+    vtkPolyData of polydata, vtkUnstructuredGrid of all others, with all arrays. A data set without
+    cells counts as points with a vertex each."""
+    inside = np.asarray(inside, bool)
+    whole = data
+    if not at_cells and _is_of_points(data):
+        whole = _vertices_of(data)
+    part = _kept_cells(whole, inside if at_cells else _any_and_all(whole, inside)[1])
+    part.GetFieldData().PassData(data.GetFieldData())
+    return part
+
+
+def points_of_cut_cells(data, inside):
+    """Whether each point belongs to a cell that has both points inside and others."""
+    inside = np.asarray(inside, bool)
+    any_inside, all_inside = _any_and_all(data, inside)
+    are_cut = any_inside & ~all_inside
+    found = np.zeros(data.GetNumberOfPoints(), bool)
+    if not are_cut.any():
+        return found
+    if _is_structured(data):
+        found[_corners_of_cells(data)[are_cut]] = True
+        return found
+    corners, offsets = _cells_of(data)
+    found[corners[np.repeat(are_cut, np.diff(offsets))]] = True
+    return found
+
+
+def clipped_part(data, numbers):
+    """The part of a data set in which numbers at its points, interpolated along edges, are more than
+    0: vtkUnstructuredGrid with all arrays. No number is 0. Cells of points that are nowhere are left
+    out; a data set without cells counts as points with a vertex each."""
+    if data.IsA("vtkPointSet") and data.GetNumberOfCells() == 0:
+        points = _empty_like(data, "vtkUnstructuredGrid")
+        points.SetPoints(data.GetPoints())
+        points.GetPointData().ShallowCopy(data.GetPointData())
+        points.GetFieldData().ShallowCopy(data.GetFieldData())
+        return inside_part(points, numbers > 0)
+    marked = _empty_like(data)
+    marked.ShallowCopy(data)
+    marked.GetPointData().AddArray(_datasets.vtk_array_of(data, _MARK, numbers))
+    marked.GetPointData().SetActiveScalars(_MARK)  # VTK 9.2 would throw out what is active
+    is_somewhere = np.isfinite(points_of(data)).all(axis=1)
+    if not is_somewhere.all():
+        marked = inside_part(marked, is_somewhere)
+    clip = _datasets.class_of(data, "vtkFiltersGeneral", "vtkTableBasedClipDataSet")()
+    clip.SetInputData(marked)
+    clip.SetInputArrayToProcess(0, 0, 0, 0, _MARK)
+    is_single = data.IsA("vtkPointSet") and data.GetPoints().GetDataType() == 10
+    clip.SetOutputPointsPrecision(_SINGLE if is_single else _DOUBLE)
+    clip.Update()
+    part = clip.GetOutput()
+    part.GetPointData().RemoveArray(_MARK)
+    active = data.GetPointData().GetScalars()
+    if active is not None:
+        part.GetPointData().SetActiveScalars(active.GetName())
+    part.GetFieldData().PassData(data.GetFieldData())
+    return part
+
+
+def cut_distances(inside, are_cut, values, distances, slopes, level):
+    """Numbers at points by which clipped_part() finds where what is inside ends: more than 0 inside.
+
+    Their size is the distance from that end, to first order: the smaller one of the distance from
+    the source and of a step of Newton's method towards the level.
+
+    Parameters
+    ----------
+    inside, are_cut : (N,) bools
+        Which points are kept, and which belong to cells that are cut.
+    values, distances, slopes : (M,) floats
+        w, the distance from the source, and the length of the gradient of w, at those that do.
+    level : callable
+        The level of values of w, which is 0 at the end.
+    """
+    numbers = np.ones(len(inside))
+    sizes = np.abs(distances)
+    with np.errstate(all="ignore"):
+        steps = np.abs(level(values)) / slopes
+        sizes = np.where(slopes > 0, np.minimum(sizes, steps), sizes)
+    tiny = np.finfo(float).tiny
+    numbers[are_cut] = np.where(sizes <= np.finfo(float).max, np.maximum(sizes, tiny), 1)
+    return np.where(inside, numbers, -numbers)

@@ -1,0 +1,233 @@
+"""Data objects of VTK as sources of the library, and parts of them: the same as by the filters."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource, vtkSphereSource
+from vtkwinding_native.vtkFiltersWinding import (
+    vtkSurfaceReport,
+    vtkWindingNumberClip,
+    vtkWindingNumberProbe,
+)
+
+from vtkwinding import _parts, _sources, fields
+
+# Straight and curved cells, by the numbers that VTK has for them.
+STRAIGHT = (10, 12, 13, 14)
+CURVED = (24, 25, 26, 27, 71, 72, 73)
+PLACES = np.random.default_rng(6).uniform(-0.5, 2.5, (400, 3))
+SIDES = fields.Sides(0.5, "signed", None, 0)
+
+
+def cells(kind, mirrored):
+    source = vtkCellTypeSource()
+    source.SetCellType(kind)
+    source.SetCellOrder(2)
+    source.SetBlocksDimensions(2, 2, 2)
+    source.SetOutputPrecision(1)
+    source.Update()
+    grid = source.GetOutput()
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    if kind in CURVED:
+        points[:, 0] *= 1 + 0.1 * points[:, 1]**2
+    if mirrored:
+        points[:, 0] = 2 - points[:, 0]
+    return grid
+
+
+def ball(resolution=24):
+    sphere = vtkSphereSource()
+    sphere.SetCenter(1, 1, 1)
+    sphere.SetRadius(0.9)
+    sphere.SetThetaResolution(resolution)
+    sphere.SetPhiResolution(resolution)
+    sphere.Update()
+    return sphere.GetOutput()
+
+
+def strips():
+    """A tube of strips, one of them a ghost that is there twice."""
+    angles = np.linspace(0, 2 * np.pi, 17)[:-1]
+    ring = np.stack([np.cos(angles), np.sin(angles)], 1) + 1
+    points = np.concatenate([np.column_stack([ring, np.full(16, z)]) for z in (0.0, 1.0, 2.0)])
+    made, places, strip = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(points, 1))
+    for level in (0, 1, 1):
+        ids = vtkIdList()
+        for step in range(17):
+            ids.InsertNextId(16 * (level + 1) + step % 16)
+            ids.InsertNextId(16 * level + step % 16)
+        strip.InsertNextCell(ids)
+    made.SetPoints(places)
+    made.SetStrips(strip)
+    ghosts = vtkUnsignedCharArray()
+    ghosts.SetName("vtkGhostType")
+    for flag in (0, 0, 1):
+        ghosts.InsertNextValue(flag)
+    made.GetCellData().AddArray(ghosts)
+    return made
+
+
+def structured(mirrored):
+    x, y, z = np.meshgrid(*[np.linspace(0, 2, 5)] * 3, indexing="ij")
+    points = np.stack([a.ravel(order="F") for a in (2 - x if mirrored else x, y, z)], 1)
+    grid, places = vtkStructuredGrid(), vtkPoints()
+    places.SetData(numpy_to_vtk(points, 1))
+    grid.SetDimensions(5, 5, 5)
+    grid.SetPoints(places)
+    return grid
+
+
+def mixed():
+    """Cells with volume, and their outer faces, which look inward."""
+    solid, made = cells(12, False), vtkUnstructuredGrid()
+    made.SetPoints(solid.GetPoints())
+    made.Allocate(100)
+    for number in range(solid.GetNumberOfCells()):
+        made.InsertNextCell(12, solid.GetCell(number).GetPointIds())
+    made.InsertNextCell(9, solid.GetCell(0).GetFace(0).GetPointIds())
+    made.InsertNextCell(3, 2, [0, 1])
+    return made
+
+
+def blocks():
+    made = vtkMultiBlockDataSet()
+    for number, block in enumerate((ball(), None, structured(True), strips())):
+        made.SetBlock(number, block)
+    return made
+
+
+def sources():
+    for kind in (*STRAIGHT, *CURVED):
+        for mirrored in (False, True):
+            yield f"cells {kind} {mirrored}", cells(kind, mirrored)
+    yield from (("ball", ball()), ("strips", strips()), ("mixed", mixed()), ("blocks", blocks()),
+                ("structured", structured(False)), ("mirrored", structured(True)))
+
+
+def field_of(data):
+    return _sources.SourceField(_sources.source_of(data))
+
+
+def places():
+    made, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(PLACES, 1))
+    made.SetPoints(points)
+    return made
+
+
+class SourcesTest(unittest.TestCase):
+    def test_have_the_winding_numbers_of_the_filters(self):
+        for name, data in sources():
+            with self.subTest(name):
+                probe = vtkWindingNumberProbe()
+                probe.SetInputData(places())
+                probe.SetSourceData(data)
+                probe.SetOutputScalarTypeToDouble()
+                probe.SetTolerance(0)
+                probe.Update()
+                expected = vtk_to_numpy(
+                    probe.GetOutput().GetPointData().GetArray("WindingNumber"))
+                field = _sources.SourceField(_sources.source_of(data), tolerance=0)
+                found = field.at(PLACES, {"winding": np.dtype("f8")}, SIDES)["winding"]
+                if "cells" in name and int(name.split()[1]) in CURVED:
+                    # They are divided into other triangles, within a thousandth of the diagonal.
+                    self.assertLess(np.mean(np.abs(found - expected) > 1e-6), 0.01)
+                else:
+                    np.testing.assert_allclose(found, expected, atol=1e-12)
+
+    def test_have_the_reports_of_the_filters(self):
+        for name, data in sources():
+            if "cells" in name and int(name.split()[1]) in CURVED:
+                continue
+            with self.subTest(name):
+                filter = vtkSurfaceReport()
+                filter.SetInputDataObject(data)
+                filter.Update()
+                expected = filter.GetReport()
+                source = _sources.source_of(data)
+                found = fields.report_of(
+                    source.points, source.polygons(), None, notes=source.notes,
+                    counts={"turned_cells": source.turned_cells,
+                            "left_out_cells": source.left_out_cells})
+                for count in ("closed", "boundary_edges", "inconsistent_edges", "turned_cells",
+                              "left_out_cells", "closed_components", "unreferenced_vertices"):
+                    value = expected.GetArray(count).GetTuple1(0)
+                    self.assertEqual(found[count], value, count)
+                self.assertAlmostEqual(found["volume"], expected.GetArray("volume").GetTuple1(0))
+
+    def test_what_is_left_out_is_noted(self):
+        notes = _sources.source_of(mixed()).notes
+        self.assertEqual(len(notes), 2)
+        self.assertIn("{surface_cells}", notes[0])
+        self.assertIn("1 are left out", notes[1])
+        chosen = _sources.source_of(mixed(), surface_cells=True)
+        self.assertEqual(len(chosen.offsets) - 1, 1)
+
+    def test_contradicting_data_is_refused(self):
+        for spoil, words in (
+                (lambda grid: grid.GetCells().InsertNextCell(1, [10**6]), "types for"),
+                (lambda grid: grid.InsertNextCell(10, 4, [0, 1, 2, 10**6]), "refers to point"),
+                (lambda grid: grid.InsertNextCell(250, 4, [0, 1, 2, 3]), "unknown type 250")):
+            grid = mixed()
+            spoil(grid)
+            with self.assertRaisesRegex(_sources.WindingError, words):
+                _sources.source_of(grid)
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        self.assertRaisesRegex(_sources.WindingError, "is a vtkImageData", _sources.source_of, image)
+        both = vtkMultiBlockDataSet()
+        both.SetBlock(0, ball())
+        both.SetBlock(1, places())
+        self.assertRaisesRegex(_sources.WindingError, "mixes surfaces", _sources.source_of, both)
+        self.assertRaisesRegex(_sources.WindingError, "no point array 'n'", _sources.source_of,
+                               places(), normals_array="n")
+
+
+class PartsTest(unittest.TestCase):
+    def data(self):
+        image = vtkImageData()
+        image.SetDimensions(9, 8, 7)
+        image.SetSpacing(0.25, 0.3, 0.35)
+        yield from (image, structured(False), cells(10, False), ball(9), places())
+
+    def test_are_those_of_the_filters(self):
+        field = field_of(ball())
+        for data in self.data():
+            probe = vtkWindingNumberProbe()
+            probe.SetInputData(data)
+            probe.SetSourceData(ball())
+            probe.ExtractInsideOn()
+            probe.Update()
+            points = _parts.points_of(data)
+            inside = field.at(points, {"inside": np.dtype("u1")}, SIDES)["inside"]
+            self.same(_parts.inside_part(data, inside), probe.GetOutputDataObject(0))
+            clip = vtkWindingNumberClip()
+            clip.SetInputData(data)
+            clip.SetSourceData(ball())
+            clip.Update()
+            are_cut = _parts.points_of_cut_cells(data, inside)
+            numbers = field.cut_distances(points[are_cut], inside == 1, are_cut, SIDES)
+            self.same(_parts.clipped_part(data, numbers), clip.GetOutputDataObject(0))
+
+    def same(self, found, expected):
+        self.assertEqual(found.GetClassName(), expected.GetClassName())
+        self.assertEqual(found.GetNumberOfCells(), expected.GetNumberOfCells())
+        self.assertEqual(found.GetNumberOfPoints(), expected.GetNumberOfPoints())
+        if expected.GetNumberOfPoints():
+            np.testing.assert_array_equal(vtk_to_numpy(found.GetPoints().GetData()),
+                                          vtk_to_numpy(expected.GetPoints().GetData()))
+
+
+if __name__ == "__main__":
+    unittest.main()

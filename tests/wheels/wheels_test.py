@@ -1,0 +1,178 @@
+"""The wheels of ./dev wheels are whole, and what can run here gives the right numbers.
+
+Usage: wheels_test.py <folder of wheels> <folder of builds> <system…>
+
+Looks into each wheel: its size, its licences, what its library exports and which other libraries it
+needs. Then it runs what runs on this machine: the tests of arrays in Python for Linux on this
+processor, and the tests of the interface in C for Windows, by wine, and for Linux on ARM, by qemu.
+A surface of theirs is compared with the one that Linux on this processor makes. Prints a table, and
+fails if any check does.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LARGEST = 6_000_000  # bytes of a wheel
+LICENCES = {"Highway", "Eigen", "nanoflann", "zig", "LLVM"}
+
+# What every system has.
+LIBRARIES = {
+    "linux": r"(lib(c|m|pthread|dl|rt)\.so\.\d|ld-linux-.*)",
+    "windows": r"(?i)((kernel32|ntdll|advapi32|msvcrt|ucrtbase)\.dll|api-ms-win-crt-.*\.dll)",
+    "macos": r"/usr/lib/libSystem\.B\.dylib",
+}
+
+class Failure(Exception):
+    """A check that failed, in words."""
+
+
+def output_of(*command, **options):
+    run = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, text=True, errors="replace", **options)
+    if run.returncode != 0:
+        raise Failure(f"{command} ended with {run.returncode}:\n{run.stdout[-4000:]}")
+    return run.stdout
+
+
+def expect(condition, *words):
+    if not condition:
+        raise Failure(" ".join(map(str, words)))
+
+
+def exports_of(library, system):
+    """The names that a library has for others."""
+    if system == "windows":
+        return set(re.findall(r"^  Name: (.+)$", output_of(
+            "llvm-readobj", "--coff-exports", library), re.MULTILINE))
+    table = ["--dynamic"] if system == "linux" else []
+    lines = output_of("llvm-nm", *table, "--extern-only", "--defined-only", library).splitlines()
+    names = {line.split()[-1].split("@")[0] for line in lines if line.strip()}
+    return {name[1:] if system == "macos" else name for name in names} - {"WINDING_1"}
+
+
+def needed_by(library):
+    """The other libraries that a library needs."""
+    listed = output_of("llvm-readobj", "--needed-libs", library)
+    return re.search(r"NeededLibraries \[\n(.*?)\]", listed, re.DOTALL)[1].split()
+
+
+def look_into(wheel, system, folder):
+    """Checks what is in a wheel."""
+    expect(wheel.stat().st_size < LARGEST, wheel.name, "is too large:", wheel.stat().st_size)
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(folder)
+    names = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+    sources = {f"vtkwinding/{path.name}" for path in (ROOT / "python/vtkwinding").glob("*.py*")}
+    expect(sources <= names, "misses", sources - names)
+    licences = [name for name in names if name.startswith("vtkwinding/licenses/")]
+    for owner in LICENCES | ({"mingw-w64"} if system == "windows" else set()):
+        expect(any(f"/{owner}-" in name for name in licences), "has no licence of", owner, licences)
+    binaries = [name for name in names if re.search(r"\.(so|dll|dylib|a|lib|pyd)\b", name)]
+    expect(len(binaries) == 1, "has other libraries than one:", binaries)
+    built = (folder / "vtkwinding/_built.py").read_text()
+    expect(f'"{pathlib.Path(binaries[0]).name}"' in built, "names another library:", built)
+    metadata = next(folder.glob("*.dist-info/METADATA")).read_text()
+    needs = re.findall("^Requires-Dist: (.*)", metadata, re.MULTILINE)
+    expect([need for need in needs if "extra" not in need] == ["numpy"], "needs", needs)
+    library = folder / binaries[0]
+    header = (ROOT / "filters/c/winding.h").read_text()
+    declared = set(re.findall(r"WINDING_API [^;]*?\b(winding_\w+)\(", header))
+    exports = exports_of(library, system)
+    expect(exports == declared, "exports other names than the header has:", exports ^ declared)
+    others = [name for name in needed_by(library)
+              if not re.fullmatch(LIBRARIES[system], name) and "libwinding" not in name]
+    expect(not others, "needs other libraries:", others)
+    if system == "linux":
+        shown = output_of(sys.executable, "-m", "auditwheel", "show", wheel)
+        tag = re.search(r"(manylinux_\d+_\d+)", shown)[1]
+        expect(tag == "manylinux_2_17" or "manylinux_2_5" in tag, "is for", tag, shown)
+
+
+def run_python(wheel, folder):
+    """Runs the tests of arrays with the wheel and NumPy alone."""
+    python = folder / "environment/bin/python"
+    output_of("/usr/bin/python3", "-m", "venv", folder / "environment")
+    output_of(python, "-m", "pip", "install", "--disable-pip-version-check", "-q", wheel, "pytest")
+    tests = [ROOT / f"tests/python/{name}_test.py" for name in ("arrays", "fields")]
+    printed = output_of(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests, cwd=folder)
+    return "Python: " + printed.splitlines()[-1].strip(" =")
+
+
+def surface_of(build, suffix, emulator, environment, folder):
+    """The points and the lines of faces that the example in C makes of a mesh."""
+    output_of(*emulator, build / "bin" / ("c99_example" + suffix), ROOT / "data/meshes/teapot.obj",
+              "solid.off", 48, cwd=folder, env=environment)
+    lines = (folder / "solid.off").read_text().splitlines()
+    count = int(lines[1].split()[0])
+    return [[float(word) for word in line.split()] for line in lines[2:2 + count]], lines[2 + count:]
+
+
+def run_tests(builds, name, suffix, emulator, more, folder):
+    """Runs the tests of the interface in C, and compares a surface."""
+    environment = {**os.environ, **more}
+    start = time.monotonic()
+    printed = output_of(*emulator, builds / name / "bin" / ("c_tests" + suffix),
+                        "--gtest_filter=-Tolerances.*", "--gtest_brief=1", cwd=folder,
+                        env=environment)
+    passed = re.search(r"\[  PASSED  \] (\d+) test", printed)[1]
+    words = f"tests in C: {passed} passed in {time.monotonic() - start:.0f} s"
+    here = builds / "linux-x86_64"
+    if not (here / "bin/c99_example").exists():
+        return words
+    points, faces = surface_of(builds / name, suffix, emulator, environment, folder)
+    expected, expected_faces = surface_of(here, "", (), dict(os.environ), folder)
+    expect(faces == expected_faces, "has other faces:", len(faces), "and", len(expected_faces))
+    largest = max(abs(a - b) for row, other in zip(points, expected) for a, b in zip(row, other))
+    size = max(abs(number) for row in expected for number in row)
+    expect(largest <= 1e-6 * size, "has points elsewhere, by", largest)
+    return f"{words}, {len(points)} points of a surface differ by at most {largest / size:.0e}"
+
+
+def run(wheel, name, builds, folder):
+    if name == "linux-x86_64":
+        return run_python(wheel, folder)
+    if name == "linux-aarch64":
+        emulator = ("qemu-aarch64-static", "-L", "/usr/aarch64-linux-gnu")
+        return run_tests(builds, name, "", emulator, {}, folder)
+    if name == "windows-x86_64":
+        prefix = {"WINEPREFIX": str(builds / name / "wine"), "WINEDEBUG": "-all"}
+        return run_tests(builds, name, ".exe", ("/usr/lib/wine/wine64",), prefix, folder)
+    return "nothing: looked at"
+
+
+TAGS = {"linux-x86_64": "manylinux*_x86_64", "linux-aarch64": "manylinux*_aarch64",
+        "windows-x86_64": "win_amd64", "macos-x86_64": "macosx_*_x86_64",
+        "macos-arm64": "macosx_*_arm64"}
+
+
+def main(wheels, builds, *systems):
+    failures = []
+    print(f"{'system':16}{'MB':>6}  ran")
+    for name in systems:
+        with tempfile.TemporaryDirectory() as made:
+            folder = pathlib.Path(made)
+            size, words = 0, ""
+            try:
+                found = list(pathlib.Path(wheels).resolve().glob(f"vtk_winding-*-{TAGS[name]}.whl"))
+                expect(len(found) == 1, "there is not one wheel, but", found)
+                size = found[0].stat().st_size
+                look_into(found[0], name.split("-")[0], folder / "wheel")
+                words = run(found[0], name, pathlib.Path(builds).resolve(), folder)
+            except Failure as failure:
+                failures.append(f"{name}: {failure}")
+                words = "FAILED"
+        print(f"{name:16}{size / 1e6:6.1f}  {words}", flush=True)
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
