@@ -4,7 +4,7 @@
 #include <fstream>
 #include <numeric>
 
-// What ParaView's panels need beyond the rest.
+// Tests of what the panels of ParaView show.
 namespace
 {
 

@@ -11,6 +11,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkImagingCore import vtkImageDataStreamer
 
 MESHES = ["bunny_10k.obj", "aneurysm_open.stl", "sphere_quads.obj", "self_intersectA.obj",
           "conrod_flipped.stl", "truck_soup.obj", "bunny_res2_nonmanifold.ply", "teapot.obj",
@@ -96,6 +97,15 @@ def opened(path):
     return simple.OpenDataFile(path)
 
 
+def in_pieces(field):
+    """Has an image made in pieces along its last axis, and keeps what they make together."""
+    streamer = vtkImageDataStreamer()
+    streamer.SetInputConnection(field.GetClientSideObject().GetOutputPort(0))
+    streamer.SetNumberOfStreamDivisions(5)
+    streamer.Update()
+    return streamer.GetOutput()
+
+
 def of_source(name, mesh, is_cloud):
     grid = {"Input": mesh, "Resolution": 24}
     field = note(f"{name} field", simple.WindingNumberField(
@@ -143,6 +153,11 @@ def run(folder):
     for name in MESHES + CLOUDS:
         mesh = note(f"{name} read", opened(os.path.join(folder, name)))
         of_source(name, mesh, name in CLOUDS)
+    pieces = in_pieces(simple.WindingNumberField(Input=mesh, Resolution=20))
+    note("whole", simple.WindingNumberField(Input=mesh, Resolution=20))
+    facts["pieces"] = facts_of(pieces)
+    found = facts["pieces"]["points"]  # which names arrays in its own way
+    assert found[found["active"]] == facts["whole"]["outputs"][0]["points"]["WindingNumber"]
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
     group = simple.GroupDatasets(Input=balls)
