@@ -29,12 +29,12 @@ SAMPLES = 128
 LONG = 3  # seconds: what takes longer is done once
 
 
-def best(call, times=5):
+def best(call, *arguments):
     """The shortest time of some calls in seconds, and the last result."""
     shortest, calls = np.inf, 0
-    while calls == 0 or (calls < times and shortest < LONG):
+    while calls == 0 or (calls < 5 and shortest < LONG):
         start = time.perf_counter()
-        result = call()
+        result = call(*arguments)
         shortest, calls = min(shortest, time.perf_counter() - start), calls + 1
     return shortest, result
 
@@ -72,7 +72,7 @@ def peers(vertices, faces):
         points = np.random.default_rng(1).uniform(low, high, (count, 3))
         expected = kept.contains(points)
         for name, way in ways.items():
-            seconds, found = best(lambda: way(points))
+            seconds, found = best(way, points)
             print(f"{count:8} points {name:14} {seconds:10.6f} s, "
                   f"{(np.asarray(found) != expected).sum()} differ", flush=True)
 
