@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import _datasets, _library
+from . import _datasets, _library, _options
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
@@ -242,6 +242,13 @@ def clipped_part(data, numbers):
         part.GetPointData().SetActiveScalars(active.GetName())
     part.GetFieldData().PassData(data.GetFieldData())
     return part
+
+
+def level_of(values, rule, threshold):
+    """The level of winding numbers by the number of a rule: 0 where the inside ends, more in it."""
+    if rule == _options.RULES["odd"]:
+        return 0.5 - np.abs(np.fmod(np.abs(values), 2) - 1)
+    return (np.abs(values) if rule == _options.RULES["absolute"] else values) - threshold
 
 
 def cut_distances(inside, are_cut, values, distances, slopes, level):

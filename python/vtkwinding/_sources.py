@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import _datasets, _library, _options, _parts
+from . import _datasets, _library, _parts
 from ._errors import WindingError
 from .fields import Field
 
@@ -28,7 +28,6 @@ _LOOSE = ("lines and single points bound nothing: make faces of them, if they ar
 _MEND = "mend the data set: the source"
 _ACTIVE = ("Active Normals", "None")  # what lists of arrays in ParaView have for the active ones
 _OWNERS = "Winding.Cells"
-_ABSOLUTE, _ODD = _options.RULES["absolute"], _options.RULES["odd"]
 
 
 class Leaf(NamedTuple):
@@ -440,13 +439,6 @@ class SourceField(Field):
         source.points, source.normals = moved(source.points, middle), moved(source.normals, 0)
         return SourceField(source, **self.options)
 
-    def level_of(self, values, sides):
-        """The level of winding numbers, which is 0 where the inside ends."""
-        threshold = sides.rule.winding_threshold
-        if sides.rule.inside_rule == _ODD:
-            return 0.5 - np.abs(np.fmod(np.abs(values), 2) - 1)
-        return (np.abs(values) if sides.rule.inside_rule == _ABSOLUTE else values) - threshold
-
     def cut_distances(self, places, kept, are_cut, sides, show=None):
         """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of
         data: `places` are those of cells that are cut."""
@@ -458,4 +450,5 @@ class SourceField(Field):
         if "gradient" in values:
             slopes = np.linalg.norm(values["gradient"], axis=1)
         return _parts.cut_distances(kept, are_cut, values["winding"], values["distance"], slopes,
-                                    lambda w: self.level_of(w, sides))
+                                    lambda w: _parts.level_of(
+                                        w, sides.rule.inside_rule, sides.rule.winding_threshold))

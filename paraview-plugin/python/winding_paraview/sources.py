@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
+from vtkwinding._parts import level_of
 from vtkwinding._sources import source_of
 
 from .algorithm import (
@@ -243,10 +244,7 @@ class SourceAlgorithm(Algorithm):
 
     def levels(self, values):
         """How far winding numbers are inside, as the core has it."""
-        rule, threshold = self.value("InsideRule"), self.values["WindingThreshold"]
-        if rule == 2:
-            return 0.5 - np.abs(np.fmod(np.abs(values), 2.0) - 1)
-        return (np.abs(values) if rule == 1 else values) - threshold
+        return level_of(values, self.value("InsideRule"), self.values["WindingThreshold"])
 
     def note_progress(self, elapsed, share):
         if elapsed > 1 and share > 0:
