@@ -58,6 +58,10 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
       const winding::FieldOptions wished = optionsOf(options);
       if (view.positions.empty())
       {
+        if (estimate)
+        {
+          give(winding_estimate(), *estimate);
+        }
         return;
       }
       float* const result = &required(normals, "normals");

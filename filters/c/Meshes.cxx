@@ -468,7 +468,10 @@ winding_status winding_read_table(const char* path, int32_t normals_and_areas,
     [&]
     {
       required(mesh, "mesh") = nullptr;
-      required(path, "path");
+      if (required(path, "path") == 0)
+      {
+        throw Misuse("path is empty");
+      }
       Call call(run);
       giveHandle(*mesh,
         [&](winding_mesh& made)

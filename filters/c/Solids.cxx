@@ -150,7 +150,8 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       };
       const auto nameOf = [&](std::size_t i)
       {
-        return given.names ? std::string(given.names[i]) : std::to_string(labelOf(i));
+        const char* const name = given.names ? given.names[i] : nullptr;
+        return name ? std::string(name) : std::to_string(labelOf(i));
       };
       const auto addSolid = [&](std::size_t i)
       {

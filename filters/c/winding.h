@@ -626,7 +626,7 @@ extern "C"
     uint16_t* second_labels;  /**< the labels with the next shares, 0 for none */
     float* second_shares;     /**< these shares */
     float* const* shares;     /**< an array for the shares of each solid */
-    const char* const* names; /**< of the solids, for warnings; their labels where there are none */
+    const char* const* names; /**< of the solids, for warnings; null for labels in their place */
   } winding_labels;
 
   /**

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _datasets, _library, _options
+from ._checks import check_cells
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
@@ -70,6 +71,7 @@ def _points_of_image(image):
 
 def centres_of(data):
     """The centres (N, 3) of the cells of a data set; NaN for cells without points."""
+    check_cells(data, "the data set")
     array = _datasets.class_of(data, "vtkCommonCore", "vtkDoubleArray")()
     array.SetNumberOfComponents(3)
     array.SetNumberOfTuples(data.GetNumberOfCells())
@@ -187,6 +189,7 @@ def inside_part(data, inside, *, at_cells=False):
     """The cells of a data set of which all points are inside, or with at_cells the cells that are:
     vtkPolyData of polydata, vtkUnstructuredGrid of all others, with all arrays. A data set without
     cells counts as points with a vertex each."""
+    check_cells(data, "the data set")
     inside = np.asarray(inside, bool)
     whole = data
     if not at_cells and _is_of_points(data):
@@ -198,6 +201,7 @@ def inside_part(data, inside, *, at_cells=False):
 
 def points_of_cut_cells(data, inside):
     """Whether each point belongs to a cell that has both points inside and others."""
+    check_cells(data, "the data set")
     inside = np.asarray(inside, bool)
     any_inside, all_inside = _any_and_all(data, inside)
     are_cut = any_inside & ~all_inside

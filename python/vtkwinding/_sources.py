@@ -14,7 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _datasets, _library, _parts
+from ._checks import check_grid
 from ._errors import WindingError
+from ._outward import inward_polygons
 from .fields import Field
 
 # Options of fields that are no arrays, as Field has them.
@@ -25,9 +27,8 @@ _KINDS = "extract the blocks of one kind: the source mixes surfaces and point cl
 _MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
 _LOOSE = ("lines and single points bound nothing: make faces of them, if they are walls; "
           "{count} are left out")
-_MEND = "mend the data set: the source"
 _ACTIVE = ("Active Normals", "None")  # what lists of arrays in ParaView have for the active ones
-_OWNERS = "Winding.Cells"
+_OWNERS = "Winding.Numbers"
 
 
 class Leaf(NamedTuple):
@@ -148,7 +149,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
             continue
         has_faces = _datasets.has_faces(leaf)
         if has_faces:
-            skin, counts = _outer_surface(leaf, surface_cells)
+            skin, counts = _outer_surface(leaf, surface_cells, name)
             left_out += counts[1]
             turned += counts[2]
             loose += 0 if as_points else counts[0]
@@ -257,7 +258,7 @@ def turned_polygons(corners, offsets, are_turned):
     return corners[np.repeat(offsets[:-1], sizes) + place]
 
 
-def _outer_surface(mesh, surface_cells):
+def _outer_surface(mesh, surface_cells, name):
     """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
     it leaves out; and how many cells it turns."""
     if mesh.IsA("vtkPolyData"):
@@ -267,7 +268,8 @@ def _outer_surface(mesh, surface_cells):
     types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
     loose = left_out = 0
     cells = mesh
-    _check_cells(mesh, types)
+    if types is not None:
+        check_grid(mesh, name)
     ghosts = _datasets.ghosts_of(
         mesh.GetCellData(), _datasets.GHOST_CELLS, mesh.GetNumberOfCells())
     if types is not None:
@@ -286,11 +288,13 @@ def _outer_surface(mesh, surface_cells):
     numbered = _datasets.class_of(mesh, "vtkCommonDataModel", cells.GetClassName())()
     numbered.ShallowCopy(cells)
     # VTK's own array of cells is that of straight ones where cells are curved.
-    numbered.GetCellData().AddArray(_datasets.vtk_array_of(
-        mesh, _OWNERS, np.arange(cells.GetNumberOfCells())))
+    for attributes, count in ((numbered.GetCellData(), cells.GetNumberOfCells()),
+                              (numbered.GetPointData(), cells.GetNumberOfPoints())):
+        attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
     level = _level_for(numbered) if is_curved else 0
-    surface, turned = _looking_outward(cells, _surface_at(numbered, level))
+    surface, turned = _looking_outward(cells, _surface_at(numbered, level), is_curved)
     surface.GetCellData().RemoveArray(_OWNERS)
+    surface.GetPointData().RemoveArray(_OWNERS)
     return surface, (loose, left_out, turned)
 
 
@@ -322,28 +326,6 @@ def _level_for(mesh):
     return 1 if rise <= wanted else min(5, 1 + math.ceil(math.log(rise / wanted, 4)))
 
 
-def _check_cells(mesh, types):
-    """Refuses cells that code of VTK could not follow."""
-    if types is None:
-        return
-    cells = mesh.GetCells()
-    count, points = mesh.GetNumberOfCells(), mesh.GetNumberOfPoints()
-    if not cells.IsValid():
-        raise WindingError(f"{_MEND} has cells whose offsets lead out of their list of ids")
-    if len(types) < count:
-        raise WindingError(f"{_MEND} has {count} cells but types for {len(types)}")
-    unknown = np.flatnonzero(_datasets.dimensions_of(types[:count]) < 0)
-    if unknown.size:
-        raise WindingError(f"cell {unknown[0]} of the source has unknown type {types[unknown[0]]}: "
-                           "use a VTK that knows it, or leave these cells out")
-    corners, offsets = _datasets.cells_of(mesh, cells)
-    bad = np.flatnonzero((corners < 0) | (corners >= points))
-    if bad.size:
-        cell = np.searchsorted(offsets, bad[0], "right") - 1
-        raise WindingError(f"mend the data set: cell {cell} of the source refers to point "
-                           f"{corners[bad[0]]} of {points}")
-
-
 def _extracted(mesh, are_kept):
     """Some of the cells of a mesh."""
     ids = _datasets.class_of(mesh, "vtkCommonCore", "vtkIdList")()
@@ -372,47 +354,24 @@ def _areas_of(surface):
             np.add.reduceat(at, offsets[:-1], axis=0) / sizes[:, None])
 
 
-def _looking_outward(mesh, surface):
-    """The outer surface of a mesh, with each polygon turned away from the middle of its own cell,
-    and the number of cells for which that is needed."""
-    polygons = surface.GetNumberOfPolys()
-    if polygons == 0:
+def _looking_outward(mesh, surface, is_curved):
+    """The outer surface of a mesh, with each polygon turned away from its own cell, and the number
+    of cells for which that is needed."""
+    count = surface.GetNumberOfPolys()
+    if count == 0:
         return surface, 0
     before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
     owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
-    owners = owners[before:before + polygons].copy()
-    centres, have_volume = _cell_centres(mesh, owners)
+    owners = owners[before:before + count].copy()
+    corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
+    polygons = corners if is_curved else _datasets.array_of(
+        mesh, surface.GetPointData().GetArray(_OWNERS))[corners]
     areas, middles = _areas_of(surface)
-    are_inward = have_volume & (((middles - centres) * areas).sum(axis=1) < 0)
+    are_inward = inward_polygons(mesh, owners, polygons, offsets, is_curved, middles, areas)
     if are_inward.any():
-        corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
         surface.SetPolys(_datasets.cell_array_of(
             mesh, turned_polygons(corners, offsets, are_inward), offsets))
     return surface, len(np.unique(owners[are_inward]))
-
-
-def _cell_centres(mesh, cells):
-    """The middles of the corners of some cells, and which of these have volume."""
-    points = _datasets.floats_of(mesh, mesh.GetPoints().GetData())
-    if mesh.IsA("vtkUnstructuredGrid"):
-        corners, offsets = _datasets.cells_of(mesh, mesh.GetCells())
-        have_volume = _datasets.dimensions_of(_datasets.cell_types_of(mesh)[cells]) == 3
-        sizes = np.maximum(np.diff(offsets)[cells], 1)
-        starts = np.cumsum(sizes) - sizes
-        step = np.arange(sizes.sum()) - np.repeat(starts, sizes)
-        used = points[corners[np.repeat(offsets[:-1][cells], sizes) + step]].astype(float)
-        return np.add.reduceat(used, starts, axis=0) / sizes[:, None], have_volume
-    # Structured cells: their corners follow from their number.
-    extent = mesh.GetExtent()
-    counts = np.array([extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in range(3)])
-    steps = np.minimum(counts - 1, 1)
-    place = np.unravel_index(cells, np.maximum(counts - 1, 1), order="F")
-    centres = np.zeros((len(cells), 3))
-    for corner in np.ndindex(*(steps + 1)):
-        ids = np.ravel_multi_index(
-            [at + step for at, step in zip(place, corner)], counts, order="F")
-        centres += points[ids]
-    return centres / np.prod(steps + 1), np.full(len(cells), steps.sum() == 3)
 
 
 class SourceField(Field):

@@ -6,6 +6,7 @@ import numpy as np
 import pyvista as pv
 
 from . import _datasets, _grids, _options
+from ._checks import check_cells
 
 
 def outer_surface(mesh):
@@ -20,6 +21,7 @@ def outer_surface(mesh):
 
 
 def _skin(mesh):
+    check_cells(mesh, "the mesh")
     surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
     surface.SetInputData(mesh)
     surface.Update()

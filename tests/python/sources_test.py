@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
+    vtkQuadraticHexahedron,
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
@@ -100,6 +101,44 @@ def mixed():
     return made
 
 
+def polyhedron():
+    """A prism over an L, as one polyhedron: its middle lies outside."""
+    corners = [(0, 0), (2, 0), (2, 0.4), (0.4, 0.4), (0.4, 2), (0, 2)]
+    points, made = vtkPoints(), vtkUnstructuredGrid()
+    for z in (0, 1):
+        for x, y in corners:
+            points.InsertNextPoint(x, y, z)
+    faces = [list(range(6)), list(range(6, 12))] + [
+        [i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6] for i in range(6)]
+    stream = vtkIdList()
+    for number in [len(faces)] + [number for face in faces for number in (len(face), *face)]:
+        stream.InsertNextId(number)
+    made.SetPoints(points)
+    made.InsertNextCell(42, stream)
+    return made
+
+
+def shell():
+    """Thin quadratic hexahedra around a pipe: the middles of cells lie between their faces, but not
+    on the same side of both everywhere."""
+    cell = vtkQuadraticHexahedron()
+    places = np.array([cell.GetParametricCoords()[i] for i in range(60)]).reshape(-1, 3)
+    points, made = vtkPoints(), vtkUnstructuredGrid()
+    made.SetPoints(points)
+    known = {}
+    for number in range(8):
+        ids = vtkIdList()
+        for x, y, z in places:
+            angle, radius = -(x + number) % 8 * np.pi / 4, 0.9 + 0.1 * y
+            place = (1 + radius * np.cos(angle), 1 + radius * np.sin(angle), 2 * z)
+            key = tuple(np.round(place, 9))
+            if key not in known:
+                known[key] = points.InsertNextPoint(place)
+            ids.InsertNextId(known[key])
+        made.InsertNextCell(25, ids)
+    return made
+
+
 def blocks():
     made = vtkMultiBlockDataSet()
     for number, block in enumerate((ball(), None, structured(True), strips())):
@@ -112,7 +151,8 @@ def sources():
         for mirrored in (False, True):
             yield f"cells {kind} {mirrored}", cells(kind, mirrored)
     yield from (("ball", ball()), ("strips", strips()), ("mixed", mixed()), ("blocks", blocks()),
-                ("structured", structured(False)), ("mirrored", structured(True)))
+                ("structured", structured(False)), ("mirrored", structured(True)),
+                ("polyhedron", polyhedron()), ("cells 25 shell", shell()))
 
 
 def field_of(data):
@@ -176,9 +216,11 @@ class SourcesTest(unittest.TestCase):
 
     def test_contradicting_data_is_refused(self):
         for spoil, words in (
-                (lambda grid: grid.GetCells().InsertNextCell(1, [10**6]), "types for"),
+                (lambda grid: grid.GetCells().InsertNextCell(1, [0]), "types for"),
                 (lambda grid: grid.InsertNextCell(10, 4, [0, 1, 2, 10**6]), "refers to point"),
-                (lambda grid: grid.InsertNextCell(250, 4, [0, 1, 2, 3]), "unknown type 250")):
+                (lambda grid: grid.InsertNextCell(250, 4, [0, 1, 2, 3]), "unknown type 250"),
+                (lambda grid: grid.InsertNextCell(12, 4, [0, 1, 2, 3]), "has 4 points, which a"),
+                (lambda grid: grid.InsertNextCell(80, 4, [0, 1, 2, 3]), "of type 80 cannot")):
             grid = mixed()
             spoil(grid)
             with self.assertRaisesRegex(_sources.WindingError, words):
