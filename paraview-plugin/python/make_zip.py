@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Makes the zip of the ParaView plugin in Python for one platform.
 
-    make_zip.py <libwinding> <platform> <folder> [<library>…]
+    make_zip.py <libwinding> <platform> <folder> [<licence>…]
 
 <libwinding> is the library of the platform, such as libwinding.so.1 or winding.dll, and <platform>
-what the zip is named after, such as linux-x86_64. Other libraries go next to it.
+what the zip is named after, such as linux-x86_64. Licences are texts of what is linked in.
 """
 
 import pathlib
@@ -33,7 +33,7 @@ def name_of(library):
     return re.sub(r"(\.so)(\.\d+)+$", r"\1", pathlib.Path(library).name)
 
 
-def contents(library, others):
+def contents(library, licences):
     """The files of the zip: names, and texts or bytes."""
     plugin = (HERE / "WindingNumbers.py").read_text(encoding="utf-8")
     yield "WindingNumbers.py", plugin.replace("@VERSION@", version())
@@ -50,16 +50,16 @@ def contents(library, others):
             yield f"vtkwinding/{path.name}", path.read_bytes()
     yield "vtkwinding/_built.py", BUILT.format(version=version(), library=name_of(library))
     yield f"vtkwinding/{name_of(library)}", pathlib.Path(library).read_bytes()
-    for other in others:
-        yield f"vtkwinding/{pathlib.Path(other).name}", pathlib.Path(other).read_bytes()
+    for licence in licences:
+        yield f"licenses/{pathlib.Path(licence).name}", pathlib.Path(licence).read_bytes()
 
 
-def make(library, platform, folder, others=()):
+def make(library, platform, folder, licences=()):
     """Writes the zip into a folder, and returns its path."""
     path = pathlib.Path(folder, f"WindingNumbers-{version()}-ParaView-{platform}.zip")
     path.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in contents(library, others):
+        for name, content in contents(library, licences):
             # Without the hour, so that the same files make the same zip.
             entry = zipfile.ZipInfo(f"WindingNumbers/{name}", (1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED

@@ -1,5 +1,6 @@
 """Normals and areas of the points of a source."""
 
+import copy
 import ctypes
 
 import numpy as np
@@ -21,38 +22,51 @@ def normals_to_turn(source, show=None):
     return turned
 
 
-def _of_mesh(source, run):
-    """The normals and areas that faces give the points of a source."""
-    normals, areas = np.empty((len(source.points), 3)), np.empty(len(source.points))
-    _library.call("winding_vertices", _library.array_of(source.points),
-                  ctypes.byref(source.polygons()), _library.RUN,
+def _of_mesh(leaf, **run):
+    """The normals and areas that the polygons of a leaf give its points."""
+    normals, areas = np.empty((len(leaf.points), 3)), np.empty(len(leaf.points))
+    points = np.ascontiguousarray(leaf.points)
+    _library.call("winding_vertices", _library.array_of(points),
+                  ctypes.byref(_library.polygons_of(leaf.corners, leaf.offsets)), _library.RUN,
                   ctypes.c_void_p(normals.ctypes.data), ctypes.c_void_p(areas.ctypes.data), **run)
     return normals, areas
+
+
+def cloud_of(source, **run):
+    """A source as the cloud of its points. Points without normals have those of their polygons, and
+    all are without where some can have none, for all are to be oriented together."""
+    made = copy.copy(source)
+    made.corners = made.offsets = None
+    lacks = any(leaf.normals is None and leaf.corners is None for leaf in source.leaves)
+    if source.leaves and not lacks:
+        made.normals = np.concatenate([
+            _of_mesh(leaf, **run)[0] if leaf.normals is None else leaf.normals
+            for leaf in source.leaves])
+    else:
+        made.normals = None
+    return made
 
 
 def areas_of(source, method, *, estimates, point_area, threads, show=None, **options):
     """The areas of the points of a source, and their normals where these had to be estimated."""
     run = {"threads": threads, "show": show}
-    count = len(source.points)
     if method == _MESH:
-        if source.corners is None or any(leaf.corners is None for leaf in source.leaves):
+        if any(leaf.corners is None for leaf in source.leaves):
             raise _library.WindingError("areas from the mesh need triangles, not points alone: "
                                         "choose another (method=)")
-        return _of_mesh(source, run)[1], None
-    normals = source.normals
-    if normals is None and source.corners is not None and all(
-            leaf.corners is not None for leaf in source.leaves):
-        normals = _of_mesh(source, {"threads": threads})[0]
+        areas = [_of_mesh(leaf, **run)[1] for leaf in source.leaves]
+        return np.concatenate(areas) if areas else np.empty(0), None
+    cloud = cloud_of(source, threads=threads)
     given = _library.Options(mean_point_area=method == _CONSTANT, point_area=(
         point_area if method == _CONSTANT else 0), **options)
-    areas = np.empty(count)
+    areas = np.empty(len(cloud.points))
     to = ctypes.c_void_p(areas.ctypes.data)
-    if normals is None and estimates:
-        made = np.empty((count, 3), np.float32)
-        _library.call("winding_estimate_normals", _library.array_of(source.points),
+    if cloud.normals is None and estimates:
+        made = np.empty((len(areas), 3), np.float32)
+        _library.call("winding_estimate_normals", _library.array_of(cloud.points),
                       ctypes.byref(given), _library.RUN, ctypes.c_void_p(made.ctypes.data), to,
                       None, **run)
         return areas, made
-    _library.call("winding_point_areas", _library.array_of(source.points),
-                  _library.array_of(normals), ctypes.byref(given), _library.RUN, to, **run)
+    _library.call("winding_point_areas", _library.array_of(cloud.points),
+                  _library.array_of(cloud.normals), ctypes.byref(given), _library.RUN, to, **run)
     return areas, None

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from typing import TypedDict
+from collections.abc import Callable
+from typing import Any, TypedDict, TypeVar
 
 
 class FieldOptions(TypedDict, total=False):
@@ -33,9 +34,12 @@ class SourceOptions(FieldOptions, total=False):
     areas_array: str | None
 
 
-def spelled_out(options, defaults):
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def spelled_out(options: Any, defaults: dict[str, Any]) -> Callable[[_Function], _Function]:
     """Has a function show the options of a TypedDict in the place of its **options."""
-    def decorated(function):
+    def decorated(function: _Function) -> _Function:
         signature = inspect.signature(function)
         own = [one for one in signature.parameters.values() if one.kind is not one.VAR_KEYWORD]
         names = {one.name for one in own}

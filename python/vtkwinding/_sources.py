@@ -76,8 +76,7 @@ class Source:
         self.turned_cells, self.left_out_cells = turned_cells, left_out_cells
         self.points = _joined([leaf.points for leaf in leaves], np.empty((0, 3)))
         self.corners = self.offsets = None
-        faced = [leaf for leaf in leaves if leaf.corners is not None]
-        if faced:
+        if leaves and all(leaf.corners is not None for leaf in leaves):
             first_points = _starts([len(leaf.points) for leaf in leaves])
             first_corners = _starts([len(leaf.corners) for leaf in leaves])
             self.corners = _joined([leaf.corners if start == 0 else leaf.corners + start
@@ -394,8 +393,14 @@ class SourceField(Field):
         def moved(vectors, around):
             return None if vectors is None else (vectors - around) @ matrix.T + around
 
+        if not np.allclose(matrix @ matrix.T, np.eye(3)):
+            raise WindingError("the axes of the image are not at right angles: resample it first")
         source = self.source.copied()
         source.points, source.normals = moved(source.points, middle), moved(source.normals, 0)
+        if source.is_surface and np.linalg.det(matrix) < 0:  # a mirror image looks inward
+            source.corners = turned_polygons(
+                source.corners, source.offsets, np.ones(len(source.offsets) - 1, bool))
+            source.offsets = source.offsets - source.offsets[0]
         return SourceField(source, **self.options)
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):

@@ -12,7 +12,9 @@ PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
 
 from __future__ import annotations
 
+import collections
 import ctypes
+import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +33,10 @@ if TYPE_CHECKING:
 
 _SOURCE_DEFAULTS = {"surface_cells": False, "normals_array": None, "areas_array": None}
 _ALL_DEFAULTS = {**DEFAULTS, **_SOURCE_DEFAULTS}
+# Fields that are kept: a mesh that nobody has any more would hold its own until Python looks for
+# cycles, for PyVista ties a mesh and its accessor to each other.
+_recent: collections.deque[SourceField] = collections.deque(maxlen=4)
+_MOST_LABELS = 65535
 _OF_SIDES = ("threshold", "rule", "n_threads", "longest_expected_time")
 _with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
 
@@ -115,7 +121,7 @@ class WindingAccessor:
 
     def __init__(self, mesh: pv.DataObject) -> None:
         self._mesh = mesh
-        self._kept: SourceField | None = None
+        self._kept: Callable[[], SourceField | None] = lambda: None
 
     def _field(self, options, name="the mesh"):
         """The field of this mesh, kept from one call to the next, and what is inside of it."""
@@ -127,25 +133,28 @@ class WindingAccessor:
         arrays = {option: given.pop(option) for option in _SOURCE_DEFAULTS}
         as_points = _options.flag("as_points", given["as_points"])
         source = _source(self._mesh, name, as_points=as_points, **arrays)
+        if as_points:
+            source = _clouds.cloud_of(source)
         sides = fields.Sides(*(given.pop(option) for option in _OF_SIDES))
         made = SourceField(source, **given)
-        kept = self._kept
+        kept = self._kept()
         if kept is not None and kept.options == made.options and all(
                 _same(getattr(kept.source, array), getattr(source, array))
                 for array in ("points", "corners", "offsets", "normals", "areas")):
             return kept, sides
-        self._kept = made.with_own_arrays()
-        return self._kept, sides
+        made = made.with_own_arrays()
+        _recent.append(made)
+        self._kept = weakref.ref(made)
+        return made, sides
 
-    def _grid(self, **wishes):
-        """The grid of the library over this mesh."""
-        mesh = self._mesh
-
+    @staticmethod
+    def _grid(*made, **wishes):
+        """The grid of the library over the sources of fields."""
         def bounds():
-            if mesh.IsA("vtkDataSet") and mesh.n_points == 0 or not len(_leaves(mesh)):
-                raise WindingError(
-                    "the input is empty, and has no bounds: give bounds (bounds=)")
-            return [float(end) for end in mesh.bounds]
+            found = fields.box_of(made)
+            if found is None:
+                raise WindingError("the input is empty, and has no bounds: give bounds (bounds=)")
+            return found
 
         return fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
 
@@ -177,6 +186,7 @@ class WindingAccessor:
             kinds["distance"] = np.dtype("f4")
         if _options.flag("inside", inside) or cover:
             kinds["inside"] = np.dtype("u1")
+        field, sides = self._field(options)
         if reference_volume is not None:
             if not (dimensions is spacing is resolution is bounds is None):
                 raise TypeError("Cannot specify a reference volume with other geometry parameters.")
@@ -184,10 +194,9 @@ class WindingAccessor:
             if at_cells and min(image.dimensions) < 2:
                 raise ValueError("reference_volume must have cells, for association='cell'")
         else:
-            grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
+            grid = self._grid(field, dimensions=dimensions, spacing=spacing, resolution=resolution,
                               bounds=bounds, padding=padding)
             image = _images.over(grid, at_cells)
-        field, sides = self._field(options)
         with bar(progress_bar, "Computing winding numbers") as show:
             if reference_volume is not None:
                 values = _images.evaluate(field, image, kinds, sides, at_cells=at_cells,
@@ -281,9 +290,9 @@ class WindingAccessor:
             "close_border": _options.flag("close_border", close_border),
             "generate_normals": _options.flag("compute_normals", compute_normals)}
         adds_distances = _options.flag("distance_to_input", distance_to_input)
-        grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
-                          bounds=bounds, padding=padding)
         field, sides = self._field(options)
+        grid = self._grid(field, dimensions=dimensions, spacing=spacing, resolution=resolution,
+                          bounds=bounds, padding=padding)
         with bar(progress_bar, "Extracting the surface") as show:
             arrays = field.level_surface(grid, sides, show=show, **settings)
         surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
@@ -417,58 +426,71 @@ class WindingAccessor:
                progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
         """The solid that each voxel of a grid is in: ImageData with the array 'Label', 0 outside.
 
-        The solids are the blocks of a MultiBlock, else the values of the cell array `scalars`, or
-        the bodies that the mesh has. The field data has their 'LabelNames' and 'LabelValues'. The
+        The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else the
+        values of the cell array `scalars`, which are the labels themselves if they are integers of
+        1 to 65535, or the bodies that the mesh has. The field data has 'LabelNames' and
+        'LabelValues'. The
         grid is that of field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
         (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
         """
         _check_source("the mesh", self._mesh)
         rule = _options.choice("overlap", overlap, _options.OVERLAPS)
         cover = _options.choice("coverage", coverage, _options.COVERAGES)
-        grid = self._grid(dimensions=dimensions, spacing=spacing, resolution=resolution,
-                          bounds=bounds, padding=padding)
-        _, sides = self._field({name: value for name, value in options.items()
-                                if name in ("threshold", "rule", "n_threads")})
         solids = self._solids(scalars, options)
+        made = [accessor_of(part)._field(options) for _, _, part in solids]
+        sides = made[0][1] if made else fields.Sides(*(_ALL_DEFAULTS[name] for name in _OF_SIDES))
+        made = [field for field, _ in made]
+        grid = self._grid(*made, dimensions=dimensions, spacing=spacing, resolution=resolution,
+                          bounds=bounds, padding=padding)
+        names, numbers = [name for name, _, _ in solids], [number for _, number, _ in solids]
         with bar(progress_bar, "Labelling") as show:
-            found = fields.label([accessor_of(part)._field(options)[0] for _, part in solids], grid,
-                                 sides, rule, cover, show)
+            found = fields.label(made, grid, sides, rule, cover, numbers=numbers, names=names,
+                                 show=show)
         image = _images.over(grid, False)
         image.point_data["Label"] = found.ravel(order="F")
-        image.field_data["LabelNames"] = [name for name, _ in solids]
-        image.field_data["LabelValues"] = np.arange(1, len(solids) + 1)
+        image.field_data["LabelNames"] = names
+        image.field_data["LabelValues"] = np.array(numbers, int)
         image.set_active_scalars("Label", "point")
         return image
 
     def _solids(self, scalars, options):
-        """The parts of this mesh that are solids, with their names."""
+        """The parts of this mesh that are solids, with their names and labels."""
         mesh = self._mesh
         if isinstance(mesh, pv.MultiBlock):
             if scalars is not None:
                 raise TypeError("scalars must be None for a MultiBlock, whose blocks are solids")
-            return [(name or f"Block-{index:02}", mesh[index])
+            return [(name or f"Block-{index:02}", index + 1, mesh[index])
                     for index, name in enumerate(mesh.keys())
                     if mesh[index] is not None and (
                         isinstance(mesh[index], pv.MultiBlock) or mesh[index].n_points)]
-        source = _source(mesh, surface_cells=options.get("surface_cells", False))
+        source = _source(mesh, surface_cells=options.get("surface_cells", False), notes=[])
         if not source.is_surface:
             raise WindingError("give faces or blocks: points alone have no bodies")
         if scalars is None:
-            numbers = np.empty(len(source.offsets) - 1, np.int32)
+            of_polygons = np.empty(len(source.offsets) - 1, np.int32)
             count = ctypes.c_int64()
             _library.call("winding_solids", _library.array_of(source.points),
                           ctypes.byref(source.polygons()), _library.RUN,
-                          ctypes.c_void_p(numbers.ctypes.data), ctypes.byref(count))
-            names = {number: f"Solid {number + 1}" for number in range(count.value)}
+                          ctypes.c_void_p(of_polygons.ctypes.data), ctypes.byref(count))
+            values, names = np.arange(count.value), [f"Solid {i + 1}" for i in range(count.value)]
         else:
             array = source.leaves[0].cell_array(_options.text("scalars", scalars))
-            values, numbers = np.unique(array, return_inverse=True)
-            names = {number: str(value) for number, value in enumerate(values)}
+            if array.ndim != 1:
+                raise ValueError(f"scalars must have one component, not {array.shape[1]}")
+            values, of_polygons = np.unique(array, return_inverse=True)
+            names = [str(value) for value in values]
+        if len(values) > _MOST_LABELS:
+            raise WindingError(f"there are {len(values)} solids, and labels are 1 to "
+                               f"{_MOST_LABELS}: leave some out, or name regions (scalars=)")
+        is_own = scalars is not None and values.dtype.kind in "iu" and (
+            not len(values) or (values[0] >= 1 and values[-1] <= _MOST_LABELS))
         solids = []
-        for number, name in names.items():
-            corners, offsets = kept_polygons(source.corners, source.offsets, numbers == number)
+        for number, name in enumerate(names):
+            corners, offsets = kept_polygons(
+                source.corners, source.offsets, of_polygons == number)
             used, ids = np.unique(corners, return_inverse=True)
-            solids.append((name, _polydata(source.points[used], ids, offsets)))
+            solids.append((name, int(values[number]) if is_own else number + 1,
+                           _polydata(source.points[used], ids, offsets)))
         return solids
 
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,

@@ -420,7 +420,11 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     'any' for voxels that it touches, 'fraction' for voxels with half of them in it. The grid is laid
     out as in Field.field(), over all fields.
     """
+    if isinstance(fields, Field):
+        raise TypeError("fields must be a list of Field, not a Field")
     fields = list(fields)
+    if len(fields) > 65535:
+        raise ValueError(f"fields must be 65535 or fewer, not {len(fields)}")
     if not fields or not all(isinstance(field, Field) for field in fields):
         raise TypeError("fields must be a list of Field")
     number = _options.choice("overlap", overlap, _options.OVERLAPS)
@@ -428,25 +432,36 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     sides = Sides(threshold, rule, n_threads, 0)
 
     def box():
-        found = np.array([field.bounds for field in fields])
-        found = found[~np.isnan(found).any(axis=1)]
-        if not len(found):
-            return [0, 1] * 3
-        low, high = found[:, ::2].min(axis=0), found[:, 1::2].max(axis=0)
-        return np.stack([low, high], 1).ravel().tolist()
+        found = box_of(fields)
+        return [0, 1] * 3 if found is None else found
 
     grid = grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions, spacing=spacing,
                                bounds=bounds, padding=padding), box)
     return _on(grid, label(fields, grid, sides, number, covers))
 
 
-def label(fields, grid, sides, overlap, coverage, show=None):
-    """Labels of fields at the samples of a grid of the library, by numbers for the choices."""
+def box_of(fields):
+    """The box of the sources of fields; None for no source."""
+    found = np.array([field.bounds for field in fields]).reshape(-1, 6)
+    found = found[~np.isnan(found).any(axis=1)]
+    if not len(found):
+        return None
+    low, high = found[:, ::2].min(axis=0), found[:, 1::2].max(axis=0)
+    return np.stack([low, high], 1).ravel().tolist()
+
+
+def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None, show=None):
+    """Labels of fields at the samples of a grid of the library, by numbers for the choices. The
+    labels are 1, 2, ... unless they are given."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
     options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage)
     arrays = _library.Labels(labels=found.ctypes.data)
-    _library.call("winding_label", handles, None, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
+    if names is not None:
+        texts = (ctypes.c_char_p * len(names))(*(str(name).encode() for name in names))
+        arrays.names = ctypes.cast(texts, ctypes.c_void_p).value
+    given = None if numbers is None else (ctypes.c_uint16 * len(numbers))(*numbers)
+    _library.call("winding_label", handles, given, ctypes.c_size_t(len(fields)), ctypes.byref(grid),
                   None, ctypes.byref(sides.rule), ctypes.byref(options), ctypes.byref(arrays),
                   _library.RUN, show=show, **sides.run)
     return found
@@ -494,7 +509,7 @@ def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
     are taken once."""
     vertices, faces = _parts(vertices, faces)
     points = _numbers.vectors("vertices", vertices)
-    ids = _numbers.triangles("faces", faces, len(points))
+    ids = _numbers.triangles("faces", faces, len(points)).astype(np.int64, copy=False)
     turned, left_out = orientation_of(points, _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]
@@ -552,8 +567,8 @@ def read(path: str | os.PathLike[str]) -> Mesh:
     """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file: a Mesh. Lines, colours and
     columns without a meaning are left out."""
     name = os.fsencode(path)
-    if b"\0" in name:
-        raise ValueError("path must have no null character")
+    if not name or b"\0" in name:
+        raise ValueError("path must be the name of a file, without null characters")
     handle = _library.Handle("winding_mesh_free")
     _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
                   ctypes.byref(handle.pointer))

@@ -299,19 +299,74 @@ class AccessorTest(Warned):
         with self.assertRaisesRegex(vtkwinding.WindingError, "points alone have no bodies"):
             pv.PolyData(ball().points).winding.labels()
 
+    def test_labels_are_places_or_regions(self):
+        blocks = pv.MultiBlock([None, ball(), pv.PolyData(), ball().translate((2, 0, 0))])
+        image = blocks.winding.labels(spacing=0.1)
+        self.assertEqual(list(image.field_data["LabelValues"]), [2, 4])
+        self.assertEqual(np.unique(image["Label"]).tolist(), [0, 2, 4])
+        pair = ball() + ball().translate((2, 0, 0))
+        pair.cell_data["region"] = np.repeat([70, 30], ball().n_cells)
+        image = pair.winding.labels(spacing=0.1, scalars="region")
+        self.assertEqual(np.unique(image["Label"]).tolist(), [0, 30, 70])
+        flat = pv.MultiBlock({"skin": ball(), "foil": ball().scale((1, 1, 1e-3))})
+        self.assertRaisesRegex(vtkwinding.WindingWarning, "foil", flat.winding.labels, spacing=0.1)
+
+    def test_mirrored_images(self):
+        image = pv.ImageData(dimensions=(24,) * 3, spacing=(0.05,) * 3, origin=(0.57, -0.58, -0.57))
+        image.direction_matrix = np.diag([-1.0, 1, 1])
+        center = ball().winding.field(reference_volume=image, inside=True)["Inside"].sum()
+        for coverage, least, most in (("any", center, 2 * center),
+                                      ("fraction", 0.98 * center, 1.02 * center)):
+            found = ball().winding.voxelize_binary_mask(reference_volume=image, coverage=coverage)
+            self.assertTrue(least <= found["mask"].sum() <= most, coverage)
+        near = ball().winding.field(reference_volume=image, signed_distance=True, distance_band=5)
+        self.assertLess(near["SignedDistance"].min(), -0.2)
+
+    def test_points_that_are_not_used_do_not_count(self):
+        mesh = ball()
+        more = pv.PolyData(np.vstack([mesh.points, [[1000.0, 0, 0], [np.inf, 0, 0]]]), mesh.faces)
+        self.assertEqual(more.winding.field(resolution=16).dimensions, (16, 16, 16))
+        self.assertGreater(more.winding.surface(resolution=16).n_cells, 100)
+
+    def test_meshes_and_clouds_as_points_of_one_source(self):
+        mesh = ball()
+        mesh.clear_data()
+        cloud = pv.PolyData(ball().translate((2, 0, 0)).points)
+        cloud["Normals"] = ball()["Normals"]
+        cloud.point_data.active_normals_name = "Normals"
+        places = pv.PolyData([[0.0, 0, 0], [2, 0, 0], [1, 0, 0]])
+        found = places.winding.sample(pv.MultiBlock([mesh, cloud]), as_points=True)
+        np.testing.assert_allclose(found["WindingNumber"], [1, 1, 0], atol=0.02)
+        inward = ball()
+        inward["Normals"] = -ball()["Normals"]
+        both = pv.MultiBlock([inward, mesh.translate((2, 0, 0))])
+        found = places.winding.sample(both, as_points=True)
+        np.testing.assert_allclose(found["WindingNumber"], [-1, 1, 0], atol=0.02)
+        areas = pv.MultiBlock([mesh, cloud]).winding.estimate_areas()
+        self.assertAlmostEqual(areas[0]["Area"].sum() / areas[1]["Area"].sum(), 1, 1)
+
+    def test_cells_that_cannot_be_followed_are_refused(self):
+        for bad in (-1, 10**6):
+            faces = ball().regular_faces.copy()
+            faces[3, 1] = bad
+            broken = pv.PolyData.from_regular_faces(ball().points, faces)
+            for call in (broken.winding.extract_interior, broken.winding.clip,
+                         lambda surface: broken.winding.sample(surface, association="cell")):
+                self.assertRaisesRegex(vtkwinding.WindingError, "refers to point", call, ball(8))
+
     def test_the_field_of_a_mesh_is_kept(self):
         mesh, points = ball(), grid()
         before = points.winding.select_interior_points(mesh)
-        field = mesh.winding._kept
+        field = mesh.winding._kept()
         self.assertIsNotNone(field)
         points.winding.select_interior_points(mesh, threshold=0.7)
-        self.assertIs(mesh.winding._kept, field)
+        self.assertIs(mesh.winding._kept(), field)
         mesh.points[:] *= 0.5  # nobody says that the mesh has changed
         after = points.winding.select_interior_points(mesh)
         self.assertLess(after["selected_points"].sum(), 0.2 * before["selected_points"].sum())
-        kept = mesh.winding._kept
+        kept = mesh.winding._kept()
         mesh.winding.field(resolution=8, ignore_open_parts=True)
-        self.assertIsNot(mesh.winding._kept, kept)
+        self.assertIsNot(mesh.winding._kept(), kept)
 
     def test_what_is_left_out_is_told(self):
         mesh = ball() + pv.Line()

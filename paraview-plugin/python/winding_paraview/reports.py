@@ -206,7 +206,8 @@ class SurfaceReport(Algorithm):
             copy.ShallowCopy(leaf.data)
             name = self.values["NormalsArray"]
             array = copy.GetPointData().GetArray(name) or copy.GetPointData().GetNormals()
-            normals = np.where(own[:, None], -leaf.normals, leaf.normals)
+            normals = np.array(_datasets.floats_of(array, array))
+            normals[leaf.rows] = np.where(own[:, None], -leaf.normals, leaf.normals)
             is_active = array == copy.GetPointData().GetNormals()
             fresh = copied(array.GetName() or "Normals", normals, 3)
             if is_active:

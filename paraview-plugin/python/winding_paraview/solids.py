@@ -25,6 +25,7 @@ from .sources import (
     Parts,
     cloud_of,
     gathered,
+    hash_of,
     kind_of,
     parts_of,
     source_in_words,
@@ -199,7 +200,7 @@ class Solids:
             raise WindingError("give blocks, one for each solid: the input is points, and nothing "
                                "tells which belong together")
         if has_points.sum() > 1 and not self._ranks.same(
-                hash(leaf.points.tobytes()) % 2**40 if leaf is not None else 0):
+                hash_of([leaf.points, leaf.corners]) if leaf is not None else 0):
             raise WindingError(
                 "several ranks cannot find solids that are in parts: name an array of regions "
                 "(Region Array), or give blocks, or give one rank the whole surface")

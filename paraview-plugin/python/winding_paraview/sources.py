@@ -152,7 +152,7 @@ def gathered(parts, ranks, distribution):
     if (kinds == 1).any() and (kinds == 2).any():
         raise WindingError("extract the parts of one kind: the source is a surface on some ranks "
                            "and a point cloud on others")
-    is_copy = ranks.same(_hash_of(parts)) and distribution != DISTRIBUTED
+    is_copy = ranks.same(hash_of(parts.arrays())) and distribution != DISTRIBUTED
     if distribution == REPLICATED and not is_copy:
         raise WindingError("the source is not replicated: the ranks have different data: use Source "
                            "Distribution: Automatic")
@@ -183,9 +183,10 @@ def gathered(parts, ranks, distribution):
     return joined
 
 
-def _hash_of(parts):
+def hash_of(arrays):
+    """A number for arrays, or None, by which ranks find out whether they have the same."""
     found = hashlib.blake2b(digest_size=6)  # which a double holds
-    for array in parts.arrays():
+    for array in arrays:
         found.update(b"-" if array is None else np.ascontiguousarray(array).tobytes())
     return int.from_bytes(found.digest(), "big")
 
