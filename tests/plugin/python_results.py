@@ -150,7 +150,9 @@ def of_solids(name, source, **properties):
 def run(folder):
     simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
     vtkObject.GlobalWarningDisplayOn()
-    for name in MESHES + CLOUDS:
+    names = [name for name in MESHES + CLOUDS if os.path.exists(os.path.join(folder, name))]
+    assert len(names) > 2, f"there are no meshes in {folder}"
+    for name in names:
         mesh = note(f"{name} read", opened(os.path.join(folder, name)))
         of_source(name, mesh, name in CLOUDS)
     pieces = in_pieces(simple.WindingNumberField(Input=mesh, Resolution=20))
