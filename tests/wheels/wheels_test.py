@@ -121,7 +121,7 @@ def surface_of(build, suffix, emulator, environment, folder):
 
 def run_tests(builds, name, suffix, emulator, more, folder):
     """Runs the tests of the interface in C, and compares a surface."""
-    environment = {**os.environ, **more}
+    environment = {**os.environ, **more, "LD_LIBRARY_PATH": str(builds / name / "lib")}
     start = time.monotonic()
     printed = output_of(*emulator, builds / name / "bin" / ("c_tests" + suffix),
                         "--gtest_filter=-Tolerances.*", "--gtest_brief=1", cwd=folder,
@@ -132,7 +132,8 @@ def run_tests(builds, name, suffix, emulator, more, folder):
     if not (here / "bin/c99_example").exists():
         return words
     points, faces = surface_of(builds / name, suffix, emulator, environment, folder)
-    expected, expected_faces = surface_of(here, "", (), dict(os.environ), folder)
+    own = {**os.environ, "LD_LIBRARY_PATH": str(here / "lib")}
+    expected, expected_faces = surface_of(here, "", (), own, folder)
     expect(faces == expected_faces, "has other faces:", len(faces), "and", len(expected_faces))
     largest = max(abs(a - b) for row, other in zip(points, expected) for a, b in zip(row, other))
     size = max(abs(number) for row in expected for number in row)
