@@ -287,6 +287,29 @@ winding::MeshArrays readMesh(const winding::InputFile& file, winding::Executor& 
   return winding::readPointTable(file, options, executor).points;
 }
 
+/// Makes a mesh of a file by read(file, call, mesh).
+template <class Read>
+winding_status readFile(const char* path, const winding_run* run, winding_mesh** mesh,
+  winding_refusal* refusal, const Read& read)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(mesh, "mesh") = nullptr;
+      if (required(path, "path") == 0)
+      {
+        throw Misuse("path is empty");
+      }
+      Call call(run);
+      giveHandle(*mesh,
+        [&](winding_mesh& made)
+        {
+          const winding::InputFile file(path);
+          read(file, call, made);
+        });
+    });
+}
+
 } // namespace
 
 void winding_surface_options_init(winding_surface_options* options, size_t size)
@@ -439,55 +462,33 @@ void winding_mesh_free(winding_mesh* mesh)
 winding_status winding_read(
   const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
 {
-  return guarded(run, refusal,
-    [&]
+  return readFile(path, run, mesh, refusal,
+    [](const winding::InputFile& file, Call& call, winding_mesh& made)
     {
-      required(mesh, "mesh") = nullptr;
-      if (required(path, "path") == 0)
-      {
-        throw Misuse("path is empty");
-      }
-      Call call(run);
-      giveHandle(*mesh,
-        [&](winding_mesh& made)
-        {
-          const winding::InputFile file(path);
-          const winding::MeshArrays arrays = readMesh(file, call.executor);
-          call.warn(arrays.notes);
-          takePoints(arrays, made);
-          copy(arrays.polygons.offsets, made.offsets);
-          copy(arrays.polygons.connectivity, made.corners);
-        });
+      const winding::MeshArrays arrays = readMesh(file, call.executor);
+      call.warn(arrays.notes);
+      takePoints(arrays, made);
+      copy(arrays.polygons.offsets, made.offsets);
+      copy(arrays.polygons.connectivity, made.corners);
     });
 }
 
 winding_status winding_read_table(const char* path, int32_t normals_and_areas,
   const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
 {
-  return guarded(run, refusal,
-    [&]
+  return readFile(path, run, mesh, refusal,
+    [normals_and_areas](const winding::InputFile& file, Call& call, winding_mesh& made)
     {
-      required(mesh, "mesh") = nullptr;
-      if (required(path, "path") == 0)
-      {
-        throw Misuse("path is empty");
-      }
-      Call call(run);
-      giveHandle(*mesh,
-        [&](winding_mesh& made)
-        {
-          const winding::InputFile file(path);
-          const winding::MeshFormat& format = winding::formatOf(file);
-          ColumnTexts texts;
-          winding::TableOptions options;
-          options.separator = format.read ? ',' : format.separator;
-          options.normalsAndAreas = normals_and_areas != 0;
-          options.texts = &texts;
-          const winding::PointTable table = winding::readPointTable(file, options, call.executor);
-          call.warn(table.points.notes);
-          takePoints(table.points, made);
-          takeColumns(table, texts, made);
-        });
+      const winding::MeshFormat& format = winding::formatOf(file);
+      ColumnTexts texts;
+      winding::TableOptions options;
+      options.separator = format.read ? ',' : format.separator;
+      options.normalsAndAreas = normals_and_areas != 0;
+      options.texts = &texts;
+      const winding::PointTable table = winding::readPointTable(file, options, call.executor);
+      call.warn(table.points.notes);
+      takePoints(table.points, made);
+      takeColumns(table, texts, made);
     });
 }
 
