@@ -248,3 +248,14 @@ class Algorithm(VTKPythonAlgorithmBase):
 
     def RequestUpdateExtent(self, request, inputs, outputs):
         return 1
+
+
+def replace_leaves(data, output, made):
+    """Gives composite data the structure of other data, and for each of its leaves made(leaf)."""
+    output.CopyStructure(data)
+    output.GetFieldData().PassData(data.GetFieldData())
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        output.SetDataSet(iterator, made(iterator.GetCurrentDataObject()))
+        iterator.GoToNextItem()

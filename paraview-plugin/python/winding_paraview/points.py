@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 
-from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer
+from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer, replace_leaves
 from .ranks import Ranks
 from .sources import CONSTANT_AREA, cloud_of, gathered, source_in_words
 
@@ -181,13 +181,10 @@ def _copy(data, output):
     if not isinstance(data, vtkCompositeDataSet):
         output.ShallowCopy(data)
         return
-    output.CopyStructure(data)
-    output.GetFieldData().PassData(data.GetFieldData())
-    iterator = data.NewIterator()
-    iterator.InitTraversal()
-    while not iterator.IsDoneWithTraversal():
-        leaf = iterator.GetCurrentDataObject()
-        fresh = leaf.NewInstance()
-        fresh.ShallowCopy(leaf)
-        output.SetDataSet(iterator, fresh)
-        iterator.GoToNextItem()
+
+    def fresh(leaf):
+        made = leaf.NewInstance()
+        made.ShallowCopy(leaf)
+        return made
+
+    replace_leaves(data, output, fresh)

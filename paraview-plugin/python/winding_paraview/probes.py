@@ -25,7 +25,7 @@ from vtkwinding._parts import (
     points_of_cut_cells,
 )
 
-from .algorithm import RUN, copied, declared
+from .algorithm import RUN, copied, declared, replace_leaves
 from .grids import ResultArrays
 from .ranks import Ranks
 from .sources import SourceAlgorithm, ask_for_part, kind_of
@@ -131,14 +131,8 @@ class ProbeAlgorithm(SourceAlgorithm):
         if not isinstance(data, vtkCompositeDataSet):
             output.ShallowCopy(next(answers))
             return
-        output.CopyStructure(data)
-        output.GetFieldData().PassData(data.GetFieldData())
-        iterator = data.NewIterator()
-        iterator.InitTraversal()
-        while not iterator.IsDoneWithTraversal():
-            leaf = iterator.GetCurrentDataObject()
-            output.SetDataSet(iterator, next(answers) if isinstance(leaf, vtkDataSet) else leaf)
-            iterator.GoToNextItem()
+        replace_leaves(data, output, lambda leaf: next(answers) if isinstance(leaf, vtkDataSet)
+                       else leaf)
         self.describe(output)
 
     def answers(self, leaves, counts, grid, samples):
