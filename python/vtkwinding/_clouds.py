@@ -6,6 +6,7 @@ import ctypes
 import numpy as np
 
 from . import _library
+from ._errors import WindingError
 
 _CONSTANT, _MESH = 2, 1  # of the options' AREA_METHODS
 
@@ -13,7 +14,7 @@ _CONSTANT, _MESH = 2, 1  # of the options' AREA_METHODS
 def normals_to_turn(source, show=None):
     """Of each point of a cloud, 1 where its normal is to be turned to look outward."""
     if source.normals is None:
-        raise _library.WindingError("the points have no normals to be turned: give normals, or have "
+        raise WindingError("the points have no normals to be turned: give normals, or have "
                                     "them estimated (estimate_areas, estimate_normals=True)")
     turned = np.empty(len(source.points), np.uint8)
     _library.call("winding_orient_normals", _library.array_of(source.points),
@@ -52,7 +53,7 @@ def areas_of(source, method, *, estimates, point_area, threads, show=None, **opt
     run = {"threads": threads, "show": show}
     if method == _MESH:
         if any(leaf.corners is None for leaf in source.leaves):
-            raise _library.WindingError("areas from the mesh need triangles, not points alone: "
+            raise WindingError("areas from the mesh need triangles, not points alone: "
                                         "choose another (method=)")
         areas = [_of_mesh(leaf, **run)[1] for leaf in source.leaves]
         return np.concatenate(areas) if areas else np.empty(0), None

@@ -118,6 +118,18 @@ def unstructured(data):
     return append.GetOutput()
 
 
+def extracted(data, are_kept):
+    """Some of the cells of a data set, as an unstructured grid."""
+    ids = class_of(data, "vtkCommonCore", "vtkIdList")()
+    for cell in np.flatnonzero(are_kept).tolist():
+        ids.InsertNextId(cell)
+    extract = class_of(data, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
+    extract.SetInputData(data)
+    extract.SetCellList(ids)
+    extract.Update()
+    return extract.GetOutput()
+
+
 def cell_types_of(grid):
     """The types of the cells of an unstructured grid."""
     try:

@@ -16,7 +16,7 @@ import numpy as np
 
 from ._built import LIBRARY
 from ._errors import (
-    WindingError as WindingError,
+    WindingError,
     WindingInterrupted,
     WindingMemoryError,
     WindingWarning,

@@ -101,14 +101,6 @@ class Source:
     def is_surface(self):
         return self.corners is not None
 
-    @property
-    def bounds(self):
-        """Least and largest x, y and z of all points; 0 to 1 for none."""
-        points = self.points[np.isfinite(self.points).all(axis=1)] if len(self.points) else ()
-        if not len(points):
-            return [0.0, 1.0] * 3
-        return np.stack([points.min(axis=0), points.max(axis=0)], 1).ravel().astype(float).tolist()
-
     def polygons(self):
         """The polygons as the library takes them."""
         return _library.polygons_of(self.corners, self.offsets)
@@ -280,9 +272,9 @@ def _outer_surface(mesh, surface_cells, name):
             left_out = int(are_other.sum())
             are_own &= ~are_other
         if not are_own.all():
-            cells = _extracted(mesh, are_own)
+            cells = _datasets.extracted(mesh, are_own)
     elif ghosts is not None:
-        cells = _extracted(mesh, ~ghosts)
+        cells = _datasets.extracted(mesh, ~ghosts)
     is_curved = types is not None and _datasets.has_curved(_datasets.cell_types_of(cells))
     numbered = _datasets.class_of(mesh, "vtkCommonDataModel", cells.GetClassName())()
     numbered.ShallowCopy(cells)
@@ -323,19 +315,6 @@ def _level_for(mesh):
     rise = (np.sqrt(areas[0] * excess * 3 / 8) / 2).max(initial=0)
     wanted = 1e-3 * mesh.GetLength()
     return 1 if rise <= wanted else min(5, 1 + math.ceil(math.log(rise / wanted, 4)))
-
-
-def _extracted(mesh, are_kept):
-    """Some of the cells of a mesh."""
-    ids = _datasets.class_of(mesh, "vtkCommonCore", "vtkIdList")()
-    for cell in np.flatnonzero(are_kept).tolist():
-        ids.InsertNextId(cell)
-    extract = _datasets.class_of(
-        mesh, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
-    extract.SetInputData(mesh)
-    extract.SetCellList(ids)
-    extract.Update()
-    return extract.GetOutput()
 
 
 def _areas_of(surface):

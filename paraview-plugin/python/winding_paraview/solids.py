@@ -181,15 +181,7 @@ class Solids:
                 self._whole = self._leaf_of(data)
             first = data.GetNumberOfVerts() + data.GetNumberOfLines()
             return self._parts(_part_of(self._whole, are_kept[first:]))
-        ids = _datasets.class_of(data, "vtkCommonCore", "vtkIdList")()
-        for cell in np.flatnonzero(are_kept).tolist():
-            ids.InsertNextId(cell)
-        extract = _datasets.class_of(
-            data, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
-        extract.SetInputData(data)
-        extract.SetCellList(ids)
-        extract.Update()
-        leaf = self._leaf_of(extract.GetOutput())
+        leaf = self._leaf_of(_datasets.extracted(data, are_kept))
         return Parts(np.empty((0, 3))) if leaf is None or leaf.corners is None else (
             self._parts(leaf))
 
