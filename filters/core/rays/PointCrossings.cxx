@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,8 +66,19 @@ public:
     for (std::size_t round = 0; round + 1 < reach.rounds().size(); ++round)
     {
       const std::size_t first = reach.rounds()[round], last = reach.rounds()[round + 1];
-      this->run(rays, reach, first, last, share.part(until(first), until(last)));
+      const Share ours = share.part(until(first), until(last));
+      std::vector<Full> full;
+      const double tasksEnd = this->run(rays, reach.inColumns(first, last), first, ours, full);
+      this->divide(rays, full, ours.part(tasksEnd, 1)); // the lists of all columns are given back
     }
+  }
+
+  /// Runs the tasks of all columns, whose `triangles` are known. Throws Interrupted.
+  void run(const RaysInColumns& rays, const Buckets<std::uint32_t>& triangles, const Share& share)
+  {
+    std::vector<Full> full;
+    const double tasksEnd = this->run(rays, triangles, 0, share, full);
+    this->divide(rays, full, share.part(tasksEnd, 1));
   }
 
 private:
@@ -77,51 +89,53 @@ private:
     TriangleIds triangles;
   };
 
-  /// Runs the tasks of columns first … last − 1, and divides those that give up.
-  void run(const RaysInColumns& rays, const ReachOfTriangles& reach, std::size_t first,
-    std::size_t last, const Share& share)
+  /// Runs the tasks of the columns from `first` on that `triangles` are for, and puts into `full`
+  /// what gave up. Returns the part of `share` after which that is divided.
+  double run(const RaysInColumns& rays, const Buckets<std::uint32_t>& triangles, std::size_t first,
+    const Share& share, std::vector<Full>& full)
   {
-    std::vector<Full> full;
-    double tasksEnd;
+    std::vector<std::size_t> occupied;
+    bool mayGiveUp = false; // a guess: where it is wrong, columns divided later show no progress
+    for (std::size_t i = 0; i < triangles.count(); ++i)
     {
-      const Buckets<std::uint32_t> triangles = reach.inColumns(first, last);
-      bool mayGiveUp = false; // a guess: where it is wrong, columns divided later show no progress
-      for (std::size_t i = 0; i < triangles.count(); ++i)
+      const double pairs =
+        static_cast<double>(rays.size(first + i)) * static_cast<double>(triangles.size(i));
+      mayGiveUp = mayGiveUp || pairs > static_cast<double>(RayCounter::mostSteps);
+      if (rays.size(first + i) > 0)
       {
-        const double pairs =
-          static_cast<double>(rays.size(first + i)) * static_cast<double>(triangles.size(i));
-        mayGiveUp = mayGiveUp || pairs > static_cast<double>(RayCounter::mostSteps);
+        occupied.push_back(i);
       }
-      std::mutex mutex;
-      tasksEnd = mayGiveUp ? 0.5 : 1;
-      this->show(share.part(0, tasksEnd));
-      executor_.run(last - first,
-        [&](std::size_t i)
-        {
-          Ray* const begin = rays.starts[first + i];
-          Ray* const end = rays.starts[first + i + 1];
-          if (begin == end)
-          {
-            return;
-          }
-          TriangleIds ids(triangles.begin(i), triangles.end(i));
-          if (counter_.count(begin, end, ids))
-          {
-            this->write(begin, end);
-            return;
-          }
-          std::for_each(begin, end, [](Ray& ray) { ray.crossings = 0; });
-          const std::lock_guard<std::mutex> lock(mutex);
-          full.push_back({first + i, std::move(ids)});
-        });
     }
-    const Share rest = share.part(tasksEnd, 1);
+    std::mutex mutex;
+    const double tasksEnd = mayGiveUp ? 0.5 : 1;
+    this->show(share.part(0, tasksEnd));
+    executor_.run(occupied.size(),
+      [&](std::size_t task)
+      {
+        const std::size_t i = occupied[task];
+        Ray* const begin = rays.starts[first + i];
+        Ray* const end = rays.starts[first + i + 1];
+        TriangleIds ids(triangles.begin(i), triangles.end(i));
+        if (counter_.count(begin, end, ids))
+        {
+          this->write(begin, end);
+          return;
+        }
+        std::for_each(begin, end, [](Ray& ray) { ray.crossings = 0; });
+        const std::lock_guard<std::mutex> lock(mutex);
+        full.push_back({first + i, std::move(ids)});
+      });
+    return tasksEnd;
+  }
+
+  void divide(const RaysInColumns& rays, const std::vector<Full>& full, const Share& share)
+  {
     for (std::size_t i = 0; i < full.size(); ++i)
     {
       const double count = static_cast<double>(full.size()), at = static_cast<double>(i);
       const std::size_t column = full[i].column;
       this->divide(rays.starts[column], rays.starts[column + 1], full[i].triangles,
-        rest.part(at / count, (at + 1) / count));
+        share.part(at / count, (at + 1) / count));
     }
   }
 
@@ -276,7 +290,7 @@ void PointCrossings::evaluate(
 const TriangleColumns* PointCrossings::columnsForFew(
   const RayCounter& counter, double scale, std::size_t rays, Executor& executor) const
 {
-  constexpr std::size_t fewTriangles = 4096, trianglesPerRay = 256;
+  constexpr std::size_t fewTriangles = 4096, trianglesPerRay = 4;
   if (chain_.size() < fewTriangles || rays > chain_.size() / trianglesPerRay ||
       !wereFewAsked_.exchange(true))
   {
@@ -349,7 +363,12 @@ void PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   {
     return; // all is known
   }
-  const Columns columns(box, std::min(mostBuckets, samples.size()));
+  const RayCounter counter(chain_, scale);
+  const std::size_t count = std::accumulate(unknown.begin(), unknown.end(), std::size_t(0),
+    [](std::size_t sum, const std::vector<std::uint16_t>& block) { return sum + block.size(); });
+  const TriangleColumns* const kept = this->columnsForFew(counter, scale, count, executor);
+  const Columns columns =
+    kept ? kept->columns() : Columns(box, std::min(mostBuckets, samples.size()));
   Buckets<Ray> rays = distribute<Ray>(
     unknown.size(), columns.count(),
     [&](std::size_t first, std::size_t last, const auto& put)
@@ -375,13 +394,10 @@ void PointCrossings::cast(const VectorsView& samples, const FieldOutput& output,
   }
   inColumns.starts.back() = rays.end(columns.count() - 1);
 
-  const RayCounter counter(chain_, scale);
   ColumnTasks tasks(counter, output, executor);
-  const auto count = static_cast<std::size_t>(inColumns.starts.back() - inColumns.starts.front());
-  if (const TriangleColumns* kept = this->columnsForFew(counter, scale, count, executor))
+  if (kept)
   {
-    const TriangleIds near = kept->near(inColumns.starts.front(), inColumns.starts.back());
-    tasks.run(inColumns, CandidateTriangles(near), {0, 1});
+    tasks.run(inColumns, kept->triangles(), {0, 1});
     return;
   }
   tasks.run(inColumns, CandidateTriangles(chain_.size()), {0, 1});

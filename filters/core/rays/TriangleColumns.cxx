@@ -1,8 +1,6 @@
 #include "rays/TriangleColumns.h"
 
-#include <algorithm>
 #include <atomic>
-#include <vector>
 
 namespace winding
 {
@@ -65,26 +63,6 @@ TriangleColumns::TriangleColumns(const RayCounter& counter, std::size_t triangle
       }
     },
     executor, perBlock);
-}
-
-TriangleIds TriangleColumns::near(const Ray* first, const Ray* last) const
-{
-  std::vector<std::size_t> columns;
-  std::transform(first, last, std::back_inserter(columns),
-    [this](const Ray& ray) { return columns_.of(ray.start()); });
-  std::sort(columns.begin(), columns.end());
-  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-  TriangleIds ids;
-  for (const std::size_t column : columns)
-  {
-    ids.insert(ids.end(), triangles_.begin(column), triangles_.end(column));
-  }
-  if (columns.size() > 1)
-  {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  }
-  return ids;
 }
 
 } // namespace winding

@@ -28,8 +28,10 @@ public:
 
   bool isUsable() const { return triangles_.count() > 0; }
 
-  /// Returns the triangles that rays may cross, each of them once and ascending.
-  TriangleIds near(const Ray* first, const Ray* last) const;
+  const Columns& columns() const { return columns_; }
+
+  /// Returns the triangles of each column, ascending.
+  const Buckets<std::uint32_t>& triangles() const { return triangles_; }
 
 private:
   Columns columns_;

@@ -44,6 +44,32 @@ std::vector<double> crossings(const Mesh& mesh, const std::vector<Point>& sample
   return crossings(clean(mesh), samples, serial);
 }
 
+/// Asks the same crossings for one group of up to `most` samples after the other, and expects the
+/// values that all samples have at once.
+void expectTheSameAskedAgain(
+  const winding::Surface& surface, const std::vector<Point>& samples, std::size_t most)
+{
+  winding::SerialExecutor serial;
+  const std::vector<double> expected = crossings(surface, samples, serial);
+  const winding::PointCrossings kept(surface);
+  ShuffledThreads threads(272);
+  for (std::size_t first = 0, count = 1; first < samples.size();
+       first += count, count = 3 * count % most + 1)
+  {
+    count = std::min(count, samples.size() - first);
+    std::vector<double> values(count);
+    winding::FieldOutput output;
+    output.doubleValues = values.data();
+    kept.evaluate(winding::VectorsView(samples[first].data(), count), output, threads);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double wanted = expected[first + i];
+      ASSERT_TRUE(values[i] == wanted || (std::isnan(wanted) && std::isnan(values[i])))
+        << samples[first + i].transpose();
+    }
+  }
+}
+
 /// Compares crossings with the direct sum, which is no integer on the surface and within rounding
 /// of it.
 void expectTheIntegers(const Mesh& mesh, const std::vector<Point>& samples)
@@ -275,25 +301,18 @@ TEST(PointCrossings, OfFewSamplesAskedAgainAndAgain)
     samples.insert(samples.end(), near.begin(), near.end());
     samples.insert(samples.end(), mesh.points.begin(), mesh.points.begin() + 500);
     samples.emplace_back(std::nan(""), 0, 0);
-    winding::SerialExecutor serial;
-    const std::vector<double> expected = crossings(surface, samples, serial);
-    const winding::PointCrossings kept(surface);
-    for (std::size_t first = 0, count = 1; first < samples.size();
-         first += count, count = count % 7 + 1)
-    {
-      count = std::min(count, samples.size() - first);
-      std::vector<double> values(count);
-      winding::FieldOutput output;
-      output.doubleValues = values.data();
-      kept.evaluate(winding::VectorsView(samples[first].data(), count), output, serial);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const double wanted = expected[first + i];
-        ASSERT_TRUE(values[i] == wanted || (std::isnan(wanted) && std::isnan(values[i])))
-          << samples[first + i].transpose();
-      }
-    }
+    expectTheSameAskedAgain(surface, samples, 7);
+    expectTheSameAskedAgain(surface, samples, 1500);
   }
+}
+
+/// All samples, and nearly all triangles, are in one of the columns that are kept.
+TEST(PointCrossings, OfCrowdedSamplesAskedAgain)
+{
+  SCOPED_TRACE("seed 271");
+  const Mesh mesh = scaled(cube(), 100).with(icosphere(6));
+  const std::vector<Point> samples = randomPoints(20000, -1, 1, 271);
+  expectTheSameAskedAgain(clean(mesh), samples, samples.size());
 }
 
 TEST(PointCrossings, OfSamplesThatAreNowhereOrFarAway)
@@ -419,8 +438,8 @@ TEST(PointCrossings, DivideWhatThereIsMuchOf)
   const winding::Surface surface = clean(mesh);
   ShareLog log;
   crossings(surface, samples, log);
-  EXPECT_GT(log.blocks, 1024) << "1024 columns, and those that one of them was divided into";
   ASSERT_GT(log.sharesOfRuns.size(), 3);
+  EXPECT_GT(log.blocks, log.sharesOfRuns.size() + 1) << "20 in 11 runs; undivided, 11 in 10";
   EXPECT_EQ(log.shares.front(), log.shares.back()) << "as it was";
   double last = 0.25;
   for (const auto& [begin, end] : log.sharesOfRuns)
