@@ -1,12 +1,16 @@
-#include "Calls.h"
+#include "AllCalls.h"
 #include "messages/Options.h"
 
 #include <atomic>
 #include <cctype>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <regex>
+#include <set>
 #include <thread>
 
 namespace
@@ -15,171 +19,6 @@ namespace
 using namespace calls;
 using shapes::Mesh;
 using shapes::Point;
-
-/// Everything that a call needs, right at first.
-struct Arguments
-{
-  Arguments()
-    : mesh(shapes::icosphere(1))
-    , field(fieldOf(mesh))
-    , polygons(polygonsOf(mesh))
-    , grid(gridAround({-1, -1, -1}, {1, 1, 1}, 6))
-    , points(arrayOf(mesh.points))
-    , floats(sizeOf(grid))
-    , doubles(3 * sizeOf(grid))
-    , areas(mesh.points.size())
-    , bytes(sizeOf(grid))
-    , labels(sizeOf(grid))
-    , solids(mesh.triangles.size())
-    , values(with(winding_values_init))
-    , rule(with(winding_rule_init))
-    , options(with(winding_options_init))
-    , run(with(winding_run_init))
-  {
-    values.winding = floats.data();
-    values.inside = bytes.data();
-    run.number_of_threads = 2;
-  }
-
-  Mesh mesh;
-  Field field;
-  winding_polygons polygons;
-  winding_grid grid;
-  winding_array points;
-  std::vector<float> floats;
-  std::vector<double> doubles, areas;
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::uint16_t> labels;
-  std::vector<std::int32_t> solids;
-  winding_values values;
-  winding_rule rule;
-  winding_options options;
-  winding_run run;
-  winding_field* madeField = nullptr;
-  winding_mesh* madeMesh = nullptr;
-  winding_refusal refusal = {};
-};
-
-struct Call
-{
-  const char* name;
-  winding_status (*make)(Arguments& with);
-};
-
-/// Every function that works, with arguments that are right.
-const Call allCalls[] = {
-  {"winding_faces",
-    [](Arguments& a)
-    {
-      return winding_faces(a.points, &a.polygons, &a.options, &a.run, &a.madeField, &a.refusal);
-    }},
-  {"winding_points",
-    [](Arguments& a)
-    {
-      return winding_points(
-        a.points, a.points, {nullptr, 0, 0, 0}, &a.options, &a.run, &a.madeField, &a.refusal);
-    }},
-  {"winding_evaluate_grid",
-    [](Arguments& a)
-    {
-      return winding_evaluate_grid(
-        a.field.get(), &a.grid, nullptr, &a.rule, &a.values, &a.run, &a.refusal);
-    }},
-  {"winding_evaluate_points",
-    [](Arguments& a)
-    {
-      return winding_evaluate_points(
-        a.field.get(), a.points, &a.rule, &a.values, &a.run, &a.refusal);
-    }},
-  {"winding_level_surface",
-    [](Arguments& a)
-    {
-      return winding_level_surface(
-        a.field.get(), &a.grid, &a.rule, nullptr, &a.run, &a.madeMesh, &a.refusal);
-    }},
-  {"winding_voxel_surface",
-    [](Arguments& a)
-    {
-      return winding_voxel_surface(
-        {a.bytes.data(), static_cast<int64_t>(a.bytes.size()), 0, WINDING_UINT8}, &a.grid, &a.run,
-        &a.madeMesh, &a.refusal);
-    }},
-  {"winding_label",
-    [](Arguments& a)
-    {
-      const winding_field* fields[] = {a.field.get()};
-      auto arrays = with(winding_labels_init);
-      arrays.labels = a.labels.data();
-      return winding_label(
-        fields, nullptr, 1, &a.grid, nullptr, &a.rule, nullptr, &arrays, &a.run, &a.refusal);
-    }},
-  {"winding_solids",
-    [](Arguments& a)
-    {
-      std::int64_t count;
-      return winding_solids(a.points, &a.polygons, &a.run, a.solids.data(), &count, &a.refusal);
-    }},
-  {"winding_open_parts",
-    [](Arguments& a)
-    {
-      return winding_open_parts(a.points, &a.polygons, &a.run, a.bytes.data(), &a.refusal);
-    }},
-  {"winding_faults",
-    [](Arguments& a)
-    {
-      return winding_faults(
-        a.points, &a.polygons, WINDING_FAULT_CAPS, &a.run, &a.madeMesh, &a.refusal);
-    }},
-  {"winding_vertices",
-    [](Arguments& a)
-    {
-      return winding_vertices(
-        a.points, &a.polygons, &a.run, a.doubles.data(), a.areas.data(), &a.refusal);
-    }},
-  {"winding_verify",
-    [](Arguments& a)
-    {
-      auto found = with(winding_verification_init);
-      const auto samples = static_cast<std::int64_t>(a.floats.size());
-      return winding_verify(a.field.get(), &a.grid, nullptr,
-        {a.floats.data(), samples, 0, WINDING_FLOAT32}, 10, &a.run, &found, &a.refusal);
-    }},
-  {"winding_examine",
-    [](Arguments& a)
-    {
-      auto report = with(winding_report_init);
-      return winding_examine(a.points, &a.polygons, &a.run, &report, &a.refusal);
-    }},
-  {"winding_orient",
-    [](Arguments& a)
-    {
-      return winding_orient(a.points, &a.polygons, &a.run, a.bytes.data(),
-        a.bytes.data() + a.bytes.size() / 2, nullptr, nullptr, &a.refusal);
-    }},
-  {"winding_examine_points",
-    [](Arguments& a)
-    {
-      auto report = with(winding_cloud_report_init);
-      return winding_examine_points(a.points, a.points, &a.run, &report, &a.refusal);
-    }},
-  {"winding_orient_normals",
-    [](Arguments& a)
-    {
-      return winding_orient_normals(a.points, a.points, &a.run, a.bytes.data(), &a.refusal);
-    }},
-  {"winding_estimate_normals",
-    [](Arguments& a)
-    {
-      return winding_estimate_normals(
-        a.points, &a.options, &a.run, a.floats.data(), nullptr, nullptr, &a.refusal);
-    }},
-  {"winding_point_areas",
-    [](Arguments& a)
-    {
-      return winding_point_areas(
-        a.points, a.points, &a.options, &a.run, a.doubles.data(), &a.refusal);
-    }},
-};
 
 /// Expects WINDING_MISUSED of all calls that `spoil` concerns, which returns whether it does.
 void expectMisuse(const std::function<void(Arguments&)>& spoil, const std::string& those)
@@ -199,14 +38,6 @@ void expectMisuse(const std::function<void(Arguments&)>& spoil, const std::strin
   }
 }
 
-void release(Arguments& arguments)
-{
-  winding_field_free(arguments.madeField);
-  winding_mesh_free(arguments.madeMesh);
-  arguments.madeField = nullptr;
-  arguments.madeMesh = nullptr;
-}
-
 } // namespace
 
 TEST(Border, LetsEveryRightCallPass)
@@ -216,8 +47,28 @@ TEST(Border, LetsEveryRightCallPass)
     Arguments arguments;
     EXPECT_EQ(call.make(arguments), WINDING_OK) << call.name << arguments.refusal.text;
     EXPECT_STREQ(arguments.refusal.text, "");
-    release(arguments);
+    arguments.release();
   }
+}
+
+/// All that return a status are called by these tests, those of later versions, too.
+TEST(Border, IsThatOfTheHeader)
+{
+  std::ifstream file(WINDING_HEADER);
+  const std::string header((std::istreambuf_iterator<char>(file)), {});
+  const std::regex declaration("WINDING_API winding_status (\\w+)\\(");
+  std::set<std::string> declared, called;
+  for (std::sregex_iterator match(header.begin(), header.end(), declaration), end; match != end;
+       ++match)
+  {
+    declared.insert((*match)[1]);
+  }
+  for (const Call& call : allCalls)
+  {
+    called.insert(call.name);
+  }
+  EXPECT_GT(declared.size(), 20);
+  EXPECT_EQ(called, declared);
 }
 
 TEST(Border, RefusesWhatIsNoArray)
@@ -291,7 +142,7 @@ TEST(Border, TakesStructsOfOlderAndNewerHeaders)
   a.options.regularization = -7; // is not looked at
   EXPECT_EQ(
     winding_faces(a.points, &a.polygons, &a.options, nullptr, &a.madeField, nullptr), WINDING_OK);
-  release(a);
+  a.release();
 
   struct Newer
   {
@@ -304,7 +155,7 @@ TEST(Border, TakesStructsOfOlderAndNewerHeaders)
   EXPECT_EQ(newer.more[3], 0);
   EXPECT_EQ(
     winding_faces(a.points, &a.polygons, &newer.known, nullptr, &a.madeField, nullptr), WINDING_OK);
-  release(a);
+  a.release();
 
   struct winding_field_info info;
   std::memset(&info, 0xFF, sizeof info);
@@ -341,7 +192,7 @@ TEST(Border, EndsCallsWhereverProgressAsksForIt)
     Countdown whole = {-1};
     arguments.run.user = &whole;
     EXPECT_EQ(call.make(arguments), WINDING_OK) << call.name;
-    release(arguments);
+    arguments.release();
     EXPECT_TRUE(whole.isRight) << call.name;
     const int step = std::max(1, whole.calls / 50);
     for (int i = 0; i < whole.calls - 5; i += step)
@@ -357,7 +208,7 @@ TEST(Border, EndsCallsWhereverProgressAsksForIt)
         EXPECT_EQ(arguments.madeField, nullptr);
         EXPECT_EQ(arguments.madeMesh, nullptr);
       }
-      release(arguments);
+      arguments.release();
     }
   }
 }

@@ -5,13 +5,13 @@
 #include <random>
 #include <string>
 
-/// A file with some contents, removed with the object.
+/// A file with some contents, whose name has an ending; removed with the object.
 class TemporaryFile
 {
 public:
-  explicit TemporaryFile(const std::string& contents)
+  explicit TemporaryFile(const std::string& contents, const std::string& ending = "")
     : name_((std::filesystem::temp_directory_path() /
-             ("winding-core-test-" + std::to_string(std::random_device()())))
+             ("winding-core-test-" + std::to_string(std::random_device()()) + ending))
               .string())
   {
     this->write(contents);
