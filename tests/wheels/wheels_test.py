@@ -3,10 +3,10 @@
 Usage: wheels_test.py <folder of wheels> <folder of builds> <system…>
 
 Looks into each wheel: its size, its licences, what its library exports and which other libraries it
-needs. Then it runs what runs on this machine: the tests of arrays in Python for Linux on this
-processor, and the tests of the interface in C for Windows, by wine, and for Linux on ARM, by qemu.
-A surface of theirs is compared with the one that Linux on this processor makes. Prints a table, and
-fails if any check does.
+needs. Then it runs what runs on this machine: the tests of arrays in Python for Linux, on this
+processor and, by qemu, on ARM; and the quick tests of core, files and interface in C for Windows, by
+wine, and for Linux on ARM. A surface of theirs is compared with the one that Linux on this processor
+makes. Prints a table, and fails if any check does.
 """
 
 import os
@@ -20,6 +20,7 @@ import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LARGEST = 6_000_000  # bytes of a wheel
+QEMU = ["qemu-aarch64-static"]
 LICENCES = {"Highway", "Eigen", "nanoflann", "zig", "LLVM"}
 
 # What every system has.
@@ -27,7 +28,8 @@ LIBRARIES = {
     "linux": r"(lib(c|m|pthread|dl|rt)\.so\.\d|ld-linux-.*)",
     "windows": r"(?i)((kernel32|ntdll|advapi32|msvcrt|ucrtbase)\.dll|api-ms-win-crt-.*\.dll)",
     "macos": r"/usr/lib/libSystem\.B\.dylib",
-}# What a library of macOS exports besides: the operators new and delete of C++, which programs may
+}
+# What a library of macOS exports besides: the operators new and delete of C++, which programs may
 # replace, and two marks of the linker.
 OF_MACOS = r"_Z(na|nw|da|dl)[mPS]\w*|_mh_dylib_header|__dso_handle"
 
@@ -100,14 +102,29 @@ def look_into(wheel, system, folder):
         expect(tag == "manylinux_2_17" or "manylinux_2_5" in tag, "is for", tag, shown)
 
 
+def run_pytest(python, folder, *options):
+    """Runs the tests of arrays, which need NumPy alone."""
+    tests = [ROOT / f"tests/python/{name}_test.py" for name in ("arrays", "fields")]
+    printed = output_of(*python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *tests,
+                        cwd=folder)
+    return "Python: " + printed.splitlines()[-1].strip(" =")
+
+
 def run_python(wheel, folder):
-    """Runs the tests of arrays with the wheel and NumPy alone."""
+    """Installs the wheel into an environment of its own, and runs the tests of arrays."""
     python = folder / "environment/bin/python"
     output_of("/usr/bin/python3", "-m", "venv", folder / "environment")
     output_of(python, "-m", "pip", "install", "--disable-pip-version-check", "-q", wheel, "pytest")
-    tests = [ROOT / f"tests/python/{name}_test.py" for name in ("arrays", "fields")]
-    printed = output_of(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests, cwd=folder)
-    return "Python: " + printed.splitlines()[-1].strip(" =")
+    return run_pytest([python], folder)
+
+
+def run_python_of_arm(root, folder):
+    """Runs the tests of arrays in the Python of a root of Debian for ARM. That Python cannot start
+    another one, which one test does."""
+    libraries = ":".join(f"/usr/lib/aarch64-linux-gnu/{name}" for name in ("blas", "lapack"))
+    python = [*QEMU, "-L", root, "-E", f"LD_LIBRARY_PATH={libraries}",
+              "-E", f"PYTHONPATH={folder / 'wheel'}", root / "usr/bin/python3"]
+    return run_pytest(python, folder, "-k", "not test_needs_no_vtk")
 
 
 def surface_of(build, suffix, emulator, environment, folder):
@@ -120,17 +137,21 @@ def surface_of(build, suffix, emulator, environment, folder):
 
 
 def run_tests(builds, name, suffix, emulator, more, folder):
-    """Runs the tests of the interface in C, and compares a surface."""
+    """Runs the quick tests of core, files and interface in C, and compares a surface."""
+    programs = builds / name / "bin"
     environment = {**os.environ, **more, "LD_LIBRARY_PATH": str(builds / name / "lib")}
-    start = time.monotonic()
-    printed = output_of(*emulator, builds / name / "bin" / ("c_tests" + suffix),
-                        "--gtest_filter=-Tolerances.*", "--gtest_brief=1", cwd=folder,
-                        env=environment)
-    passed = re.search(r"\[  PASSED  \] (\d+) test", printed)[1]
-    words = f"tests in C: {passed} passed in {time.monotonic() - start:.0f} s"
+    words = []
+    for layer in ("core", "files", "c"):
+        slow = (programs / f"{layer}_tests.slow").read_text()
+        start = time.monotonic()
+        printed = output_of(*emulator, programs / f"{layer}_tests{suffix}",
+                            f"--gtest_filter=-{slow}", "--gtest_brief=1", cwd=folder,
+                            env=environment)
+        passed = re.search(r"\[  PASSED  \] (\d+) test", printed)[1]
+        words.append(f"{passed} of {layer} in {time.monotonic() - start:.0f} s")
     here = builds / "linux-x86_64"
     if not (here / "bin/c99_example").exists():
-        return words
+        return ", ".join(words)
     points, faces = surface_of(builds / name, suffix, emulator, environment, folder)
     own = {**os.environ, "LD_LIBRARY_PATH": str(here / "lib")}
     expected, expected_faces = surface_of(here, "", (), own, folder)
@@ -138,15 +159,17 @@ def run_tests(builds, name, suffix, emulator, more, folder):
     largest = max(abs(a - b) for row, other in zip(points, expected) for a, b in zip(row, other))
     size = max(abs(number) for row in expected for number in row)
     expect(largest <= 1e-6 * size, "has points elsewhere, by", largest)
-    return f"{words}, {len(points)} points of a surface differ by at most {largest / size:.0e}"
+    words.append(f"{len(points)} points of a surface differ by at most {largest / size:.0e}")
+    return ", ".join(words)
 
 
 def run(wheel, name, builds, folder):
     if name == "linux-x86_64":
         return run_python(wheel, folder)
     if name == "linux-aarch64":
-        emulator = ("qemu-aarch64-static", "-L", "/usr/aarch64-linux-gnu")
-        return run_tests(builds, name, "", emulator, {}, folder)
+        emulator = (*QEMU, "-L", "/usr/aarch64-linux-gnu")
+        return (f"{run_tests(builds, name, '', emulator, {}, folder)}; "
+                f"{run_python_of_arm(builds / 'arm', folder)}")
     if name == "windows-x86_64":
         prefix = {"WINEPREFIX": str(builds / name / "wine"), "WINEDEBUG": "-all"}
         return run_tests(builds, name, ".exe", ("/usr/lib/wine/wine64",), prefix, folder)
